@@ -1,0 +1,13 @@
+//! krank: planar linkages with one input.
+pub mod angle;
+mod mechanism;
+pub mod quantity;
+pub mod scene;
+pub mod solver;
+mod vec2;
+
+pub use mechanism::{
+    Body, Builder, Defect, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Point,
+    PointId, Slide, SlideId, Slider,
+};
+pub use vec2::Vec2;

@@ -1,0 +1,3 @@
+//! The program `krank`.
+
+fn main() {}

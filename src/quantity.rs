@@ -1,0 +1,369 @@
+//! Everything that has a name, a unit and a value.
+//!
+//! Tables, plots, CSV columns, JSON keys and the demand given to the solver all come from here.
+
+use crate::scene::{Scene, VectorKind};
+use crate::solver::{Condition, Demand, Order, State};
+use crate::{Input, LinkId, PointId, SlideId, angle};
+use thiserror::Error;
+
+/// What a quantity is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// The driver.
+    Driver,
+    /// A point.
+    Point(PointId),
+    /// A link: its direction and turning.
+    Link(LinkId),
+    /// A slide, read as a vector from the sliding point back to `through`.
+    Slide(SlideId),
+    /// The vector from one point to another.
+    Between(PointId, PointId),
+}
+
+/// Which of its figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Aspect {
+    /// Position along x.
+    X,
+    /// Position along y.
+    Y,
+    /// Velocity along x.
+    Vx,
+    /// Velocity along y.
+    Vy,
+    /// Acceleration along x.
+    Ax,
+    /// Acceleration along y.
+    Ay,
+    /// Direction in degrees, from 0 to below 360; the driver's is not wrapped.
+    Angle,
+    /// Angular velocity in rad/s.
+    Omega,
+    /// Angular acceleration in rad/s^2.
+    Alpha,
+    /// Length; for a slide the signed position along the guide.
+    Length,
+    /// The rate of the length.
+    Rate,
+    /// The rate of the rate.
+    Accel,
+}
+
+impl Aspect {
+    const POINT: [Aspect; 6] = [
+        Aspect::X,
+        Aspect::Y,
+        Aspect::Vx,
+        Aspect::Vy,
+        Aspect::Ax,
+        Aspect::Ay,
+    ];
+    const TURNING: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
+    const STRETCHING: [Aspect; 3] = [Aspect::Length, Aspect::Rate, Aspect::Accel];
+
+    /// As in a column's name, behind the dot.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Aspect::X => "x",
+            Aspect::Y => "y",
+            Aspect::Vx => "vx",
+            Aspect::Vy => "vy",
+            Aspect::Ax => "ax",
+            Aspect::Ay => "ay",
+            Aspect::Angle => "angle",
+            Aspect::Omega => "omega",
+            Aspect::Alpha => "alpha",
+            Aspect::Length => "length",
+            Aspect::Rate => "rate",
+            Aspect::Accel => "accel",
+        }
+    }
+
+    /// How far a state must be solved for it.
+    #[must_use]
+    pub fn order(self) -> Order {
+        match self {
+            Aspect::X | Aspect::Y | Aspect::Angle | Aspect::Length => Order::Position,
+            Aspect::Vx | Aspect::Vy | Aspect::Omega | Aspect::Rate => Order::Velocity,
+            Aspect::Ax | Aspect::Ay | Aspect::Alpha | Aspect::Accel => Order::Acceleration,
+        }
+    }
+
+    /// Its unit, in a scene whose lengths are in `length`.
+    #[must_use]
+    pub fn unit(self, length: &str) -> String {
+        let is_angle = matches!(self, Aspect::Angle | Aspect::Omega | Aspect::Alpha);
+        match (is_angle, self.order()) {
+            (true, Order::Position) => "deg".into(),
+            (true, Order::Velocity) => "rad/s".into(),
+            (true, Order::Acceleration) => "rad/s^2".into(),
+            (false, Order::Position) => length.into(),
+            (false, Order::Velocity) => format!("{length}/s"),
+            (false, Order::Acceleration) => format!("{length}/s^2"),
+        }
+    }
+}
+
+/// A figure that can be shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// The column's name: `C.vx`, `r3.omega`, `r4.length`, `r3.com.x`.
+    pub name: String,
+    /// The unit: `mm/s`.
+    pub unit: String,
+    /// What it is about.
+    pub subject: Subject,
+    /// Which figure.
+    pub aspect: Aspect,
+}
+
+impl Quantity {
+    /// The value in this state, or `None` where none exists.
+    #[must_use]
+    pub fn value(&self, state: &State) -> Option<f64> {
+        if self.subject == Subject::Driver {
+            return Some(driver_value(self.aspect, state));
+        }
+        let exists = match state.condition() {
+            Condition::Ok | Condition::ChangePoint => true,
+            Condition::DeadPoint => self.aspect.order() == Order::Position,
+            Condition::NoAssembly => false,
+        };
+        let value = exists.then(|| value_of(self.subject, self.aspect, state));
+        value.filter(|v| v.is_finite())
+    }
+
+    /// The name with the unit in brackets, as a column's header.
+    #[must_use]
+    pub fn header(&self) -> String {
+        format!("{} [{}]", self.name, self.unit)
+    }
+}
+
+fn driver_value(aspect: Aspect, state: &State) -> f64 {
+    match aspect.order() {
+        Order::Position => state.at(),
+        Order::Velocity => state.driver_speed(),
+        Order::Acceleration => state.driver_acceleration(),
+    }
+}
+
+fn value_of(subject: Subject, aspect: Aspect, state: &State) -> f64 {
+    match subject {
+        Subject::Driver => driver_value(aspect, state),
+        Subject::Point(point) => point_value(point, aspect, state),
+        Subject::Link(link) => match aspect.order() {
+            Order::Position => angle::degrees(state.direction(link)),
+            Order::Velocity => state.omega(link),
+            Order::Acceleration => state.alpha(link),
+        },
+        Subject::Slide(slide) => slide_value(slide, aspect, state),
+        Subject::Between(tail, head) => between_value(tail, head, aspect, state),
+    }
+}
+
+fn point_value(point: PointId, aspect: Aspect, state: &State) -> f64 {
+    let vector = match aspect.order() {
+        Order::Position => state.position(point),
+        Order::Velocity => state.velocity(point),
+        Order::Acceleration => state.acceleration(point),
+    };
+    if matches!(aspect, Aspect::X | Aspect::Vx | Aspect::Ax) {
+        vector.x
+    } else {
+        vector.y
+    }
+}
+
+fn slide_value(slide: SlideId, aspect: Aspect, state: &State) -> f64 {
+    let travel = state.travel(slide);
+    match aspect {
+        Aspect::Length => travel.position,
+        Aspect::Rate => travel.rate,
+        Aspect::Accel => travel.accel,
+        // The vector runs from the sliding point back to `through`, against the guide.
+        Aspect::Angle => angle::degrees(-travel.guide),
+        Aspect::Omega => travel.omega,
+        _ => travel.alpha,
+    }
+}
+
+/// Of r = head - tail: r' = r.v / |r|, omega = (r x v) / r.r, and once more for the second rates.
+fn between_value(tail: PointId, head: PointId, aspect: Aspect, state: &State) -> f64 {
+    let r = state.position(head) - state.position(tail);
+    let length = r.norm();
+    match aspect {
+        Aspect::Length => return length,
+        Aspect::Angle => return angle::degrees(r),
+        _ => {}
+    }
+    let v = state.velocity(head) - state.velocity(tail);
+    let (along, across) = (r / length, (r / length).perp());
+    let (rate, omega) = (along.dot(v), across.dot(v) / length);
+    match aspect {
+        Aspect::Rate => return rate,
+        Aspect::Omega => return omega,
+        _ => {}
+    }
+    let a = state.acceleration(head) - state.acceleration(tail);
+    match aspect {
+        Aspect::Accel => along.dot(a) + length * omega * omega,
+        _ => (across.dot(a) - 2.0 * rate * omega) / length,
+    }
+}
+
+/// All quantities of a scene, in the order of the file.
+#[derive(Clone, Debug)]
+pub struct Catalogue {
+    quantities: Vec<Quantity>,
+}
+
+/// A column pattern that names nothing in the scene.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("no quantity is named `{pattern}`{}", nearest.as_ref().map(|n| format!("; did you mean `{n}`?")).unwrap_or_default())]
+pub struct UnknownColumn {
+    /// The pattern.
+    pub pattern: String,
+    /// The name nearest to it.
+    pub nearest: Option<String>,
+}
+
+impl Catalogue {
+    /// Lists what a scene can show: the driver, every vector, every named point, every centre of mass.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let mut catalogue = Catalogue {
+            quantities: Vec::new(),
+        };
+        let driver_aspects = match scene.mechanism.driver().input {
+            Input::Turn(_) => &[Aspect::Angle][..],
+            Input::Push(_) => &[Aspect::Length][..],
+        };
+        catalogue.push(scene, "driver", Subject::Driver, driver_aspects);
+        if let (Input::Push(_), Some(driver)) = (
+            scene.mechanism.driver().input,
+            catalogue.quantities.first_mut(),
+        ) {
+            driver.name = "driver.position".into();
+        }
+        for vector in &scene.vectors {
+            let subject = match vector.kind {
+                VectorKind::Link(link) => Subject::Link(link),
+                VectorKind::Slide(slide) => Subject::Slide(slide),
+                VectorKind::Between(tail, head) => Subject::Between(tail, head),
+            };
+            if !matches!(subject, Subject::Link(_)) {
+                catalogue.push(scene, &vector.name, subject, &Aspect::STRETCHING);
+            }
+            catalogue.push(scene, &vector.name, subject, &Aspect::TURNING);
+        }
+        for link in scene.mechanism.link_ids() {
+            if scene.mechanism.link(link).ends.is_none() {
+                catalogue.push(
+                    scene,
+                    scene.link_name(link),
+                    Subject::Link(link),
+                    &Aspect::TURNING,
+                );
+            }
+        }
+        for point in scene.mechanism.point_ids() {
+            if let Some(name) = scene.point_name(point) {
+                catalogue.push(scene, name, Subject::Point(point), &Aspect::POINT);
+            }
+        }
+        catalogue
+    }
+
+    fn push(&mut self, scene: &Scene, name: &str, subject: Subject, aspects: &[Aspect]) {
+        for &aspect in aspects {
+            self.quantities.push(Quantity {
+                name: format!("{name}.{}", aspect.name()),
+                unit: aspect.unit(scene.unit.symbol()),
+                subject,
+                aspect,
+            });
+        }
+    }
+
+    /// All of them, the driver's coordinate first.
+    #[must_use]
+    pub fn all(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    /// The driver's coordinate.
+    #[must_use]
+    pub fn driver(&self) -> &Quantity {
+        &self.quantities[0]
+    }
+
+    /// The quantities that match the patterns, in the order of the patterns, each once; `*` stands
+    /// for any run of characters. The driver's coordinate is left out: it always comes first.
+    ///
+    /// # Errors
+    /// The first pattern that matches nothing, with the nearest name.
+    pub fn select(&self, patterns: &[impl AsRef<str>]) -> Result<Vec<Quantity>, UnknownColumn> {
+        let mut selected: Vec<Quantity> = Vec::new();
+        for pattern in patterns {
+            let pattern = pattern.as_ref();
+            let mut any = false;
+            for quantity in self.quantities.iter().filter(|q| matches(pattern, &q.name)) {
+                any = true;
+                if quantity.subject != Subject::Driver && !selected.contains(quantity) {
+                    selected.push(quantity.clone());
+                }
+            }
+            if !any {
+                return Err(self.unknown(pattern));
+            }
+        }
+        Ok(selected)
+    }
+
+    fn unknown(&self, pattern: &str) -> UnknownColumn {
+        let distance = |q: &&Quantity| strsim::damerau_levenshtein(pattern, &q.name);
+        let nearest = self
+            .quantities
+            .iter()
+            .min_by_key(distance)
+            .filter(|q| distance(q) <= 2);
+        UnknownColumn {
+            pattern: pattern.into(),
+            nearest: nearest.map(|q| q.name.clone()),
+        }
+    }
+}
+
+/// Whether `name` fits `pattern`, where `*` stands for any run of characters.
+fn matches(pattern: &str, name: &str) -> bool {
+    match pattern.split_once('*') {
+        None => pattern == name,
+        Some((head, tail)) => name.strip_prefix(head).is_some_and(|rest| {
+            (0..=rest.len()).any(|i| rest.is_char_boundary(i) && matches(tail, &rest[i..]))
+        }),
+    }
+}
+
+/// What the solver must do so that these can be read: the demand, and how far to solve.
+#[must_use]
+pub fn demand<'a>(quantities: impl IntoIterator<Item = &'a Quantity>) -> (Demand, Order) {
+    let mut demand = Demand::default();
+    let mut order = Order::Position;
+    for quantity in quantities {
+        if quantity.subject != Subject::Driver {
+            order = order.max(quantity.aspect.order());
+        }
+        match quantity.subject {
+            Subject::Driver => {}
+            Subject::Point(point) => demand.points.push(point),
+            Subject::Link(link) => demand.links.push(link),
+            Subject::Slide(slide) => demand.slides.push(slide),
+            Subject::Between(tail, head) => demand.points.extend([tail, head]),
+        }
+    }
+    (demand, order)
+}

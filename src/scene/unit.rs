@@ -1,0 +1,41 @@
+//! Units of length.
+
+/// The unit of every length of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unit {
+    /// Millimetres.
+    Millimetre,
+    /// Centimetres.
+    Centimetre,
+    /// Metres.
+    Metre,
+    /// Inches.
+    Inch,
+}
+
+impl Unit {
+    /// All units, in the order in which messages list them.
+    pub const ALL: [Unit; 4] = [Unit::Millimetre, Unit::Centimetre, Unit::Metre, Unit::Inch];
+
+    /// As the scene file and the column headers write it.
+    #[must_use]
+    pub fn symbol(self) -> &'static str {
+        match self {
+            Unit::Millimetre => "mm",
+            Unit::Centimetre => "cm",
+            Unit::Metre => "m",
+            Unit::Inch => "in",
+        }
+    }
+
+    /// Its size in metres.
+    #[must_use]
+    pub fn metres(self) -> f64 {
+        match self {
+            Unit::Millimetre => 1e-3,
+            Unit::Centimetre => 1e-2,
+            Unit::Metre => 1.0,
+            Unit::Inch => 0.0254,
+        }
+    }
+}

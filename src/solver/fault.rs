@@ -1,0 +1,59 @@
+use crate::{Element, LinkId, PointId, Vec2};
+use thiserror::Error;
+
+/// Why a mechanism as a whole cannot be solved. Carries ids; a scene knows the lines.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Fault {
+    /// Mobility other than one.
+    #[error("the mobility is {mobility}, not 1")]
+    Mobility {
+        /// Degrees of freedom, the driver's included.
+        mobility: usize,
+        /// Constraints that repeat others.
+        redundant: usize,
+        /// Links that the driver does not determine.
+        floating: Vec<LinkId>,
+    },
+    /// More constraints than the motion allows, and they do not agree (an immobile structure).
+    #[error("over-constrained: the parts do not fit by {misfit:e}")]
+    OverConstrained {
+        /// The element set aside as redundant that does not fit.
+        element: Element,
+        /// By how much, in the scene's length unit (or rad).
+        misfit: f64,
+        /// At which coordinate of the driver.
+        at: f64,
+    },
+    /// A group that cannot be closed at the start.
+    #[error("the loop cannot close at the start, by {gap:e}")]
+    Open {
+        /// The joint that cannot be placed.
+        point: PointId,
+        /// The links that ought to meet there.
+        links: Vec<LinkId>,
+        /// The distance that is missing, in the scene's length unit.
+        gap: f64,
+    },
+    /// The start does not choose between the assemblies of a group.
+    #[error("the start does not say which assembly is meant")]
+    Vague {
+        /// The joint whose position would decide.
+        point: PointId,
+        /// Where it can be.
+        choices: Vec<Vec2>,
+    },
+    /// A coupled group for which no assembly was found near the start.
+    #[error("no assembly was found near the start")]
+    NotAssembled {
+        /// Points of the group whose start positions would help.
+        points: Vec<PointId>,
+        /// The smallest misfit reached, in the scene's length unit.
+        gap: f64,
+    },
+    /// Constraints that never determine a position: parallel guides, mostly.
+    #[error("the group is singular in every position")]
+    Singular {
+        /// The elements of the group.
+        elements: Vec<Element>,
+    },
+}

@@ -1,0 +1,47 @@
+use crate::{Element, LinkId, PointId};
+
+/// How a group is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum GroupKind {
+    /// The driven link or slide.
+    Driver,
+    /// Two links and three pins: circle and circle.
+    Rrr,
+    /// Pin, pin, slide: circle and line.
+    Rrp,
+    /// Pin, slide, pin: an arm that slides through a pin.
+    Rpr,
+    /// Slide, pin, slide: two lines.
+    Prp,
+    /// Pin, slide, slide: two lines.
+    Rpp,
+    /// A coupled group, by Newton.
+    Coupled {
+        /// The number of unknowns solved for at once.
+        unknowns: usize,
+    },
+}
+
+/// A smallest set of links and points that is solved at once.
+#[derive(Clone, Debug)]
+pub struct Group {
+    /// How it is solved.
+    pub kind: GroupKind,
+    /// The point that names it: the inner joint of a dyad.
+    pub point: Option<PointId>,
+    /// The links that it places.
+    pub links: Vec<LinkId>,
+    /// The points that it places.
+    pub points: Vec<PointId>,
+}
+
+/// The groups of a mechanism in the order in which they are solved.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    /// The groups, the driver's first.
+    pub groups: Vec<Group>,
+    /// Degrees of freedom by rank: 1 for a mechanism that opens.
+    pub mobility: usize,
+    /// Elements with a constraint that repeats others and was set aside.
+    pub redundant: Vec<Element>,
+}
