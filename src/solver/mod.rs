@@ -1,15 +1,34 @@
 //! From a mechanism and the driver's coordinate to a state.
+//!
+//! [`Solver::new`] does everything that needs to be done once: the network of constraints is
+//! ordered into groups, the groups become elementary steps, each takes the assembly that the
+//! start means, and the whole motion is followed. [`Solver::solve`] then runs the steps at any
+//! coordinate, in any order, without a history and without allocating.
+
+mod assemble;
+mod chain;
+mod coupled;
+mod demand;
+mod engine;
 mod fault;
+mod frame;
+mod lu;
 mod motion;
+mod network;
+mod order;
 mod plan;
 mod state;
+mod step;
 
 pub use fault::Fault;
 pub use motion::{Motion, Range};
 pub use plan::{Group, GroupKind, Plan};
 pub use state::{Condition, State, Travel};
 
-use crate::{LinkId, Mechanism, PointId, SlideId};
+use crate::{Element, LinkId, Mechanism, PointId, SlideId};
+use engine::Engine;
+use frame::Frame;
+use network::Network;
 
 /// How far a state is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -35,31 +54,88 @@ pub struct Demand {
 
 /// A mechanism made ready to be solved at any coordinate of its driver.
 #[derive(Clone, Debug)]
-pub struct Solver {}
+pub struct Solver {
+    engine: Engine,
+    plan: Plan,
+    motion: Motion,
+    slides: usize,
+}
 
 impl Solver {
     /// Plans the mechanism, assembles it at the driver's start and follows its whole motion once.
+    ///
+    /// # Errors
+    /// What makes the mechanism impossible as a whole: see [`Fault`].
     pub fn new(mechanism: &Mechanism) -> Result<Solver, Fault> {
-        todo!()
+        let network = Network::new(mechanism);
+        let start = mechanism.driver().start;
+        if let Some(clash) = network.clash {
+            let element = Element::Slide(clash.slide);
+            let misfit = clash.misfit.abs();
+            return Err(Fault::OverConstrained {
+                element,
+                misfit,
+                at: start,
+            });
+        }
+        let frame = Frame::of(mechanism);
+        let ordering = order::ordering(&network)?;
+        let (plan, program) = chain::build(&network, frame, &ordering)?;
+        let slides = mechanism.slides().len();
+        let mut engine = Engine::new(mechanism, frame, program);
+        let mut state = engine.state(slides);
+        assemble::assemble(&mut engine, &network, &plan, &mut state)?;
+        let motion = motion::explore(&engine, start, &state)?;
+        Ok(Solver {
+            engine,
+            plan,
+            motion,
+            slides,
+        })
     }
+
     /// The groups in the order in which they are solved.
+    #[must_use]
     pub fn plan(&self) -> &Plan {
-        todo!()
+        &self.plan
     }
+
     /// The whole motion: the driver's range.
+    #[must_use]
     pub fn motion(&self) -> &Motion {
-        todo!()
+        &self.motion
     }
+
     /// The same solver, without the groups and points that `demand` does not depend on.
+    #[must_use]
     pub fn only(&self, demand: &Demand) -> Solver {
-        todo!()
+        Solver {
+            engine: self.engine.only(demand),
+            ..self.clone()
+        }
     }
+
     /// An empty state with all the room that solving needs.
+    #[must_use]
     pub fn state(&self) -> State {
-        todo!()
+        self.engine.state(self.slides)
     }
-    /// Solves for the driver's coordinate `at` (deg, or the scene's length unit), not wrapped. Allocates nothing.
+
+    /// Solves for the driver's coordinate `at` (deg, or the scene's length unit), not wrapped.
+    ///
+    /// The result depends on `at` alone, never on what the state held before. Allocates nothing.
     pub fn solve(&self, at: f64, order: Order, state: &mut State) -> Condition {
-        todo!()
+        if !self.motion.covers(at) {
+            state.at = at;
+            state.condition = Condition::NoAssembly;
+            return Condition::NoAssembly;
+        }
+        self.motion.anchors.aim(&self.engine, at, state);
+        self.engine.run(at, order, state)
     }
+}
+
+/// A number of turns in degrees.
+fn angle_turn(turns: usize) -> f64 {
+    crate::angle::TURN * turns as f64
 }

@@ -1,3 +1,8 @@
+//! The plan of a mechanism: groups in their order, for people; steps, for the solver.
+
+use super::coupled::Coupled;
+use super::state::{LinkState, PointState};
+use super::step::Step;
 use crate::{Element, LinkId, PointId};
 
 /// How a group is solved.
@@ -31,7 +36,7 @@ pub struct Group {
     pub point: Option<PointId>,
     /// The links that it places.
     pub links: Vec<LinkId>,
-    /// The points that it places.
+    /// The points that it places, riders and centres of mass included.
     pub points: Vec<PointId>,
 }
 
@@ -44,4 +49,40 @@ pub struct Plan {
     pub mobility: usize,
     /// Elements with a constraint that repeats others and was set aside.
     pub redundant: Vec<Element>,
+}
+
+/// A constraint that was set aside and must hold all the same.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Watch {
+    pub element: Element,
+    pub gauge: Gauge,
+}
+
+/// How far a watched constraint is from holding.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Gauge {
+    /// The distance of two points.
+    Distance {
+        from: PointId,
+        to: PointId,
+        length: f64,
+    },
+    /// A point on a line of a body.
+    OnLine {
+        point: PointId,
+        line: super::step::Line,
+    },
+}
+
+/// What the solver runs: the steps in order, and what they start from.
+#[derive(Clone, Debug)]
+pub(super) struct Program {
+    pub steps: Vec<Step>,
+    /// The first step of every group, and the end.
+    pub group_starts: Vec<usize>,
+    pub coupled: Vec<Coupled>,
+    /// The constant points and links; everything else is overwritten.
+    pub points: Vec<PointState>,
+    pub links: Vec<LinkState>,
+    pub watches: Vec<Watch>,
 }

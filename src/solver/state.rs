@@ -1,3 +1,7 @@
+//! The result of a solve: kinematic coefficients inside, figures in the scene's units outside.
+
+use super::coupled::Scratch;
+use super::frame::Frame;
 use crate::{LinkId, PointId, SlideId, Vec2};
 
 /// What a state is.
@@ -5,65 +9,165 @@ use crate::{LinkId, PointId, SlideId, Vec2};
 pub enum Condition {
     /// Solved.
     Ok,
-    /// A limit of the motion: positions exist, rates do not.
-    DeadPoint,
     /// Where two assemblies meet: values are limits.
     ChangePoint,
+    /// A limit of the motion: positions exist, rates do not.
+    DeadPoint,
     /// The mechanism cannot be here: no values.
     NoAssembly,
 }
 
+/// A point's position and its first two derivatives by the driver's coordinate.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct PointState {
+    pub p: Vec2,
+    pub v: Vec2,
+    pub a: Vec2,
+}
+
+/// A link's direction (a unit vector) and the first two derivatives of its angle.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct LinkState {
+    pub d: Vec2,
+    pub w: f64,
+    pub a: f64,
+}
+
+impl LinkState {
+    /// A body that does not turn.
+    pub(super) const FIXED: LinkState = LinkState {
+        d: Vec2::X,
+        w: 0.0,
+        a: 0.0,
+    };
+}
+
+/// A slide's position along its guide and its first two derivatives, and the guide itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct TravelState {
+    pub s: f64,
+    pub v: f64,
+    pub a: f64,
+    pub guide: LinkState,
+}
+
+/// How the driver moves, in radians or scaled lengths.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Rates {
+    pub speed: f64,
+    pub acceleration: f64,
+}
+
 /// Position, velocity and acceleration of every point and link, in the scene's units and frame.
 ///
-/// Velocities and accelerations are for the driver's speed and acceleration. Whoever reads asks
-/// [`State::condition`] first, or reads through a `Quantity`, which does.
+/// Velocities and accelerations are for the driver's speed and acceleration: with x' and x'' the
+/// kinematic coefficients of first and second order, v = x' q' and a = x'' q'^2 + x' q''. Whoever
+/// reads asks [`State::condition`] first, or reads through a `Quantity`, which does.
 #[derive(Clone, Debug)]
-pub struct State {}
+pub struct State {
+    pub(super) condition: Condition,
+    pub(super) at: f64,
+    pub(super) points: Vec<PointState>,
+    pub(super) links: Vec<LinkState>,
+    pub(super) travels: Vec<TravelState>,
+    /// One signed measure a group: the square of the sine of its transmission angle, or what
+    /// plays that part; zero at a singularity, negative where the group cannot close.
+    pub(super) measures: Vec<f64>,
+    /// Room for the coupled groups.
+    pub(super) scratch: Scratch,
+    pub(super) frame: Frame,
+    pub(super) rates: Rates,
+    /// The size of the driver's unit in the coordinate of the derivatives: 1 for radians.
+    pub(super) driver_scale: f64,
+}
 
 impl State {
     /// What this state is.
+    #[must_use]
     pub fn condition(&self) -> Condition {
-        todo!()
+        self.condition
     }
+
     /// The driver's coordinate, as asked.
+    #[must_use]
     pub fn at(&self) -> f64 {
-        todo!()
+        self.at
     }
+
     /// The driver's speed: rad/s or length/s.
+    #[must_use]
     pub fn driver_speed(&self) -> f64 {
-        todo!()
+        self.rates.speed * self.driver_scale
     }
+
     /// The driver's acceleration: rad/s^2 or length/s^2.
+    #[must_use]
     pub fn driver_acceleration(&self) -> f64 {
-        todo!()
+        self.rates.acceleration * self.driver_scale
     }
+
     /// The position of a point.
+    #[must_use]
     pub fn position(&self, point: PointId) -> Vec2 {
-        todo!()
+        self.frame.place(self.points[point.index()].p)
     }
+
     /// Its velocity, per second.
+    #[must_use]
     pub fn velocity(&self, point: PointId) -> Vec2 {
-        todo!()
+        self.points[point.index()].v * (self.rates.speed * self.frame.scale)
     }
+
     /// Its acceleration, per second squared.
+    #[must_use]
     pub fn acceleration(&self, point: PointId) -> Vec2 {
-        todo!()
+        let point = &self.points[point.index()];
+        let Rates {
+            speed,
+            acceleration,
+        } = self.rates;
+        (point.a * (speed * speed) + point.v * acceleration) * self.frame.scale
     }
+
     /// The direction of a link's x axis: a unit vector.
+    #[must_use]
     pub fn direction(&self, link: LinkId) -> Vec2 {
-        todo!()
+        self.links[link.index()].d
     }
+
     /// Angular velocity in rad/s.
+    #[must_use]
     pub fn omega(&self, link: LinkId) -> f64 {
-        todo!()
+        self.links[link.index()].w * self.rates.speed
     }
+
     /// Angular acceleration in rad/s^2.
+    #[must_use]
     pub fn alpha(&self, link: LinkId) -> f64 {
-        todo!()
+        let link = &self.links[link.index()];
+        self.rates.second(link.w, link.a)
     }
+
     /// Where a slide is along its guide, and how the guide lies.
+    #[must_use]
     pub fn travel(&self, slide: SlideId) -> Travel {
-        todo!()
+        let travel = &self.travels[slide.index()];
+        let TravelState { s, v, a, guide } = *travel;
+        Travel {
+            position: s * self.frame.scale,
+            rate: v * self.rates.speed * self.frame.scale,
+            accel: self.rates.second(v, a) * self.frame.scale,
+            guide: guide.d,
+            omega: guide.w * self.rates.speed,
+            alpha: self.rates.second(guide.w, guide.a),
+        }
+    }
+}
+
+impl Rates {
+    /// The second rate of a coordinate from its coefficients of first and second order.
+    fn second(self, first: f64, second: f64) -> f64 {
+        second * (self.speed * self.speed) + first * self.acceleration
     }
 }
 

@@ -1,0 +1,169 @@
+//! Runs a program at one coordinate of the driver.
+
+use super::coupled::Scratch;
+use super::frame::Frame;
+use super::plan::{Gauge, Program, Watch};
+use super::state::{Condition, PointState, Rates, State, TravelState};
+use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::{Demand, Order};
+use crate::{Input, Mechanism, Vec2, angle};
+
+/// A program, and what its driver's coordinate means.
+#[derive(Clone, Debug)]
+pub(super) struct Engine {
+    pub program: Program,
+    pub frame: Frame,
+    pub turns: bool,
+    rates: Rates,
+}
+
+impl Engine {
+    pub(super) fn new(mechanism: &Mechanism, frame: Frame, program: Program) -> Engine {
+        let driver = mechanism.driver();
+        let turns = matches!(driver.input, Input::Turn(_));
+        let inner = |v: f64| if turns { v } else { frame.length(v) };
+        let rates = Rates {
+            speed: inner(driver.speed),
+            acceleration: inner(driver.acceleration),
+        };
+        let mut engine = Engine {
+            program,
+            frame,
+            turns,
+            rates,
+        };
+        let mut offset = 0;
+        for group in &mut engine.program.coupled {
+            group.offset = offset;
+            offset += group.room();
+        }
+        engine
+    }
+
+    pub(super) fn state(&self, slides: usize) -> State {
+        let coupled = &self.program.coupled;
+        State {
+            condition: Condition::NoAssembly,
+            at: 0.0,
+            points: self.program.points.clone(),
+            links: self.program.links.clone(),
+            travels: vec![TravelState::default(); slides],
+            measures: vec![1.0; self.program.group_starts.len()],
+            scratch: Scratch {
+                numbers: vec![0.0; coupled.iter().map(|c| c.room()).sum()],
+                pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
+                first: 0.0,
+            },
+            frame: self.frame,
+            rates: self.rates,
+            driver_scale: if self.turns { 1.0 } else { self.frame.scale },
+        }
+    }
+
+    /// A difference of the driver's coordinate as the derivatives count it.
+    pub(super) fn difference(&self, from: f64, to: f64) -> f64 {
+        if self.turns {
+            angle::radians(to - from)
+        } else {
+            self.frame.length(to - from)
+        }
+    }
+
+    /// Runs every step; a coupled group starts from the z that is in the scratch.
+    pub(super) fn run(&self, at: f64, order: Order, state: &mut State) -> Condition {
+        let steps = 0..self.program.steps.len();
+        state.at = at;
+        state.condition = self.run_steps(steps, at, order, state);
+        state.condition
+    }
+
+    pub(super) fn run_steps(
+        &self,
+        steps: std::ops::Range<usize>,
+        at: f64,
+        order: Order,
+        state: &mut State,
+    ) -> Condition {
+        let steps = &self.program.steps[steps];
+        match order {
+            Order::Position => self.run_to::<POSITION>(steps, at, state),
+            Order::Velocity => self.run_to::<VELOCITY>(steps, at, state),
+            Order::Acceleration => self.run_to::<ACCELERATION>(steps, at, state),
+        }
+    }
+
+    fn run_to<const ORDER: u8>(&self, steps: &[Step], at: f64, state: &mut State) -> Condition {
+        let (q, direction) = self.coordinate(at);
+        let mut condition = Condition::Ok;
+        for step in steps {
+            let outcome = match step {
+                Step::Coupled { index } => self.run_coupled(*index, q, ORDER, state),
+                _ => step.run::<ORDER>(q, direction, state),
+            };
+            match outcome {
+                Outcome::Done => {}
+                Outcome::Stretched => condition = Condition::DeadPoint,
+                Outcome::Open => return Condition::NoAssembly,
+            }
+        }
+        condition
+    }
+
+    /// The driver's coordinate for the steps: a length, or a direction.
+    pub(super) fn coordinate(&self, at: f64) -> (f64, Vec2) {
+        if self.turns {
+            (0.0, angle::unit(at))
+        } else {
+            (self.frame.length(at), Vec2::X)
+        }
+    }
+
+    fn run_coupled(&self, index: usize, q: f64, order: u8, state: &mut State) -> Outcome {
+        let group = &self.program.coupled[index];
+        // Taken out for the while, so that the group can read the state; moves no memory.
+        let mut scratch = std::mem::take(&mut state.scratch);
+        let corrected = group.correct(q, state, &mut scratch);
+        scratch.first = scratch.first.max(corrected.first);
+        let solved = corrected.settled && group.finish(q, order, state, &mut scratch);
+        state.scratch = scratch;
+        if solved { Outcome::Done } else { Outcome::Open }
+    }
+
+    /// The first watched constraint that misses by more than `tolerance`, and by how much.
+    pub(super) fn misfit(&self, state: &State, tolerance: f64) -> Option<(Watch, f64)> {
+        let misses = self
+            .program
+            .watches
+            .iter()
+            .map(|w| (*w, w.gauge.misfit(state)));
+        // Written so that NaN counts as a misfit.
+        misses
+            .into_iter()
+            .find(|(_, miss)| !(miss.abs() <= tolerance))
+    }
+
+    /// The same engine without the steps that `demand` does not need.
+    pub(super) fn only(&self, demand: &Demand) -> Engine {
+        let mut engine = self.clone();
+        let needed = super::demand::needed_steps(&self.program, demand);
+        let mut needed = needed.into_iter();
+        engine
+            .program
+            .steps
+            .retain(|_| needed.next().unwrap_or(true));
+        engine
+    }
+}
+
+impl Gauge {
+    fn misfit(&self, state: &State) -> f64 {
+        let at = |p: crate::PointId| -> PointState { state.points[p.index()] };
+        match self {
+            Gauge::Distance { from, to, length } => (at(*to).p - at(*from).p).norm() - length,
+            Gauge::OnLine { point, line } => {
+                let t = line.along.turned(state.links[line.link.index()].d);
+                t.cross(at(*point).p - at(line.through).p)
+            }
+        }
+    }
+}

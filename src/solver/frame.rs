@@ -1,0 +1,110 @@
+//! The solver's own frame: a ground pivot as origin, lengths scaled by a power of two.
+//!
+//! Far coordinates cost no digits, products of four lengths neither overflow nor underflow, and a
+//! scene scaled by a power of two gives the same bits: the scaling itself is exact.
+
+use crate::{Body, Input, Mechanism, Vec2};
+
+/// From the scene's frame and unit to the solver's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Frame {
+    origin: Vec2,
+    /// A power of two: the scene's length of the solver's unit.
+    pub(super) scale: f64,
+}
+
+impl Frame {
+    /// The frame in which the mechanism's longest length lies in [1, 2).
+    pub(super) fn of(mechanism: &Mechanism) -> Frame {
+        let origin = origin(mechanism);
+        let mut longest = 0.0_f64;
+        for link in mechanism.links() {
+            let Some(first) = link.members.first() else {
+                continue;
+            };
+            for member in &link.members {
+                longest = longest.max((member.local - first.local).norm());
+            }
+        }
+        for point in mechanism.points() {
+            if let Some(ground) = point.ground {
+                longest = longest.max((ground - origin).norm());
+            }
+        }
+        for slide in mechanism.slides() {
+            let from = if slide.on == Body::Ground {
+                origin
+            } else {
+                Vec2::ZERO
+            };
+            longest = longest.max((slide.through - from).norm());
+        }
+        Frame {
+            origin,
+            scale: power_of_two_below(longest),
+        }
+    }
+
+    /// A length of the scene in the solver's unit; exact.
+    pub(super) fn length(&self, length: f64) -> f64 {
+        length / self.scale
+    }
+
+    /// A vector in a link's frame in the solver's unit; exact.
+    pub(super) fn local(&self, local: Vec2) -> Vec2 {
+        local / self.scale
+    }
+
+    /// A place of the scene in the solver's frame.
+    pub(super) fn inner(&self, place: Vec2) -> Vec2 {
+        (place - self.origin) / self.scale
+    }
+
+    /// A place of the solver in the scene's frame.
+    pub(super) fn place(&self, inner: Vec2) -> Vec2 {
+        self.origin + inner * self.scale
+    }
+}
+
+/// The driver's pivot, or else the first ground point.
+fn origin(mechanism: &Mechanism) -> Vec2 {
+    let ground = |id: crate::PointId| mechanism.point(id).ground;
+    let pivot = match mechanism.driver().input {
+        Input::Turn(link) => {
+            let members = &mechanism.link(link).members;
+            members.iter().find_map(|m| ground(m.point))
+        }
+        Input::Push(_) => None,
+    };
+    let first = || mechanism.points().iter().find_map(|p| p.ground);
+    pivot.or_else(first).unwrap_or(Vec2::ZERO)
+}
+
+/// The largest power of two not above `length`; 1 where there is no length to go by.
+fn power_of_two_below(length: f64) -> f64 {
+    if !(length.is_normal() && length > 0.0) {
+        return 1.0;
+    }
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    f64::from_bits(length.to_bits() & EXPONENT)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::power_of_two_below;
+
+    #[test]
+    fn the_scale_is_a_power_of_two_not_above_the_length() {
+        for (length, expected) in [
+            (400.0, 256.0),
+            (1.0, 1.0),
+            (0.7, 0.5),
+            (2.0, 2.0),
+            (0.0, 1.0),
+        ] {
+            assert_eq!(power_of_two_below(length), expected);
+        }
+        let huge = power_of_two_below(4e152);
+        assert!((1.0..2.0).contains(&(4e152 / huge)));
+    }
+}

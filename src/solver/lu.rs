@@ -1,0 +1,74 @@
+//! Gauss' elimination with partial pivoting, in place: the few lines that a coupled group needs,
+//! since solving must not allocate.
+
+/// Factors the n x n `matrix` (by rows) into L U; `pivots[k]` is the row that came to place k.
+/// `None` where a column has no pivot: the matrix is singular, or not finite.
+pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Option<()> {
+    for k in 0..n {
+        let size = |row: usize, m: &[f64]| m[row * n + k].abs();
+        let pivot = (k..n).max_by(|&i, &j| size(i, matrix).total_cmp(&size(j, matrix)))?;
+        let largest = size(pivot, matrix);
+        if !(largest > 0.0 && largest.is_finite()) {
+            return None;
+        }
+        pivots[k] = pivot;
+        if pivot != k {
+            let (upper, lower) = matrix.split_at_mut(pivot * n);
+            upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
+        }
+        let inverse = 1.0 / matrix[k * n + k];
+        for i in k + 1..n {
+            let factor = matrix[i * n + k] * inverse;
+            matrix[i * n + k] = factor;
+            for j in k + 1..n {
+                matrix[i * n + j] -= factor * matrix[k * n + j];
+            }
+        }
+    }
+    Some(())
+}
+
+/// Solves with what [`factor`] left; the answer takes the place of `right`.
+pub(super) fn solve(matrix: &[f64], pivots: &[usize], right: &mut [f64], n: usize) {
+    for k in 0..n {
+        right.swap(k, pivots[k]);
+    }
+    for i in 1..n {
+        let (done, rest) = right.split_at_mut(i);
+        rest[0] -= dot(&matrix[i * n..i * n + i], done);
+    }
+    for i in (0..n).rev() {
+        let (rest, done) = right.split_at_mut(i + 1);
+        let sum = dot(&matrix[i * n + i + 1..(i + 1) * n], done);
+        rest[i] = (rest[i] - sum) / matrix[i * n + i];
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn solves_what_needs_pivots() {
+        let a = [0.0, 2.0, 1.0, 1.0, 0.0, 3.0, 4.0, 5.0, 0.0];
+        let x = [1.0, -2.0, 0.5];
+        let mut right: Vec<f64> = (0..3).map(|i| dot(&a[3 * i..3 * i + 3], &x)).collect();
+        let (mut matrix, mut pivots) = (a, [0; 3]);
+        factor(&mut matrix, &mut pivots, 3).unwrap();
+        solve(&matrix, &pivots, &mut right, 3);
+        for (got, want) in right.iter().zip(x) {
+            assert!((got - want).abs() < 1e-15, "{got} {want}");
+        }
+    }
+
+    #[test]
+    fn a_singular_matrix_is_told() {
+        let mut matrix = [1.0, 2.0, 2.0, 4.0];
+        assert_eq!(factor(&mut matrix, &mut [0; 2], 2), None);
+        assert_eq!(factor(&mut [f64::NAN], &mut [0; 1], 1), None);
+    }
+}

@@ -1,0 +1,300 @@
+//! The constraint graph of a mechanism: which unknowns there are, and which equation ties which.
+//!
+//! The unknowns are the two coordinates of every moving joint and one direction for every class of
+//! links that keep their angles to each other (links locked on slides). A link of k joints gives
+//! 2 (k - 1) equations, a slot one. Points that are no joints take no part: they ride.
+
+use crate::{Body, Element, Input, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
+
+/// A class of links that keep their angles to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct ClassId(pub(super) usize);
+
+/// The class of the ground.
+pub(super) const GROUND: ClassId = ClassId(0);
+
+/// One scalar equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Row {
+    /// The distance of a link's joint from the link's centre joint.
+    Along { link: LinkId, end: PointId },
+    /// The direction in which it is seen from there.
+    Across { link: LinkId, end: PointId },
+    /// A point on its guide.
+    Slot(SlideId),
+    /// The driven slide's position along its guide.
+    Push(SlideId),
+}
+
+impl Row {
+    /// The element that the equation belongs to.
+    pub(super) fn element(self) -> Element {
+        match self {
+            Row::Along { link, .. } | Row::Across { link, .. } => Element::Link(link),
+            Row::Slot(slide) | Row::Push(slide) => Element::Slide(slide),
+        }
+    }
+}
+
+/// One scalar unknown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unknown {
+    /// A coordinate of a joint.
+    Point(PointId),
+    /// The direction of a class of links.
+    Class(ClassId),
+}
+
+/// Two locks that hold one link at two different angles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LockClash {
+    pub slide: SlideId,
+    /// The sine of the angle between them.
+    pub misfit: f64,
+}
+
+/// The constraint graph.
+#[derive(Clone, Debug)]
+pub(super) struct Network<'m> {
+    pub mechanism: &'m Mechanism,
+    /// For every link, and for the ground behind them.
+    pub class_of: Vec<ClassId>,
+    /// The direction of a link as seen from that of its class.
+    pub turn: Vec<Vec2>,
+    pub members: Vec<Vec<LinkId>>,
+    /// The joint from which a link's other joints are seen.
+    centre: Vec<Option<PointId>>,
+    joint: Vec<bool>,
+    pub rows: Vec<Row>,
+    /// Locks that repeat others, and agree with them.
+    pub repeated_locks: Vec<SlideId>,
+    pub clash: Option<LockClash>,
+}
+
+impl<'m> Network<'m> {
+    pub(super) fn new(mechanism: &'m Mechanism) -> Self {
+        let bodies = mechanism.links().len() + 1;
+        let mut network = Network {
+            mechanism,
+            class_of: vec![GROUND; bodies],
+            turn: vec![Vec2::X; bodies],
+            members: Vec::new(),
+            centre: Vec::new(),
+            joint: Vec::new(),
+            rows: Vec::new(),
+            repeated_locks: Vec::new(),
+            clash: None,
+        };
+        network.find_classes();
+        network.find_joints();
+        network.list_rows();
+        network
+    }
+
+    /// The ground as a body: the link behind the last one.
+    pub(super) fn ground(&self) -> LinkId {
+        LinkId::new(self.mechanism.links().len())
+    }
+
+    /// The body of a guide.
+    pub(super) fn body(&self, body: Body) -> LinkId {
+        match body {
+            Body::Ground => self.ground(),
+            Body::Link(link) => link,
+        }
+    }
+
+    pub(super) fn link(&self, link: LinkId) -> Option<&'m Link> {
+        self.mechanism.links().get(link.index())
+    }
+
+    pub(super) fn class(&self, link: LinkId) -> ClassId {
+        self.class_of[link.index()]
+    }
+
+    pub(super) fn is_joint(&self, point: PointId) -> bool {
+        self.joint[point.index()]
+    }
+
+    pub(super) fn is_ground(&self, point: PointId) -> bool {
+        self.mechanism.point(point).ground.is_some()
+    }
+
+    /// The joints of a link, with their local coordinates.
+    pub(super) fn joints(&self, link: LinkId) -> impl Iterator<Item = crate::Member> + '_ {
+        let members = self.link(link).map_or(&[][..], |l| &l.members);
+        members.iter().copied().filter(|m| self.is_joint(m.point))
+    }
+
+    /// The direction of `link` as seen from `other` of the same class.
+    pub(super) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2 {
+        self.turn[link.index()].turned(self.turn[other.index()].conj())
+    }
+
+    /// Walks the locks from body to body and gives each its class and its angle in the class.
+    fn find_classes(&mut self) {
+        let locks = self.locks();
+        let mut seen = vec![false; self.class_of.len()];
+        let mut walked = vec![false; self.mechanism.slides().len()];
+        let order = std::iter::once(self.ground()).chain(self.mechanism.link_ids());
+        for first in order {
+            if seen[first.index()] {
+                continue;
+            }
+            let class = ClassId(self.members.len());
+            self.members.push(Vec::new());
+            seen[first.index()] = true;
+            let mut waiting = vec![first];
+            while let Some(body) = waiting.pop() {
+                self.class_of[body.index()] = class;
+                self.members[class.0].push(body);
+                for &(other, turn, slide) in &locks[body.index()] {
+                    if std::mem::replace(&mut walked[slide.index()], true) {
+                        continue;
+                    }
+                    let expected = turn.turned(self.turn[body.index()]);
+                    if seen[other.index()] {
+                        self.note_repeated_lock(slide, expected.cross(self.turn[other.index()]));
+                    } else {
+                        seen[other.index()] = true;
+                        self.turn[other.index()] = expected;
+                        waiting.push(other);
+                    }
+                }
+            }
+        }
+    }
+
+    /// For every body the bodies locked to it, the direction in which each is seen, and the slide.
+    fn locks(&self) -> Vec<Vec<(LinkId, Vec2, SlideId)>> {
+        let mut locks = vec![Vec::new(); self.class_of.len()];
+        for slide in self.mechanism.slide_ids() {
+            let given = self.mechanism.slide(slide);
+            if let Slider::Link { link, turn, .. } = given.slider {
+                let on = self.body(given.on);
+                let seen = given.direction.turned(turn);
+                locks[on.index()].push((link, seen, slide));
+                locks[link.index()].push((on, seen.conj(), slide));
+            }
+        }
+        locks
+    }
+
+    /// A lock between two bodies whose angle is settled already.
+    fn note_repeated_lock(&mut self, slide: SlideId, misfit: f64) {
+        // The rounding of a few products of unit vectors.
+        if misfit.abs() > 16.0 * f64::EPSILON {
+            self.clash = Some(LockClash { slide, misfit });
+        } else {
+            self.repeated_locks.push(slide);
+        }
+    }
+
+    fn find_joints(&mut self) {
+        let mechanism = self.mechanism;
+        let mut meetings: Vec<usize> = mechanism
+            .points()
+            .iter()
+            .map(|p| p.links.len() + usize::from(p.ground.is_some()))
+            .collect();
+        for slide in mechanism.slides() {
+            meetings[slide.slider.point().index()] += 1;
+        }
+        self.joint = meetings.iter().map(|&m| m >= 2).collect();
+        for link in mechanism.links() {
+            // A link that hangs on nothing still has a place to be found.
+            if !link.members.iter().any(|m| self.joint[m.point.index()]) {
+                if let Some(first) = link.members.first() {
+                    self.joint[first.point.index()] = true;
+                }
+            }
+        }
+        self.centre = mechanism
+            .link_ids()
+            .map(|link| {
+                let mut joints = self.joints(link).map(|m| m.point);
+                let first = joints.next();
+                first
+                    .filter(|&p| self.is_ground(p))
+                    .or_else(|| joints.find(|&p| self.is_ground(p)))
+                    .or(first)
+            })
+            .collect();
+    }
+
+    fn list_rows(&mut self) {
+        let mut rows = Vec::new();
+        for link in self.mechanism.link_ids() {
+            for member in self
+                .joints(link)
+                .filter(|m| Some(m.point) != self.centre[link.index()])
+            {
+                let end = member.point;
+                rows.push(Row::Along { link, end });
+                rows.push(Row::Across { link, end });
+            }
+        }
+        for slide in self.mechanism.slide_ids() {
+            rows.push(Row::Slot(slide));
+            if self.mechanism.driver().input == Input::Push(slide) {
+                rows.push(Row::Push(slide));
+            }
+        }
+        self.rows = rows;
+    }
+
+    /// Whether a class's direction is given from the start: the ground's, and the driven link's.
+    pub(super) fn is_given(&self, class: ClassId) -> bool {
+        class == GROUND
+            || match self.mechanism.driver().input {
+                Input::Turn(link) => self.class(link) == class,
+                Input::Push(_) => false,
+            }
+    }
+
+    /// The unknowns of an equation: each point stands for its two coordinates.
+    pub(super) fn unknowns(&self, row: Row) -> Vec<Unknown> {
+        let (body, point) = match row {
+            Row::Along { link, end } | Row::Across { link, end } => (link, end),
+            Row::Slot(slide) | Row::Push(slide) => {
+                let slide = self.mechanism.slide(slide);
+                (self.body(slide.on), slide.slider.point())
+            }
+        };
+        let centre = self.centre.get(body.index()).copied().flatten();
+        let points = [Some(point), centre].into_iter().flatten();
+        let mut unknowns: Vec<Unknown> = points
+            .filter(|&p| !self.is_ground(p))
+            .map(Unknown::Point)
+            .collect();
+        let class = self.class(body);
+        if !self.is_given(class) {
+            unknowns.push(Unknown::Class(class));
+        }
+        unknowns
+    }
+
+    /// How readily an equation is set aside where there are too many: the length of a plain bar
+    /// first, then a slot, since what is left of the element can then still be placed.
+    pub(super) fn readiness(&self, row: Row) -> u8 {
+        match row {
+            Row::Along { link, .. } if self.is_bar(link) => 3,
+            Row::Slot(_) => 2,
+            Row::Along { .. } => 1,
+            Row::Across { .. } | Row::Push(_) => 0,
+        }
+    }
+
+    /// Whether a link is nothing but a distance between two joints.
+    pub(super) fn is_bar(&self, link: LinkId) -> bool {
+        let carries_guide = self
+            .mechanism
+            .slides()
+            .iter()
+            .any(|s| s.on == Body::Link(link));
+        self.joints(link).count() == 2
+            && !carries_guide
+            && self.members[self.class(link).0].len() == 1
+            && !self.is_given(self.class(link))
+    }
+}

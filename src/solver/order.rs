@@ -1,0 +1,247 @@
+//! Which equation settles which unknown, and in which order: matching and strong components.
+
+use super::fault::Fault;
+use super::network::{Network, Row, Unknown};
+use crate::{Element, LinkId};
+use petgraph::algo::{kosaraju_scc, maximum_matching};
+use petgraph::graph::{DiGraph, NodeIndex, UnGraph};
+use std::collections::HashMap;
+
+/// A smallest set of unknowns that must be settled at once, with its equations.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Block {
+    pub unknowns: Vec<Unknown>,
+    pub rows: Vec<Row>,
+}
+
+/// The blocks in the order in which they can be settled.
+#[derive(Clone, Debug)]
+pub(super) struct Ordering {
+    pub blocks: Vec<Block>,
+    /// Equations that repeat others.
+    pub set_aside: Vec<Row>,
+}
+
+/// The unknowns as scalars: a point twice, a class once.
+struct Scalars {
+    list: Vec<Unknown>,
+    /// For every equation its scalars.
+    of_row: Vec<Vec<usize>>,
+}
+
+impl Scalars {
+    fn of(network: &Network<'_>) -> Scalars {
+        let mut scalars = Scalars {
+            list: Vec::new(),
+            of_row: Vec::new(),
+        };
+        let mut first = HashMap::new();
+        for link in network.mechanism.link_ids() {
+            // A class whose direction nothing asks for is an unknown all the same.
+            let class = network.class(link);
+            if !network.is_given(class) {
+                scalars.number(Unknown::Class(class), &mut first);
+            }
+        }
+        for point in network.mechanism.point_ids() {
+            if network.is_joint(point) && !network.is_ground(point) {
+                scalars.number(Unknown::Point(point), &mut first);
+            }
+        }
+        for &row in &network.rows {
+            let mut of_row = Vec::new();
+            for unknown in network.unknowns(row) {
+                let at = scalars.number(unknown, &mut first);
+                of_row.extend(at..at + width(unknown));
+            }
+            scalars.of_row.push(of_row);
+        }
+        scalars
+    }
+
+    fn number(&mut self, unknown: Unknown, first: &mut HashMap<UnknownKey, usize>) -> usize {
+        *first.entry(key(unknown)).or_insert_with(|| {
+            let at = self.list.len();
+            self.list
+                .extend(std::iter::repeat_n(unknown, width(unknown)));
+            at
+        })
+    }
+}
+
+type UnknownKey = (bool, usize);
+
+fn key(unknown: Unknown) -> UnknownKey {
+    match unknown {
+        Unknown::Point(point) => (false, point.index()),
+        Unknown::Class(class) => (true, class.0),
+    }
+}
+
+fn width(unknown: Unknown) -> usize {
+    match unknown {
+        Unknown::Point(_) => 2,
+        Unknown::Class(_) => 1,
+    }
+}
+
+/// For every scalar the equation that settles it, for every equation its scalar.
+struct Matching {
+    row_of: Vec<Option<usize>>,
+    scalar_of: Vec<Option<usize>>,
+}
+
+fn matching(scalars: &Scalars, kept: &[bool]) -> Matching {
+    let mut graph = UnGraph::<(), ()>::default();
+    let columns: Vec<NodeIndex> = scalars.list.iter().map(|_| graph.add_node(())).collect();
+    let rows: Vec<NodeIndex> = scalars.of_row.iter().map(|_| graph.add_node(())).collect();
+    for (r, of_row) in scalars.of_row.iter().enumerate().filter(|&(r, _)| kept[r]) {
+        for &s in of_row {
+            graph.add_edge(rows[r], columns[s], ());
+        }
+    }
+    let found = maximum_matching(&graph);
+    let offset = columns.len();
+    Matching {
+        row_of: columns
+            .iter()
+            .map(|&c| found.mate(c).map(|r| r.index() - offset))
+            .collect(),
+        scalar_of: rows
+            .iter()
+            .map(|&r| found.mate(r).map(NodeIndex::index))
+            .collect(),
+    }
+}
+
+/// Orders the equations of a mechanism.
+///
+/// Where equations are too many, those easiest to set aside go, one by one, until the rest can all
+/// be matched (the over-determined part of Dulmage and Mendelsohn, 1958).
+///
+/// # Errors
+/// [`Fault::Mobility`] where unknowns remain that no equation settles.
+pub(super) fn ordering(network: &Network<'_>) -> Result<Ordering, Fault> {
+    let scalars = Scalars::of(network);
+    let mut kept = vec![true; network.rows.len()];
+    let mut set_aside = Vec::new();
+    let matched = loop {
+        let matched = matching(&scalars, &kept);
+        let free = (0..kept.len()).find(|&r| kept[r] && matched.scalar_of[r].is_none());
+        let Some(free) = free else { break matched };
+        let part = over_determined(&scalars, &matched, free);
+        let gone = part
+            .into_iter()
+            .max_by_key(|&r| (network.readiness(network.rows[r]), r))
+            .unwrap_or(free);
+        kept[gone] = false;
+        set_aside.push(network.rows[gone]);
+    };
+    let loose: Vec<usize> = (0..scalars.list.len())
+        .filter(|&s| matched.row_of[s].is_none())
+        .collect();
+    if !loose.is_empty() {
+        return Err(Fault::Mobility {
+            mobility: 1 + loose.len(),
+            redundant: set_aside.len() + network.repeated_locks.len(),
+            floating: floating(network, &scalars, &matched, loose),
+        });
+    }
+    Ok(Ordering {
+        blocks: blocks(network, &scalars, &matched),
+        set_aside,
+    })
+}
+
+/// The equations that compete with a free one: those on alternating paths from it.
+fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<usize> {
+    let mut seen = vec![false; scalars.of_row.len()];
+    seen[free] = true;
+    let mut part = vec![free];
+    let mut next = 0;
+    while next < part.len() {
+        for &s in &scalars.of_row[part[next]] {
+            if let Some(r) = matched.row_of[s].filter(|&r| !std::mem::replace(&mut seen[r], true)) {
+                part.push(r);
+            }
+        }
+        next += 1;
+    }
+    part
+}
+
+/// The links that the unknowns on alternating paths from the loose ones belong to.
+fn floating(
+    network: &Network<'_>,
+    scalars: &Scalars,
+    matched: &Matching,
+    loose: Vec<usize>,
+) -> Vec<LinkId> {
+    let mut rows_of = vec![Vec::new(); scalars.list.len()];
+    for (r, of_row) in scalars.of_row.iter().enumerate() {
+        for &s in of_row {
+            rows_of[s].push(r);
+        }
+    }
+    let mut seen = vec![false; scalars.list.len()];
+    let mut part = loose;
+    let mut next = 0;
+    while next < part.len() {
+        seen[part[next]] = true;
+        for &r in &rows_of[part[next]] {
+            if let Some(s) =
+                matched.scalar_of[r].filter(|&s| !std::mem::replace(&mut seen[s], true))
+            {
+                part.push(s);
+            }
+        }
+        next += 1;
+    }
+    let floats = |link: &LinkId| {
+        part.iter().any(|&s| match scalars.list[s] {
+            Unknown::Class(class) => network.class(*link) == class,
+            Unknown::Point(_) => false,
+        })
+    };
+    network.mechanism.link_ids().filter(floats).collect()
+}
+
+/// The strong components of the dependencies, each before those that need it.
+fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<Block> {
+    let mut graph = DiGraph::<(), ()>::new();
+    let nodes: Vec<NodeIndex> = scalars.list.iter().map(|_| graph.add_node(())).collect();
+    for (s, row) in matched.row_of.iter().enumerate() {
+        for &other in row.map_or(&[][..], |r| &scalars.of_row[r]) {
+            graph.add_edge(nodes[s], nodes[other], ());
+        }
+    }
+    // Kosaraju's way needs no recursion, so that a chain of thousands of dyads does not exhaust
+    // the stack; it lists the components in reverse topological order.
+    let mut blocks = Vec::new();
+    for component in kosaraju_scc(&graph) {
+        let mut block = Block::default();
+        let mut scalars_in: Vec<usize> = component.iter().map(|n| n.index()).collect();
+        scalars_in.sort_unstable();
+        for s in scalars_in {
+            if block.unknowns.last() != Some(&scalars.list[s]) {
+                block.unknowns.push(scalars.list[s]);
+            }
+            block
+                .rows
+                .extend(matched.row_of[s].map(|r| network.rows[r]));
+        }
+        blocks.push(block);
+    }
+    blocks
+}
+
+/// The elements of a list of equations, each once.
+pub(super) fn elements(rows: &[Row]) -> Vec<Element> {
+    let mut elements = Vec::new();
+    for row in rows {
+        if !elements.contains(&row.element()) {
+            elements.push(row.element());
+        }
+    }
+    elements
+}
