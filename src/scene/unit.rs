@@ -1,9 +1,10 @@
 //! Units of length.
 
 /// The unit of every length of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
     /// Millimetres.
+    #[default]
     Millimetre,
     /// Centimetres.
     Centimetre,
@@ -36,6 +37,17 @@ impl Unit {
             Unit::Centimetre => 1e-2,
             Unit::Metre => 1.0,
             Unit::Inch => 0.0254,
+        }
+    }
+
+    /// Its size in tenths of a millimetre: whole numbers, so that a conversion rounds only once per
+    /// operation.
+    pub(super) fn tenths_of_mm(self) -> f64 {
+        match self {
+            Unit::Millimetre => 10.0,
+            Unit::Centimetre => 100.0,
+            Unit::Metre => 10_000.0,
+            Unit::Inch => 254.0,
         }
     }
 }

@@ -1,0 +1,217 @@
+//! What the file says, element by element, before names are joined.
+
+use super::Unit;
+use super::diagnostic::Diagnostic;
+use super::reader::{Name, Reader, Span, Value, did_you_mean, quoted};
+use super::{elements, input};
+use crate::Vec2;
+use toml::de::DeTable;
+
+/// The most links that a scene may have.
+pub(super) const MOST_LINKS: usize = 10_000;
+
+const SECTIONS: [&str; 12] = [
+    "name", "source", "note", "unit", "ground", "driver", "links", "slides", "start", "vectors",
+    "loads", "gravity",
+];
+
+/// A scene as written. Values that could not be read have a placeholder, so that what they do not
+/// touch can still be checked; a diagnostic was reported for each.
+#[derive(Debug, Default)]
+pub(super) struct Draft<'t> {
+    pub(super) name: Option<String>,
+    pub(super) source: Option<String>,
+    pub(super) note: Option<String>,
+    pub(super) unit: Unit,
+    pub(super) ground: Vec<Place<'t>>,
+    pub(super) links: Vec<Link<'t>>,
+    pub(super) slides: Vec<Slide<'t>>,
+    pub(super) driver: Option<Driver<'t>>,
+    /// Whether the file has a `[driver]`, readable or not.
+    pub(super) driver_given: bool,
+    pub(super) start: Vec<Place<'t>>,
+    pub(super) vectors: Vec<Vector<'t>>,
+    pub(super) loads: Vec<Load<'t>>,
+    pub(super) gravity: Vec2,
+}
+
+/// A point with coordinates, in whatever frame.
+#[derive(Debug)]
+pub(super) struct Place<'t> {
+    pub(super) name: Name<'t>,
+    pub(super) at: Vec2,
+}
+
+#[derive(Debug)]
+pub(super) struct Link<'t> {
+    pub(super) name: Name<'t>,
+    pub(super) ends: Option<Ends<'t>>,
+    pub(super) points: Vec<Place<'t>>,
+    /// The centre of mass, with the place of the key.
+    pub(super) com: Option<(Span, Vec2)>,
+    pub(super) mass: f64,
+    pub(super) inertia: f64,
+    /// Whether something about it was reported.
+    pub(super) broken: bool,
+}
+
+impl Link<'_> {
+    /// The coordinates of one of the link's points in its own frame.
+    pub(super) fn local(&self, point: &str) -> Option<Vec2> {
+        let ends = self.ends.as_ref().and_then(|ends| {
+            if ends.from.text == point {
+                Some(Vec2::ZERO)
+            } else {
+                (ends.to.text == point).then(|| Vec2::new(ends.length, 0.0))
+            }
+        });
+        let listed = || self.points.iter().find(|p| p.name.text == point);
+        ends.or_else(|| listed().map(|p| p.at))
+    }
+}
+
+#[derive(Debug)]
+pub(super) struct Ends<'t> {
+    pub(super) from: Name<'t>,
+    pub(super) to: Name<'t>,
+    pub(super) length: f64,
+}
+
+#[derive(Debug)]
+pub(super) struct Slide<'t> {
+    pub(super) name: Name<'t>,
+    pub(super) slider: Slider<'t>,
+    pub(super) on: Name<'t>,
+    pub(super) through: Through<'t>,
+    pub(super) angle: f64,
+}
+
+#[derive(Debug)]
+pub(super) enum Slider<'t> {
+    Pin(Name<'t>),
+    Link { link: Name<'t>, turn: f64 },
+}
+
+#[derive(Debug)]
+pub(super) enum Through<'t> {
+    Point(Name<'t>),
+    At(Vec2),
+}
+
+#[derive(Debug)]
+pub(super) struct Driver<'t> {
+    /// The key `link` or `slide`.
+    pub(super) input: Input<'t>,
+    pub(super) start: f64,
+    pub(super) speed: f64,
+    pub(super) acceleration: f64,
+}
+
+#[derive(Debug)]
+pub(super) enum Input<'t> {
+    Link(Name<'t>),
+    Slide(Name<'t>),
+}
+
+#[derive(Debug)]
+pub(super) struct Vector<'t> {
+    pub(super) name: Name<'t>,
+    pub(super) tail: Name<'t>,
+    pub(super) head: Name<'t>,
+}
+
+#[derive(Debug)]
+pub(super) enum Load<'t> {
+    Force { point: Name<'t>, force: Vec2 },
+    Torque { link: Name<'t>, torque: f64 },
+}
+
+/// Reads the whole document.
+pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<'v> {
+    reader.only("the scene", root, &SECTIONS);
+    let mut draft = Draft {
+        name: line(reader, root, "name"),
+        source: line(reader, root, "source"),
+        note: line(reader, root, "note"),
+        unit: unit(reader, root),
+        ..Draft::default()
+    };
+    if let Some(value) = root.get("ground") {
+        draft.ground = places(reader, "[ground]", "ground point", value);
+    }
+    if let Some(value) = root.get("links") {
+        draft.links = elements::links(reader, value);
+    }
+    if let Some(value) = root.get("slides") {
+        draft.slides = elements::slides(reader, value);
+    }
+    if let Some(value) = root.get("start") {
+        draft.start = places(reader, "[start]", "start of", value);
+    }
+    if let Some(value) = root.get("vectors") {
+        draft.vectors = elements::vectors(reader, value);
+    }
+    if let Some(value) = root.get("loads") {
+        draft.loads = input::loads(reader, value);
+    }
+    if let Some(value) = root.get("gravity") {
+        draft.gravity = reader.pair("`gravity` (m/s^2)", value).unwrap_or_default();
+    }
+    if let Some((key, value)) = root.get_key_value("driver") {
+        draft.driver_given = true;
+        draft.driver = input::driver(reader, draft.unit, key.span(), value);
+    }
+    draft
+}
+
+/// A text of one line: white space runs become one space.
+fn line<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>, key: &str) -> Option<String> {
+    let text = reader.string(&format!("`{key}`"), root.get(key)?)?.text;
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let shown = super::harmless(&words.join(" "), false);
+    (!shown.is_empty()).then_some(shown)
+}
+
+fn unit<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Unit {
+    let Some(value) = root.get("unit") else {
+        return Unit::default();
+    };
+    let Some(name) = reader.string("`unit`", value) else {
+        return Unit::default();
+    };
+    let found = Unit::ALL.into_iter().find(|u| u.symbol() == name.text);
+    if found.is_none() {
+        let symbols = Unit::ALL.map(Unit::symbol);
+        reader.report(
+            Diagnostic::new(format!("{name} is not a unit of length"))
+                .at(name.span.clone(), "unknown unit")
+                .maybe_help(did_you_mean(name.text, symbols))
+                .help(format!("known units: `{}`", symbols.join("`, `"))),
+        );
+    }
+    found.unwrap_or_default()
+}
+
+/// A table of points with coordinates.
+pub(super) fn places<'v>(
+    reader: &mut Reader<'_>,
+    section: &str,
+    what: &str,
+    value: &'v Value<'v>,
+) -> Vec<Place<'v>> {
+    let Some(table) = reader.table(section, "{ A = [0, 0] }", value) else {
+        return Vec::new();
+    };
+    let place = |(key, value): (&'v toml::Spanned<toml::de::DeString<'v>>, &'v Value<'v>)| {
+        let name = Name {
+            text: key.get_ref().as_ref(),
+            span: key.span(),
+        };
+        let at = reader.pair(&format!("{what} {}", quoted(name.text)), value);
+        Place {
+            name,
+            at: at.unwrap_or_default(),
+        }
+    };
+    table.iter().map(place).collect()
+}

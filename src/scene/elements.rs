@@ -1,0 +1,296 @@
+//! Reads links, slides and vectors.
+
+use super::diagnostic::Diagnostic;
+use super::draft::{Ends, Link, MOST_LINKS, Place, Slide, Slider, Through, Vector, places};
+use super::reader::{Name, Reader, SMALLEST_LENGTH, Span, Value, quoted};
+use toml::Spanned;
+use toml::de::{DeString, DeTable};
+
+const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
+const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
+const VECTOR: &str = r#"r1 = ["D", "A"]"#;
+
+const LINK_KEYS: [&str; 7] = ["from", "to", "length", "points", "com", "mass", "inertia"];
+const PIN_KEYS: [&str; 4] = ["point", "on", "through", "angle"];
+const SLIDING_KEYS: [&str; 5] = ["link", "on", "through", "angle", "turn"];
+
+/// The key of an element: its name.
+pub(super) fn name<'v>(key: &'v Spanned<DeString<'v>>) -> Name<'v> {
+    Name {
+        text: key.get_ref().as_ref(),
+        span: key.span(),
+    }
+}
+
+/// The section `[links]`.
+pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Link<'v>> {
+    let Some(table) = reader.table("[links]", LINK, value) else {
+        return Vec::new();
+    };
+    if table.len() > MOST_LINKS {
+        let count = table.len();
+        reader.report(
+            Diagnostic::new(format!(
+                "the scene has {count} links; at most {MOST_LINKS} are allowed"
+            ))
+            .at(value.span(), "too many links"),
+        );
+        return Vec::new();
+    }
+    let read = |(key, value)| link(reader, name(key), value);
+    table.iter().map(read).collect()
+}
+
+fn link<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Link<'v> {
+    let before = reader.found.len();
+    let mut link = Link {
+        name,
+        ends: None,
+        points: Vec::new(),
+        com: None,
+        mass: 0.0,
+        inertia: 0.0,
+        broken: false,
+    };
+    let of = format!("link {}", link.name);
+    if let Some(table) = reader.table(&of, LINK, value) {
+        reader.only(&of, table, &LINK_KEYS);
+        link_ends(reader, &of, table, &mut link);
+        if let Some(value) = table.get("points") {
+            let what = format!("{of}: point");
+            let listed = places(reader, &format!("`points` of {of}"), &what, value);
+            link.points.extend(listed);
+        }
+        if let Some((key, value)) = table.get_key_value("com") {
+            let at = reader.pair(&format!("`com` of {of}"), value);
+            link.com = Some((key.span(), at.unwrap_or_default()));
+        }
+        link.mass = not_negative(reader, &of, table, "mass");
+        link.inertia = not_negative(reader, &of, table, "inertia");
+        if before == reader.found.len() && link.ends.is_none() && link.points.is_empty() {
+            reader.report(
+                Diagnostic::new(format!("{of} has no points"))
+                    .at(link.name.span.clone(), "a link needs two ends, or `points`")
+                    .help(format!("for example: {LINK}"))
+                    .help(r"or, for a link with a single joint: r2 = { points = { A = [0, 0] } }"),
+            );
+        }
+    }
+    link.broken = reader.found.len() > before;
+    link
+}
+
+/// `from`, `to` and `length` belong together. An end without the others still names its point.
+fn link_ends<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, link: &mut Link<'v>) {
+    let mut end = |key: &str| {
+        let value = table.get(key)?;
+        reader.string(&format!("`{key}` of {of}"), value)
+    };
+    let (from, to) = (end("from"), end("to"));
+    let length = table
+        .get("length")
+        .map(|value| (value.span(), length(reader, of, value)));
+    let (has_from, has_to) = (table.contains_key("from"), table.contains_key("to"));
+    let missing = match (has_from, has_to, length.is_some()) {
+        (false, false, false) | (true, true, true) => None,
+        (true, true, false) => Some("`from` and `to` but no `length`"),
+        (true, false, _) => Some("`from` but no `to`"),
+        (false, true, _) => Some("`to` but no `from`"),
+        (false, false, true) => Some("a `length` but no ends"),
+    };
+    if let Some(missing) = missing {
+        reader.report(incomplete(of, missing, link.name.span.clone()));
+    }
+    match (from, to) {
+        (Some(from), Some(to)) => {
+            let length = length.and_then(|(_, length)| length).unwrap_or(1.0);
+            link.ends = Some(Ends { from, to, length });
+        }
+        (one, other) => {
+            let named = one.into_iter().chain(other);
+            let at = crate::Vec2::ZERO;
+            link.points.extend(named.map(|name| Place { name, at }));
+        }
+    }
+}
+
+fn incomplete(of: &str, missing: &str, span: Span) -> Diagnostic {
+    Diagnostic::new(format!("{of} has {missing}"))
+        .at(span, "`from`, `to` and `length` belong together")
+        .help(format!("for example: {LINK}"))
+        .help("a link without two natural ends is given by `points` alone: r2 = { points = { A = [0, 0] } }")
+}
+
+fn length<'v>(reader: &mut Reader<'_>, of: &str, value: &Value<'v>) -> Option<f64> {
+    let length = reader.number(&format!("`length` of {of}"), value)?;
+    let literal = reader.literal(&value.span());
+    let fault = |rule: &str, label: &str| {
+        Diagnostic::new(format!("`length` of {of} must be {rule}, not {literal}"))
+            .at(value.span(), label)
+    };
+    if length >= SMALLEST_LENGTH {
+        return Some(length);
+    }
+    reader.report(if length > 0.0 {
+        fault("at least 1e-300", "too small to compute with")
+    } else if length == 0.0 {
+        fault("positive", "a link without length has no direction")
+            .help("two joints at one place need no link between them: give them one name")
+    } else {
+        fault("positive", "not positive")
+            .help("a length is a distance; the direction of a link is from `from` to `to`")
+    });
+    None
+}
+
+fn not_negative<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, key: &str) -> f64 {
+    let Some(value) = table.get(key) else {
+        return 0.0;
+    };
+    let what = format!("`{key}` of {of}");
+    let number = reader.number(&what, value);
+    if number.is_some_and(|n| n < 0.0) {
+        let literal = reader.literal(&value.span());
+        reader.report(
+            Diagnostic::new(format!("{what} must not be negative, but is {literal}"))
+                .at(value.span(), "negative"),
+        );
+    }
+    number.unwrap_or(0.0).max(0.0)
+}
+
+/// The section `[slides]`.
+pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Slide<'v>> {
+    let Some(table) = reader.table("[slides]", SLIDE, value) else {
+        return Vec::new();
+    };
+    let read = |(key, value)| slide(reader, name(key), value);
+    table.iter().filter_map(read).collect()
+}
+
+fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Option<Slide<'v>> {
+    let of = format!("slide {name}");
+    let table = reader.table(&of, SLIDE, value)?;
+    let slider = slider(reader, &of, &name, table);
+    let on = required(reader, &of, &name, table, "on", r#"on = "ground""#);
+    let on = on.and_then(|value| reader.string(&format!("`on` of {of}"), value));
+    let through = required(reader, &of, &name, table, "through", r"through = [0, 0]");
+    let through = through.and_then(|value| match value.get_ref().as_str() {
+        Some(text) => {
+            let span = value.span();
+            Some(Through::Point(Name { text, span }))
+        }
+        None => reader
+            .pair(&format!("`through` of {of}"), value)
+            .map(Through::At),
+    });
+    let angle = optional(reader, &of, table, "angle");
+    Some(Slide {
+        slider: slider?,
+        on: on?,
+        through: through?,
+        angle,
+        name,
+    })
+}
+
+/// What slides: a pin or a link.
+fn slider<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    name: &Name<'v>,
+    table: &'v DeTable<'v>,
+) -> Option<Slider<'v>> {
+    let fault = |message: String, label: &str| {
+        Diagnostic::new(message)
+            .at(name.span.clone(), label)
+            .help(r#"a pin in a slot has `point = "C"`, a link that slides without turning `link = "r6"`"#)
+    };
+    match (table.get("point"), table.get("link")) {
+        (Some(point), None) => {
+            if let Some((key, _)) = table.get_key_value("turn") {
+                reader.report(
+                    Diagnostic::new(format!("{of}: a pin in a slot has no `turn`"))
+                        .at(key.span(), "only for a slide of a link")
+                        .help("a pin may turn in its slot; to keep a link from turning, slide the link: link = \"...\""),
+                );
+            } else {
+                reader.only(of, table, &PIN_KEYS);
+            }
+            let pin = reader.string(&format!("`point` of {of}"), point)?;
+            Some(Slider::Pin(pin))
+        }
+        (None, Some(link)) => {
+            reader.only(of, table, &SLIDING_KEYS);
+            let turn = optional(reader, of, table, "turn");
+            let link = reader.string(&format!("`link` of {of}"), link)?;
+            Some(Slider::Link { link, turn })
+        }
+        (Some(_), Some(_)) => {
+            reader.report(fault(
+                format!("{of} has both `point` and `link`"),
+                "one of them slides",
+            ));
+            None
+        }
+        (None, None) => {
+            reader.only(
+                of,
+                table,
+                &["point", "link", "on", "through", "angle", "turn"],
+            );
+            reader.report(fault(
+                format!("{of} has neither `point` nor `link`"),
+                "nothing slides here",
+            ));
+            None
+        }
+    }
+}
+
+fn required<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    name: &Name<'v>,
+    table: &'v DeTable<'v>,
+    key: &str,
+    example: &str,
+) -> Option<&'v Value<'v>> {
+    let value = table.get(key);
+    if value.is_none() {
+        reader.report(
+            Diagnostic::new(format!("{of} has no `{key}`"))
+                .at(name.span.clone(), format!("`{key}` is missing"))
+                .help(format!("for example: {example}")),
+        );
+    }
+    value
+}
+
+/// An angle in degrees, 0 if left out.
+fn optional<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, key: &str) -> f64 {
+    let value = table.get(key);
+    let angle = value.and_then(|v| reader.number(&format!("`{key}` of {of} (deg)"), v));
+    angle.unwrap_or(0.0)
+}
+
+/// The section `[vectors]`.
+pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Vector<'v>> {
+    let Some(table) = reader.table("[vectors]", VECTOR, value) else {
+        return Vec::new();
+    };
+    let read = |(key, value)| vector(reader, name(key), value);
+    table.iter().filter_map(read).collect()
+}
+
+fn vector<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Option<Vector<'v>> {
+    let what = format!("vector {}", quoted(name.text));
+    let ends = reader.two(&what, r#"["D", "A"] of points"#, value)?;
+    let tail = reader.string(&format!("the tail of {what}"), &ends[0]);
+    let head = reader.string(&format!("the head of {what}"), &ends[1]);
+    Some(Vector {
+        tail: tail?,
+        head: head?,
+        name,
+    })
+}

@@ -1,0 +1,65 @@
+//! Text of a file made harmless for a terminal.
+
+/// Whether a character could act on a terminal or hide: controls, bidirectional marks, and
+/// characters of no width that are not combining accents. Tab and line feed count as harmful here.
+#[must_use]
+pub fn is_harmful(c: char) -> bool {
+    c.is_control()
+        || matches!(c,
+            '\u{00AD}'
+            | '\u{034F}'
+            | '\u{061C}'
+            | '\u{115F}'..='\u{1160}'
+            | '\u{17B4}'..='\u{17B5}'
+            | '\u{180B}'..='\u{180F}'
+            | '\u{200B}'..='\u{200F}'
+            | '\u{2028}'..='\u{202E}'
+            | '\u{2060}'..='\u{206F}'
+            | '\u{3164}'
+            | '\u{FE00}'..='\u{FE0F}'
+            | '\u{FEFF}'
+            | '\u{FFA0}'
+            | '\u{FFF0}'..='\u{FFFB}'
+            | '\u{1D173}'..='\u{1D17A}'
+            | '\u{E0000}'..='\u{E0FFF}')
+}
+
+/// The same number of characters, none of them harmful; with `ascii`, none beyond ASCII either.
+///
+/// Line feeds and tabs become spaces: this is for text of one line.
+#[must_use]
+pub fn harmless(text: &str, ascii: bool) -> String {
+    text.chars().map(|c| replacement(c, ascii)).collect()
+}
+
+/// What is shown in place of a character; itself if it is harmless.
+pub(super) fn replacement(c: char, ascii: bool) -> char {
+    match c {
+        '\t' | '\n' => ' ',
+        _ if c.is_ascii() && !c.is_ascii_control() => c,
+        _ if ascii => '?',
+        _ if is_harmful(c) => char::REPLACEMENT_CHARACTER,
+        _ => c,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn escape_sequences_and_marks_of_direction_are_replaced_one_by_one() {
+        let hostile = "a\u{1b}[2J\u{202e}b\u{200b}\r\u{9b}\u{e0041}c";
+        let shown = harmless(hostile, false);
+        assert_eq!(shown.chars().count(), hostile.chars().count());
+        assert!(!shown.chars().any(is_harmful), "{shown:?}");
+        assert_eq!(harmless(hostile, true), "a?[2J?b????c");
+    }
+
+    #[test]
+    fn ordinary_text_of_any_script_stays() {
+        let turkish = "Krank-biyel mekanizması, θ3 = 29°";
+        assert_eq!(harmless(turkish, false), turkish);
+        assert_eq!(harmless(turkish, true), "Krank-biyel mekanizmas?, ?3 = 29?");
+    }
+}

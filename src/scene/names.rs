@@ -1,0 +1,188 @@
+//! The one namespace of points, links, slides and vectors.
+
+use super::diagnostic::Diagnostic;
+use super::draft::{Draft, Slider};
+use super::reader::{Name, Reader, Span, did_you_mean, quoted};
+use std::collections::{HashMap, HashSet};
+
+/// Names with a meaning of their own in columns.
+const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
+/// Characters in a name: columns are named by it.
+const LONGEST: usize = 64;
+
+/// What a name stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sort {
+    Point,
+    Link,
+    Slide,
+    Vector,
+}
+
+impl Sort {
+    fn noun(self) -> &'static str {
+        match self {
+            Sort::Point => "point",
+            Sort::Link => "link",
+            Sort::Slide => "slide",
+            Sort::Vector => "vector",
+        }
+    }
+}
+
+struct Symbol {
+    sort: Sort,
+    /// The position among those of its sort, in the order of the draft (points: of the file).
+    index: usize,
+    span: Span,
+}
+
+/// All names of a scene.
+pub(super) struct Names<'t> {
+    symbols: HashMap<&'t str, Symbol>,
+    points: Vec<(&'t str, Span)>,
+}
+
+impl<'t> Names<'t> {
+    /// Takes in every name that the draft defines, in the order of the file. A point is defined by
+    /// the ground, a link or a slide that names it.
+    pub(super) fn collect(reader: &mut Reader<'_>, draft: &Draft<'t>) -> Self {
+        let mut names = Names {
+            symbols: HashMap::new(),
+            points: Vec::new(),
+        };
+        let mut mentions = mentions(draft);
+        mentions.sort_by_key(|(name, ..)| name.span.start);
+        let mut reported = HashSet::new();
+        for (name, sort, index) in mentions {
+            if let Some(fault) = bad(name) {
+                if reported.insert(name.text) {
+                    reader.report(fault);
+                }
+            }
+            names.define(reader, name, sort, index);
+        }
+        names
+    }
+
+    fn define(&mut self, reader: &mut Reader<'_>, name: &Name<'t>, sort: Sort, index: usize) {
+        if let Some(known) = self.symbols.get(name.text) {
+            if known.sort == sort {
+                return;
+            }
+            reader.report(clash(name, sort, known));
+            // A point must exist all the same: links refer to it.
+        }
+        let index = if sort == Sort::Point {
+            self.points.push((name.text, name.span.clone()));
+            self.points.len() - 1
+        } else {
+            index
+        };
+        let span = name.span.clone();
+        self.symbols.insert(name.text, Symbol { sort, index, span });
+    }
+
+    /// The points in the order of the file, each with the place that first names it.
+    pub(super) fn points(&self) -> impl Iterator<Item = (&'t str, &Span)> {
+        self.points.iter().map(|(name, span)| (*name, span))
+    }
+
+    /// The position of a named element of a sort; reports a name that is unknown or something else.
+    pub(super) fn find(
+        &self,
+        reader: &mut Reader<'_>,
+        what: &str,
+        name: &Name<'_>,
+        sort: Sort,
+    ) -> Option<usize> {
+        let noun = sort.noun();
+        match self.symbols.get(name.text) {
+            Some(symbol) if symbol.sort == sort => return Some(symbol.index),
+            Some(symbol) => {
+                let other = symbol.sort.noun();
+                reader.report(
+                    Diagnostic::new(format!("{what}: {name} is a {other}, not a {noun}"))
+                        .at(name.span.clone(), format!("expected the name of a {noun}"))
+                        .and(symbol.span.clone(), format!("the {other}")),
+                );
+            }
+            None => {
+                let of_sort = self.symbols.iter().filter(|(_, s)| s.sort == sort);
+                let help = did_you_mean(name.text, of_sort.map(|(name, _)| *name));
+                reader.report(
+                    Diagnostic::new(format!("{what}: there is no {noun} {name}"))
+                        .at(name.span.clone(), format!("unknown {noun}"))
+                        .maybe_help(help),
+                );
+            }
+        }
+        None
+    }
+}
+
+/// Every definition of a name.
+fn mentions<'d, 't>(draft: &'d Draft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
+    let mut all = Vec::new();
+    all.extend(draft.ground.iter().map(|p| (&p.name, Sort::Point, 0)));
+    for (i, link) in draft.links.iter().enumerate() {
+        all.push((&link.name, Sort::Link, i));
+        if let Some(ends) = &link.ends {
+            all.extend([(&ends.from, Sort::Point, 0), (&ends.to, Sort::Point, 0)]);
+        }
+        all.extend(link.points.iter().map(|p| (&p.name, Sort::Point, 0)));
+    }
+    for (i, slide) in draft.slides.iter().enumerate() {
+        all.push((&slide.name, Sort::Slide, i));
+        if let Slider::Pin(point) = &slide.slider {
+            all.push((point, Sort::Point, 0));
+        }
+    }
+    for (i, vector) in draft.vectors.iter().enumerate() {
+        all.push((&vector.name, Sort::Vector, i));
+    }
+    all
+}
+
+/// What is wrong with a name by itself.
+fn bad(name: &Name<'_>) -> Option<Diagnostic> {
+    let text = name.text;
+    let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
+    let fault =
+        |message: String, label: &str| Diagnostic::new(message).at(name.span.clone(), label);
+    if RESERVED.contains(&text) {
+        let list = RESERVED.join("`, `");
+        return Some(
+            fault(format!("the name {name} is reserved"), "reserved").help(format!(
+                "columns use `{list}` with a meaning of their own; choose another name"
+            )),
+        );
+    }
+    if text.is_empty() {
+        return Some(fault("a name must not be empty".into(), "empty"));
+    }
+    if text.len() > LONGEST {
+        let count = text.chars().count();
+        return Some(fault(
+            format!("the name {name} has {count} characters; at most {LONGEST} are allowed"),
+            "too long",
+        ));
+    }
+    let odd = text.chars().find(|&c| !fits(c))?;
+    let letters = "ASCII letters, digits, `_`, `-` and `'`";
+    Some(
+        fault(
+            format!("the name {name} contains {}", quoted(&odd.to_string())),
+            "not a name",
+        )
+        .help(format!("names are made of {letters}")),
+    )
+}
+
+fn clash(name: &Name<'_>, sort: Sort, known: &Symbol) -> Diagnostic {
+    let (one, other) = (sort.noun(), known.sort.noun());
+    Diagnostic::new(format!("{name} names both a {other} and a {one}"))
+        .at(name.span.clone(), format!("a {one} here"))
+        .and(known.span.clone(), format!("a {other} here"))
+        .help("points, links, slides and vectors share one set of names: rename one of them")
+}

@@ -1,0 +1,36 @@
+//! The scenes that are built in.
+
+/// A scene built into the program.
+#[derive(Clone, Copy, Debug)]
+pub struct Preset {
+    /// As it is called on the command line.
+    pub name: &'static str,
+    /// The scene file's text.
+    pub text: &'static str,
+}
+
+macro_rules! presets {
+    ($($name:literal)*) => {
+        &[$(Preset {
+            name: $name,
+            text: include_str!(concat!("../../presets/", $name, ".toml")),
+        }),*]
+    };
+}
+
+static PRESETS: &[Preset] = presets! {
+    "four-bar"
+    "slider-crank"
+};
+
+/// All presets, in the order in which they are listed.
+#[must_use]
+pub fn all() -> &'static [Preset] {
+    PRESETS
+}
+
+/// The preset of this name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Preset> {
+    PRESETS.iter().find(|preset| preset.name == name)
+}

@@ -1,0 +1,158 @@
+//! Speeds and accelerations with their units, as the driver gives them.
+
+use super::Unit;
+use crate::angle;
+use std::f64::consts::PI;
+
+/// What a rate is the rate of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// An angle: the result is in rad/s or rad/s^2.
+    Turn,
+    /// A length: the result is in the scene's unit per s or s^2.
+    Push(Unit),
+}
+
+/// Which rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Degree {
+    /// Per second.
+    Speed,
+    /// Per second squared.
+    Acceleration,
+}
+
+/// Why a text is no rate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Misfit<'t> {
+    /// It does not begin with a number.
+    NoNumber,
+    /// The number stands alone.
+    NoUnit,
+    /// The unit is none of [`units`].
+    Unit(&'t str),
+    /// The number, or what it becomes in the scene's unit, is not finite.
+    NotFinite,
+}
+
+/// The units that may be written.
+pub(super) fn units(kind: Kind, degree: Degree) -> &'static [&'static str] {
+    match (kind, degree) {
+        (Kind::Turn, Degree::Speed) => &["rad/s", "deg/s", "rpm"],
+        (Kind::Turn, Degree::Acceleration) => &["rad/s^2", "deg/s^2"],
+        (Kind::Push(_), Degree::Speed) => &["mm/s", "cm/s", "m/s", "in/s"],
+        (Kind::Push(_), Degree::Acceleration) => &["mm/s^2", "cm/s^2", "m/s^2", "in/s^2"],
+    }
+}
+
+/// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`.
+pub(super) fn parse(text: &str, kind: Kind, degree: Degree) -> Result<f64, Misfit<'_>> {
+    let text = text.trim();
+    let (number, unit) = text.split_at(number_length(text));
+    let number: f64 = number.parse().map_err(|_| Misfit::NoNumber)?;
+    let unit = unit.trim();
+    if unit.is_empty() {
+        return Err(Misfit::NoUnit);
+    }
+    if !units(kind, degree).contains(&unit) {
+        return Err(Misfit::Unit(unit));
+    }
+    let value = converted(number, unit, kind);
+    value.is_finite().then_some(value).ok_or(Misfit::NotFinite)
+}
+
+/// Turned into radians or the scene's unit; a value in the unit that is kept is not touched.
+fn converted(number: f64, unit: &str, kind: Kind) -> f64 {
+    let base = unit.split('/').next().unwrap_or(unit);
+    match kind {
+        Kind::Turn => match base {
+            "deg" => angle::radians(number),
+            "rpm" => number / 30.0 * PI,
+            _ => number,
+        },
+        Kind::Push(scene) => {
+            let from = Unit::ALL.into_iter().find(|u| u.symbol() == base);
+            let from = from.unwrap_or(scene);
+            if from == scene {
+                number
+            } else {
+                number * from.tenths_of_mm() / scene.tenths_of_mm()
+            }
+        }
+    }
+}
+
+/// The bytes of a decimal number at the beginning of a text.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |mut at: usize| {
+        while bytes.get(at).is_some_and(u8::is_ascii_digit) {
+            at += 1;
+        }
+        at
+    };
+    let sign = |at: usize| at + usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+    let mut end = digits(sign(0));
+    if bytes.get(end) == Some(&b'.') {
+        end = digits(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let first = sign(end + 1);
+        let last = digits(first);
+        if last > first {
+            end = last;
+        }
+    }
+    end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PUSH: Kind = Kind::Push(Unit::Millimetre);
+
+    #[test]
+    fn every_unit_of_the_list_is_read() {
+        for kind in [Kind::Turn, PUSH] {
+            for degree in [Degree::Speed, Degree::Acceleration] {
+                for unit in units(kind, degree) {
+                    let value = parse(&format!("2 {unit}"), kind, degree).unwrap();
+                    assert!(value > 0.0, "{unit}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn values_are_converted_with_one_or_two_roundings() {
+        let turn = |text| parse(text, Kind::Turn, Degree::Speed).unwrap();
+        assert_eq!(turn("15 rad/s"), 15.0);
+        assert_eq!(turn("-1.5e1rad/s"), -15.0);
+        assert_eq!(turn(" 60  rpm "), 2.0 * PI);
+        assert_eq!(turn("180 deg/s"), PI);
+        let push = |text| parse(text, PUSH, Degree::Speed).unwrap();
+        assert_eq!(push("0.05 m/s"), 50.0);
+        assert_eq!(push("2 in/s"), 50.8);
+        assert_eq!(push("5 cm/s"), 50.0);
+        assert_eq!(push(".5 mm/s"), 0.5);
+        assert_eq!(push("0 m/s"), 0.0);
+        let metres = Kind::Push(Unit::Metre);
+        assert_eq!(parse("50 mm/s^2", metres, Degree::Acceleration), Ok(0.05));
+    }
+
+    #[test]
+    fn what_is_no_rate_says_why() {
+        let turn = |text| parse(text, Kind::Turn, Degree::Speed);
+        assert_eq!(turn("15"), Err(Misfit::NoUnit));
+        assert_eq!(turn(""), Err(Misfit::NoNumber));
+        assert_eq!(turn("fast"), Err(Misfit::NoNumber));
+        assert_eq!(turn("nan rad/s"), Err(Misfit::NoNumber));
+        assert_eq!(turn("inf rad/s"), Err(Misfit::NoNumber));
+        assert_eq!(turn("1e400 rad/s"), Err(Misfit::NotFinite));
+        assert_eq!(turn("15 mm/s"), Err(Misfit::Unit("mm/s")));
+        assert_eq!(turn("1e rad/s"), Err(Misfit::Unit("e rad/s")));
+        assert_eq!(turn("15 rad/s^2"), Err(Misfit::Unit("rad/s^2")));
+        assert_eq!(turn("\u{bd} rpm"), Err(Misfit::NoNumber));
+    }
+}
