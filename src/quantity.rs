@@ -22,6 +22,16 @@ pub enum Subject {
     Between(PointId, PointId),
 }
 
+impl From<VectorKind> for Subject {
+    fn from(kind: VectorKind) -> Self {
+        match kind {
+            VectorKind::Link(link) => Subject::Link(link),
+            VectorKind::Slide(slide) => Subject::Slide(slide),
+            VectorKind::Between(tail, head) => Subject::Between(tail, head),
+        }
+    }
+}
+
 /// Which of its figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aspect {
@@ -124,22 +134,39 @@ impl Quantity {
     /// The value in this state, or `None` where none exists.
     #[must_use]
     pub fn value(&self, state: &State) -> Option<f64> {
-        if self.subject == Subject::Driver {
-            return Some(driver_value(self.aspect, state));
-        }
-        let exists = match state.condition() {
-            Condition::Ok | Condition::ChangePoint => true,
-            Condition::DeadPoint => self.aspect.order() == Order::Position,
-            Condition::NoAssembly => false,
-        };
-        let value = exists.then(|| value_of(self.subject, self.aspect, state));
-        value.filter(|v| v.is_finite())
+        value(self.subject, self.aspect, state)
     }
 
     /// The name with the unit in brackets, as a column's header.
     #[must_use]
     pub fn header(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
+    }
+}
+
+/// The value of one figure in this state, or `None` where none exists.
+#[must_use]
+pub fn value(subject: Subject, aspect: Aspect, state: &State) -> Option<f64> {
+    if subject == Subject::Driver {
+        return Some(driver_value(aspect, state));
+    }
+    let exists = match state.condition() {
+        Condition::Ok | Condition::ChangePoint => true,
+        Condition::DeadPoint => aspect.order() == Order::Position,
+        Condition::NoAssembly => false,
+    };
+    let value = exists.then(|| value_of(subject, aspect, state));
+    value.filter(|v| v.is_finite())
+}
+
+/// What a state is, in the word that the `state` column uses.
+#[must_use]
+pub fn state_word(condition: Condition) -> &'static str {
+    match condition {
+        Condition::Ok => "ok",
+        Condition::DeadPoint => "dead-point",
+        Condition::ChangePoint => "change-point",
+        Condition::NoAssembly => "no-assembly",
     }
 }
 
@@ -250,11 +277,7 @@ impl Catalogue {
             driver.name = "driver.position".into();
         }
         for vector in &scene.vectors {
-            let subject = match vector.kind {
-                VectorKind::Link(link) => Subject::Link(link),
-                VectorKind::Slide(slide) => Subject::Slide(slide),
-                VectorKind::Between(tail, head) => Subject::Between(tail, head),
-            };
+            let subject = Subject::from(vector.kind);
             if !matches!(subject, Subject::Link(_)) {
                 catalogue.push(scene, &vector.name, subject, &Aspect::STRETCHING);
             }

@@ -1,0 +1,236 @@
+//! The command line as its users write it.
+
+use crate::report::Decimal;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+/// What stands for a scene on the command line.
+const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
+
+/// A terminal workbench for planar linkages.
+#[derive(Debug, Parser)]
+#[command(
+    name = "krank",
+    version,
+    about = "A terminal workbench for planar linkages",
+    long_about = "A terminal workbench for planar linkages: position, velocity and acceleration \
+                  of any mechanism with one input, drawn and in tables.",
+    args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true,
+    after_help = "\
+Examples:
+  krank                          open the four-bar of the lectures
+  krank slider-crank --at 30     open a preset at 30 degrees
+  krank my-press.toml            open a scene file
+  krank sweep four-bar -o four-bar.csv
+
+SCENE is a file, a preset's name (krank list) or - for standard input. A name
+with a slash or ending in .toml is always a file: ./four-bar.
+
+Exit codes: 0 done; 1 the mechanism cannot do what was asked, or the output
+cannot be written; 2 the command line or the scene is wrong."
+)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub(super) command: Option<Command>,
+    #[command(flatten)]
+    pub(super) workbench: WorkbenchArgs,
+}
+
+/// The workbench, which opens where no command is given.
+#[derive(Debug, Args)]
+pub(super) struct WorkbenchArgs {
+    #[arg(help = SCENE_HELP, default_value = "four-bar")]
+    pub(super) scene: PathBuf,
+    /// Where to open: deg of the driven link, or the position of the driven slide
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(super) at: Option<Decimal>,
+    /// The characters to draw with
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) glyphs: Glyphs,
+    /// The colours to draw with
+    #[arg(long, visible_alias = "color", value_enum, default_value_t)]
+    pub(super) colour: Colour,
+}
+
+/// The characters that the workbench draws with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Glyphs {
+    /// As the locale and the terminal allow
+    #[default]
+    Auto,
+    /// 7-bit characters
+    Ascii,
+    /// Box-drawing characters, which console fonts have too
+    Line,
+    /// Braille patterns
+    Braille,
+}
+
+/// The colours that the workbench draws with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Colour {
+    /// As the terminal and NO_COLOR allow
+    #[default]
+    Auto,
+    /// None
+    None,
+    /// The 16 of the terminal's palette
+    #[value(name = "16")]
+    Palette,
+    /// 256
+    #[value(name = "256")]
+    Indexed,
+    /// 24-bit
+    True,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// List the presets
+    #[command(after_help = "\
+Example:
+  krank list                     their names and titles")]
+    List,
+    /// Tell what krank understands of a scene: parts, mobility, groups, range
+    #[command(after_help = "\
+Examples:
+  krank check four-bar
+  krank check my-press.toml --format json
+  krank check - < my-press.toml")]
+    Check(CheckArgs),
+    /// Print the position, velocity and acceleration tables at one angle
+    #[command(after_help = "\
+Examples:
+  krank table four-bar --at 60
+  krank table slider-crank --at 30 --digits 10
+  krank table four-bar --format json")]
+    Table(TableArgs),
+    /// Write figures over the driver's angle, row by row
+    #[command(
+        after_help = "\
+Examples:
+  krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
+  krank sweep four-bar --columns 'C.*,*.omega' --format json
+  krank sweep press-ram --step 0.1 -o press.csv
+
+Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
+krank sweep SCENE --from 0 --to 0 shows all of a scene's. The driver's coordinate
+always comes first and the state last: ok, change-point, dead-point or
+no-assembly. A value that does not exist is an empty cell (null in JSON).
+Without --from and --to a sweep covers the motion range and ends on its limits,
+or after one period."
+    )]
+    Sweep(SweepArgs),
+    /// Print a completion script for a shell
+    #[command(
+        hide = true,
+        after_help = "\
+Example:
+  krank completions bash > ~/.local/share/bash-completion/completions/krank"
+    )]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page
+    #[command(
+        hide = true,
+        after_help = "\
+Examples:
+  krank man > krank.1
+  krank man sweep > krank-sweep.1"
+    )]
+    Man {
+        /// The command that the page is about; krank itself if left out
+        command: Option<String>,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CheckArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub(super) format: CheckFormat,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum CheckFormat {
+    /// For a person
+    Text,
+    /// One object
+    Json,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// Aligned columns, for a person
+    Text,
+    /// Comma separated values
+    Csv,
+    /// One object
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct TableArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(super) at: Option<Decimal>,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) figures: FigureArgs,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct SweepArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    /// The first row [default: the beginning of the motion range]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(super) from: Option<Decimal>,
+    /// The last row, where the step hits it [default: the end of the motion range]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(super) to: Option<Decimal>,
+    /// From row to row, negative to go down [default: 1 deg; for a slide, 100 to 250 rows]
+    #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
+    pub(super) step: Option<Decimal>,
+    /// Names of figures, * for any characters; separated by commas [default: all vectors and points]
+    #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
+    pub(super) columns: Vec<String>,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = Format::Csv)]
+    pub(super) format: Format,
+    #[command(flatten)]
+    pub(super) figures: FigureArgs,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct FigureArgs {
+    /// Significant digits of text tables; CSV and JSON always carry all
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(super) digits: u8,
+    /// Leave the units out
+    #[arg(long)]
+    pub(super) no_units: bool,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct OutputArgs {
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}

@@ -1,0 +1,92 @@
+//! The commands that take a line or two each.
+
+use super::args::{CheckArgs, CheckFormat, Cli, Format, TableArgs};
+use super::failure::Failure;
+use super::output::{write_text, write_to};
+use super::screen::Screen;
+use super::source::{Opened, open};
+use crate::quantity::Catalogue;
+use crate::report::{Check, Tables, TextStyle, range_text};
+use crate::scene::{Scene, harmless, presets};
+use crate::solver::{Condition, Order};
+use clap::{Command, CommandFactory};
+use clap_complete::Shell;
+use std::io::Write;
+
+/// `krank list`: a line per preset.
+pub(super) fn list(screen: Screen) -> Result<(), Failure> {
+    let presets = presets::all();
+    let width = presets.iter().map(|p| p.name.len()).max().unwrap_or(0);
+    let mut text = String::new();
+    for preset in presets {
+        let scene = Scene::parse(preset.text, preset.name).map_err(Failure::Scene)?;
+        let title = harmless(&scene.name, screen.ascii);
+        text.push_str(&format!("{:width$}  {title}\n", preset.name));
+    }
+    write_text(None, &text)
+}
+
+/// `krank check`: what was understood of a scene.
+pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene)?;
+    let check = Check::new(&scene, &solver);
+    let text = match args.format {
+        CheckFormat::Text => check.to_text(screen.ascii),
+        CheckFormat::Json => format!("{:#}\n", check.to_json()),
+    };
+    write_text(args.output.output.as_deref(), &text)
+}
+
+/// `krank table`: position, velocity and acceleration at one coordinate of the driver.
+pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene)?;
+    let start = scene.mechanism.driver().start;
+    let at = args.at.map_or(start, |at| at.value());
+    let mut state = solver.state();
+    if solver.solve(at, Order::Acceleration, &mut state) == Condition::NoAssembly {
+        let catalogue = Catalogue::new(&scene);
+        let driver = catalogue.driver();
+        return Err(Failure::Mechanism(format!(
+            "the mechanism cannot be assembled at {at} {}: the driver covers {}",
+            driver.unit,
+            range_text(solver.motion().range, driver)
+        )));
+    }
+    let tables = Tables::new(&scene, &state);
+    let style = TextStyle {
+        digits: usize::from(args.figures.digits),
+        units: !args.figures.no_units,
+        ascii: screen.ascii,
+    };
+    write_to(args.output.output.as_deref(), |out| match args.format {
+        Format::Text => out.write_all(tables.to_text(style).as_bytes()),
+        Format::Csv => tables.write_csv(style.units, out),
+        Format::Json => writeln!(out, "{:#}", tables.to_json(style.units)),
+    })
+}
+
+/// `krank completions`.
+pub(super) fn completions(shell: Shell) -> Result<(), Failure> {
+    // The generator panics where it cannot write, so it writes to memory.
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "krank", &mut script);
+    write_to(None, |out| out.write_all(&script))
+}
+
+/// `krank man`: the page of krank, or of one of its commands.
+pub(super) fn man(command: Option<&str>) -> Result<(), Failure> {
+    let mut krank = Cli::command();
+    krank.build();
+    let page = match command {
+        None => krank,
+        Some(name) => page_of(&krank, name)?,
+    };
+    write_to(None, |out| clap_mangen::Man::new(page).render(out))
+}
+
+fn page_of(krank: &Command, name: &str) -> Result<Command, Failure> {
+    match krank.find_subcommand(name) {
+        Some(command) => Ok(command.clone().name(format!("krank-{name}"))),
+        None => Err(Failure::Usage(format!("krank has no command `{name}`"))),
+    }
+}

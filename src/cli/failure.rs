@@ -1,0 +1,63 @@
+//! How a command fails, and the exit code that says so.
+
+use super::screen::Screen;
+use crate::scene::{Diagnostics, harmless};
+use std::io::{self, Write};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Why a command did not do what was asked.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The command line is wrong.
+    Usage(String),
+    /// The scene is wrong.
+    Scene(Diagnostics),
+    /// The mechanism cannot do what was asked.
+    Mechanism(String),
+    /// The results cannot be written; `None` is standard output.
+    Output(Option<PathBuf>, io::Error),
+    /// Whoever read the results has enough of them.
+    PipeClosed,
+}
+
+impl Failure {
+    /// 1: the mechanism cannot, or the output cannot be written; 2: the command line or the scene
+    /// is wrong. A reader that closes the pipe is no failure.
+    pub(super) fn code(&self) -> ExitCode {
+        match self {
+            Failure::PipeClosed => ExitCode::SUCCESS,
+            Failure::Mechanism(_) | Failure::Output(..) => ExitCode::from(1),
+            Failure::Usage(_) | Failure::Scene(_) => ExitCode::from(2),
+        }
+    }
+
+    /// Says it on standard error.
+    pub(super) fn tell(&self, screen: Screen) {
+        let text = match self {
+            Failure::PipeClosed => return,
+            Failure::Scene(diagnostics) => diagnostics.render(screen.ascii, screen.colour),
+            Failure::Usage(message) | Failure::Mechanism(message) => error(message, screen),
+            Failure::Output(None, e) => error(&format!("cannot write the results: {e}"), screen),
+            Failure::Output(Some(path), e) => {
+                error(&format!("cannot write `{}`: {e}", path.display()), screen)
+            }
+        };
+        say(&text);
+    }
+}
+
+fn error(message: &str, screen: Screen) -> String {
+    format!("error: {}\n", harmless(message, screen.ascii))
+}
+
+/// A note on standard error: something the reader of the results should know.
+pub(super) fn note(message: &str, screen: Screen) {
+    say(&format!("note: {}\n", harmless(message, screen.ascii)));
+}
+
+/// Text for standard error.
+pub(super) fn say(text: &str) {
+    // Where nobody listens to errors there is nobody to tell it.
+    let _ = io::stderr().write_all(text.as_bytes());
+}

@@ -1,0 +1,72 @@
+//! The command line: reads it, runs it, and says what went wrong.
+
+mod args;
+mod commands;
+mod failure;
+mod output;
+mod screen;
+mod source;
+mod sweep;
+mod workbench;
+
+pub use args::{Colour, Glyphs};
+
+use crate::scene::harmless;
+use args::{Cli, Command};
+use clap::Parser;
+use failure::Failure;
+use screen::Screen;
+use std::ffi::OsString;
+use std::process::ExitCode;
+
+/// Runs the program with these arguments, its own name first. Results go to standard output,
+/// messages to standard error.
+///
+/// The exit code is 0 where it was done, 1 where the mechanism cannot do what was asked or the
+/// results cannot be written, 2 where the command line or the scene is wrong.
+pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
+    let cli = match Cli::try_parse_from(arguments) {
+        Ok(cli) => cli,
+        Err(error) => return refuse(&error),
+    };
+    let screen = Screen::detect();
+    match obey(&cli, screen) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.tell(screen);
+            failure.code()
+        }
+    }
+}
+
+/// Help and version are asked for and go to standard output; everything else is an error.
+fn refuse(error: &clap::Error) -> ExitCode {
+    let text = error.render().to_string();
+    if error.use_stderr() {
+        failure::say(&lines_made_harmless(&text));
+        return ExitCode::from(2);
+    }
+    match output::write_text(None, &text) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.code(),
+    }
+}
+
+/// An error quotes what was typed, or pasted.
+fn lines_made_harmless(text: &str) -> String {
+    let ascii = Screen::detect().ascii;
+    let lines = text.lines().map(|line| harmless(line, ascii) + "\n");
+    lines.collect()
+}
+
+fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
+    match &cli.command {
+        None => workbench::open(&cli.workbench),
+        Some(Command::List) => commands::list(screen),
+        Some(Command::Check(args)) => commands::check(args, screen),
+        Some(Command::Table(args)) => commands::table(args, screen),
+        Some(Command::Sweep(args)) => sweep::sweep(args, screen),
+        Some(Command::Completions { shell }) => commands::completions(*shell),
+        Some(Command::Man { command }) => commands::man(command.as_deref()),
+    }
+}

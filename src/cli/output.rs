@@ -1,0 +1,45 @@
+//! Where results go: standard output or a file.
+
+use super::failure::Failure;
+use std::fs::File;
+use std::io::{self, BufWriter, ErrorKind, Write, stdout};
+use std::path::Path;
+
+/// Bytes gathered before they are handed to the system.
+const BUFFER: usize = 1 << 16;
+
+/// Runs `write` on the file, or on standard output where none is named.
+///
+/// The file is made only now, when everything that can be wrong with the command line and the
+/// scene has been found: a refused command leaves an older file as it was.
+pub(super) fn write_to<T>(
+    path: Option<&Path>,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<T>,
+) -> Result<T, Failure> {
+    match path.filter(|path| *path != Path::new("-")) {
+        Some(path) => File::create(path)
+            .and_then(|file| through(file, write))
+            .map_err(|e| Failure::Output(Some(path.to_owned()), e)),
+        None => through(stdout().lock(), write).map_err(|e| match e.kind() {
+            ErrorKind::BrokenPipe => Failure::PipeClosed,
+            _ => Failure::Output(None, e),
+        }),
+    }
+}
+
+/// The same for a text that is ready.
+pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    write_to(path, |out| out.write_all(text.as_bytes()))
+}
+
+fn through<T>(to: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {
+    let mut buffered = BufWriter::with_capacity(BUFFER, to);
+    let outcome = write(&mut buffered);
+    if outcome.is_err() {
+        // What is left must not be tried once more when the buffer is dropped.
+        let _ = buffered.into_parts();
+        return outcome;
+    }
+    buffered.flush()?;
+    outcome
+}

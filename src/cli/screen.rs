@@ -1,0 +1,79 @@
+//! What the terminal behind standard error can show.
+
+use std::ffi::OsString;
+use std::io::{IsTerminal, stderr};
+
+/// What messages may use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Screen {
+    /// 7-bit characters only.
+    pub(super) ascii: bool,
+    /// Colours.
+    pub(super) colour: bool,
+}
+
+impl Screen {
+    /// As the environment says.
+    pub(super) fn detect() -> Self {
+        Screen::judge(|name| std::env::var_os(name), stderr().is_terminal())
+    }
+
+    fn judge(variable: impl Fn(&str) -> Option<OsString>, terminal: bool) -> Self {
+        let set = |name: &str| variable(name).filter(|value| !value.is_empty());
+        // The order in which POSIX has them override each other.
+        let locale = set("LC_ALL").or_else(|| set("LC_CTYPE"));
+        let locale = locale.or_else(|| set("LANG")).unwrap_or_default();
+        let locale = locale.to_string_lossy().to_ascii_lowercase();
+        let utf8 = locale.contains("utf-8") || locale.contains("utf8");
+        let term = set("TERM").unwrap_or_default();
+        let term = term.to_string_lossy();
+        let plain = term.is_empty() || term == "dumb" || term.starts_with("vt");
+        Screen {
+            // The Linux console speaks UTF-8, but its fonts lack most of it.
+            ascii: !utf8 || plain || term == "linux",
+            colour: terminal && !plain && set("NO_COLOR").is_none(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn screen(variables: &[(&str, &str)], terminal: bool) -> Screen {
+        let find = |name: &str| variables.iter().find(|(n, _)| *n == name);
+        Screen::judge(|name| find(name).map(|(_, v)| v.into()), terminal)
+    }
+
+    #[test]
+    fn an_emulator_in_a_utf_8_locale_has_everything() {
+        let variables = [("LANG", "de_DE.UTF-8"), ("TERM", "xterm-256color")];
+        let all = Screen {
+            ascii: false,
+            colour: true,
+        };
+        assert_eq!(screen(&variables, true), all);
+        assert!(!screen(&variables, false).colour);
+    }
+
+    #[test]
+    fn consoles_and_the_c_locale_get_ascii() {
+        for term in ["linux", "dumb", "", "vt220"] {
+            let variables = [("LC_ALL", "C.utf8"), ("TERM", term)];
+            assert!(screen(&variables, true).ascii, "{term}");
+        }
+        let c = [("LC_ALL", "C"), ("LANG", "en_US.UTF-8"), ("TERM", "xterm")];
+        assert!(screen(&c, true).ascii);
+        let empty = [("LC_ALL", ""), ("LANG", "en_US.UTF-8"), ("TERM", "xterm")];
+        assert!(!screen(&empty, true).ascii);
+        assert!(screen(&[], true).ascii);
+    }
+
+    #[test]
+    fn no_color_and_plain_terminals_get_no_colour() {
+        assert!(!screen(&[("TERM", "xterm"), ("NO_COLOR", "1")], true).colour);
+        assert!(screen(&[("TERM", "xterm"), ("NO_COLOR", "")], true).colour);
+        assert!(!screen(&[("TERM", "dumb")], true).colour);
+        assert!(screen(&[("TERM", "linux")], true).colour);
+    }
+}

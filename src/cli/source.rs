@@ -1,0 +1,131 @@
+//! Which scene is meant, and opening it.
+
+use super::failure::Failure;
+use crate::scene::presets::{self, Preset};
+use crate::scene::{LARGEST_FILE, Scene};
+use crate::solver::Solver;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf, is_separator};
+
+/// A mistyped command is read as the name of a scene: these are offered for it.
+const COMMANDS: [&str; 4] = ["list", "check", "table", "sweep"];
+
+/// A scene and its solver.
+pub(super) struct Opened {
+    pub(super) scene: Scene,
+    pub(super) solver: Solver,
+}
+
+/// Reads, checks and assembles the scene that the command line names.
+pub(super) fn open(name: &Path) -> Result<Opened, Failure> {
+    let scene = read(name)?;
+    let solver = Solver::new(&scene.mechanism)
+        .map_err(|fault| Failure::Scene(scene.explain(&fault)))?;
+    Ok(Opened { scene, solver })
+}
+
+/// Where a scene comes from.
+#[derive(Debug)]
+enum Source {
+    Stdin,
+    Preset(&'static Preset),
+    File(PathBuf),
+}
+
+fn read(name: &Path) -> Result<Scene, Failure> {
+    let scene = match source(name, Path::exists)? {
+        Source::Preset(preset) => Scene::parse(preset.text, preset.name),
+        Source::Stdin => {
+            let bytes = limited(io::stdin()).map_err(|e| unreadable("standard input", &e))?;
+            Scene::read(&bytes, "stdin")
+        }
+        Source::File(path) => {
+            let shown = path.display().to_string();
+            let bytes = File::open(&path).and_then(limited);
+            let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
+            Scene::read(&bytes, &shown)
+        }
+    };
+    scene.map_err(Failure::Scene)
+}
+
+/// Everything up to one byte more than a scene may have, so that endless input ends.
+fn limited(from: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let most = u64::try_from(LARGEST_FILE).unwrap_or(u64::MAX);
+    from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn unreadable(what: &str, error: &io::Error) -> Failure {
+    Failure::Usage(format!("cannot read {what}: {error}"))
+}
+
+/// A file wins over a preset only by path: a bare name that is a preset means the preset.
+fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<Source, Failure> {
+    let file = || Ok(Source::File(name.to_owned()));
+    let Some(text) = name.to_str() else {
+        return file();
+    };
+    if text == "-" {
+        return Ok(Source::Stdin);
+    }
+    if text.contains(is_separator) || text.ends_with(".toml") {
+        return file();
+    }
+    match presets::find(text) {
+        Some(preset) => Ok(Source::Preset(preset)),
+        None if exists(name) => file(),
+        None => Err(unknown(text)),
+    }
+}
+
+fn unknown(name: &str) -> Failure {
+    let scenes = presets::all().iter().map(|preset| ("preset", preset.name));
+    let commands = COMMANDS.iter().map(|command| ("command", *command));
+    let distance = |known: &str| strsim::damerau_levenshtein(name, known);
+    let nearest = scenes.chain(commands).min_by_key(|(_, known)| distance(known));
+    // Half of the name may be wrong, but not more: otherwise it is another name.
+    let nearest = nearest.filter(|(_, known)| 2 * distance(known) <= known.len());
+    let mend = match nearest {
+        Some((what, known)) => format!("did you mean the {what} `{known}`?"),
+        None => "`krank list` names the presets".into(),
+    };
+    Failure::Usage(format!("there is no preset and no file `{name}`; {mend}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(name: &str, exists: bool) -> String {
+        match source(Path::new(name), |_| exists) {
+            Ok(Source::Stdin) => "stdin".into(),
+            Ok(Source::Preset(preset)) => format!("preset {}", preset.name),
+            Ok(Source::File(path)) => format!("file {}", path.display()),
+            Err(Failure::Usage(message)) => message,
+            Err(other) => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn a_bare_name_is_a_preset_before_it_is_a_file() {
+        assert_eq!(found("four-bar", true), "preset four-bar");
+        assert_eq!(found("./four-bar", true), "file ./four-bar");
+        assert_eq!(found("four-bar.toml", true), "file four-bar.toml");
+        assert_eq!(found("scenes/four-bar", false), "file scenes/four-bar");
+        assert_eq!(found("mine", true), "file mine");
+        assert_eq!(found("-", true), "stdin");
+    }
+
+    #[test]
+    fn an_unknown_name_gets_the_nearest_preset() {
+        assert_eq!(
+            found("forbar", false),
+            "there is no preset and no file `forbar`; did you mean the preset `four-bar`?"
+        );
+        assert!(found("chek", false).ends_with("did you mean the command `check`?"));
+        assert!(found("zzzzzzzzzzzzzzzzzzz", false).contains("krank list"));
+    }
+}

@@ -1,0 +1,156 @@
+//! `krank sweep`: which columns, which rows, and what to say about them.
+
+use super::args::{Format, SweepArgs};
+use super::failure::{Failure, note};
+use super::output::write_to;
+use super::screen::Screen;
+use super::source::{Opened, open};
+use crate::quantity::Catalogue;
+use crate::report::{Columns, Decimal, Outcome, RowFormat, Steps, range_text, write_sweep};
+use crate::scene::Scene;
+use crate::solver::Range;
+use crate::{Input, quantity::Quantity};
+
+/// A pushed slide takes the largest step of 1, 2 or 5 times a power of ten that gives at least so
+/// many steps over the sweep.
+const STEPS_OF_A_SLIDE: f64 = 100.0;
+
+pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene)?;
+    let catalogue = Catalogue::new(&scene);
+    let figures = figures(&catalogue, &args.columns)?;
+    let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
+    let range = solver.motion().range;
+    let steps = steps(&scene, range, args)?;
+    let format = match args.format {
+        Format::Csv => RowFormat::Csv,
+        Format::Json => RowFormat::Json,
+        Format::Text => RowFormat::Text {
+            digits: usize::from(args.figures.digits),
+        },
+    };
+    let outcome = write_to(args.output.output.as_deref(), |out| {
+        write_sweep(&scene, &solver, &columns, &steps, format, out)
+    })?;
+    judge(outcome, &range_text(range, catalogue.driver()), screen)
+}
+
+/// The figures that the patterns name; all where there are none. The driver and the state may be
+/// named: they have their columns anyway.
+fn figures(catalogue: &Catalogue, patterns: &[String]) -> Result<Vec<Quantity>, Failure> {
+    if patterns.is_empty() {
+        return Ok(catalogue.all().to_vec());
+    }
+    let patterns = patterns.iter().map(|p| p.trim());
+    let named: Vec<_> = patterns.filter(|p| *p != "state").collect();
+    let unknown = |e: crate::quantity::UnknownColumn| Failure::Usage(format!("--columns: {e}"));
+    catalogue.select(&named).map_err(unknown)
+}
+
+/// Says which rows have no values; a sweep without any has failed.
+fn judge(outcome: Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
+    let Outcome { rows, valued } = outcome;
+    if valued == rows {
+        return Ok(());
+    }
+    if valued == 0 {
+        return Err(Failure::Mechanism(format!(
+            "no row of the sweep lies within the motion: the driver covers {range}"
+        )));
+    }
+    let outside = rows - valued;
+    note(
+        &format!("{outside} of {rows} rows lie outside the motion and have no values: the driver covers {range}"),
+        screen,
+    );
+    Ok(())
+}
+
+/// The rows: an end that was left out is that of the motion, and has a row of its own.
+fn steps(scene: &Scene, range: Range, args: &SweepArgs) -> Result<Steps, Failure> {
+    let down = args.step.is_some_and(|step| step.value() < 0.0);
+    let from = match args.from {
+        Some(from) => from,
+        None => decimal(first(range, down).ok_or_else(endless)?)?,
+    };
+    let to = match args.to {
+        Some(to) => to,
+        None => decimal(last(range, down, from.value()).ok_or_else(endless)?)?,
+    };
+    let step = match (args.step, scene.mechanism.driver().input) {
+        (Some(step), _) => step,
+        (None, Input::Turn(_)) => decimal(1.0)?,
+        (None, Input::Push(_)) => decimal(slide_step(from.value(), to.value()))?,
+    };
+    let steps = Steps::new(from, to, step).map_err(|e| Failure::Usage(e.to_string()))?;
+    Ok(match args.to {
+        Some(_) => steps,
+        None => steps.ending_on(to.value()),
+    })
+}
+
+fn endless() -> Failure {
+    Failure::Usage("the slide can be pushed without end: give --from and --to".into())
+}
+
+/// Limits are finite, so that they have a decimal.
+fn decimal(value: f64) -> Result<Decimal, Failure> {
+    Decimal::of(value).ok_or_else(|| Failure::Mechanism("the motion has no finite limits".into()))
+}
+
+/// Where a sweep begins that was not told.
+fn first(range: Range, down: bool) -> Option<f64> {
+    match range {
+        Range::Full { period } => Some(if down { period } else { 0.0 }),
+        Range::Limited { low, high } => Some(if down { high } else { low }),
+        Range::Endless => None,
+    }
+}
+
+/// Where a sweep ends that was not told: one period on, or on the limit.
+fn last(range: Range, down: bool, from: f64) -> Option<f64> {
+    match range {
+        Range::Full { period } => Some(if down { from - period } else { from + period }),
+        Range::Limited { low, high } => Some(if down { low } else { high }),
+        Range::Endless => None,
+    }
+}
+
+/// 1, 2 or 5 times a power of ten, the way of the sweep.
+fn slide_step(from: f64, to: f64) -> f64 {
+    let most = ((to - from) / STEPS_OF_A_SLIDE).abs();
+    // One row, or ends that are no distance apart in doubles: any step will do.
+    if !(most.is_normal()) {
+        return 1.0;
+    }
+    let ten = most.log10().floor();
+    let size = [5.0, 2.0, 1.0]
+        .map(|n| format!("{n}e{ten}").parse().unwrap_or(most))
+        .into_iter()
+        .find(|step: &f64| *step <= most)
+        .unwrap_or(most);
+    if to < from { -size } else { size }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_slide_takes_round_steps() {
+        assert_eq!(slide_step(0.0, 1.0), 0.01);
+        assert_eq!(slide_step(0.0, 0.7), 0.005);
+        assert_eq!(slide_step(300.0, 50.0), -2.0);
+        assert_eq!(slide_step(5.0, 5.0), 1.0);
+    }
+
+    #[test]
+    fn ends_that_are_left_out_are_those_of_the_motion() {
+        let full = Range::Full { period: 720.0 };
+        assert_eq!((first(full, false), last(full, false, 30.0)), (Some(0.0), Some(750.0)));
+        assert_eq!((first(full, true), last(full, true, 720.0)), (Some(720.0), Some(0.0)));
+        let limited = Range::Limited { low: -3.0, high: 9.5 };
+        assert_eq!((first(limited, true), last(limited, true, 9.5)), (Some(9.5), Some(-3.0)));
+        assert_eq!(first(Range::Endless, false), None);
+    }
+}

@@ -1,0 +1,291 @@
+//! What krank understood of a scene: its parts, its mobility, its groups and its range.
+
+use crate::scene::Scene;
+use crate::solver::{Group, GroupKind, Range, Solver};
+use crate::{Body, Element, Input, LinkId, PointId, Slider};
+use crate::quantity::{Catalogue, Quantity};
+use serde::{Serialize, Serializer};
+use serde_json::Value;
+
+/// Decimals of limits: as many as a double has at some hundred degrees.
+const DECIMALS: usize = 12;
+
+/// What is driven.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum DriverKind {
+    /// A link that turns.
+    Link,
+    /// A slide that is pushed.
+    Slide,
+}
+
+/// The driver.
+#[derive(Clone, Debug, Serialize)]
+pub struct DriverFacts {
+    /// Whether a link turns or a slide is pushed.
+    pub kind: DriverKind,
+    /// The driven link or slide.
+    pub name: String,
+    /// Its coordinate at the opening, in deg or the scene's unit.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub start: f64,
+    /// Its rate, in rad/s or the scene's unit per s.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub speed: f64,
+    /// The rate of its rate, in rad/s^2 or the scene's unit per s^2.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub acceleration: f64,
+}
+
+/// A pin joint: a point where two or more bodies meet.
+#[derive(Clone, Debug, Serialize)]
+pub struct JointFacts {
+    /// The point.
+    pub point: String,
+    /// The bodies that meet there, `ground` among them.
+    pub bodies: Vec<String>,
+}
+
+/// What slides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum SliderKind {
+    /// A pin in a slot.
+    Pin,
+    /// A link that does not turn against its guide.
+    Link,
+}
+
+/// A slide.
+#[derive(Clone, Debug, Serialize)]
+pub struct SlideFacts {
+    /// As the scene names it.
+    pub name: String,
+    /// What slides.
+    pub kind: SliderKind,
+    /// The point or the link that slides.
+    pub slider: String,
+    /// The body that carries the guide.
+    pub on: String,
+}
+
+/// A group of the plan.
+#[derive(Clone, Debug, Serialize)]
+pub struct GroupFacts {
+    /// How it is solved: `driver`, `coupled`, or the class of the dyad, such as `RRR`.
+    #[serde(serialize_with = "kind_word")]
+    pub kind: GroupKind,
+    /// The joint that names it.
+    pub point: Option<String>,
+    /// The number of unknowns that a coupled group is solved for at once.
+    pub unknowns: Option<usize>,
+    /// The links that it places.
+    pub links: Vec<String>,
+    /// The named points that it places.
+    pub points: Vec<String>,
+}
+
+/// Everything that `check` tells.
+#[derive(Clone, Debug, Serialize)]
+pub struct Check {
+    /// The scene's title.
+    pub scene: String,
+    /// Where the mechanism comes from.
+    pub source: Option<String>,
+    /// What there is to see.
+    pub note: Option<String>,
+    /// The symbol of the unit of length.
+    pub unit: &'static str,
+    /// The driver.
+    pub driver: DriverFacts,
+    /// The moving links.
+    pub links: Vec<String>,
+    /// The pin joints.
+    pub joints: Vec<JointFacts>,
+    /// The slides.
+    pub slides: Vec<SlideFacts>,
+    /// Degrees of freedom by rank.
+    pub mobility: usize,
+    /// Elements with a constraint that repeats others.
+    pub redundant: Vec<String>,
+    /// The groups in the order in which they are solved.
+    pub groups: Vec<GroupFacts>,
+    /// The lower and the upper end of the driver's range; `None` for a slide without end.
+    pub range: Option<[f64; 2]>,
+    /// The degrees after which the motion repeats; `None` if the driver cannot turn fully.
+    pub period: Option<f64>,
+    /// The same in words.
+    #[serde(skip)]
+    pub range_text: String,
+}
+
+/// The range that the driver can cover, in words: limits with 12 decimals and their unit. `driver`
+/// is the driver's coordinate.
+#[must_use]
+pub fn range_text(range: Range, driver: &Quantity) -> String {
+    let unit = &driver.unit;
+    match range {
+        Range::Full { period } => {
+            format!("turns fully; the motion repeats after {period} {unit}")
+        }
+        Range::Limited { low, high } => {
+            format!("{low:.DECIMALS$} to {high:.DECIMALS$} {unit}")
+        }
+        Range::Endless => "without end".into(),
+    }
+}
+
+impl Check {
+    /// Gathers the facts.
+    #[must_use]
+    pub fn new(scene: &Scene, solver: &Solver) -> Self {
+        let names = Names { scene };
+        let mechanism = &scene.mechanism;
+        let plan = solver.plan();
+        let (range, period) = match solver.motion().range {
+            Range::Full { period } => (Some([0.0, period]), Some(period)),
+            Range::Limited { low, high } => (Some([low, high]), None),
+            Range::Endless => (None, None),
+        };
+        Check {
+            scene: scene.name.clone(),
+            source: scene.source.clone(),
+            note: scene.note.clone(),
+            unit: scene.unit.symbol(),
+            driver: names.driver(),
+            links: names.links(mechanism.link_ids()),
+            joints: mechanism
+                .point_ids()
+                .filter_map(|p| names.joint(p))
+                .collect(),
+            slides: names.slides(),
+            mobility: plan.mobility,
+            redundant: plan.redundant.iter().map(|&e| names.element(e)).collect(),
+            groups: plan.groups.iter().map(|g| names.group(g)).collect(),
+            range,
+            period,
+            range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),
+        }
+    }
+
+    /// As JSON.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        // Names and finite numbers always have a JSON form.
+        serde_json::to_value(self).unwrap_or(Value::Null)
+    }
+}
+
+fn kind_word<S: Serializer>(kind: &GroupKind, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(match kind {
+        GroupKind::Driver => "driver",
+        GroupKind::Rrr => "RRR",
+        GroupKind::Rrp => "RRP",
+        GroupKind::Rpr => "RPR",
+        GroupKind::Prp => "PRP",
+        GroupKind::Rpp => "RPP",
+        GroupKind::Coupled { .. } => "coupled",
+    })
+}
+
+fn unsigned_zero<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_f64(value + 0.0)
+}
+
+/// Gives elements their names.
+struct Names<'a> {
+    scene: &'a Scene,
+}
+
+impl Names<'_> {
+    fn links(&self, links: impl IntoIterator<Item = LinkId>) -> Vec<String> {
+        let name = |link| self.scene.link_name(link).to_owned();
+        links.into_iter().map(name).collect()
+    }
+
+    fn point(&self, point: PointId) -> Option<String> {
+        self.scene.point_name(point).map(str::to_owned)
+    }
+
+    fn body(&self, body: Body) -> String {
+        match body {
+            Body::Ground => "ground".into(),
+            Body::Link(link) => self.scene.link_name(link).to_owned(),
+        }
+    }
+
+    fn element(&self, element: Element) -> String {
+        match element {
+            Element::Point(point) => self.point(point).unwrap_or_else(|| "a point".into()),
+            Element::Link(link) => self.scene.link_name(link).to_owned(),
+            Element::Slide(slide) => self.scene.slide_name(slide).to_owned(),
+            Element::Driver => "driver".into(),
+        }
+    }
+
+    fn driver(&self) -> DriverFacts {
+        let driver = self.scene.mechanism.driver();
+        let (kind, name) = match driver.input {
+            Input::Turn(link) => (DriverKind::Link, self.scene.link_name(link)),
+            Input::Push(slide) => (DriverKind::Slide, self.scene.slide_name(slide)),
+        };
+        DriverFacts {
+            kind,
+            name: name.to_owned(),
+            start: driver.start,
+            speed: driver.speed,
+            acceleration: driver.acceleration,
+        }
+    }
+
+    fn joint(&self, id: PointId) -> Option<JointFacts> {
+        let point = self.scene.mechanism.point(id);
+        let ground = point.ground.map(|_| Body::Ground);
+        let links = point.links.iter().map(|&link| Body::Link(link));
+        let bodies: Vec<_> = ground.into_iter().chain(links).collect();
+        (bodies.len() > 1).then(|| JointFacts {
+            point: self.point(id).unwrap_or_default(),
+            bodies: bodies.into_iter().map(|b| self.body(b)).collect(),
+        })
+    }
+
+    fn slides(&self) -> Vec<SlideFacts> {
+        let mechanism = &self.scene.mechanism;
+        let facts = |id| {
+            let slide = mechanism.slide(id);
+            let (kind, slider) = match slide.slider {
+                Slider::Pin(point) => (SliderKind::Pin, self.point(point).unwrap_or_default()),
+                Slider::Link { link, .. } => {
+                    (SliderKind::Link, self.scene.link_name(link).to_owned())
+                }
+            };
+            SlideFacts {
+                name: self.scene.slide_name(id).to_owned(),
+                kind,
+                slider,
+                on: self.body(slide.on),
+            }
+        };
+        mechanism.slide_ids().map(facts).collect()
+    }
+
+    fn group(&self, group: &Group) -> GroupFacts {
+        let unknowns = match group.kind {
+            GroupKind::Coupled { unknowns } => Some(unknowns),
+            GroupKind::Driver
+            | GroupKind::Rrr
+            | GroupKind::Rrp
+            | GroupKind::Rpr
+            | GroupKind::Prp
+            | GroupKind::Rpp => None,
+        };
+        GroupFacts {
+            kind: group.kind,
+            point: group.point.and_then(|p| self.point(p)),
+            unknowns,
+            links: self.links(group.links.iter().copied()),
+            points: group.points.iter().filter_map(|&p| self.point(p)).collect(),
+        }
+    }
+}

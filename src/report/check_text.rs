@@ -1,0 +1,156 @@
+//! The facts of `check` as text.
+
+use super::check::{
+    Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
+};
+use crate::scene::harmless;
+use crate::solver::GroupKind;
+
+/// The column in which the facts begin.
+const FACTS: usize = 11;
+impl Check {
+    /// As text for a person; titles and notes in ASCII alone if asked, everything else always is.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        let mut out = Out::default();
+        out.line(&harmless(&self.scene, ascii));
+        if let Some(source) = &self.source {
+            out.facts("source", [harmless(source, ascii)]);
+        }
+        if let Some(note) = &self.note {
+            out.facts("note", [harmless(note, ascii)]);
+        }
+        out.facts("unit", [self.unit.to_owned()]);
+        out.facts("parts", [self.counts()]);
+        out.facts("driver", [self.driver_text()]);
+        out.facts("links", [self.links.join(", ")]);
+        out.facts("joints", self.joints.iter().map(joint_text));
+        out.facts("slides", self.slides.iter().map(slide_text));
+        out.facts("mobility", [self.mobility_text()]);
+        let groups = self.groups.iter().enumerate();
+        let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, group_text(group)));
+        out.facts("groups", groups);
+        out.facts("range", [self.range_text.clone()]);
+        out.text
+    }
+
+    fn counts(&self) -> String {
+        format!(
+            "{} and the ground, {}, {}",
+            counted(self.links.len(), "link"),
+            counted(self.pins(), "pin joint"),
+            counted(self.slides.len(), "slide"),
+        )
+    }
+
+    /// Where n bodies meet there are n - 1 joints.
+    fn pins(&self) -> usize {
+        self.joints.iter().map(|j| j.bodies.len() - 1).sum()
+    }
+
+    fn driver_text(&self) -> String {
+        let DriverFacts {
+            kind,
+            name,
+            start,
+            speed,
+            acceleration,
+        } = &self.driver;
+        let (what, coordinate, rate) = match kind {
+            DriverKind::Link => ("link", "deg", "rad"),
+            DriverKind::Slide => ("slide", self.unit, self.unit),
+        };
+        format!(
+            "{what} {name}, opens at {start} {coordinate}, {speed} {rate}/s, \
+             {acceleration} {rate}/s^2"
+        )
+    }
+
+    fn mobility_text(&self) -> String {
+        if self.redundant.is_empty() {
+            return self.mobility.to_string();
+        }
+        let count = counted(self.redundant.len(), "redundant constraint");
+        format!(
+            "{}, with {count} set aside: {}",
+            self.mobility,
+            self.redundant.join(", ")
+        )
+    }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    match count {
+        0 => format!("no {what}"),
+        1 => format!("1 {what}"),
+        n => format!("{n} {what}s"),
+    }
+}
+
+fn joint_text(joint: &JointFacts) -> String {
+    format!("{}: {}", joint.point, joint.bodies.join(", "))
+}
+
+fn slide_text(slide: &SlideFacts) -> String {
+    let SlideFacts {
+        name,
+        kind,
+        slider,
+        on,
+    } = slide;
+    match kind {
+        SliderKind::Pin => format!("{name}: pin {slider} in a slot of {on}"),
+        SliderKind::Link => format!("{name}: link {slider} along {on}, without turning against it"),
+    }
+}
+
+fn group_text(group: &GroupFacts) -> String {
+    let links = match group.links.as_slice() {
+        [] => String::new(),
+        [one] => format!("link {one}"),
+        many => format!("links {}", many.join(", ")),
+    };
+    let at = group.point.as_ref().map(|p| format!(" at {p}"));
+    let at = at.unwrap_or_default();
+    let (what, how) = match group.kind {
+        GroupKind::Driver => ("driver".to_owned(), ""),
+        GroupKind::Rrr => dyad("RRR", &at),
+        GroupKind::Rrp => dyad("RRP", &at),
+        GroupKind::Rpr => dyad("RPR", &at),
+        GroupKind::Prp => dyad("PRP", &at),
+        GroupKind::Rpp => dyad("RPP", &at),
+        GroupKind::Coupled { unknowns } => {
+            let unknowns = counted(unknowns, "unknown");
+            (format!("coupled group{at}, {unknowns}"), " (by Newton)")
+        }
+    };
+    if links.is_empty() {
+        format!("{what}{how}")
+    } else {
+        format!("{what}: {links}{how}")
+    }
+}
+
+fn dyad(class: &str, at: &str) -> (String, &'static str) {
+    (format!("dyad {class}{at}"), " (closed form)")
+}
+
+/// Lines of a name and its facts, one fact a line.
+#[derive(Default)]
+struct Out {
+    text: String,
+}
+
+impl Out {
+    fn line(&mut self, line: &str) {
+        self.text.push_str(line.trim_end());
+        self.text.push('\n');
+    }
+
+    fn facts(&mut self, name: &str, facts: impl IntoIterator<Item = String>) {
+        for (i, fact) in facts.into_iter().enumerate() {
+            let name = if i == 0 { name } else { "" };
+            self.line(&format!("{name:FACTS$}{fact}"));
+        }
+    }
+}

@@ -1,0 +1,26 @@
+//! What krank found out, written down: tables, sweeps and the facts of a scene, as text, CSV and
+//! JSON.
+//!
+//! Text is for people: a chosen number of digits, aligned, with units. CSV and JSON are for other
+//! programs: every number reads back to the same double, and a value that does not exist is an
+//! empty cell or `null`, never 0 and never NaN. Everything here writes plain ASCII, but for titles
+//! and notes of a scene where the reader can show them.
+
+mod check;
+mod check_text;
+mod number;
+mod steps;
+mod sweep;
+mod tables;
+mod tables_data;
+mod tables_text;
+mod text;
+
+pub use check::{
+    Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
+};
+pub use number::{direction, shortest, significant};
+pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
+pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
+pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
+pub use tables_text::TextStyle;

@@ -1,0 +1,126 @@
+//! How numbers are written: to as many digits as asked, or so that they read back to the same double.
+
+use std::fmt::{self, Write};
+
+/// Below this power of ten a number is written with an exponent: leading zeros are hard to count.
+const SMALLEST_FIXED: i32 = -5;
+/// From here on the shortest form takes an exponent: an f64 has no digits left behind the point.
+const LARGEST_FIXED: f64 = 1e16;
+
+/// The value to `digits` significant digits, trailing zeros kept; `0` for zero of either sign.
+///
+/// Values that have more digits in front of the point than were asked for, and small ones, take an
+/// exponent: `2.40e4`.
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".into();
+    }
+    let digits = digits.max(1);
+    let scientific = format!("{value:.*e}", digits - 1);
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, e)| e.parse::<i32>().ok());
+    let wanted = i32::try_from(digits).unwrap_or(i32::MAX);
+    match exponent {
+        Some(exponent) if (SMALLEST_FIXED..wanted).contains(&exponent) => {
+            let decimals = usize::try_from(wanted - 1 - exponent).unwrap_or(0);
+            format!("{value:.decimals$}")
+        }
+        _ => scientific,
+    }
+}
+
+/// A direction in degrees to `digits` significant digits; one that rounds to 360 is written as 0.
+#[must_use]
+pub fn direction(degrees: f64, digits: usize) -> String {
+    let text = significant(degrees, digits);
+    if text.parse() == Ok(crate::angle::TURN) {
+        "0".into()
+    } else {
+        text
+    }
+}
+
+/// Writes the shortest decimal that reads back to the same double.
+///
+/// A negative zero is written as `0`: a direction of approach that no table means. The value must
+/// be finite; what does not exist is no number and is never written by this function.
+///
+/// # Errors
+/// Those of the writer.
+pub fn shortest(value: f64, to: &mut impl Write) -> fmt::Result {
+    debug_assert!(
+        value.is_finite(),
+        "only values that exist are written: {value}"
+    );
+    // Clears the sign of a negative zero.
+    let value = value + 0.0;
+    let size = value.abs();
+    if size == 0.0 || (1e-5..LARGEST_FIXED).contains(&size) {
+        write!(to, "{value}")
+    } else {
+        write!(to, "{value:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn significant_digits_count_from_the_first_that_is_not_zero() {
+        let cases = [
+            (29.379_447_783_733_73, "29.3794"),
+            (-3.916_412_730_164_438, "-3.91641"),
+            (100.0, "100.000"),
+            (-460_017.673, "-460018"),
+            (999_999.7, "1.00000e6"),
+            (0.000_012_345_678, "0.0000123457"),
+            (0.000_001_234_567_8, "1.23457e-6"),
+            (-0.0, "0"),
+            (9.999_999_9, "10.0000"),
+        ];
+        for (value, text) in cases {
+            assert_eq!(significant(value, 6), text);
+        }
+        assert_eq!(significant(23_995.093, 3), "2.40e4");
+        assert_eq!(significant(0.1, 17), "0.10000000000000001");
+    }
+
+    #[test]
+    fn a_direction_that_rounds_to_a_full_turn_is_0() {
+        assert_eq!(direction(359.999_99, 6), "0");
+        assert_eq!(direction(359.999_99, 8), "359.99999");
+        assert_eq!(direction(360.0 - 1e-12, 12), "0");
+    }
+
+    #[test]
+    fn the_shortest_form_stays_short() {
+        let written = |value| {
+            let mut text = String::new();
+            shortest(value, &mut text).unwrap();
+            text
+        };
+        assert_eq!(written(60.0), "60");
+        assert_eq!(written(-0.0), "0");
+        assert_eq!(written(0.1), "0.1");
+        assert_eq!(written(1e-300), "1e-300");
+        assert_eq!(written(-2.5e300), "-2.5e300");
+        assert_eq!(written(1e16), "1e16");
+        assert_eq!(written(0.000_01), "0.00001");
+    }
+
+    proptest! {
+        #[test]
+        fn every_double_reads_back(bits: u64) {
+            let value = f64::from_bits(bits);
+            prop_assume!(value.is_finite() && value.to_bits() != (-0.0_f64).to_bits());
+            let mut text = String::new();
+            shortest(value, &mut text).unwrap();
+            prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), bits);
+            prop_assert!(serde_json::from_str::<serde_json::Value>(&text).unwrap().is_number());
+        }
+    }
+}
