@@ -63,6 +63,8 @@ const OVER_LINE: i32 = 4;
 const OVER_GROUND: i32 = 3;
 /// For a mark or another name right before or behind: `B` beside `C` would read as one name.
 const TOUCHING: i32 = 4;
+/// For a line right before or behind.
+const BESIDE_LINE: i32 = 3;
 /// A label moves only for a place that is better by more than this.
 const INERTIA: i32 = 6;
 
@@ -137,7 +139,7 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
         let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
         sum += match role {
             Role::Empty | Role::Ground | Role::Guide => 0,
-            Role::Link | Role::Driver => 1,
+            Role::Link | Role::Driver => BESIDE_LINE,
             Role::Joint
             | Role::GroundPin
             | Role::Slider

@@ -13,6 +13,8 @@ mod reach;
 mod render;
 mod stroke;
 mod symbol;
+#[cfg(test)]
+mod tests;
 mod view;
 
 pub use figure::{Figure, Role, Shape};

@@ -149,3 +149,23 @@ fn samples(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> 
         low + (high - low) * share
     })
 }
+
+#[cfg(test)]
+impl Reach {
+    /// A reach made by hand, of points that move and points that do not.
+    pub(super) fn by_hand(moving: &[Vec2], ground: &[Vec2]) -> Reach {
+        let around = |points: &[Vec2]| {
+            let mut bounds = Bounds::default();
+            points.iter().for_each(|&p| bounds.include(p));
+            bounds
+        };
+        Reach {
+            moving: around(moving),
+            ground: around(ground),
+            guides: Bounds::default(),
+            travel: Vec::new(),
+            anchor: ground.first().copied().unwrap_or(Vec2::ZERO),
+            name: 1.0,
+        }
+    }
+}

@@ -100,7 +100,7 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
         Shape::Mark { at, role } => symbols.mark(at, role),
         Shape::Support { at } => symbols.support(at),
         Shape::Hatching { from, to } => symbols.hatching(from, to),
-        Shape::Block { at, along, pin } => symbols.block(at, along, pin),
+        Shape::Block { at, pin, .. } => symbols.block(at, pin),
         // Names come last, when all that they must avoid is in place.
         Shape::Label { .. } => {}
     }

@@ -62,7 +62,7 @@ fn clip(a: Vec2, b: Vec2, size: Vec2) -> Option<(Vec2, Vec2)> {
 
 /// Visits a line once in every column, or in every row if it is steep, at the middle of the cell.
 /// A line that passes no middle is visited once, half way.
-fn trace(a: Vec2, b: Vec2, mut visit: impl FnMut(f64, f64)) {
+pub(super) fn trace(a: Vec2, b: Vec2, mut visit: impl FnMut(f64, f64)) {
     let step = b - a;
     let steep = step.y.abs() > step.x.abs();
     let (from, to, from_side, rate) = if steep {
@@ -94,13 +94,8 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, flat: char, uprigh
     if step.y.abs() > step.x.abs() {
         let lean = step.x / step.y;
         trace(a, b, |x, y| {
-            let (top, bottom) = (x - lean / 2.0, x + lean / 2.0);
-            let glyph = if top.floor() == bottom.floor() {
-                upright
-            } else {
-                slash(lean)
-            };
-            raster.put(x.floor() as i32, y.floor() as i32, glyph, role);
+            let (col, glyph) = descend(x, lean, upright);
+            raster.put(col, y.floor() as i32, glyph, role);
         });
         return;
     }
@@ -113,6 +108,26 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, flat: char, uprigh
         };
         raster.put(x.floor() as i32, row, glyph, role);
     });
+}
+
+/// The stroke of a steep line in one row: a slash where it changes columns, else upright.
+///
+/// Up to half a column per row it changes where it really does, between the middles of two columns.
+/// Beyond, slashes follow each other, and they must meet at corners.
+fn descend(x: f64, lean: f64, upright: char) -> (i32, char) {
+    let (top, bottom) = (x - lean / 2.0, x + lean / 2.0);
+    let straight = (x.floor() as i32, upright);
+    if lean.abs() <= 0.5 {
+        if top.floor() == bottom.floor() {
+            straight
+        } else {
+            (x.floor() as i32, slash(lean))
+        }
+    } else if top.round() == bottom.round() {
+        straight
+    } else {
+        (top.round().min(bottom.round()) as i32, slash(lean))
+    }
 }
 
 /// `/` where a line runs down to the left, `\` where it runs down to the right; rows count downwards,
@@ -166,5 +181,130 @@ fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let pattern = BLANK + (kept.unwrap_or(0) | DOTS[in_row][in_col]);
     if let Some(glyph) = char::from_u32(pattern) {
         raster.put(col, row, glyph, role);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const SIZE: u16 = 40;
+
+    fn drawn(a: Vec2, b: Vec2, glyphs: Glyphs) -> Vec<(i32, i32, char)> {
+        let mut raster = Raster::new();
+        raster.reset(SIZE, SIZE);
+        line(&mut raster, glyphs, a, b, Role::Link);
+        let mut cells = Vec::new();
+        for (row, line) in (0..).zip(raster.lines()) {
+            for (col, cell) in (0..).zip(line) {
+                if cell.role != Role::Empty {
+                    cells.push((col, row, cell.glyph));
+                }
+            }
+        }
+        cells
+    }
+
+    /// The stroke that a glyph draws, from (0, 0) at the upper left of its cell.
+    fn stroke_of(glyph: char) -> (Vec2, Vec2) {
+        let v = Vec2::new;
+        match glyph {
+            '-' => (v(0.0, 0.5), v(1.0, 0.5)),
+            '_' => (v(0.0, 1.0), v(1.0, 1.0)),
+            '|' => (v(0.5, 0.0), v(0.5, 1.0)),
+            '/' => (v(0.0, 1.0), v(1.0, 0.0)),
+            '\\' => (v(0.0, 0.0), v(1.0, 1.0)),
+            other => panic!("{other:?} is no stroke"),
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn every_stroke_lies_within_half_a_cell_of_the_line(
+            (ax, ay) in (2.0..38.0, 2.0..38.0),
+            (bx, by) in (2.0..38.0, 2.0..38.0),
+        ) {
+            let (a, b) = (Vec2::new(ax, ay), Vec2::new(bx, by));
+            let step = b - a;
+            for (col, row, glyph) in drawn(a, b, Glyphs::Ascii) {
+                let (start, end) = stroke_of(glyph);
+                let middle = Vec2::new(f64::from(col), f64::from(row)) + (start + end) * 0.5;
+                let off = (middle - a).cross(step);
+                let axis = step.x.abs().max(step.y.abs());
+                prop_assert!((off / axis).abs() <= 0.5 + 1e-9, "{glyph} at {col}, {row}");
+            }
+        }
+
+        #[test]
+        fn shallow_strokes_meet(
+            (ax, ay) in (2.0..8.0, 16.0..24.0),
+            (bx, slope) in (30.0..38.0, -0.999..0.999),
+        ) {
+            let (a, b) = (Vec2::new(ax, ay), Vec2::new(bx, ay + slope * (bx - ax)));
+            let mut cells = drawn(a, b, Glyphs::Ascii);
+            cells.sort_by_key(|c| c.0);
+            for pair in cells.windows(2) {
+                let [(c, r, g), (d, s, h)] = [pair[0], pair[1]];
+                prop_assert_eq!(c + 1, d, "a gap");
+                let leaves = f64::from(r) + stroke_of(g).1.y;
+                let enters = f64::from(s) + stroke_of(h).0.y;
+                prop_assert!((leaves - enters).abs() <= 0.5, "{g} then {h}");
+            }
+        }
+
+        #[test]
+        fn nothing_is_drawn_twice_over(
+            (ax, ay) in (-50.0..90.0, -50.0..90.0),
+            (bx, by) in (-50.0..90.0, -50.0..90.0),
+        ) {
+            let (a, b) = (Vec2::new(ax, ay), Vec2::new(bx, by));
+            let cells = drawn(a, b, Glyphs::Ascii);
+            prop_assert!(cells.len() <= usize::from(SIZE));
+        }
+    }
+
+    #[test]
+    fn a_line_is_the_same_from_both_ends() {
+        for k in 0..360 {
+            let b = Vec2::new(20.3, 20.7) + crate::angle::unit(f64::from(k)) * 15.0;
+            let a = Vec2::new(20.3, 20.7);
+            for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+                assert_eq!(drawn(a, b, glyphs), drawn(b, a, glyphs), "{k} {glyphs:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn level_and_upright_lines_are_plain() {
+        let v = Vec2::new;
+        let level = drawn(v(1.5, 3.5), v(5.5, 3.5), Glyphs::Ascii);
+        assert_eq!(level.len(), 5);
+        assert!(level.iter().all(|&(_, row, g)| row == 3 && g == '-'));
+        let upright = drawn(v(3.5, 1.5), v(3.5, 5.5), Glyphs::Line);
+        assert_eq!(upright.len(), 5);
+        assert!(upright.iter().all(|&(col, _, g)| col == 3 && g == '│'));
+    }
+
+    #[test]
+    fn what_lies_outside_or_nowhere_draws_nothing() {
+        let v = Vec2::new;
+        let cases = [
+            (v(f64::NAN, 1.0), v(5.0, 5.0)),
+            (v(1.0, 1.0), v(f64::INFINITY, 5.0)),
+            (v(-1e308, 1.0), v(1e308, 5.0)),
+            (v(-9.0, -9.0), v(-5.0, 80.0)),
+            (v(60.0, 0.0), v(60.0, 9.0)),
+        ];
+        for (a, b) in cases {
+            assert_eq!(drawn(a, b, Glyphs::Ascii), [], "{a:?} {b:?}");
+            assert_eq!(drawn(a, b, Glyphs::Braille), [], "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn far_ends_cost_no_more_than_the_window() {
+        let (a, b) = (Vec2::new(-1e12, 5.5), Vec2::new(1e12, 5.5));
+        assert_eq!(drawn(a, b, Glyphs::Ascii).len(), usize::from(SIZE));
     }
 }

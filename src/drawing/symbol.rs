@@ -11,6 +11,11 @@ use crate::Vec2;
 /// From this size on there is room for the triangle under a ground pin.
 const ROOMY_ROWS: u16 = 16;
 
+/// Cells from one stroke of hatching to the next.
+const HATCHING: u32 = 2;
+/// More strokes than any screen shows; guides of a closely zoomed view go far beyond it.
+const LONGEST_HATCHING: f64 = 2000.0;
+
 /// What the symbols are drawn with.
 pub(super) struct Symbols<'a> {
     pub(super) view: &'a View,
@@ -26,14 +31,37 @@ pub(super) fn cell_of(at: Vec2) -> (i32, i32) {
 impl Symbols<'_> {
     /// The support under a ground pin: a triangle and hatching, or hatching alone in a low window.
     pub(super) fn support(&mut self, at: Vec2) {
-        let (col, row) = cell_of(self.view.cell(at));
-        let (row, hatching) = if self.view.rows() >= ROOMY_ROWS {
+        let middle = self.view.cell(at);
+        let (col, row) = cell_of(middle);
+        let roomy = self.view.rows() >= ROOMY_ROWS;
+        if self.glyphs == Glyphs::Braille {
+            self.dotted_support(middle, roomy);
+            return;
+        }
+        if roomy {
             self.stamp(col - 1, row + 1, "/_\\", Role::Ground);
-            (row + 2, "/////")
-        } else {
-            (row + 1, "/////")
-        };
-        self.stamp(col - 2, row, hatching, Role::Ground);
+        }
+        self.stamp(col - 2, row + 1 + i32::from(roomy), "/////", Role::Ground);
+    }
+
+    /// The same from lines, centred under the cell that shows the pin.
+    fn dotted_support(&mut self, middle: Vec2, roomy: bool) {
+        let apex = Vec2::new(middle.x.floor() + 0.5, middle.y.floor() + 0.9);
+        let base = if roomy { apex.y + 1.1 } else { apex.y + 0.2 };
+        let at = |x: f64, y: f64| Vec2::new(apex.x + x, base + y);
+        if roomy {
+            for side in [-1.5, 1.5] {
+                self.line(apex, at(side, 0.0), Role::Ground);
+            }
+        }
+        self.line(at(-2.5, 0.0), at(2.5, 0.0), Role::Ground);
+        for x in [-2.0, -1.0, 0.0, 1.0, 2.0] {
+            self.line(at(x, 0.0), at(x - 1.0, 0.5), Role::Ground);
+        }
+    }
+
+    fn line(&mut self, a: Vec2, b: Vec2, role: Role) {
+        stroke::line(self.raster, self.glyphs, a, b, role);
     }
 
     fn stamp(&mut self, col: i32, row: i32, glyphs: &str, role: Role) {
@@ -45,6 +73,10 @@ impl Symbols<'_> {
     /// Short strokes beside a guide, on the right of its direction.
     pub(super) fn hatching(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if self.glyphs == Glyphs::Braille {
+            self.dotted_hatching(a, b);
+            return;
+        }
         let along = b - a;
         let steep = along.y.abs() > along.x.abs();
         let offset = if steep {
@@ -52,44 +84,45 @@ impl Symbols<'_> {
         } else {
             Vec2::new(0.0, along.x.signum())
         };
+        // Slashes beside a line of slashes would not be told from it.
         let rising = along.x * along.y < 0.0;
         let glyph = if rising && along.x.abs() * 4.0 > along.y.abs() {
             '\\'
         } else {
             '/'
         };
-        stroke::solid(self.raster, glyph, a + offset, b + offset, Role::Ground);
+        let mut count = 0;
+        stroke::trace(a + offset, b + offset, |x, y| {
+            count += 1;
+            if count % HATCHING == 1 {
+                let (col, row) = cell_of(Vec2::new(x, y));
+                self.raster.put(col, row, glyph, Role::Ground);
+            }
+        });
     }
 
-    /// A block on its guide.
-    pub(super) fn block(&mut self, at: Vec2, along: Vec2, pin: bool) {
-        let middle = self.view.cell(at);
-        if self.glyphs == Glyphs::Braille {
-            self.box_around(middle, along);
-            if pin {
-                let (col, row) = cell_of(middle);
-                self.raster.put(col, row, 'o', Role::Slider);
-            }
-            return;
+    fn dotted_hatching(&mut self, a: Vec2, b: Vec2) {
+        let aspect = self.view.aspect();
+        // In widths of a cell, so that a square is one on the screen.
+        let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
+        let length = along.norm();
+        let unit = along / length;
+        // Rows count downwards, and so `perp` points to the right.
+        let stroke = (unit.perp() - unit) * 1.3;
+        let on_screen = |v: Vec2| Vec2::new(v.x, v.y / aspect);
+        let count = (length / f64::from(HATCHING)).clamp(0.0, LONGEST_HATCHING) as u32;
+        for k in 1..=count {
+            let foot = a + on_screen(unit * f64::from(k * HATCHING));
+            self.line(foot, foot + on_screen(stroke), Role::Ground);
         }
-        let (col, row) = cell_of(middle);
+    }
+
+    /// A block on its guide. It is upright whatever its guide: brackets read as a block at any angle,
+    /// a turned box of so few cells does not.
+    pub(super) fn block(&mut self, at: Vec2, pin: bool) {
+        let (col, row) = cell_of(self.view.cell(at));
         let glyphs = if pin { "[o]" } else { "[ ]" };
         self.stamp(col - 1, row, glyphs, Role::Slider);
-    }
-
-    fn box_around(&mut self, middle: Vec2, along: Vec2) {
-        // Half a length of 1.75 cells and half a width of 1, turned with the guide at true aspect.
-        let turned = |x: f64, y: f64| {
-            let p = Vec2::new(x, y).turned(along);
-            middle + Vec2::new(p.x, -p.y / self.view.aspect())
-        };
-        let corners = [
-            turned(1.75, 1.0),
-            turned(-1.75, 1.0),
-            turned(-1.75, -1.0),
-            turned(1.75, -1.0),
-        ];
-        self.outline(&corners, Role::Slider);
     }
 
     /// A closed line through places in cell coordinates.
