@@ -1,5 +1,6 @@
 //! krank: planar linkages with one input.
 pub mod angle;
+pub mod drawing;
 mod mechanism;
 pub mod quantity;
 pub mod scene;

@@ -1,0 +1,143 @@
+//! What is drawn, in world units: no cells, no glyphs.
+
+use crate::Vec2;
+
+/// What a shape, and later a cell, stands for: colours are chosen by it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Role {
+    /// Nothing is drawn.
+    #[default]
+    Empty,
+    /// The frame: supports and their hatching.
+    Ground,
+    /// A guide on the ground.
+    Guide,
+    /// A moving link.
+    Link,
+    /// The driven link, or the cylinder that drives.
+    Driver,
+    /// A joint between moving links.
+    Joint,
+    /// A joint on the ground.
+    GroundPin,
+    /// A block that slides along a guide.
+    Slider,
+    /// A point that merely rides on a link.
+    Rider,
+    /// A centre of mass.
+    CentreOfMass,
+    /// A name.
+    Label,
+}
+
+/// A primitive in world units, y upwards.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    /// A straight line.
+    Line {
+        /// Where it begins.
+        from: Vec2,
+        /// Where it ends.
+        to: Vec2,
+        /// What it stands for.
+        role: Role,
+    },
+    /// A closed outline.
+    Outline {
+        /// Its corners in order.
+        corners: Vec<Vec2>,
+        /// What it stands for.
+        role: Role,
+    },
+    /// A body wider than a line: the barrel of a cylinder.
+    Barrel {
+        /// The middle of its one end.
+        from: Vec2,
+        /// The middle of its other end.
+        to: Vec2,
+        /// What it stands for.
+        role: Role,
+    },
+    /// A small mark: a joint, a rider, a centre of mass.
+    Mark {
+        /// Where.
+        at: Vec2,
+        /// What it stands for; the glyph follows from it.
+        role: Role,
+    },
+    /// The support under a ground pin, with its hatching.
+    Support {
+        /// The pin.
+        at: Vec2,
+    },
+    /// Hatching along a guide that is fixed in the ground, to the right of its direction.
+    Hatching {
+        /// Where the guide begins.
+        from: Vec2,
+        /// Where it ends.
+        to: Vec2,
+    },
+    /// A block that slides.
+    Block {
+        /// Its middle.
+        at: Vec2,
+        /// The direction of its guide: a unit vector.
+        along: Vec2,
+        /// Whether a pin sits in it.
+        pin: bool,
+    },
+    /// A name beside a point.
+    Label {
+        /// The point.
+        at: Vec2,
+        /// The name.
+        text: String,
+        /// Whose name it is.
+        role: Role,
+    },
+}
+
+impl Shape {
+    fn is_finite(&self) -> bool {
+        match self {
+            Shape::Line { from, to, .. }
+            | Shape::Barrel { from, to, .. }
+            | Shape::Hatching { from, to } => from.is_finite() && to.is_finite(),
+            Shape::Outline { corners, .. } => corners.iter().all(|c| c.is_finite()),
+            Shape::Mark { at, .. } | Shape::Support { at } | Shape::Label { at, .. } => {
+                at.is_finite()
+            }
+            Shape::Block { at, along, .. } => at.is_finite() && along.is_finite(),
+        }
+    }
+}
+
+/// Shapes in world units, every one finite.
+///
+/// Of two shapes of the same kind the later one lies on top; kinds are ordered by the painter:
+/// the ground below, then guides, links, marks, and names.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Figure {
+    shapes: Vec<Shape>,
+}
+
+impl Figure {
+    /// A figure of nothing.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds a shape. One that is not finite is left out: there is no place to draw it.
+    pub fn add(&mut self, shape: Shape) {
+        if shape.is_finite() {
+            self.shapes.push(shape);
+        }
+    }
+
+    /// The shapes, in the order in which they were added.
+    #[must_use]
+    pub fn shapes(&self) -> &[Shape] {
+        &self.shapes
+    }
+}

@@ -1,0 +1,152 @@
+//! Names beside their points, out of the way of everything else.
+
+use super::figure::{Figure, Role, Shape};
+use super::raster::Raster;
+use super::symbol::cell_of;
+use super::view::View;
+
+/// Where the labels of a figure stood last; keep it from frame to frame.
+#[derive(Clone, Debug, Default)]
+pub struct Labels {
+    seats: Vec<Option<usize>>,
+}
+
+/// A place for a label, relative to its point.
+struct Seat {
+    /// From the point's cell to the label's near end (or its middle, for `Align::Middle`).
+    col: i32,
+    row: i32,
+    align: Align,
+    /// What it costs by itself.
+    cost: i32,
+}
+
+enum Align {
+    /// The label begins here.
+    Start,
+    /// The label is centred here.
+    Middle,
+    /// The label ends here.
+    End,
+}
+
+const fn seat(col: i32, row: i32, align: Align, cost: i32) -> Seat {
+    Seat {
+        col,
+        row,
+        align,
+        cost,
+    }
+}
+
+/// Above right is where readers look first; sides next, then below; the outer ring if the inner is full.
+const SEATS: [Seat; 14] = [
+    seat(1, -1, Align::Start, 0),
+    seat(-1, -1, Align::End, 1),
+    seat(2, 0, Align::Start, 1),
+    seat(-2, 0, Align::End, 2),
+    seat(0, -1, Align::Middle, 2),
+    seat(1, 1, Align::Start, 2),
+    seat(-1, 1, Align::End, 2),
+    seat(0, 1, Align::Middle, 3),
+    seat(3, -1, Align::Start, 5),
+    seat(-3, -1, Align::End, 5),
+    seat(3, 1, Align::Start, 6),
+    seat(-3, 1, Align::End, 6),
+    seat(3, 0, Align::Start, 5),
+    seat(-3, 0, Align::End, 5),
+];
+
+/// For each character that hides a piece of a line.
+const OVER_LINE: i32 = 4;
+/// For each character that hides a piece of the ground or of a guide.
+const OVER_GROUND: i32 = 3;
+/// For a mark or another name right before or behind: `B` beside `C` would read as one name.
+const TOUCHING: i32 = 4;
+/// For a line right before or behind.
+const BESIDE_LINE: i32 = 3;
+/// A label moves only for a place that is better by more than this.
+const INERTIA: i32 = 6;
+
+impl Labels {
+    /// Draws the labels of a figure over a raster in which everything else is drawn.
+    pub(super) fn place(&mut self, figure: &Figure, view: &View, raster: &mut Raster) {
+        let labels = figure.shapes().iter().filter_map(|shape| match shape {
+            Shape::Label { at, text, role } => Some((*at, text.as_str(), *role)),
+            _ => None,
+        });
+        let mut count = 0;
+        for (at, text, role) in labels {
+            let last = self.seats.get(count).copied().flatten();
+            let seat = best_seat(raster, cell_of(view.cell(at)), text, last);
+            match self.seats.get_mut(count) {
+                Some(slot) => *slot = seat,
+                None => self.seats.push(seat),
+            }
+            count += 1;
+            if let Some(seat) = seat {
+                let (col, row) = origin(&SEATS[seat], cell_of(view.cell(at)), text);
+                for (i, glyph) in (0..).zip(text.chars()) {
+                    raster.put(col.saturating_add(i), row, glyph, role);
+                }
+            }
+        }
+        self.seats.truncate(count);
+    }
+}
+
+fn best_seat(raster: &Raster, point: (i32, i32), text: &str, last: Option<usize>) -> Option<usize> {
+    let cost = |index: usize| {
+        let bonus = if last == Some(index) { INERTIA } else { 0 };
+        let (col, row) = origin(&SEATS[index], point, text);
+        cover(raster, col, row, text).map(|cover| cover + SEATS[index].cost - bonus)
+    };
+    let priced = (0..SEATS.len()).filter_map(|i| cost(i).map(|c| (c, i)));
+    priced.min().map(|(_, index)| index)
+}
+
+/// The cell of the first character.
+fn origin(seat: &Seat, point: (i32, i32), text: &str) -> (i32, i32) {
+    let width = i32::try_from(text.chars().count()).unwrap_or(i32::MAX);
+    let back = match seat.align {
+        Align::Start => 0,
+        Align::Middle => width / 2,
+        Align::End => width.saturating_sub(1),
+    };
+    let col = point.0.saturating_add(seat.col).saturating_sub(back);
+    (col, point.1.saturating_add(seat.row))
+}
+
+/// What a label hides at a place; `None` where it cannot stand: outside, on a mark, on another name.
+fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
+    let width = i32::try_from(text.chars().count()).ok()?;
+    let end = col.checked_add(width)?;
+    let mut sum = 0;
+    for c in col..end {
+        sum += match raster.cell(c, row)?.role {
+            Role::Empty => 0,
+            Role::Ground | Role::Guide => OVER_GROUND,
+            Role::Link | Role::Driver => OVER_LINE,
+            Role::Joint
+            | Role::GroundPin
+            | Role::Slider
+            | Role::Rider
+            | Role::CentreOfMass
+            | Role::Label => return None,
+        };
+    }
+    for c in [col - 1, end] {
+        let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
+        sum += match role {
+            Role::Empty | Role::Ground | Role::Guide => 0,
+            Role::Link | Role::Driver => BESIDE_LINE,
+            Role::Joint
+            | Role::GroundPin
+            | Role::Slider
+            | Role::Rider
+            | Role::CentreOfMass
+            | Role::Label => TOUCHING,
+        };
+    }
+    Some(sum)
+}

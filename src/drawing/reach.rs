@@ -1,0 +1,171 @@
+//! Where a linkage gets to over its whole motion, sampled once.
+
+use super::view::Bounds;
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Range, Solver, State};
+use crate::{Body, SlideId, Vec2};
+
+/// How many states are looked at. Between two of 120 a crank's pin rises above both by less than
+/// 4e-4 of its radius, far less than a cell.
+const SAMPLES: u16 = 120;
+
+/// The space that a linkage needs over its whole motion: views are fitted to it, and guides are drawn
+/// as long as it says.
+#[derive(Clone, Debug)]
+pub struct Reach {
+    /// All points in all states.
+    moving: Bounds,
+    /// Ground points.
+    ground: Bounds,
+    /// The ends of the guides on the ground.
+    guides: Bounds,
+    /// How far each slide travels along its guide, in the scene's length unit.
+    travel: Vec<Option<(f64, f64)>>,
+    anchor: Vec2,
+    /// The length of the longest name.
+    name: f64,
+}
+
+/// Cells to keep free around a part.
+#[derive(Clone, Copy)]
+pub(super) struct Margin {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    pub(super) above: f64,
+    pub(super) below: f64,
+}
+
+/// Longer names may be cut off at the edge rather than make the linkage small.
+const LONGEST_NAME: f64 = 4.0;
+
+impl Reach {
+    /// Follows the motion of a scene once.
+    #[must_use]
+    pub fn of(scene: &Scene, solver: &Solver) -> Reach {
+        let mut reach = Reach::at_rest(scene);
+        let mut state = solver.state();
+        for at in samples(scene, solver) {
+            if solver.solve(at, Order::Position, &mut state) != Condition::NoAssembly {
+                reach.include(scene, &state);
+            }
+        }
+        reach.include_guides(scene);
+        reach
+    }
+
+    fn at_rest(scene: &Scene) -> Reach {
+        let mechanism = &scene.mechanism;
+        let mut ground = Bounds::default();
+        let fixed = mechanism.points().iter().filter_map(|p| p.ground);
+        fixed.clone().for_each(|p| ground.include(p));
+        let names = mechanism.point_ids().filter_map(|p| scene.point_name(p));
+        let longest = names.map(|n| n.chars().count()).max().unwrap_or(0);
+        let on_ground = mechanism.slides().iter().find(|s| s.on == Body::Ground);
+        let anchor = fixed.clone().next().or(on_ground.map(|s| s.through));
+        Reach {
+            moving: Bounds::default(),
+            ground,
+            guides: Bounds::default(),
+            travel: vec![None; mechanism.slides().len()],
+            anchor: anchor.unwrap_or(Vec2::ZERO),
+            name: (longest as f64).min(LONGEST_NAME),
+        }
+    }
+
+    fn include(&mut self, scene: &Scene, state: &State) {
+        for point in scene.mechanism.point_ids() {
+            self.moving.include(state.position(point));
+        }
+        for slide in scene.mechanism.slide_ids() {
+            let at = state.travel(slide).position;
+            if at.is_finite() {
+                let (low, high) = self.travel[slide.index()].unwrap_or((at, at));
+                self.travel[slide.index()] = Some((low.min(at), high.max(at)));
+            }
+        }
+    }
+
+    fn include_guides(&mut self, scene: &Scene) {
+        for (slide, travel) in scene.mechanism.slides().iter().zip(&self.travel) {
+            if let (Body::Ground, Some((low, high))) = (slide.on, *travel) {
+                self.guides.include(slide.through + slide.direction * low);
+                self.guides.include(slide.through + slide.direction * high);
+            }
+        }
+    }
+
+    /// The box around all points in all states.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        let mut all = self.moving;
+        for part in [self.ground, self.guides] {
+            if !part.is_empty() {
+                all.include(part.low);
+                all.include(part.high);
+            }
+        }
+        all
+    }
+
+    /// How far a slide travels along its guide: the least and the largest position.
+    #[must_use]
+    pub fn travel(&self, slide: SlideId) -> Option<(f64, f64)> {
+        self.travel[slide.index()]
+    }
+
+    /// A point of the frame that views put in the middle of a cell.
+    pub(super) fn anchor(&self) -> Vec2 {
+        self.anchor
+    }
+
+    /// The parts that must be seen, with the cells that their names and symbols take.
+    pub(super) fn parts(&self) -> [(Bounds, Margin); 3] {
+        let side = self.name + 2.0;
+        let margin = |side, above, below| Margin {
+            left: side,
+            right: side,
+            above,
+            below,
+        };
+        [
+            (self.moving, margin(side, 2.0, 2.0)),
+            (self.ground, margin(3.5, 2.0, 3.5)),
+            (self.guides, margin(4.0, 2.0, 2.5)),
+        ]
+    }
+}
+
+/// The coordinates of the driver to look at.
+fn samples(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> {
+    let start = scene.mechanism.driver().start;
+    let (low, high) = match solver.motion().range {
+        Range::Full { period } => (start, start + period),
+        Range::Limited { low, high } => (low, high),
+        Range::Endless => (start, start),
+    };
+    (0..=SAMPLES).map(move |k| {
+        // Closer towards the ends, where a motion between dead points changes fastest.
+        let share = (1.0 - (std::f64::consts::PI * f64::from(k) / f64::from(SAMPLES)).cos()) / 2.0;
+        low + (high - low) * share
+    })
+}
+
+#[cfg(test)]
+impl Reach {
+    /// A reach made by hand, of points that move and points that do not.
+    pub(super) fn by_hand(moving: &[Vec2], ground: &[Vec2]) -> Reach {
+        let around = |points: &[Vec2]| {
+            let mut bounds = Bounds::default();
+            points.iter().for_each(|&p| bounds.include(p));
+            bounds
+        };
+        Reach {
+            moving: around(moving),
+            ground: around(ground),
+            guides: Bounds::default(),
+            travel: Vec::new(),
+            anchor: ground.first().copied().unwrap_or(Vec2::ZERO),
+            name: 1.0,
+        }
+    }
+}

@@ -1,0 +1,171 @@
+//! The symbols of kinematic sketches: supports, hatching, blocks, marks. Their size is counted in
+//! cells, so they stay readable at any scale.
+
+use super::figure::Role;
+use super::raster::Raster;
+use super::render::Glyphs;
+use super::stroke;
+use super::view::View;
+use crate::Vec2;
+
+/// From this size on there is room for the triangle under a ground pin.
+const ROOMY_ROWS: u16 = 16;
+
+/// Cells from one stroke of hatching to the next.
+const HATCHING: u32 = 2;
+/// More strokes than any screen shows; guides of a closely zoomed view go far beyond it.
+const LONGEST_HATCHING: f64 = 2000.0;
+
+/// What the symbols are drawn with.
+pub(super) struct Symbols<'a> {
+    pub(super) view: &'a View,
+    pub(super) glyphs: Glyphs,
+    pub(super) raster: &'a mut Raster,
+}
+
+/// The cell that holds a place in cell coordinates. Far outside it saturates, which is outside still.
+pub(super) fn cell_of(at: Vec2) -> (i32, i32) {
+    (at.x.floor() as i32, at.y.floor() as i32)
+}
+
+impl Symbols<'_> {
+    /// The support under a ground pin: a triangle and hatching, or hatching alone in a low window.
+    pub(super) fn support(&mut self, at: Vec2) {
+        let middle = self.view.cell(at);
+        let (col, row) = cell_of(middle);
+        let roomy = self.view.rows() >= ROOMY_ROWS;
+        if self.glyphs == Glyphs::Braille {
+            self.dotted_support(middle, roomy);
+            return;
+        }
+        if roomy {
+            self.stamp(col - 1, row + 1, "/_\\", Role::Ground);
+        }
+        self.stamp(col - 2, row + 1 + i32::from(roomy), "/////", Role::Ground);
+    }
+
+    /// The same from lines, centred under the cell that shows the pin.
+    fn dotted_support(&mut self, middle: Vec2, roomy: bool) {
+        let apex = Vec2::new(middle.x.floor() + 0.5, middle.y.floor() + 0.9);
+        let base = if roomy { apex.y + 1.1 } else { apex.y + 0.2 };
+        let at = |x: f64, y: f64| Vec2::new(apex.x + x, base + y);
+        if roomy {
+            for side in [-1.5, 1.5] {
+                self.line(apex, at(side, 0.0), Role::Ground);
+            }
+        }
+        self.line(at(-2.5, 0.0), at(2.5, 0.0), Role::Ground);
+        for x in [-2.0, -1.0, 0.0, 1.0, 2.0] {
+            self.line(at(x, 0.0), at(x - 1.0, 0.5), Role::Ground);
+        }
+    }
+
+    fn line(&mut self, a: Vec2, b: Vec2, role: Role) {
+        stroke::line(self.raster, self.glyphs, a, b, role);
+    }
+
+    fn stamp(&mut self, col: i32, row: i32, glyphs: &str, role: Role) {
+        for (i, glyph) in (0..).zip(glyphs.chars()) {
+            self.raster.put(col.saturating_add(i), row, glyph, role);
+        }
+    }
+
+    /// Short strokes beside a guide, on the right of its direction.
+    pub(super) fn hatching(&mut self, from: Vec2, to: Vec2) {
+        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if self.glyphs == Glyphs::Braille {
+            self.dotted_hatching(a, b);
+            return;
+        }
+        let along = b - a;
+        let steep = along.y.abs() > along.x.abs();
+        let offset = if steep {
+            Vec2::new(-along.y.signum(), 0.0)
+        } else {
+            Vec2::new(0.0, along.x.signum())
+        };
+        // Slashes beside a line of slashes would not be told from it.
+        let rising = along.x * along.y < 0.0;
+        let glyph = if rising && along.x.abs() * 4.0 > along.y.abs() {
+            '\\'
+        } else {
+            '/'
+        };
+        let mut count = 0;
+        stroke::trace(a + offset, b + offset, |x, y| {
+            count += 1;
+            if count % HATCHING == 1 {
+                let (col, row) = cell_of(Vec2::new(x, y));
+                self.raster.put(col, row, glyph, Role::Ground);
+            }
+        });
+    }
+
+    fn dotted_hatching(&mut self, a: Vec2, b: Vec2) {
+        let aspect = self.view.aspect();
+        // In widths of a cell, so that a square is one on the screen.
+        let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
+        let length = along.norm();
+        let unit = along / length;
+        // Rows count downwards, and so `perp` points to the right.
+        let stroke = (unit.perp() - unit) * 1.3;
+        let on_screen = |v: Vec2| Vec2::new(v.x, v.y / aspect);
+        let count = (length / f64::from(HATCHING)).clamp(0.0, LONGEST_HATCHING) as u32;
+        for k in 1..=count {
+            let foot = a + on_screen(unit * f64::from(k * HATCHING));
+            self.line(foot, foot + on_screen(stroke), Role::Ground);
+        }
+    }
+
+    /// A block on its guide. It is upright whatever its guide: brackets read as a block at any angle,
+    /// a turned box of so few cells does not.
+    pub(super) fn block(&mut self, at: Vec2, pin: bool) {
+        let (col, row) = cell_of(self.view.cell(at));
+        let glyphs = if pin { "[o]" } else { "[ ]" };
+        self.stamp(col - 1, row, glyphs, Role::Slider);
+    }
+
+    /// A closed line through places in cell coordinates.
+    pub(super) fn outline(&mut self, corners: &[Vec2], role: Role) {
+        let ends = corners.iter().cycle().skip(1);
+        for (&a, &b) in corners.iter().zip(ends) {
+            stroke::line(self.raster, self.glyphs, a, b, role);
+        }
+    }
+
+    /// The barrel of a cylinder.
+    pub(super) fn barrel(&mut self, from: Vec2, to: Vec2, role: Role) {
+        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        let glyph = match self.glyphs {
+            Glyphs::Ascii => '#',
+            Glyphs::Line => '▒',
+            Glyphs::Braille => {
+                let aspect = self.view.aspect();
+                let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
+                let across = along.perp() / along.norm() * 0.75;
+                if across.is_finite() {
+                    let across = Vec2::new(across.x, across.y / aspect);
+                    self.outline(&[a + across, b + across, b - across, a - across], role);
+                }
+                return;
+            }
+        };
+        stroke::solid(self.raster, glyph, a, b, role);
+    }
+
+    /// A mark of one cell.
+    pub(super) fn mark(&mut self, at: Vec2, role: Role) {
+        let (col, row) = cell_of(self.view.cell(at));
+        self.raster.put(col, row, glyph_of(role), role);
+    }
+}
+
+fn glyph_of(role: Role) -> char {
+    match role {
+        Role::GroundPin => 'O',
+        Role::Joint | Role::Slider => 'o',
+        Role::Rider => '*',
+        Role::CentreOfMass => 'x',
+        Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
+    }
+}

@@ -1,0 +1,214 @@
+//! The window: which cell a world point falls into.
+
+use super::reach::Reach;
+use crate::Vec2;
+
+/// A box in world units; empty until something is included.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The lower left corner.
+    pub low: Vec2,
+    /// The upper right corner.
+    pub high: Vec2,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Bounds {
+            low: Vec2::new(f64::INFINITY, f64::INFINITY),
+            high: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
+        }
+    }
+}
+
+impl Bounds {
+    /// Grows to hold `point`, if it is finite.
+    pub fn include(&mut self, point: Vec2) {
+        if point.is_finite() {
+            self.low = Vec2::new(self.low.x.min(point.x), self.low.y.min(point.y));
+            self.high = Vec2::new(self.high.x.max(point.x), self.high.y.max(point.y));
+        }
+    }
+
+    /// Whether nothing was included.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.low.x > self.high.x
+    }
+
+    /// Width and height; zero if empty.
+    #[must_use]
+    pub fn size(&self) -> Vec2 {
+        if self.is_empty() {
+            Vec2::ZERO
+        } else {
+            self.high - self.low
+        }
+    }
+
+    /// The middle; the origin if empty.
+    #[must_use]
+    pub fn centre(&self) -> Vec2 {
+        if self.is_empty() {
+            Vec2::ZERO
+        } else {
+            self.low + self.size() * 0.5
+        }
+    }
+}
+
+/// A window of `cols` x `rows` cells on the world, of true aspect.
+///
+/// Cell coordinates run from the upper left corner, x to the right, y downwards; the cell in column
+/// `c` and row `r` covers `c..c + 1` and `r..r + 1`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    cols: u16,
+    rows: u16,
+    /// Cells per unit of length, along x and along y.
+    scale: Vec2,
+    /// The world point that lies at `pin`.
+    centre: Vec2,
+    /// Where `centre` lies, in cell coordinates.
+    pin: Vec2,
+}
+
+/// How high a cell is for its width in most fonts.
+pub(super) const CELL_ASPECT: f64 = 2.0;
+
+/// Columns, and rows, below which the margins shrink with the window.
+const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
+
+impl View {
+    /// The largest window of true aspect that holds the whole `reach` with its labels and supports.
+    ///
+    /// `aspect` is the height of a cell for its width; 2 is right for most terminals, and stands in
+    /// for anything that is not a positive number.
+    #[must_use]
+    pub fn fit(reach: &Reach, cols: u16, rows: u16, aspect: f64) -> View {
+        let aspect = if aspect > 0.0 && aspect.is_finite() {
+            aspect
+        } else {
+            CELL_ASPECT
+        };
+        let cells = Vec2::new(f64::from(cols), f64::from(rows));
+        let shrink = Vec2::new(
+            (cells.x / FULL_MARGIN.x).min(1.0),
+            (cells.y / FULL_MARGIN.y).min(1.0),
+        );
+        let parts = reach.parts();
+        let centre = reach.bounds().centre();
+        let horizontal = parts.map(|(b, m)| Span {
+            low: b.low.x - centre.x,
+            high: b.high.x - centre.x,
+            before: m.left * shrink.x,
+            after: m.right * shrink.x,
+        });
+        // Rows count downwards, so the world's y axis is turned over here.
+        let vertical = parts.map(|(b, m)| Span {
+            low: centre.y - b.high.y,
+            high: centre.y - b.low.y,
+            before: m.above * shrink.y,
+            after: m.below * shrink.y,
+        });
+        let widest = largest_scale(&horizontal, cells.x);
+        let highest = largest_scale(&vertical, cells.y);
+        let scale = widest.min(highest * aspect);
+        let scale = if scale.is_finite() && scale > 0.0 {
+            scale
+        } else {
+            1.0
+        };
+        let scale = Vec2::new(scale, scale / aspect);
+        let mut view = View {
+            cols,
+            rows,
+            scale,
+            centre,
+            pin: Vec2::new(
+                middle(&horizontal, cells.x, scale.x),
+                middle(&vertical, cells.y, scale.y),
+            ),
+        };
+        view.rest_on(reach.anchor());
+        view
+    }
+
+    /// Moves the window by less than a cell so that `anchor` lies in the middle of one: ground pins
+    /// and guides through it are then drawn along the middle of their row.
+    fn rest_on(&mut self, anchor: Vec2) {
+        let at = self.cell(anchor);
+        let centred = Vec2::new(at.x.floor() + 0.5, at.y.floor() + 0.5);
+        if centred.is_finite() && at.is_finite() {
+            self.pin += centred - at;
+        }
+    }
+
+    /// Columns of the window.
+    #[must_use]
+    pub fn cols(&self) -> u16 {
+        self.cols
+    }
+
+    /// Rows of the window.
+    #[must_use]
+    pub fn rows(&self) -> u16 {
+        self.rows
+    }
+
+    /// The height of a cell for its width.
+    #[must_use]
+    pub fn aspect(&self) -> f64 {
+        self.scale.x / self.scale.y
+    }
+
+    /// Where a world point lies, in cell coordinates.
+    #[must_use]
+    pub fn cell(&self, point: Vec2) -> Vec2 {
+        let offset = point - self.centre;
+        Vec2::new(
+            self.pin.x + offset.x * self.scale.x,
+            self.pin.y - offset.y * self.scale.y,
+        )
+    }
+}
+
+/// What must lie inside along one axis: a stretch of the world with cells before and after it.
+#[derive(Clone, Copy)]
+struct Span {
+    low: f64,
+    high: f64,
+    before: f64,
+    after: f64,
+}
+
+/// The largest scale at which all spans fit into `cells`: every end must fit with every beginning.
+fn largest_scale(spans: &[Span], cells: f64) -> f64 {
+    let mut scale = f64::INFINITY;
+    for first in spans {
+        for last in spans {
+            let room = (cells - first.before - last.after).max(1.0);
+            let length = last.high - first.low;
+            if length > 0.0 {
+                scale = scale.min(room / length);
+            }
+        }
+    }
+    scale
+}
+
+/// Where the world's centre lies so that the spans and their margins stand in the middle of `cells`.
+fn middle(spans: &[Span], cells: f64, scale: f64) -> f64 {
+    let mut start = f64::INFINITY;
+    let mut end = f64::NEG_INFINITY;
+    for span in spans.iter().filter(|s| s.low <= s.high) {
+        start = start.min(span.low * scale - span.before);
+        end = end.max(span.high * scale + span.after);
+    }
+    let centre = cells / 2.0 - (start + end) / 2.0;
+    if centre.is_finite() {
+        centre
+    } else {
+        cells / 2.0
+    }
+}
