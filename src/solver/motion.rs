@@ -323,9 +323,13 @@ impl Walker<'_> {
         !strained && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP)
     }
 
-    /// Narrows a barrier down to neighbouring doubles and returns the last good one.
+    /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
+    /// the dead point itself included.
     fn bisect(&mut self, barrier: Barrier) -> f64 {
         let Barrier { mut good, mut bad } = barrier;
+        if self.reaches(good, bad) {
+            return bad;
+        }
         loop {
             let middle = good + 0.5 * (bad - good);
             if middle == good || middle == bad {
