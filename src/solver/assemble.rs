@@ -178,11 +178,15 @@ impl Assembler<'_> {
         let (q, _) = engine.coordinate(self.at);
         let mut solutions: Vec<(f64, Vec<f64>, Vec2)> = Vec::new();
         let subject = self.group.point.unwrap_or(PointId::new(0));
-        for directions in self.guesses(group, engine, state) {
+        let middles = self.middles(state, &wanted);
+        let guesses = self.guesses(group, engine, state);
+        for (directions, &middle) in guesses
+            .iter()
+            .flat_map(|g| middles.iter().map(move |m| (g, m)))
+        {
             let mut scratch = std::mem::take(&mut state.scratch);
-            let middle = self.middle(engine, state, &wanted);
             let near = |p: PointId| wanted.iter().find(|w| w.0 == p).map_or(middle, |w| w.1);
-            group.set_guess(group.open(&mut scratch).z, near, &directions);
+            group.set_guess(group.open(&mut scratch).z, near, directions);
             let settled = group.correct(q, state, &mut scratch).settled
                 && group.finish(q, super::step::POSITION, state, &mut scratch);
             let z = group.open(&mut scratch).z.to_vec();
@@ -220,8 +224,8 @@ impl Assembler<'_> {
         Ok(())
     }
 
-    /// A place to begin from for joints without a start: amid what is known.
-    fn middle(&self, engine: &Engine, state: &State, wanted: &[(PointId, Vec2)]) -> Vec2 {
+    /// Places to begin from for joints without a start: amid what is known, and around it.
+    fn middles(&self, state: &State, wanted: &[(PointId, Vec2)]) -> Vec<Vec2> {
         let grounds = self
             .network
             .mechanism
@@ -232,10 +236,20 @@ impl Assembler<'_> {
             .map(|w| w.1)
             .chain(grounds.map(|p| state.points[p.index()].p))
             .collect();
-        let sum = places.iter().fold(Vec2::ZERO, |sum, &p| sum + p);
-        // Off the centre by a little: exact symmetry would make the first matrix singular.
-        sum / (places.len().max(1) as f64)
-            + Vec2::new(0.01, 0.017) * engine.frame.length(engine.frame.scale)
+        let middle = places.iter().fold(Vec2::ZERO, |sum, &p| sum + p) / places.len().max(1) as f64;
+        // A lopsided ring: exact symmetry would make the first matrix singular.
+        let around = (0..5).map(|i| middle + crate::angle::unit(13.0 + 72.0 * f64::from(i)));
+        let near = middle + Vec2::new(0.01, 0.017);
+        let all_given = self
+            .group
+            .points
+            .iter()
+            .all(|p| wanted.iter().any(|w| w.0 == *p));
+        if all_given {
+            vec![near]
+        } else {
+            std::iter::once(near).chain(around).collect()
+        }
     }
 
     /// The directions to try: read off two start positions of a link where there are two.

@@ -27,6 +27,16 @@ struct Anchor {
     link: LinkId,
 }
 
+/// A slide that holds a joint on a known line.
+#[derive(Clone, Copy, Debug)]
+struct Hold {
+    slide: SlideId,
+    /// The link between the joint and the slide, if the joint is not the sliding point itself.
+    carrier: Option<LinkId>,
+    /// Whether it is the guide that moves with the joint, over a point that is known.
+    is_yoke: bool,
+}
+
 /// The links and slides that a block's equations are about.
 #[derive(Default)]
 struct Scope {
@@ -478,17 +488,18 @@ impl<'n> Chain<'n> {
 
     /// RRP: an anchored joint on a known line.
     fn circle_line(&mut self, scope: &Scope) -> bool {
-        let anchors = self.anchors(scope);
-        for &slide in self.slots(scope).iter() {
-            let point = self.network.mechanism.slide(slide).slider.point();
-            let Some(anchor) = anchors.iter().find(|a| a.point == point) else {
+        for anchor in self.anchors(scope) {
+            let point = anchor.point;
+            let Some(&hold) = self.holds(point, scope).first() else {
                 continue;
             };
-            let Some(line) = self.line(slide) else {
+            let helpers = self.program.steps.len();
+            let Some(line) = self.line_through(point, hold) else {
                 continue;
             };
-            let arm = self.arm(anchor);
+            let arm = self.arm(&anchor);
             let group = self.open_group(GroupKind::Rrp, Some(point));
+            self.program.group_starts[group] = helpers;
             self.push(Step::CircleLine(CircleLine {
                 point,
                 arm,
@@ -601,20 +612,22 @@ impl<'n> Chain<'n> {
 
     /// PRP and RPP: a joint whose links all have a direction, on two known lines.
     fn lines(&mut self, scope: &Scope) -> bool {
-        for &point in scope
-            .points
-            .iter()
-            .filter(|p| !self.point_known[p.index()])
-            .collect::<Vec<_>>()
-        {
-            let found = self.lines_of(point, scope);
-            let [first, second] = found[..] else { continue };
-            let yoke = first.1 || second.1;
-            let kind = if yoke { GroupKind::Rpp } else { GroupKind::Prp };
+        for point in scope.points.clone() {
+            let holds = self.holds(point, scope);
+            let ([one, two], false) = (&holds[..], self.point_known[point.index()]) else {
+                continue;
+            };
+            let kind = if one.is_yoke || two.is_yoke {
+                GroupKind::Rpp
+            } else {
+                GroupKind::Prp
+            };
             let helpers = self.program.steps.len();
-            let first = self.line_through(point, first.0, first.2);
-            let second = self.line_through(point, second.0, second.2);
-            let (Some(first), Some(second)) = (first, second) else {
+            let lines = (
+                self.line_through(point, *one),
+                self.line_through(point, *two),
+            );
+            let (Some(first), Some(second)) = lines else {
                 continue;
             };
             let group = self.open_group(kind, Some(point));
@@ -632,53 +645,54 @@ impl<'n> Chain<'n> {
         false
     }
 
-    /// Two slides that hold a point, directly or through a link that has a direction: (slide, whether
-    /// the guide moves with the point, the link between).
-    fn lines_of(&self, point: PointId, scope: &Scope) -> Vec<(SlideId, bool, Option<LinkId>)> {
-        let links: Vec<LinkId> = self
-            .network
-            .mechanism
-            .point(point)
-            .links
-            .iter()
-            .copied()
-            .filter(|&l| self.knows(l))
-            .collect();
-        let mut found: Vec<(SlideId, bool, Option<LinkId>)> = Vec::new();
+    /// The slides that hold a point on a known line, directly or through a link with a direction.
+    fn holds(&self, point: PointId, scope: &Scope) -> Vec<Hold> {
+        let links = &self.network.mechanism.point(point).links;
+        let directed: Vec<LinkId> = links.iter().copied().filter(|&l| self.knows(l)).collect();
+        let mut holds = Vec::new();
         for slide in self.slots(scope) {
             let given = self.network.mechanism.slide(slide);
             let on = self.network.body(given.on);
             let slider = given.slider.point();
-            let guide_placed =
+            let is_placed =
                 given.on == Body::Ground || (self.knows(on) && self.footing(on).is_some());
-            let carrier = links
+            let carrier = directed
                 .iter()
                 .copied()
                 .find(|&l| self.local(l, slider).is_some());
-            if guide_placed && slider == point {
-                found.push((slide, false, None));
-            } else if guide_placed && carrier.is_some() {
-                found.push((slide, false, carrier));
-            } else if links.contains(&on) && self.point_known[slider.index()] {
-                found.push((slide, true, Some(on)));
+            let is_yoke = directed.contains(&on) && self.point_known[slider.index()];
+            if is_yoke {
+                holds.push(Hold {
+                    slide,
+                    carrier: Some(on),
+                    is_yoke,
+                });
+            } else if is_placed && slider == point {
+                holds.push(Hold {
+                    slide,
+                    carrier: None,
+                    is_yoke,
+                });
+            } else if is_placed && carrier.is_some() {
+                holds.push(Hold {
+                    slide,
+                    carrier,
+                    is_yoke,
+                });
             }
         }
-        found
+        holds
     }
 
-    /// The line on which `point` lies because of a slide.
-    fn line_through(
-        &mut self,
-        point: PointId,
-        slide: SlideId,
-        carrier: Option<LinkId>,
-    ) -> Option<Line> {
-        let Some(carrier) = carrier else {
-            return self.line(slide);
+    /// The line on which a held point lies: the guide, or beside it by what the carrier adds.
+    fn line_through(&mut self, point: PointId, hold: Hold) -> Option<Line> {
+        let Some(carrier) = hold.carrier else {
+            return self.line(hold.slide);
         };
-        let given = self.network.mechanism.slide(slide);
-        let (slider, here) = (given.slider.point(), self.local(carrier, point)?);
-        if given.on == Body::Link(carrier) {
+        let given = self.network.mechanism.slide(hold.slide);
+        let slider = given.slider.point();
+        let here = self.local(carrier, point)?;
+        if hold.is_yoke {
             let local = here - self.frame.local(given.through);
             let through = self.ride(slider, carrier, local);
             return Some(Line {
@@ -687,7 +701,7 @@ impl<'n> Chain<'n> {
                 along: given.direction,
             });
         }
-        let guide = self.line(slide)?;
+        let guide = self.line(hold.slide)?;
         let local = here - self.local(carrier, slider)?;
         let through = self.ride(guide.through, carrier, local);
         Some(Line { through, ..guide })

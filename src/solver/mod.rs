@@ -29,6 +29,7 @@ use crate::{Element, LinkId, Mechanism, PointId, SlideId};
 use engine::Engine;
 use frame::Frame;
 use network::Network;
+use order::Ordering;
 
 /// How far a state is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -51,6 +52,9 @@ pub struct Demand {
     /// Slides whose guide or travel is read.
     pub slides: Vec<SlideId>,
 }
+
+/// How many constraints are tried in the place of the one that was set aside first.
+const MOST_RIVALS: usize = 64;
 
 /// A mechanism made ready to be solved at any coordinate of its driver.
 #[derive(Clone, Debug)]
@@ -78,14 +82,30 @@ impl Solver {
                 at: start,
             });
         }
+        let ordering = order::ordering(&network, None)?;
+        let first = Solver::with(&network, &ordering);
+        // Only numbers tell which of several constraints repeats the others: where the one that was
+        // set aside leaves a group singular, another is tried in its stead.
+        let mut rivals = ordering.rivals.iter().rev().take(MOST_RIVALS);
+        match first {
+            Err(Fault::Singular { .. }) => rivals
+                .find_map(|&row| {
+                    Solver::with(&network, &order::ordering(&network, Some(row)).ok()?).ok()
+                })
+                .map_or(first, Ok),
+            _ => first,
+        }
+    }
+
+    fn with(network: &Network<'_>, ordering: &Ordering) -> Result<Solver, Fault> {
+        let mechanism = network.mechanism;
         let frame = Frame::of(mechanism);
-        let ordering = order::ordering(&network)?;
-        let (plan, program) = chain::build(&network, frame, &ordering)?;
+        let (plan, program) = chain::build(network, frame, ordering)?;
         let slides = mechanism.slides().len();
         let mut engine = Engine::new(mechanism, frame, program);
         let mut state = engine.state(slides);
-        assemble::assemble(&mut engine, &network, &plan, &mut state)?;
-        let motion = motion::explore(&engine, start, &state)?;
+        assemble::assemble(&mut engine, network, &plan, &mut state)?;
+        let motion = motion::explore(&engine, mechanism.driver().start, &state)?;
         Ok(Solver {
             engine,
             plan,

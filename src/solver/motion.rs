@@ -158,6 +158,10 @@ const TOUCH: f64 = 1e-14;
 const PUSH_STEP: f64 = 1.0 / 128.0;
 /// How many longest lengths a slide is followed.
 const PUSH_REACH: f64 = 64.0;
+/// Steps into which one degree, or one push, may fall: a hundred halvings and as many doublings.
+const MOST_STEPS: usize = 400;
+/// Halvings between two doubles, at the most.
+const MOST_HALVINGS: usize = 1100;
 /// Turns after which a motion must have closed.
 const MOST_TURNS: usize = 16;
 /// How near z must come to its start for the motion to have closed.
@@ -206,6 +210,7 @@ struct Walker<'e> {
 }
 
 /// The last coordinate that was reached, and one that was not.
+#[derive(Clone, Copy, Debug)]
 struct Barrier {
     good: f64,
     bad: f64,
@@ -272,36 +277,44 @@ impl Walker<'_> {
         }
     }
 
-    /// Goes from one coordinate to another by as many steps as the motion needs.
+    /// Goes from one coordinate, at which the state is, to another by as many steps as the motion
+    /// needs; stopped by a barrier, the state is the last good one.
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Barrier> {
         let (mut good, mut step) = (from, to - from);
         let mut saved = self.state.clone();
-        while good != to {
-            let overshoots = (to - good).abs() <= step.abs();
-            let next = if overshoots { to } else { good + step };
-            if next == good {
-                self.state = saved;
-                let bad = good
-                    + (to - from).signum() * (good.abs() * f64::EPSILON).max(f64::MIN_POSITIVE);
-                return Err(Barrier { good, bad });
+        for _ in 0..MOST_STEPS {
+            if good == to {
+                return Ok(());
             }
-            if self.try_step(good, next, &saved) {
+            let next = if (to - good).abs() <= step.abs() {
+                to
+            } else {
+                good + step
+            };
+            if next != good && self.try_step(good, next, &saved) {
                 saved.clone_from(&self.state);
                 good = next;
                 step *= 2.0;
-            } else {
-                self.state.clone_from(&saved);
-                if self.engine.program.coupled.is_empty() && self.fails_at(next) {
-                    self.state.clone_from(&saved);
-                    return Err(Barrier { good, bad: next });
-                }
-                step = 0.5 * (next - good);
+                continue;
             }
+            let ends = next == good || (!self.has_path() && self.fails_at(next));
+            self.state.clone_from(&saved);
+            if ends {
+                let bad = if next == good { to } else { next };
+                return Err(Barrier { good, bad });
+            }
+            step = 0.5 * (next - good);
         }
-        Ok(())
+        self.state.clone_from(&saved);
+        Err(Barrier { good, bad: to })
     }
 
-    /// Whether a mechanism of dyads alone, which needs no path, does not exist at a coordinate.
+    /// Whether states depend on the path to them: a mechanism of dyads alone needs none.
+    fn has_path(&self) -> bool {
+        !self.engine.program.coupled.is_empty()
+    }
+
+    /// Whether a mechanism of dyads alone does not exist at a coordinate.
     fn fails_at(&mut self, at: f64) -> bool {
         self.engine.run(at, Order::Position, &mut self.state) != Condition::Ok
     }
@@ -324,31 +337,31 @@ impl Walker<'_> {
     }
 
     /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
-    /// the dead point itself included.
+    /// the dead point itself included. The state must be the one at `barrier.good`.
     fn bisect(&mut self, barrier: Barrier) -> f64 {
         let Barrier { mut good, mut bad } = barrier;
-        if self.reaches(good, bad) {
-            return bad;
-        }
-        loop {
-            let middle = good + 0.5 * (bad - good);
-            if middle == good || middle == bad {
-                return good;
+        let mut middle = bad;
+        for _ in 0..MOST_HALVINGS {
+            match self.reach(good, middle) {
+                Ok(()) => good = middle,
+                Err(barrier) => Barrier { good, bad } = barrier,
             }
-            if self.reaches(good, middle) {
-                good = middle
-            } else {
-                bad = middle
+            middle = good + 0.5 * (bad - good);
+            if good == bad || middle == good || middle == bad {
+                break;
             }
         }
+        good
     }
 
-    fn reaches(&mut self, good: f64, middle: f64) -> bool {
-        if self.engine.program.coupled.is_empty() {
-            return self.engine.run(middle, Order::Position, &mut self.state)
-                != Condition::NoAssembly;
+    fn reach(&mut self, good: f64, to: f64) -> Result<(), Barrier> {
+        if self.has_path() {
+            return self.advance(good, to);
         }
-        self.advance(good, middle).is_ok()
+        match self.engine.run(to, Order::Position, &mut self.state) {
+            Condition::NoAssembly => Err(Barrier { good, bad: to }),
+            Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => Ok(()),
+        }
     }
 
     /// A limit that the last three samples have stepped over: the zero of a measure that has a

@@ -20,6 +20,8 @@ pub(super) struct Ordering {
     pub blocks: Vec<Block>,
     /// Equations that repeat others.
     pub set_aside: Vec<Row>,
+    /// Equations that could have been set aside in their stead.
+    pub rivals: Vec<Row>,
 }
 
 /// The unknowns as scalars: a point twice, a class once.
@@ -117,23 +119,31 @@ fn matching(scalars: &Scalars, kept: &[bool]) -> Matching {
 /// Orders the equations of a mechanism.
 ///
 /// Where equations are too many, those easiest to set aside go, one by one, until the rest can all
-/// be matched (the over-determined part of Dulmage and Mendelsohn, 1958).
+/// be matched (the over-determined part of Dulmage and Mendelsohn, 1958). Which of them really repeat
+/// others is a matter of numbers that the structure does not show: `preferred` is set aside first.
 ///
 /// # Errors
 /// [`Fault::Mobility`] where unknowns remain that no equation settles.
-pub(super) fn ordering(network: &Network<'_>) -> Result<Ordering, Fault> {
+pub(super) fn ordering(network: &Network<'_>, preferred: Option<Row>) -> Result<Ordering, Fault> {
     let scalars = Scalars::of(network);
     let mut kept = vec![true; network.rows.len()];
-    let mut set_aside = Vec::new();
+    let (mut set_aside, mut rivals) = (Vec::new(), Vec::new());
+    let readiness = |row: Row| (Some(row) == preferred, network.readiness(row));
     let matched = loop {
         let matched = matching(&scalars, &kept);
         let free = (0..kept.len()).find(|&r| kept[r] && matched.scalar_of[r].is_none());
         let Some(free) = free else { break matched };
         let part = over_determined(&scalars, &matched, free);
         let gone = part
-            .into_iter()
-            .max_by_key(|&r| (network.readiness(network.rows[r]), r))
+            .iter()
+            .copied()
+            .max_by_key(|&r| (readiness(network.rows[r]), r))
             .unwrap_or(free);
+        rivals.extend(
+            part.iter()
+                .filter(|&&r| r != gone)
+                .map(|&r| network.rows[r]),
+        );
         kept[gone] = false;
         set_aside.push(network.rows[gone]);
     };
@@ -147,9 +157,11 @@ pub(super) fn ordering(network: &Network<'_>) -> Result<Ordering, Fault> {
             floating: floating(network, &scalars, &matched, loose),
         });
     }
+    rivals.retain(|&row| network.readiness(row) > 0);
     Ok(Ordering {
         blocks: blocks(network, &scalars, &matched),
         set_aside,
+        rivals,
     })
 }
 
