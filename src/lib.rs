@@ -1,6 +1,7 @@
 //! krank: planar linkages with one input.
 pub mod angle;
 pub mod drawing;
+mod explain;
 mod mechanism;
 pub mod quantity;
 pub mod scene;

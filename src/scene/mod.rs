@@ -4,6 +4,7 @@ mod defect;
 mod diagnostic;
 mod draft;
 mod elements;
+mod guide;
 mod harmless;
 mod input;
 mod names;
@@ -105,10 +106,7 @@ impl Scene {
         let mut reader = reader::Reader::new(text);
         let scene = syntax::document(&mut reader).and_then(|root| {
             let draft = draft::read(&mut reader, &root);
-            let driver = root
-                .get_key_value("driver")
-                .map_or(0..0, |(key, _)| key.span());
-            let resolved = resolve::resolve(&mut reader, &draft, driver)?;
+            let resolved = resolve::resolve(&mut reader, &draft)?;
             Some(Scene {
                 name: draft.name.unwrap_or_else(|| stem(origin)),
                 source: draft.source,
@@ -147,6 +145,15 @@ impl Scene {
             Element::Link(link) => self.places.links[link.index()].clone(),
             Element::Slide(slide) => self.places.slides[slide.index()].clone(),
             Element::Driver => self.places.driver.clone(),
+        }
+    }
+
+    /// Faults of this scene, with the text that they point into.
+    pub(crate) fn diagnostics(&self, items: Vec<Diagnostic>) -> Diagnostics {
+        Diagnostics {
+            origin: self.origin.clone(),
+            text: Arc::clone(&self.text),
+            items,
         }
     }
 

@@ -9,6 +9,8 @@ use std::collections::{HashMap, HashSet};
 const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
 /// Characters in a name: columns are named by it.
 const LONGEST: usize = 64;
+/// Names that a help lists at most.
+const LISTED: usize = 12;
 
 /// What a name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +43,7 @@ struct Symbol {
 pub(super) struct Names<'t> {
     symbols: HashMap<&'t str, Symbol>,
     points: Vec<(&'t str, Span)>,
+    lost_points: bool,
 }
 
 impl<'t> Names<'t> {
@@ -50,12 +53,13 @@ impl<'t> Names<'t> {
         let mut names = Names {
             symbols: HashMap::new(),
             points: Vec::new(),
+            lost_points: draft.lost_points,
         };
         let mut mentions = mentions(draft);
         mentions.sort_by_key(|(name, ..)| name.span.start);
         let mut reported = HashSet::new();
         for (name, sort, index) in mentions {
-            if let Some(fault) = bad(name) {
+            if let Some(fault) = bad(name, sort) {
                 if reported.insert(name.text) {
                     reader.report(fault);
                 }
@@ -96,28 +100,48 @@ impl<'t> Names<'t> {
         name: &Name<'_>,
         sort: Sort,
     ) -> Option<usize> {
+        let symbol = self.symbols.get(name.text);
+        if let Some(symbol) = symbol.filter(|symbol| symbol.sort == sort) {
+            return Some(symbol.index);
+        }
         let noun = sort.noun();
-        match self.symbols.get(name.text) {
-            Some(symbol) if symbol.sort == sort => return Some(symbol.index),
+        let fault = match symbol {
             Some(symbol) => {
                 let other = symbol.sort.noun();
-                reader.report(
-                    Diagnostic::new(format!("{what}: {name} is a {other}, not a {noun}"))
-                        .at(name.span.clone(), format!("expected the name of a {noun}"))
-                        .and(symbol.span.clone(), format!("the {other}")),
-                );
+                Diagnostic::new(format!("{what}: {name} is a {other}, not a {noun}"))
+                    .at(name.span.clone(), format!("expected the name of a {noun}"))
+                    .and(symbol.span.clone(), format!("the {other}"))
             }
-            None => {
-                let of_sort = self.symbols.iter().filter(|(_, s)| s.sort == sort);
-                let help = did_you_mean(name.text, of_sort.map(|(name, _)| *name));
-                reader.report(
-                    Diagnostic::new(format!("{what}: there is no {noun} {name}"))
-                        .at(name.span.clone(), format!("unknown {noun}"))
-                        .maybe_help(help),
-                );
-            }
-        }
+            // The name may stand where something could not be read.
+            None if sort == Sort::Point && self.lost_points => return None,
+            None => Diagnostic::new(format!("{what}: there is no {noun} {name}"))
+                .at(name.span.clone(), format!("unknown {noun}")),
+        };
+        let help = self.help(reader, name, sort);
+        reader.report(fault.maybe_help(help));
         None
+    }
+
+    /// The name that was probably meant, or those that there are.
+    fn help(&self, reader: &Reader<'_>, name: &Name<'_>, sort: Sort) -> Option<String> {
+        if reader.is_full() {
+            return None;
+        }
+        let noun = sort.noun();
+        let mut known: Vec<(&str, usize)> = self
+            .symbols
+            .iter()
+            .filter(|(_, symbol)| symbol.sort == sort)
+            .map(|(name, symbol)| (*name, symbol.span.start))
+            .collect();
+        known.sort_by_key(|&(_, start)| start);
+        let known: Vec<&str> = known.into_iter().map(|(name, _)| name).collect();
+        let listed = || match known.len() {
+            0 => Some(format!("the scene has no {noun}")),
+            1..=LISTED => Some(format!("{noun}s of the scene: `{}`", known.join("`, `"))),
+            _ => None,
+        };
+        did_you_mean(name.text, known.iter().copied()).or_else(listed)
     }
 }
 
@@ -134,7 +158,7 @@ fn mentions<'d, 't>(draft: &'d Draft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
     }
     for (i, slide) in draft.slides.iter().enumerate() {
         all.push((&slide.name, Sort::Slide, i));
-        if let Slider::Pin(point) = &slide.slider {
+        if let Some(Slider::Pin(point)) = &slide.slider {
             all.push((point, Sort::Point, 0));
         }
     }
@@ -145,18 +169,21 @@ fn mentions<'d, 't>(draft: &'d Draft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
 }
 
 /// What is wrong with a name by itself.
-fn bad(name: &Name<'_>) -> Option<Diagnostic> {
+fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
     let text = name.text;
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
     let fault =
         |message: String, label: &str| Diagnostic::new(message).at(name.span.clone(), label);
     if RESERVED.contains(&text) {
         let list = RESERVED.join("`, `");
-        return Some(
-            fault(format!("the name {name} is reserved"), "reserved").help(format!(
-                "columns use `{list}` with a meaning of their own; choose another name"
-            )),
-        );
+        let fault = fault(format!("the name {name} is reserved"), "reserved").help(format!(
+            "columns use `{list}` with a meaning of their own: choose another name"
+        ));
+        return Some(if text == "ground" && sort == Sort::Point {
+            fault.help("to join a link to the ground, name one of the points in [ground]")
+        } else {
+            fault
+        });
     }
     if text.is_empty() {
         return Some(fault("a name must not be empty".into(), "empty"));

@@ -18,6 +18,10 @@ pub(super) const LARGEST: f64 = 1e300;
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
 /// Characters of a foreign text that a message quotes.
 const QUOTED: usize = 48;
+/// Faults that are shown at most: a person mends a few at a time.
+const SHOWN: usize = 20;
+/// Faults after which no more effort is spent on one.
+const FULL: usize = 200;
 
 /// A text of the file with its place: mostly a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,7 +56,7 @@ pub(super) fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) 
         if word.eq_ignore_ascii_case(text) {
             0
         } else {
-            strsim::damerau_levenshtein(text, word)
+            strsim::osa_distance(text, word)
         }
     };
     known
@@ -96,6 +100,11 @@ impl<'t> Reader<'t> {
     pub(super) fn into_diagnostics(self, origin: &str) -> Diagnostics {
         let mut items = self.found;
         items.sort_by_key(|item| item.primary.as_ref().map(|label| label.span.start));
+        if items.len() > SHOWN {
+            let rest = items.len() - SHOWN;
+            items.truncate(SHOWN);
+            items.push(Diagnostic::new(format!("{rest} more faults are not shown")));
+        }
         Diagnostics {
             origin: origin.to_owned(),
             text: self.text.into(),
@@ -103,8 +112,20 @@ impl<'t> Reader<'t> {
         }
     }
 
+    /// Whether so much was reported that help and further reading are not worth their time.
+    pub(super) fn is_full(&self) -> bool {
+        self.found.len() >= FULL
+    }
+
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {
         self.found.push(diagnostic);
+    }
+
+    /// Adds a mend to the last report.
+    pub(super) fn help(&mut self, help: &str) {
+        if let Some(last) = self.found.last_mut() {
+            last.helps.push(help.to_owned());
+        }
     }
 
     /// A value as the file writes it.

@@ -1,16 +1,92 @@
-//! The TOML of a scene file.
+//! The TOML of a scene file, and TOML's own faults in a person's words.
 
 use super::diagnostic::Diagnostic;
-use super::reader::Reader;
-use toml::de::DeTable;
+use super::reader::{Reader, Span, quoted};
+use toml::de::{DeTable, DeValue, Error};
 
-/// Parses the text; `None` if it is not TOML.
+/// Parses the text; `None` if it cannot be gone on with.
 pub(super) fn document<'t>(reader: &mut Reader<'t>) -> Option<DeTable<'t>> {
-    let (root, errors) = DeTable::parse_recoverable(reader.text());
+    let text = reader.text();
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let root = root.into_inner();
+    let mut last_line = None;
+    let mut whole = true;
     for error in &errors {
-        let fault = Diagnostic::new(error.message());
-        let span = error.span().unwrap_or(0..0);
-        reader.report(fault.at(span, ""));
+        let span = error.span().unwrap_or(text.len()..text.len());
+        let line = text.as_bytes()[..span.start.min(text.len())]
+            .iter()
+            .rposition(|&b| b == b'\n');
+        // What follows in the same line is mostly an echo.
+        if last_line == Some(line) {
+            continue;
+        }
+        last_line = Some(line);
+        if reader.is_full() {
+            return None;
+        }
+        let twice = error.message() == "duplicate key";
+        // A section that stands twice has lost what its second half names.
+        whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
+        reader.report(if twice {
+            duplicate(text, &root, span)
+        } else {
+            fault(text, error, span)
+        });
     }
-    errors.is_empty().then(|| root.into_inner())
+    whole.then_some(root)
+}
+
+fn fault(text: &str, error: &Error, span: Span) -> Diagnostic {
+    let message = error.message();
+    let at = &text[span.start.min(text.len())..];
+    let help = if message.starts_with("invalid unquoted key") && at.starts_with('\'') {
+        Some("a name with ' in it is quoted: \"B'\" = [0, 0]")
+    } else if message.starts_with("string values must be quoted") {
+        Some("a text is quoted, and the values of a list are separated by commas: [0, 0]")
+    } else if message.starts_with("key with no value") {
+        Some("write key = value")
+    } else {
+        None
+    };
+    Diagnostic::new(format!("not valid TOML: {message}"))
+        .at(span, "")
+        .maybe_help(help.map(str::to_owned))
+}
+
+/// A key that stands twice in its table.
+fn duplicate(text: &str, root: &DeTable<'_>, span: Span) -> Diagnostic {
+    let key = text.get(span.clone()).unwrap_or("");
+    let key = key.trim_matches(['"', '\'']);
+    let mut first: Option<Span> = None;
+    // The recovered table keeps the first one; the nearest before is in the same table.
+    each_key(root, &mut |other: &str, place| {
+        let nearer = first.as_ref().is_none_or(|f| f.start < place.start);
+        if other == key && place.start < span.start && nearer {
+            first = Some(place);
+        }
+    });
+    let fault = Diagnostic::new(format!("{} is given twice", quoted(key)))
+        .at(span, "the second time")
+        .help("take one of them out, or rename it");
+    match first {
+        Some(place) => fault.and(place, "the first time"),
+        None => fault,
+    }
+}
+
+/// Visits every key of a table and of the tables in it. As deep as TOML's own limit of nesting.
+fn each_key(table: &DeTable<'_>, visit: &mut dyn FnMut(&str, Span)) {
+    for (key, value) in table {
+        visit(key.get_ref(), key.span());
+        each_key_of(value.get_ref(), visit);
+    }
+}
+
+fn each_key_of(value: &DeValue<'_>, visit: &mut dyn FnMut(&str, Span)) {
+    if let Some(table) = value.as_table() {
+        each_key(table, visit);
+    }
+    for item in value.as_array().into_iter().flatten() {
+        each_key_of(item.get_ref(), visit);
+    }
 }
