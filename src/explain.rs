@@ -2,7 +2,7 @@
 
 use crate::scene::{Diagnostic, Diagnostics, Scene};
 use crate::solver::Fault;
-use crate::{Element, Link, LinkId, PointId, SlideId, Slider, Vec2};
+use crate::{Body, Element, Link, LinkId, PointId, SlideId, Slider, Vec2};
 
 /// Elements that one message points at.
 const POINTED_AT: usize = 6;
@@ -63,12 +63,13 @@ fn mobility_fault(
     if mobility == 0 {
         return item.help("take out a link or a joint: one that holds what should move");
     }
-    for (point, near) in loose_ends(scene, floating) {
-        let (loose, near) = (point_name(scene, point), point_name(scene, near));
+    for (one, other) in loose_ends(scene, floating) {
+        let (name, twin) = (point_name(scene, one), point_name(scene, other));
         item = item
-            .and(scene.place(Element::Point(point)), "named nowhere else")
+            .and(scene.place(Element::Point(one)), "named nowhere else")
+            .and(scene.place(Element::Point(other)), "is this the same?")
             .help(format!(
-                "if {loose} is the same point as {near}, give both one name"
+                "if {name} and {twin} are the same point, give it one name"
             ));
     }
     let missing = plural(mobility - 1, "constraint is", "constraints are");
@@ -99,7 +100,8 @@ fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
                 let names = (scene.point_name(end), scene.point_name(other));
                 other != end && matches!(names, (Some(a), Some(b)) if a.eq_ignore_ascii_case(b))
             });
-            found.extend(twin.map(|twin| (end, twin)));
+            let told = |twin: &PointId| found.contains(&(*twin, end));
+            found.extend(twin.filter(|t| !told(t)).map(|twin| (end, twin)));
         }
     }
     found
@@ -108,7 +110,7 @@ fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
 fn over_constrained(scene: &Scene, element: Element, misfit: f64, at: f64) -> Diagnostic {
     let name = element_name(scene, element);
     let item = Diagnostic::new(format!(
-        "over-constrained: {name} does not fit the others, by {}",
+        "over-constrained: with {name} nothing can move, it does not fit the others by {}",
         length(scene, misfit)
     ))
     .at(
@@ -239,10 +241,12 @@ fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
 }
 
 fn singular(scene: &Scene, elements: &[Element]) -> Diagnostic {
+    let guides = guides(scene, elements);
+    let elements = if guides.len() >= 2 { &guides } else { elements };
     let names: Vec<String> = elements.iter().map(|&e| element_name(scene, e)).collect();
     let mut item = Diagnostic::new(format!(
         "{} never determine a position, wherever the driver stands",
-        names.join(", ")
+        names.join(" and ")
     ));
     for (i, &element) in elements.iter().take(POINTED_AT).enumerate() {
         let place = scene.place(element);
@@ -252,12 +256,31 @@ fn singular(scene: &Scene, elements: &[Element]) -> Diagnostic {
             item.and(place, "with this")
         };
     }
-    let guides = elements.iter().filter(|e| matches!(e, Element::Slide(_)));
-    if guides.count() >= 2 {
+    if guides.len() >= 2 {
         item.help("guides that are parallel hold nothing along them: turn one by its `angle`")
     } else {
         item.help("no dimension mends this: join these parts in another way")
     }
+}
+
+/// The slides among the elements, and those of which an element slides or carries the guide.
+fn guides(scene: &Scene, elements: &[Element]) -> Vec<Element> {
+    let mechanism = &scene.mechanism;
+    let takes_part = |id: SlideId| {
+        let slide = mechanism.slide(id);
+        let sliding = match slide.slider {
+            Slider::Pin(point) => Element::Point(point),
+            Slider::Link { link, .. } => Element::Link(link),
+        };
+        let on = match slide.on {
+            Body::Ground => None,
+            Body::Link(link) => Some(Element::Link(link)),
+        };
+        let own = [Element::Slide(id), sliding];
+        own.into_iter().chain(on).any(|e| elements.contains(&e))
+    };
+    let ids = mechanism.slide_ids().filter(|&id| takes_part(id));
+    ids.map(Element::Slide).collect()
 }
 
 fn point_name(scene: &Scene, point: PointId) -> String {

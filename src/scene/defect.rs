@@ -170,13 +170,17 @@ impl<'t> Drafted<'_, 't> {
 }
 
 fn no_centre(link: &Link<'_>) -> Diagnostic {
-    let span = link.mass_key.clone().unwrap_or(link.name.span.clone());
+    let (key, span) = link
+        .mass_key
+        .clone()
+        .unwrap_or(("mass", link.name.span.clone()));
+    let article = if key == "mass" { "a" } else { "an" };
     let middle = link.ends.as_ref().map_or(0.0, |ends| ends.length / 2.0);
+    let of = &link.name;
     Diagnostic::new(format!(
-        "link {} has a mass but no centre of mass",
-        link.name
+        "link {of} has {article} {key} but no centre of mass"
     ))
-    .at(span, "where does it act?")
+    .at(span, "about which point?")
     .help(format!(
         "give the centre in the link's frame; at mid-length: com = [{middle}, 0]"
     ))

@@ -1,6 +1,6 @@
 //! What is wrong with a scene file, and where.
 
-use super::harmless::{harmless, replacement};
+use super::harmless::{escaped, replacement};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::fmt;
@@ -112,7 +112,7 @@ impl Diagnostics {
     #[must_use]
     pub fn render(&self, ascii: bool, colour: bool) -> String {
         let shown = Shown::new(&self.text, ascii);
-        let origin = harmless(&self.origin, ascii);
+        let origin = escaped(&self.origin, ascii);
         let decor = if ascii {
             DecorStyle::Ascii
         } else {
@@ -190,12 +190,12 @@ impl Shown {
     }
 
     fn group<'a>(&'a self, item: &'a Diagnostic, origin: &'a str, ascii: bool) -> Group<'a> {
-        let title = Level::ERROR.primary_title(harmless(&item.message, ascii));
+        let title = Level::ERROR.primary_title(escaped(&item.message, ascii));
         let mut group = match &item.primary {
             None => title.element(Origin::path(origin)),
             Some(primary) => {
                 let annotation = |kind: AnnotationKind, label: &Label| {
-                    let text = harmless(&label.text, ascii);
+                    let text = escaped(&label.text, ascii);
                     let annotation = kind.span(self.span(&label.span));
                     annotation.label((!text.is_empty()).then_some(text))
                 };
@@ -220,6 +220,6 @@ impl Shown {
 
 /// Our own line feeds stay, so that a help may be laid out in lines.
 fn lines(text: &str, ascii: bool) -> String {
-    let lines: Vec<String> = text.split('\n').map(|l| harmless(l, ascii)).collect();
+    let lines: Vec<String> = text.split('\n').map(|l| escaped(l, ascii)).collect();
     lines.join("\n")
 }

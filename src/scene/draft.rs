@@ -2,7 +2,7 @@
 
 use super::Unit;
 use super::diagnostic::Diagnostic;
-use super::reader::{Name, Reader, Span, Value, did_you_mean, quoted};
+use super::reader::{Name, Reader, Span, Value, did_you_mean, meant, quoted};
 use super::{elements, input};
 use crate::Vec2;
 use toml::de::DeTable;
@@ -55,8 +55,8 @@ pub(super) struct Link<'t> {
     pub(super) com: Option<(Span, Vec2)>,
     pub(super) mass: f64,
     pub(super) inertia: f64,
-    /// The place of `mass`, or of `inertia` where there is no mass.
-    pub(super) mass_key: Option<Span>,
+    /// The key `mass`, or `inertia` where there is no mass.
+    pub(super) mass_key: Option<(&'static str, Span)>,
     /// Whether something about it was reported.
     pub(super) broken: bool,
 }
@@ -143,6 +143,7 @@ pub(super) enum Load<'t> {
 pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<'v> {
     reader.only("the scene", root, &SECTIONS);
     let mut draft = Draft {
+        unreadable: SECTIONS.into_iter().any(|key| meant(root, &SECTIONS, key)),
         name: line(reader, root, "name"),
         source: line(reader, root, "source"),
         note: line(reader, root, "note"),

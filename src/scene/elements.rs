@@ -2,7 +2,7 @@
 
 use super::diagnostic::Diagnostic;
 use super::draft::{Draft, Ends, Link, MOST_LINKS, Place, Slide, Slider, Through, Vector, places};
-use super::reader::{Name, Reader, SMALLEST_LENGTH, Span, Value, nearest, quoted};
+use super::reader::{Name, Reader, SMALLEST_LENGTH, Span, Value, meant, quoted};
 use crate::Vec2;
 use toml::Spanned;
 use toml::de::{DeString, DeTable};
@@ -112,7 +112,7 @@ fn link_ends<'v>(
         // A misspelt key was reported already; what it leaves missing is no second fault.
         let misspelt = ["from", "to", "length"]
             .into_iter()
-            .any(|key| !table.contains_key(key) && meant(table, key));
+            .any(|key| !table.contains_key(key) && meant(table, &LINK_KEYS, key));
         if !misspelt {
             reader.report(incomplete(of, missing, link.name.span.clone()));
         }
@@ -132,14 +132,6 @@ fn link_ends<'v>(
     }
 }
 
-/// Whether an unknown key of the table was probably meant to be this one.
-fn meant(table: &DeTable<'_>, key: &str) -> bool {
-    table.keys().any(|k| {
-        let text = k.get_ref().as_ref();
-        !LINK_KEYS.contains(&text) && nearest(text, LINK_KEYS) == Some(key)
-    })
-}
-
 /// The further points. Returns whether none was lost.
 fn link_points<'v>(
     reader: &mut Reader<'_>,
@@ -148,7 +140,7 @@ fn link_points<'v>(
     link: &mut Link<'v>,
 ) -> bool {
     let Some(value) = table.get("points") else {
-        return !meant(table, "points");
+        return !meant(table, &LINK_KEYS, "points");
     };
     let what = format!("{of}: point");
     let listed = places(reader, &format!("`points` of {of}"), &what, value);
@@ -163,7 +155,7 @@ fn link_mass<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, link
     }
     link.mass = not_negative(reader, of, table, "mass");
     link.inertia = not_negative(reader, of, table, "inertia");
-    let key = |name| table.get_key_value(name).map(|(key, _)| key.span());
+    let key = |name| table.get_key_value(name).map(|(key, _)| (name, key.span()));
     link.mass_key = key("mass").or_else(|| key("inertia"));
 }
 
@@ -323,7 +315,8 @@ fn required<'v>(
     example: &str,
 ) -> Option<&'v Value<'v>> {
     let value = table.get(key);
-    if value.is_none() {
+    // A misspelt key was reported already; what it leaves missing is no second fault.
+    if value.is_none() && !meant(table, &SLIDING_KEYS, key) {
         reader.report(
             Diagnostic::new(format!("{of} has no `{key}`"))
                 .at(name.span.clone(), format!("`{key}` is missing"))

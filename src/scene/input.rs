@@ -4,7 +4,7 @@ use super::Unit;
 use super::diagnostic::Diagnostic;
 use super::draft::{Driver, Input, Load};
 use super::rate::{self, Degree, Kind, Misfit};
-use super::reader::{Name, Reader, Span, Value, did_you_mean};
+use super::reader::{Name, Reader, Span, Value, did_you_mean, meant};
 use toml::de::DeTable;
 
 const TURNED: &str = r#"link = "r2", angle = 60, speed = "15 rad/s""#;
@@ -58,8 +58,16 @@ pub(super) fn driver<'v>(
             return None;
         }
     };
-    reader.only("the driver", table, &keys);
-    let start = start(reader, table, coordinate, key);
+    let start = match other_coordinate(table, coordinate) {
+        Some(fault) => {
+            reader.report(fault);
+            None
+        }
+        None => {
+            reader.only("the driver", table, &keys);
+            start(reader, table, coordinate, &keys, key)
+        }
+    };
     let speed = rate(reader, table, "speed", kind, Degree::Speed);
     let acceleration = rate(reader, table, "acceleration", kind, Degree::Acceleration);
     Some(Driver {
@@ -70,15 +78,35 @@ pub(super) fn driver<'v>(
     })
 }
 
+/// The coordinate of the other kind of driver, in place of its own.
+fn other_coordinate(table: &DeTable<'_>, coordinate: &str) -> Option<Diagnostic> {
+    let (driven, other) = match coordinate {
+        "angle" => ("link", "position"),
+        _ => ("slide", "angle"),
+    };
+    let (key, _) = table.get_key_value(other)?;
+    (!table.contains_key(coordinate)).then(|| {
+        Diagnostic::new(format!(
+            "the driver: a driven {driven} has no `{other}` but `{coordinate}`"
+        ))
+        .at(key.span(), format!("`{coordinate}` is meant"))
+    })
+}
+
 /// The coordinate at which the scene opens.
 fn start<'v>(
     reader: &mut Reader<'_>,
     table: &'v DeTable<'v>,
     coordinate: &str,
+    known: &[&str],
     key: Span,
 ) -> Option<f64> {
     if let Some(value) = table.get(coordinate) {
         return reader.number(&format!("`{coordinate}` of the driver"), value);
+    }
+    // A misspelt key was reported already; what it leaves missing is no second fault.
+    if meant(table, known, coordinate) {
+        return None;
     }
     reader.report(
         Diagnostic::new(format!("the driver has no `{coordinate}`"))

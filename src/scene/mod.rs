@@ -16,7 +16,7 @@ mod syntax;
 mod unit;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub use harmless::{harmless, is_harmful};
+pub use harmless::{escaped, harmless, is_harmful};
 pub use unit::Unit;
 
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};

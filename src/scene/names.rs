@@ -13,7 +13,7 @@ const LONGEST: usize = 64;
 const LISTED: usize = 12;
 
 /// What a name stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Sort {
     Point,
     Link,
@@ -22,6 +22,8 @@ pub(super) enum Sort {
 }
 
 impl Sort {
+    const ALL: [Sort; 4] = [Sort::Point, Sort::Link, Sort::Slide, Sort::Vector];
+
     fn noun(self) -> &'static str {
         match self {
             Sort::Point => "point",
@@ -33,7 +35,6 @@ impl Sort {
 }
 
 struct Symbol {
-    sort: Sort,
     /// The position among those of its sort, in the order of the draft (points: of the file).
     index: usize,
     span: Span,
@@ -41,7 +42,8 @@ struct Symbol {
 
 /// All names of a scene.
 pub(super) struct Names<'t> {
-    symbols: HashMap<&'t str, Symbol>,
+    /// By [`Sort`]: a name with two meanings, once reported, has both.
+    symbols: HashMap<&'t str, [Option<Symbol>; 4]>,
     points: Vec<(&'t str, Span)>,
     lost_points: bool,
 }
@@ -59,32 +61,53 @@ impl<'t> Names<'t> {
         mentions.sort_by_key(|(name, ..)| name.span.start);
         let mut reported = HashSet::new();
         for (name, sort, index) in mentions {
-            if let Some(fault) = bad(name, sort) {
-                if reported.insert(name.text) {
-                    reader.report(fault);
-                }
+            let fault = bad(name, sort).or_else(|| names.clash(name, sort));
+            if let Some(fault) = fault
+                && reported.insert(name.text)
+            {
+                reader.report(fault);
             }
-            names.define(reader, name, sort, index);
+            names.define(name, sort, index);
         }
         names
     }
 
-    fn define(&mut self, reader: &mut Reader<'_>, name: &Name<'t>, sort: Sort, index: usize) {
-        if let Some(known) = self.symbols.get(name.text) {
-            if known.sort == sort {
-                return;
-            }
-            reader.report(clash(name, sort, known));
-            // A point must exist all the same: links refer to it.
+    fn define(&mut self, name: &Name<'t>, sort: Sort, index: usize) {
+        let symbol = &mut self.symbols.entry(name.text).or_default()[sort as usize];
+        if symbol.is_some() {
+            return;
         }
+        let span = name.span.clone();
         let index = if sort == Sort::Point {
-            self.points.push((name.text, name.span.clone()));
+            self.points.push((name.text, span.clone()));
             self.points.len() - 1
         } else {
             index
         };
-        let span = name.span.clone();
-        self.symbols.insert(name.text, Symbol { sort, index, span });
+        *symbol = Some(Symbol { index, span });
+    }
+
+    fn get(&self, name: &str, sort: Sort) -> Option<&Symbol> {
+        self.symbols.get(name)?[sort as usize].as_ref()
+    }
+
+    /// What else a name stands for.
+    fn other(&self, name: &str, sort: Sort) -> Option<(Sort, &Symbol)> {
+        let mut others = Sort::ALL.into_iter().filter(|&other| other != sort);
+        others.find_map(|other| Some((other, self.get(name, other)?)))
+    }
+
+    fn clash(&self, name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
+        let (other, known) = self.other(name.text, sort)?;
+        let (one, other) = (sort.noun(), other.noun());
+        Some(
+            Diagnostic::new(format!("{name} names both a {other} and a {one}"))
+                .at(name.span.clone(), format!("a {one} here"))
+                .and(known.span.clone(), format!("a {other} here"))
+                .help(
+                    "points, links, slides and vectors share one set of names: rename one of them",
+                ),
+        )
     }
 
     /// The points in the order of the file, each with the place that first names it.
@@ -100,14 +123,13 @@ impl<'t> Names<'t> {
         name: &Name<'_>,
         sort: Sort,
     ) -> Option<usize> {
-        let symbol = self.symbols.get(name.text);
-        if let Some(symbol) = symbol.filter(|symbol| symbol.sort == sort) {
+        if let Some(symbol) = self.get(name.text, sort) {
             return Some(symbol.index);
         }
         let noun = sort.noun();
-        let fault = match symbol {
-            Some(symbol) => {
-                let other = symbol.sort.noun();
+        let fault = match self.other(name.text, sort) {
+            Some((other, symbol)) => {
+                let other = other.noun();
                 Diagnostic::new(format!("{what}: {name} is a {other}, not a {noun}"))
                     .at(name.span.clone(), format!("expected the name of a {noun}"))
                     .and(symbol.span.clone(), format!("the {other}"))
@@ -131,8 +153,10 @@ impl<'t> Names<'t> {
         let mut known: Vec<(&str, usize)> = self
             .symbols
             .iter()
-            .filter(|(_, symbol)| symbol.sort == sort)
-            .map(|(name, symbol)| (*name, symbol.span.start))
+            .filter_map(|(name, by_sort)| {
+                let symbol = by_sort[sort as usize].as_ref()?;
+                Some((*name, symbol.span.start))
+            })
             .collect();
         known.sort_by_key(|&(_, start)| start);
         let known: Vec<&str> = known.into_iter().map(|(name, _)| name).collect();
@@ -204,12 +228,4 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
         )
         .help(format!("names are made of {letters}")),
     )
-}
-
-fn clash(name: &Name<'_>, sort: Sort, known: &Symbol) -> Diagnostic {
-    let (one, other) = (sort.noun(), known.sort.noun());
-    Diagnostic::new(format!("{name} names both a {other} and a {one}"))
-        .at(name.span.clone(), format!("a {one} here"))
-        .and(known.span.clone(), format!("a {other} here"))
-        .help("points, links, slides and vectors share one set of names: rename one of them")
 }

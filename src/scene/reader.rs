@@ -1,7 +1,8 @@
 //! Typed access to the parsed TOML; everything that does not fit becomes a diagnostic.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::harmless::harmless;
+use super::harmless::escaped;
+use super::rate;
 use crate::Vec2;
 use std::fmt;
 use std::ops::Range;
@@ -38,11 +39,10 @@ impl fmt::Display for Name<'_> {
 
 /// A foreign text in backticks: harmless, and cut where it is long.
 pub(super) fn quoted(text: &str) -> String {
-    let mut short: String = harmless(text, false).chars().take(QUOTED).collect();
-    if text.chars().nth(QUOTED).is_some() {
-        short.push_str("...");
+    match text.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("`{}...`", escaped(&text[..end], false)),
+        None => format!("`{}`", escaped(text, false)),
     }
-    format!("`{short}`")
 }
 
 /// The known word nearest to a text, if it is near enough to have been meant.
@@ -143,10 +143,7 @@ impl<'t> Reader<'t> {
     pub(super) fn number(&mut self, what: &str, value: &Value<'_>) -> Option<f64> {
         let Some(number) = number_of(value.get_ref()) else {
             let fault = self.wrong_type(what, "a number", value);
-            let help = value.get_ref().as_str().and_then(|text| {
-                let bare = text.trim().parse::<f64>().is_ok_and(f64::is_finite);
-                bare.then(|| format!("write it without quotes: {}", text.trim()))
-            });
+            let help = value.get_ref().as_str().and_then(bare_number);
             self.report(fault.maybe_help(help));
             return None;
         };
@@ -243,6 +240,28 @@ impl<'t> Reader<'t> {
             self.report(fault);
         }
     }
+}
+
+/// The mend for a number that was written as a text.
+fn bare_number(text: &str) -> Option<String> {
+    let text = text.trim();
+    let (number, rest) = text.split_at(rate::number_length(text));
+    let help = match (number.is_empty(), rest.is_empty()) {
+        (true, _) => return None,
+        (false, true) => format!("write it without quotes: {number}"),
+        (false, false) => format!(
+            "write the number alone: {number}; lengths are in the scene's `unit`, angles in degrees"
+        ),
+    };
+    Some(help)
+}
+
+/// Whether an unknown key of the table was probably meant to be this one.
+pub(super) fn meant(table: &DeTable<'_>, known: &[&str], key: &str) -> bool {
+    table.keys().any(|k| {
+        let text = k.get_ref().as_ref();
+        !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
+    })
 }
 
 /// What kind of value this is, in a person's words.

@@ -164,14 +164,23 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
     fn driven_slide(&mut self, name: &Name<'t>) -> Option<SlideId> {
         let what = "`slide` of the driver";
-        self.names.find(self.reader, what, name, Sort::Slide)?;
+        let slide = self.names.find(self.reader, what, name, Sort::Slide);
+        if slide.is_none() && self.draft.links.iter().any(|l| l.name.text == name.text) {
+            self.reader
+                .help("a driven link is given by `link` and `angle`");
+        }
         self.slides.get(name.text).copied()
     }
 
     /// A link pinned to the ground at two places could not turn.
     fn driven_link(&mut self, name: &Name<'t>) -> Option<LinkId> {
         let what = "`link` of the driver";
-        let link = self.names.find(self.reader, what, name, Sort::Link)?;
+        let link = self.names.find(self.reader, what, name, Sort::Link);
+        if link.is_none() && self.slides.contains_key(name.text) {
+            self.reader
+                .help("a driven slide is given by `slide` and `position`");
+        }
+        let link = link?;
         let points = self.draft.links[link].point_names();
         let mut pins = points.filter_map(|p| self.ground.get(p.text).map(|place| (p, place.at)));
         let first = pins.next();
