@@ -2,7 +2,7 @@
 
 use crate::scene::{Diagnostic, Diagnostics, Scene};
 use crate::solver::Fault;
-use crate::{Body, Element, Link, LinkId, PointId, SlideId, Slider, Vec2};
+use crate::{Body, Element, LinkId, PointId, SlideId, Slider, Vec2};
 
 /// Elements that one message points at.
 const POINTED_AT: usize = 6;
@@ -108,8 +108,13 @@ fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
 }
 
 fn over_constrained(scene: &Scene, element: Element, misfit: f64, at: f64) -> Diagnostic {
+    if let Element::Link(link) = element
+        && let Some(pins) = pinned_twice(scene, link)
+    {
+        return frame_as_link(scene, link, pins, misfit);
+    }
     let name = element_name(scene, element);
-    let item = Diagnostic::new(format!(
+    Diagnostic::new(format!(
         "over-constrained: with {name} nothing can move, it does not fit the others by {}",
         length(scene, misfit)
     ))
@@ -120,31 +125,39 @@ fn over_constrained(scene: &Scene, element: Element, misfit: f64, at: f64) -> Di
     .note(format!(
         "found with the driver at {}",
         coordinate(scene, at)
-    ));
-    if let Element::Link(link) = element
-        && let Some([one, other]) = pinned_twice(scene, link)
-    {
-        let vector = format!(
-            "{} = [\"{}\", \"{}\"]",
-            scene.link_name(link),
-            bare_name(scene, one),
-            bare_name(scene, other)
-        );
-        return item
-            .note(format!("{name} joins two points of the ground"))
-            .help(format!(
-                "the frame needs no link; to see it in the tables, move it to [vectors]: {vector}"
-            ));
-    }
-    item.help("correct its dimensions so that they agree with the others, or take it out")
+    ))
+    .help("correct its dimensions so that they agree with the others, or take it out")
 }
 
-/// Two points of the ground that a link joins.
-fn pinned_twice(scene: &Scene, link: LinkId) -> Option<[PointId; 2]> {
-    let Link { members, .. } = scene.mechanism.link(link);
-    let fixed = |point: PointId| scene.mechanism.point(point).ground.is_some();
-    let mut pins = members.iter().map(|m| m.point).filter(|&p| fixed(p));
+/// Two points of the ground that a link joins, with their places.
+fn pinned_twice(scene: &Scene, link: LinkId) -> Option<[(PointId, Vec2); 2]> {
+    let mechanism = &scene.mechanism;
+    let members = mechanism.link(link).members.iter();
+    let mut pins = members.filter_map(|m| Some((m.point, mechanism.point(m.point).ground?)));
     Some([pins.next()?, pins.next()?])
+}
+
+fn frame_as_link(
+    scene: &Scene,
+    link: LinkId,
+    [(one, at), (other, to)]: [(PointId, Vec2); 2],
+    misfit: f64,
+) -> Diagnostic {
+    let name = link_name(scene, link);
+    let (tail, head) = (bare_name(scene, one), bare_name(scene, other));
+    let vector = format!("{} = [\"{tail}\", \"{head}\"]", key(scene.link_name(link)));
+    Diagnostic::new(format!(
+        "over-constrained: link {name} does not fit by {} between the ground points `{tail}` and `{head}`",
+        length(scene, misfit)
+    ))
+    .at(scene.place(Element::Link(link)), "cannot move")
+    .note(format!(
+        "`{tail}` and `{head}` are {} apart",
+        length(scene, (to - at).norm())
+    ))
+    .help(format!(
+        "the frame needs no link; to see it in the tables, move it to [vectors]: {vector}"
+    ))
 }
 
 fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic {
@@ -366,7 +379,9 @@ fn figure(value: f64) -> String {
         return "0".to_owned();
     }
     if !(1e-4..1e9).contains(&size) {
-        return format!("{value:.*e}", DIGITS - 1);
+        let text = format!("{value:.*e}", DIGITS - 1);
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", trimmed(mantissa));
     }
     #[expect(
         clippy::cast_possible_truncation,
@@ -374,10 +389,14 @@ fn figure(value: f64) -> String {
         reason = "between 0 and 10"
     )]
     let decimals = (DIGITS as f64 - 1.0 - size.log10().floor()).max(0.0) as usize;
-    let text = format!("{value:.decimals$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    trimmed(&format!("{value:.decimals$}")).to_owned()
+}
+
+/// Without the zeros at the end of a decimal fraction.
+fn trimmed(decimal: &str) -> &str {
+    if decimal.contains('.') {
+        decimal.trim_end_matches('0').trim_end_matches('.')
     } else {
-        text
+        decimal
     }
 }

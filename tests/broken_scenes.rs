@@ -1,6 +1,8 @@
 //! Every file of `tests/broken` is refused, with the phrases and at the places that its head names:
 //! `# expect: a phrase of the message` and `# at: LINE:COLUMN`, each as often as wanted.
 
+#![allow(clippy::unwrap_used)]
+
 use krank::scene::{Diagnostics, Scene};
 use krank::solver::Solver;
 use std::collections::BTreeSet;

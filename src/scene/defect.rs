@@ -161,11 +161,14 @@ impl<'t> Drafted<'_, 't> {
             .iter()
             .find(joins)
             .map_or("r2", |l| l.name.text);
-        Some(
-            Diagnostic::new("the scene has no driver: nothing turns").help(format!(
-                "add, for example:\n[driver]\nlink = \"{crank}\"\nangle = 60\nspeed = \"15 rad/s\""
-            )),
-        )
+        let fault = Diagnostic::new("the scene has no driver: nothing turns");
+        let fault = match &self.draft.links_key {
+            Some(links) => fault.at(links.clone(), "none of these is driven"),
+            None => fault,
+        };
+        Some(fault.help(format!(
+            "add, for example:\n[driver]\nlink = \"{crank}\"\nangle = 60\nspeed = \"15 rad/s\""
+        )))
     }
 }
 

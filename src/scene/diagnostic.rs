@@ -109,21 +109,19 @@ impl Diagnostics {
     }
 
     /// The messages as text for a terminal: harmless whatever the file holds, pure ASCII if asked.
+    ///
+    /// The frame around them is ASCII in any case: arrows and rounded corners are not in the fonts of
+    /// consoles.
     #[must_use]
     pub fn render(&self, ascii: bool, colour: bool) -> String {
         let shown = Shown::new(&self.text, ascii);
         let origin = escaped(&self.origin, ascii);
-        let decor = if ascii {
-            DecorStyle::Ascii
-        } else {
-            DecorStyle::Unicode
-        };
         let base = if colour {
             Renderer::styled()
         } else {
             Renderer::plain()
         };
-        let renderer = base.decor_style(decor).term_width(WIDTH);
+        let renderer = base.decor_style(DecorStyle::Ascii).term_width(WIDTH);
         let mut out = String::new();
         for item in &self.items {
             if !out.is_empty() {

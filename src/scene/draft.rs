@@ -25,6 +25,7 @@ pub(super) struct Draft<'t> {
     pub(super) unit: Unit,
     pub(super) ground: Vec<Place<'t>>,
     pub(super) links: Vec<Link<'t>>,
+    pub(super) links_key: Option<Span>,
     pub(super) slides: Vec<Slide<'t>>,
     pub(super) driver: Option<Driver<'t>>,
     /// The key `driver`, whether or not what follows could be read.
@@ -43,7 +44,15 @@ pub(super) struct Draft<'t> {
 #[derive(Debug)]
 pub(super) struct Place<'t> {
     pub(super) name: Name<'t>,
-    pub(super) at: Vec2,
+    /// `None` if the coordinates could not be read.
+    pub(super) read: Option<Vec2>,
+}
+
+impl Place<'_> {
+    /// The coordinates, or a placeholder.
+    pub(super) fn at(&self) -> Vec2 {
+        self.read.unwrap_or_default()
+    }
 }
 
 #[derive(Debug)]
@@ -78,7 +87,7 @@ impl<'t> Link<'t> {
             }
         });
         let listed = || self.points.iter().find(|p| p.name.text == point);
-        ends.or_else(|| listed().map(|p| p.at))
+        ends.or_else(|| listed().map(Place::at))
     }
 }
 
@@ -154,7 +163,10 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<
         let before = reader.found.len();
         match key.get_ref().as_ref() {
             "ground" => draft.ground = places(reader, "[ground]", "ground point", value),
-            "links" => elements::links(reader, &mut draft, value),
+            "links" => {
+                elements::links(reader, &mut draft, value);
+                draft.links_key = Some(key.span());
+            }
             "slides" => elements::slides(reader, &mut draft, value),
             "start" => draft.start = places(reader, "[start]", "start of", value),
             "vectors" => draft.vectors = elements::vectors(reader, value),
@@ -219,11 +231,8 @@ pub(super) fn places<'v>(
             text: key.get_ref().as_ref(),
             span: key.span(),
         };
-        let at = reader.pair(&format!("{what} {}", quoted(name.text)), value);
-        Place {
-            name,
-            at: at.unwrap_or_default(),
-        }
+        let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
+        Place { name, read }
     };
     table.iter().map(place).collect()
 }

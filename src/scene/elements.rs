@@ -2,8 +2,7 @@
 
 use super::diagnostic::Diagnostic;
 use super::draft::{Draft, Ends, Link, MOST_LINKS, Place, Slide, Slider, Through, Vector, places};
-use super::reader::{Name, Reader, SMALLEST_LENGTH, Span, Value, meant, quoted};
-use crate::Vec2;
+use super::reader::{Name, ORDINARY, Reader, SMALLEST_LENGTH, Span, Value, meant, quoted};
 use toml::Spanned;
 use toml::de::{DeString, DeTable};
 
@@ -125,8 +124,8 @@ fn link_ends<'v>(
         }
         (one, other) => {
             let named = one.into_iter().chain(other);
-            let at = Vec2::ZERO;
-            link.points.extend(named.map(|name| Place { name, at }));
+            let read = None;
+            link.points.extend(named.map(|name| Place { name, read }));
             missing.is_none() && !has_from && !has_to
         }
     }
@@ -179,7 +178,7 @@ fn length<'v>(reader: &mut Reader<'_>, of: &str, value: &Value<'v>) -> Option<f6
         return Some(length);
     }
     reader.report(if length > 0.0 {
-        fault("at least 1e-300", "too small to compute with")
+        fault("at least 1e-300", "too small to compute with").help(ORDINARY)
     } else if length == 0.0 {
         fault("positive", "a link without length has no direction")
             .help("two joints at one place need no link between them: give them one name")
@@ -200,7 +199,8 @@ fn not_negative<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, k
         let literal = reader.literal(&value.span());
         reader.report(
             Diagnostic::new(format!("{what} must not be negative, but is {literal}"))
-                .at(value.span(), "negative"),
+                .at(value.span(), "negative")
+                .help(format!("leave `{key}` out where it does not matter")),
         );
     }
     number.unwrap_or(0.0).max(0.0)
@@ -344,7 +344,7 @@ pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<
 
 fn vector<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Option<Vector<'v>> {
     let what = format!("vector {}", quoted(name.text));
-    let ends = reader.two(&what, r#"["D", "A"] of points"#, value)?;
+    let ends = reader.two(&what, "[tail, head] of points", r#"["D", "A"]"#, value)?;
     let tail = reader.string(&format!("the tail of {what}"), &ends[0]);
     let head = reader.string(&format!("the head of {what}"), &ends[1]);
     Some(Vector {

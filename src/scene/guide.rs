@@ -92,7 +92,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         let (local, body) = match on {
             Carrier::Ground => {
                 let place = self.ground.get(name.text);
-                (place.map(|p| p.at), "the ground".to_owned())
+                (place.map(|p| p.at()), "the ground".to_owned())
             }
             Carrier::Link(link) => {
                 let link = &self.draft.links[link];

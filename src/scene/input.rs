@@ -90,6 +90,7 @@ fn other_coordinate(table: &DeTable<'_>, coordinate: &str) -> Option<Diagnostic>
             "the driver: a driven {driven} has no `{other}` but `{coordinate}`"
         ))
         .at(key.span(), format!("`{coordinate}` is meant"))
+        .help(format!("for example: {coordinate} = 60"))
     })
 }
 

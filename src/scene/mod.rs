@@ -213,4 +213,6 @@ fn stem(origin: &str) -> String {
 }
 
 #[cfg(test)]
+mod refusals;
+#[cfg(test)]
 mod tests;

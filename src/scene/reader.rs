@@ -17,12 +17,14 @@ pub(super) type Span = Range<usize>;
 pub(super) const LARGEST: f64 = 1e300;
 /// No length may be smaller, for the same reason.
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
+/// The mend for a number out of all proportion.
+pub(super) const ORDINARY: &str = "choose a `unit` in which the dimensions are ordinary numbers";
 /// Characters of a foreign text that a message quotes.
 const QUOTED: usize = 48;
 /// Faults that are shown at most: a person mends a few at a time.
 const SHOWN: usize = 20;
 /// Faults after which no more effort is spent on one.
-const FULL: usize = 200;
+const FULL: usize = 50;
 
 /// A text of the file with its place: mostly a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -152,23 +154,32 @@ impl<'t> Reader<'t> {
         if number.abs() <= LARGEST {
             return Some(number);
         }
-        let (rule, label) = if number.is_nan() {
-            ("a finite number", "not a number")
+        let (rule, label, help) = if number.is_nan() {
+            (
+                "a finite number",
+                "not a number",
+                "write a decimal number, such as 12.5",
+            )
         } else if number.is_infinite() {
-            ("a finite number", "not finite in double precision")
+            (
+                "a finite number",
+                "not finite in double precision",
+                "write a decimal number, such as 12.5",
+            )
         } else {
-            ("at most 1e300 in size", "too large")
+            ("at most 1e300 in size", "too large", ORDINARY)
         };
         self.report(
             Diagnostic::new(format!("{what} must be {rule}, not {literal}"))
-                .at(value.span(), label),
+                .at(value.span(), label)
+                .help(help),
         );
         None
     }
 
     /// A pair `[x, y]`.
     pub(super) fn pair(&mut self, what: &str, value: &Value<'_>) -> Option<Vec2> {
-        let items = self.two(what, "[x, y]", value)?;
+        let items = self.two(what, "[x, y]", "[12.5, 0]", value)?;
         let x = self.number(&format!("x of {what}"), &items[0]);
         let y = self.number(&format!("y of {what}"), &items[1]);
         Some(Vec2::new(x?, y?))
@@ -179,18 +190,20 @@ impl<'t> Reader<'t> {
         &mut self,
         what: &str,
         form: &str,
+        example: &str,
         value: &'v Value<'v>,
     ) -> Option<&'v DeArray<'v>> {
         let Some(items) = value.get_ref().as_array() else {
             let fault = self.wrong_type(what, &format!("a pair {form}"), value);
-            self.report(fault);
+            self.report(fault.help(format!("for example: {example}")));
             return None;
         };
         if items.len() != 2 {
             let count = items.len();
             self.report(
                 Diagnostic::new(format!("{what} must be a pair {form}, not {count} values"))
-                    .at(value.span(), format!("expected 2 values, found {count}")),
+                    .at(value.span(), format!("expected 2 values, found {count}"))
+                    .help(format!("for example: {example}")),
             );
             return None;
         }
@@ -204,7 +217,14 @@ impl<'t> Reader<'t> {
             return Some(Name { text, span });
         }
         let fault = self.wrong_type(what, "a text in quotes", value);
-        self.report(fault);
+        let literal = self.text.get(value.span()).unwrap_or("");
+        let word = |c: char| c.is_ascii_alphanumeric() || c == '.';
+        let short = literal.len() <= QUOTED && literal.chars().all(word);
+        self.report(if short {
+            fault.help(format!("write it in quotes: \"{literal}\""))
+        } else {
+            fault
+        });
         None
     }
 

@@ -85,7 +85,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     fn points(&mut self) {
         for (name, span) in self.names.points() {
             let id = match self.ground.get(name) {
-                Some(place) => self.builder.ground_point(place.at.x, place.at.y),
+                Some(place) => {
+                    let at = place.at();
+                    self.builder.ground_point(at.x, at.y)
+                }
                 None => self.builder.moving_point(),
             };
             self.points.insert(name, id);
@@ -111,7 +114,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             };
             for place in &link.points {
                 let point = self.points[place.name.text];
-                self.builder.carry(id, point, place.at);
+                self.builder.carry(id, point, place.at());
             }
             self.builder.mass(id, link.mass, link.inertia);
             self.places.links.push(link.name.span.clone());
@@ -182,7 +185,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
         let link = link?;
         let points = self.draft.links[link].point_names();
-        let mut pins = points.filter_map(|p| self.ground.get(p.text).map(|place| (p, place.at)));
+        let mut pins = points.filter_map(|p| self.ground.get(p.text).map(|place| (p, place.at())));
         let first = pins.next();
         let second = first.and_then(|(_, at)| pins.find(|&(_, other)| other != at));
         if let (Some((first, _)), Some((second, _))) = (first, second) {
@@ -215,7 +218,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
                 );
                 continue;
             }
-            self.builder.start(self.points[name.text], place.at);
+            self.builder.start(self.points[name.text], place.at());
         }
     }
 
@@ -304,7 +307,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         used.extend(links.chain(pins).map(|name| name.text));
         for place in &self.draft.ground {
             let name = &place.name;
-            if used.contains(name.text) {
+            if used.contains(name.text) || place.read.is_none() {
                 continue;
             }
             let moving = self.names.points().map(|(name, _)| name);

@@ -27,11 +27,16 @@ pub(super) fn document<'t>(reader: &mut Reader<'t>) -> Option<DeTable<'t>> {
         let twice = error.message() == "duplicate key";
         // A section that stands twice has lost what its second half names.
         whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
+        let too_deep = error.message().starts_with("cannot recurse");
         reader.report(if twice {
             duplicate(text, &root, span)
         } else {
             fault(text, error, span)
         });
+        // Every bracket left open would be another fault.
+        if too_deep {
+            return None;
+        }
     }
     whole.then_some(root)
 }
