@@ -1,4 +1,6 @@
 //! krank: planar linkages with one input.
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
 pub mod angle;
 pub mod drawing;
 mod explain;
