@@ -250,14 +250,11 @@ impl<'t> Reader<'t> {
             if known.contains(&text) {
                 continue;
             }
-            let list = known.join("`, `");
             let fault = Diagnostic::new(format!("{of}: unknown key {}", quoted(text)))
                 .at(key.span(), "unknown key");
-            let fault = match did_you_mean(text, known.iter().copied()) {
-                Some(help) => fault.help(help),
-                None => fault.help(format!("known keys: `{list}`")),
-            };
-            self.report(fault);
+            let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
+            let listed = || format!("known keys: `{}`", known.join("`, `"));
+            self.report(fault.help(near.flatten().unwrap_or_else(listed)));
         }
     }
 }
@@ -278,7 +275,8 @@ fn bare_number(text: &str) -> Option<String> {
 
 /// Whether an unknown key of the table was probably meant to be this one.
 pub(super) fn meant(table: &DeTable<'_>, known: &[&str], key: &str) -> bool {
-    table.keys().any(|k| {
+    // Who misspelt more keys than these has other worries.
+    table.keys().take(FULL).any(|k| {
         let text = k.get_ref().as_ref();
         !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
     })
