@@ -57,8 +57,11 @@ fn mobility_fault(
         }
     };
     if redundant > 0 {
-        let constraints = plural(redundant, "constraint repeats", "constraints repeat");
-        item = item.note(format!("{constraints} others and were set aside"));
+        item = item.note(plural(
+            redundant,
+            "constraint repeats others and was set aside",
+            "constraints repeat others and were set aside",
+        ));
     }
     if mobility == 0 {
         return item.help("take out a link or a joint: one that holds what should move");
@@ -400,3 +403,6 @@ fn trimmed(decimal: &str) -> &str {
         decimal
     }
 }
+
+#[cfg(test)]
+mod tests;
