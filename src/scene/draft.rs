@@ -185,6 +185,10 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<
         // A section that is no table has lost all its names.
         draft.unreadable |= reader.found.len() > before && value.get_ref().as_table().is_none();
     }
+    if !draft.unreadable && draft.links.is_empty() && draft.slides.is_empty() {
+        reader.report(elements::nothing_moves());
+        draft.unreadable = true;
+    }
     draft
 }
 

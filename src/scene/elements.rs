@@ -23,6 +23,12 @@ pub(super) fn name<'v>(key: &'v Spanned<DeString<'v>>) -> Name<'v> {
     }
 }
 
+/// The fault of a scene without links and slides; what else it lacks follows from that.
+pub(super) fn nothing_moves() -> Diagnostic {
+    Diagnostic::new("the scene has no links: nothing moves")
+        .help(format!("add, for example:\n[links]\n{LINK}"))
+}
+
 /// The section `[links]`.
 pub(super) fn links<'v>(reader: &mut Reader<'_>, draft: &mut Draft<'v>, value: &'v Value<'v>) {
     let Some(table) = reader.table("[links]", LINK, value) else {

@@ -52,7 +52,7 @@ fn only_the_first_faults_of_many_are_shown() {
     let text: String = (0..500).map(|i| format!("k{i} = {i}\n")).collect();
     let faults = Scene::parse(&text, "x").unwrap_err();
     assert_eq!(faults.items.len(), 21);
-    // One more is that there is no driver.
+    // One more is that there are no links.
     assert_eq!(faults.items[20].message, "481 more faults are not shown");
 }
 
@@ -63,13 +63,11 @@ const WRONG: &str =
 fn a_message_shows_the_line_with_harmful_characters_replaced() {
     let faults = Scene::parse(WRONG, "caf\u{e9}\u{1b}.toml").unwrap_err();
     let ascii = r"
-error: the scene has no driver: nothing turns
+error: the scene has no links: nothing moves
 --> caf\u{e9}\u{1b}.toml
  = help: add, for example:
-         [driver]
-         link = `r2`
-         angle = 60
-         speed = `15 rad/s`
+         [links]
+         r2 = { from = `A`, to = `B`, length = 100 }
 
 error: y of ground point `A` must be a number, not a text
  --> caf\u{e9}\u{1b}.toml:4:9
