@@ -1,6 +1,9 @@
 //! krank: planar linkages with one input.
+#![cfg_attr(test, allow(clippy::unwrap_used))]
+
 pub mod angle;
 pub mod drawing;
+mod explain;
 mod mechanism;
 pub mod quantity;
 pub mod scene;

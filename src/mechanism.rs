@@ -5,6 +5,7 @@
 //! the loops close - is the solver's to say.
 
 use crate::Vec2;
+use std::collections::HashSet;
 use thiserror::Error;
 
 macro_rules! id {
@@ -612,9 +613,9 @@ fn check_link(id: LinkId, link: &Link, found: &mut Vec<Defect>) {
         let of = Element::Link(id);
         found.push(Defect::Coordinates { of });
     }
-    for (i, member) in link.members.iter().enumerate() {
-        if link.members[..i].iter().any(|m| m.point == member.point) {
-            let point = member.point;
+    let mut carried = HashSet::new();
+    for &Member { point, .. } in &link.members {
+        if !carried.insert(point) {
             found.push(Defect::Twice { link: id, point });
         }
     }

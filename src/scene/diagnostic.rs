@@ -1,6 +1,6 @@
 //! What is wrong with a scene file, and where.
 
-use super::harmless::{harmless, replacement};
+use super::harmless::{escaped, replacement};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::fmt;
@@ -109,21 +109,19 @@ impl Diagnostics {
     }
 
     /// The messages as text for a terminal: harmless whatever the file holds, pure ASCII if asked.
+    ///
+    /// The frame around them is ASCII in any case: arrows and rounded corners are not in the fonts of
+    /// consoles.
     #[must_use]
     pub fn render(&self, ascii: bool, colour: bool) -> String {
         let shown = Shown::new(&self.text, ascii);
-        let origin = harmless(&self.origin, ascii);
-        let decor = if ascii {
-            DecorStyle::Ascii
-        } else {
-            DecorStyle::Unicode
-        };
+        let origin = escaped(&self.origin, ascii);
         let base = if colour {
             Renderer::styled()
         } else {
             Renderer::plain()
         };
-        let renderer = base.decor_style(decor).term_width(WIDTH);
+        let renderer = base.decor_style(DecorStyle::Ascii).term_width(WIDTH);
         let mut out = String::new();
         for item in &self.items {
             if !out.is_empty() {
@@ -190,12 +188,12 @@ impl Shown {
     }
 
     fn group<'a>(&'a self, item: &'a Diagnostic, origin: &'a str, ascii: bool) -> Group<'a> {
-        let title = Level::ERROR.primary_title(harmless(&item.message, ascii));
+        let title = Level::ERROR.primary_title(escaped(&item.message, ascii));
         let mut group = match &item.primary {
             None => title.element(Origin::path(origin)),
             Some(primary) => {
                 let annotation = |kind: AnnotationKind, label: &Label| {
-                    let text = harmless(&label.text, ascii);
+                    let text = escaped(&label.text, ascii);
                     let annotation = kind.span(self.span(&label.span));
                     annotation.label((!text.is_empty()).then_some(text))
                 };
@@ -220,6 +218,6 @@ impl Shown {
 
 /// Our own line feeds stay, so that a help may be laid out in lines.
 fn lines(text: &str, ascii: bool) -> String {
-    let lines: Vec<String> = text.split('\n').map(|l| harmless(l, ascii)).collect();
+    let lines: Vec<String> = text.split('\n').map(|l| escaped(l, ascii)).collect();
     lines.join("\n")
 }

@@ -2,7 +2,7 @@
 
 use super::Unit;
 use super::diagnostic::Diagnostic;
-use super::reader::{Name, Reader, Span, Value, did_you_mean, quoted};
+use super::reader::{Name, Reader, Span, Value, did_you_mean, meant, quoted};
 use super::{elements, input};
 use crate::Vec2;
 use toml::de::DeTable;
@@ -25,21 +25,34 @@ pub(super) struct Draft<'t> {
     pub(super) unit: Unit,
     pub(super) ground: Vec<Place<'t>>,
     pub(super) links: Vec<Link<'t>>,
+    pub(super) links_key: Option<Span>,
     pub(super) slides: Vec<Slide<'t>>,
     pub(super) driver: Option<Driver<'t>>,
-    /// Whether the file has a `[driver]`, readable or not.
-    pub(super) driver_given: bool,
+    /// The key `driver`, whether or not what follows could be read.
+    pub(super) driver_key: Option<Span>,
     pub(super) start: Vec<Place<'t>>,
     pub(super) vectors: Vec<Vector<'t>>,
     pub(super) loads: Vec<Load<'t>>,
     pub(super) gravity: Vec2,
+    /// Whether a section could not be read at all: its names are missing everywhere.
+    pub(super) unreadable: bool,
+    /// Whether a link or a slide names a point that could not be read.
+    pub(super) lost_points: bool,
 }
 
 /// A point with coordinates, in whatever frame.
 #[derive(Debug)]
 pub(super) struct Place<'t> {
     pub(super) name: Name<'t>,
-    pub(super) at: Vec2,
+    /// `None` if the coordinates could not be read.
+    pub(super) read: Option<Vec2>,
+}
+
+impl Place<'_> {
+    /// The coordinates, or a placeholder.
+    pub(super) fn at(&self) -> Vec2 {
+        self.read.unwrap_or_default()
+    }
 }
 
 #[derive(Debug)]
@@ -51,11 +64,19 @@ pub(super) struct Link<'t> {
     pub(super) com: Option<(Span, Vec2)>,
     pub(super) mass: f64,
     pub(super) inertia: f64,
+    /// The key `mass`, or `inertia` where there is no mass.
+    pub(super) mass_key: Option<(&'static str, Span)>,
     /// Whether something about it was reported.
     pub(super) broken: bool,
 }
 
-impl Link<'_> {
+impl<'t> Link<'t> {
+    /// Its named points, the ends first.
+    pub(super) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
+        let ends = self.ends.iter().flat_map(|ends| [&ends.from, &ends.to]);
+        ends.chain(self.points.iter().map(|p| &p.name))
+    }
+
     /// The coordinates of one of the link's points in its own frame.
     pub(super) fn local(&self, point: &str) -> Option<Vec2> {
         let ends = self.ends.as_ref().and_then(|ends| {
@@ -66,7 +87,7 @@ impl Link<'_> {
             }
         });
         let listed = || self.points.iter().find(|p| p.name.text == point);
-        ends.or_else(|| listed().map(|p| p.at))
+        ends.or_else(|| listed().map(Place::at))
     }
 }
 
@@ -80,9 +101,10 @@ pub(super) struct Ends<'t> {
 #[derive(Debug)]
 pub(super) struct Slide<'t> {
     pub(super) name: Name<'t>,
-    pub(super) slider: Slider<'t>,
-    pub(super) on: Name<'t>,
-    pub(super) through: Through<'t>,
+    /// `None` for this and the following: a fault was reported.
+    pub(super) slider: Option<Slider<'t>>,
+    pub(super) on: Option<Name<'t>>,
+    pub(super) through: Option<Through<'t>>,
     pub(super) angle: f64,
 }
 
@@ -130,36 +152,42 @@ pub(super) enum Load<'t> {
 pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<'v> {
     reader.only("the scene", root, &SECTIONS);
     let mut draft = Draft {
+        unreadable: SECTIONS.into_iter().any(|key| meant(root, &SECTIONS, key)),
         name: line(reader, root, "name"),
         source: line(reader, root, "source"),
         note: line(reader, root, "note"),
         unit: unit(reader, root),
         ..Draft::default()
     };
-    if let Some(value) = root.get("ground") {
-        draft.ground = places(reader, "[ground]", "ground point", value);
+    for (key, value) in root {
+        let before = reader.found.len();
+        match key.get_ref().as_ref() {
+            "ground" => draft.ground = places(reader, "[ground]", "ground point", value),
+            "links" => {
+                elements::links(reader, &mut draft, value);
+                draft.links_key = Some(key.span());
+            }
+            "slides" => elements::slides(reader, &mut draft, value),
+            "start" => draft.start = places(reader, "[start]", "start of", value),
+            "vectors" => draft.vectors = elements::vectors(reader, value),
+            "loads" => draft.loads = input::loads(reader, value),
+            "gravity" => {
+                let gravity = reader.pair("`gravity` (m/s^2)", value);
+                draft.gravity = gravity.unwrap_or_default();
+            }
+            "driver" => {
+                draft.driver = input::driver(reader, draft.unit, key.span(), value);
+                draft.driver_key = Some(key.span());
+            }
+            // Texts and the unit were read above; unknown keys are reported.
+            _ => {}
+        }
+        // A section that is no table has lost all its names.
+        draft.unreadable |= reader.found.len() > before && value.get_ref().as_table().is_none();
     }
-    if let Some(value) = root.get("links") {
-        draft.links = elements::links(reader, value);
-    }
-    if let Some(value) = root.get("slides") {
-        draft.slides = elements::slides(reader, value);
-    }
-    if let Some(value) = root.get("start") {
-        draft.start = places(reader, "[start]", "start of", value);
-    }
-    if let Some(value) = root.get("vectors") {
-        draft.vectors = elements::vectors(reader, value);
-    }
-    if let Some(value) = root.get("loads") {
-        draft.loads = input::loads(reader, value);
-    }
-    if let Some(value) = root.get("gravity") {
-        draft.gravity = reader.pair("`gravity` (m/s^2)", value).unwrap_or_default();
-    }
-    if let Some((key, value)) = root.get_key_value("driver") {
-        draft.driver_given = true;
-        draft.driver = input::driver(reader, draft.unit, key.span(), value);
+    if !draft.unreadable && draft.links.is_empty() && draft.slides.is_empty() {
+        reader.report(elements::nothing_moves());
+        draft.unreadable = true;
     }
     draft
 }
@@ -207,11 +235,8 @@ pub(super) fn places<'v>(
             text: key.get_ref().as_ref(),
             span: key.span(),
         };
-        let at = reader.pair(&format!("{what} {}", quoted(name.text)), value);
-        Place {
-            name,
-            at: at.unwrap_or_default(),
-        }
+        let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
+        Place { name, read }
     };
     table.iter().map(place).collect()
 }

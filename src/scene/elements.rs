@@ -1,12 +1,13 @@
 //! Reads links, slides and vectors.
 
 use super::diagnostic::Diagnostic;
-use super::draft::{Ends, Link, MOST_LINKS, Place, Slide, Slider, Through, Vector, places};
-use super::reader::{Name, Reader, SMALLEST_LENGTH, Span, Value, quoted};
+use super::draft::{Draft, Ends, Link, MOST_LINKS, Place, Slide, Slider, Through, Vector, places};
+use super::reader::{Name, ORDINARY, Reader, SMALLEST_LENGTH, Span, Value, meant, quoted};
 use toml::Spanned;
 use toml::de::{DeString, DeTable};
 
 const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
+const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
 const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
 const VECTOR: &str = r#"r1 = ["D", "A"]"#;
 
@@ -22,10 +23,16 @@ pub(super) fn name<'v>(key: &'v Spanned<DeString<'v>>) -> Name<'v> {
     }
 }
 
+/// The fault of a scene without links and slides; what else it lacks follows from that.
+pub(super) fn nothing_moves() -> Diagnostic {
+    Diagnostic::new("the scene has no links: nothing moves")
+        .help(format!("add, for example:\n[links]\n{LINK}"))
+}
+
 /// The section `[links]`.
-pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Link<'v>> {
+pub(super) fn links<'v>(reader: &mut Reader<'_>, draft: &mut Draft<'v>, value: &'v Value<'v>) {
     let Some(table) = reader.table("[links]", LINK, value) else {
-        return Vec::new();
+        return;
     };
     if table.len() > MOST_LINKS {
         let count = table.len();
@@ -35,13 +42,21 @@ pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Li
             ))
             .at(value.span(), "too many links"),
         );
-        return Vec::new();
+        draft.unreadable = true;
+        return;
     }
-    let read = |(key, value)| link(reader, name(key), value);
-    table.iter().map(read).collect()
+    for (key, value) in table {
+        let link = link(reader, &mut draft.lost_points, name(key), value);
+        draft.links.push(link);
+    }
 }
 
-fn link<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Link<'v> {
+fn link<'v>(
+    reader: &mut Reader<'_>,
+    lost_points: &mut bool,
+    name: Name<'v>,
+    value: &'v Value<'v>,
+) -> Link<'v> {
     let before = reader.found.len();
     let mut link = Link {
         name,
@@ -50,75 +65,112 @@ fn link<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Li
         com: None,
         mass: 0.0,
         inertia: 0.0,
+        mass_key: None,
         broken: false,
     };
     let of = format!("link {}", link.name);
     if let Some(table) = reader.table(&of, LINK, value) {
         reader.only(&of, table, &LINK_KEYS);
-        link_ends(reader, &of, table, &mut link);
-        if let Some(value) = table.get("points") {
-            let what = format!("{of}: point");
-            let listed = places(reader, &format!("`points` of {of}"), &what, value);
-            link.points.extend(listed);
+        *lost_points |= !link_ends(reader, &of, table, &mut link);
+        *lost_points |= !link_points(reader, &of, table, &mut link);
+        link_mass(reader, &of, table, &mut link);
+        if reader.found.len() == before && link.ends.is_none() && link.points.is_empty() {
+            reader.report(no_points(&of, &link.name));
         }
-        if let Some((key, value)) = table.get_key_value("com") {
-            let at = reader.pair(&format!("`com` of {of}"), value);
-            link.com = Some((key.span(), at.unwrap_or_default()));
-        }
-        link.mass = not_negative(reader, &of, table, "mass");
-        link.inertia = not_negative(reader, &of, table, "inertia");
-        if before == reader.found.len() && link.ends.is_none() && link.points.is_empty() {
-            reader.report(
-                Diagnostic::new(format!("{of} has no points"))
-                    .at(link.name.span.clone(), "a link needs two ends, or `points`")
-                    .help(format!("for example: {LINK}"))
-                    .help(r"or, for a link with a single joint: r2 = { points = { A = [0, 0] } }"),
-            );
-        }
+    } else {
+        *lost_points = true;
     }
     link.broken = reader.found.len() > before;
     link
 }
 
+fn no_points(of: &str, name: &Name<'_>) -> Diagnostic {
+    Diagnostic::new(format!("{of} has no points"))
+        .at(name.span.clone(), "a link needs two ends, or `points`")
+        .help(format!("for example: {LINK}"))
+        .help(format!("or, for a link with a single joint: {POINTS}"))
+}
+
 /// `from`, `to` and `length` belong together. An end without the others still names its point.
-fn link_ends<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, link: &mut Link<'v>) {
+/// Returns whether no end was lost.
+fn link_ends<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    table: &'v DeTable<'v>,
+    link: &mut Link<'v>,
+) -> bool {
     let mut end = |key: &str| {
         let value = table.get(key)?;
         reader.string(&format!("`{key}` of {of}"), value)
     };
     let (from, to) = (end("from"), end("to"));
-    let length = table
-        .get("length")
-        .map(|value| (value.span(), length(reader, of, value)));
+    let length = table.get("length").map(|value| length(reader, of, value));
     let (has_from, has_to) = (table.contains_key("from"), table.contains_key("to"));
     let missing = match (has_from, has_to, length.is_some()) {
         (false, false, false) | (true, true, true) => None,
         (true, true, false) => Some("`from` and `to` but no `length`"),
         (true, false, _) => Some("`from` but no `to`"),
         (false, true, _) => Some("`to` but no `from`"),
-        (false, false, true) => Some("a `length` but no ends"),
+        (false, false, true) => Some("a `length` but no `from` and `to`"),
     };
     if let Some(missing) = missing {
-        reader.report(incomplete(of, missing, link.name.span.clone()));
+        // A misspelt key was reported already; what it leaves missing is no second fault.
+        let misspelt = ["from", "to", "length"]
+            .into_iter()
+            .any(|key| !table.contains_key(key) && meant(table, &LINK_KEYS, key));
+        if !misspelt {
+            reader.report(incomplete(of, missing, link.name.span.clone()));
+        }
     }
     match (from, to) {
         (Some(from), Some(to)) => {
-            let length = length.and_then(|(_, length)| length).unwrap_or(1.0);
+            let length = length.flatten().unwrap_or(1.0);
             link.ends = Some(Ends { from, to, length });
+            true
         }
         (one, other) => {
             let named = one.into_iter().chain(other);
-            let at = crate::Vec2::ZERO;
-            link.points.extend(named.map(|name| Place { name, at }));
+            let read = None;
+            link.points.extend(named.map(|name| Place { name, read }));
+            missing.is_none() && !has_from && !has_to
         }
     }
+}
+
+/// The further points. Returns whether none was lost.
+fn link_points<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    table: &'v DeTable<'v>,
+    link: &mut Link<'v>,
+) -> bool {
+    let Some(value) = table.get("points") else {
+        return !meant(table, &LINK_KEYS, "points");
+    };
+    let what = format!("{of}: point");
+    let listed = places(reader, &format!("`points` of {of}"), &what, value);
+    link.points.extend(listed);
+    value.get_ref().is_table()
+}
+
+fn link_mass<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, link: &mut Link<'v>) {
+    if let Some((key, value)) = table.get_key_value("com") {
+        let at = reader.pair(&format!("`com` of {of}"), value);
+        link.com = Some((key.span(), at.unwrap_or_default()));
+    }
+    link.mass = not_negative(reader, of, table, "mass");
+    link.inertia = not_negative(reader, of, table, "inertia");
+    let key = |name| table.get_key_value(name).map(|(key, _)| (name, key.span()));
+    link.mass_key = key("mass").or_else(|| key("inertia"));
 }
 
 fn incomplete(of: &str, missing: &str, span: Span) -> Diagnostic {
     Diagnostic::new(format!("{of} has {missing}"))
         .at(span, "`from`, `to` and `length` belong together")
         .help(format!("for example: {LINK}"))
-        .help("a link without two natural ends is given by `points` alone: r2 = { points = { A = [0, 0] } }")
+        .help(format!(
+            "a link without two natural ends is given by `points` alone: {POINTS}"
+        ))
 }
 
 fn length<'v>(reader: &mut Reader<'_>, of: &str, value: &Value<'v>) -> Option<f64> {
@@ -132,7 +184,7 @@ fn length<'v>(reader: &mut Reader<'_>, of: &str, value: &Value<'v>) -> Option<f6
         return Some(length);
     }
     reader.report(if length > 0.0 {
-        fault("at least 1e-300", "too small to compute with")
+        fault("at least 1e-300", "too small to compute with").help(ORDINARY)
     } else if length == 0.0 {
         fault("positive", "a link without length has no direction")
             .help("two joints at one place need no link between them: give them one name")
@@ -153,45 +205,57 @@ fn not_negative<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, k
         let literal = reader.literal(&value.span());
         reader.report(
             Diagnostic::new(format!("{what} must not be negative, but is {literal}"))
-                .at(value.span(), "negative"),
+                .at(value.span(), "negative")
+                .help(format!("leave `{key}` out where it does not matter")),
         );
     }
     number.unwrap_or(0.0).max(0.0)
 }
 
 /// The section `[slides]`.
-pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Slide<'v>> {
+pub(super) fn slides<'v>(reader: &mut Reader<'_>, draft: &mut Draft<'v>, value: &'v Value<'v>) {
     let Some(table) = reader.table("[slides]", SLIDE, value) else {
-        return Vec::new();
+        return;
     };
-    let read = |(key, value)| slide(reader, name(key), value);
-    table.iter().filter_map(read).collect()
+    for (key, value) in table {
+        let slide = slide(reader, name(key), value);
+        draft.lost_points |= slide.slider.is_none();
+        draft.slides.push(slide);
+    }
 }
 
-fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Option<Slide<'v>> {
+fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Slide<'v> {
     let of = format!("slide {name}");
-    let table = reader.table(&of, SLIDE, value)?;
-    let slider = slider(reader, &of, &name, table);
-    let on = required(reader, &of, &name, table, "on", r#"on = "ground""#);
-    let on = on.and_then(|value| reader.string(&format!("`on` of {of}"), value));
-    let through = required(reader, &of, &name, table, "through", r"through = [0, 0]");
-    let through = through.and_then(|value| match value.get_ref().as_str() {
-        Some(text) => {
-            let span = value.span();
-            Some(Through::Point(Name { text, span }))
-        }
-        None => reader
-            .pair(&format!("`through` of {of}"), value)
-            .map(Through::At),
-    });
-    let angle = optional(reader, &of, table, "angle");
-    Some(Slide {
-        slider: slider?,
-        on: on?,
-        through: through?,
-        angle,
+    let mut slide = Slide {
         name,
-    })
+        slider: None,
+        on: None,
+        through: None,
+        angle: 0.0,
+    };
+    let Some(table) = reader.table(&of, SLIDE, value) else {
+        return slide;
+    };
+    slide.slider = slider(reader, &of, &slide.name, table);
+    slide.angle = optional(reader, &of, table, "angle");
+    if let Some(on) = required(reader, &of, &slide.name, table, "on", r#"on = "ground""#) {
+        slide.on = reader.string(&format!("`on` of {of}"), on);
+    }
+    let example = "through = [0, 0]";
+    if let Some(value) = required(reader, &of, &slide.name, table, "through", example) {
+        slide.through = through(reader, &of, value);
+    }
+    slide
+}
+
+/// A point of the guide, by name or by coordinates.
+fn through<'v>(reader: &mut Reader<'_>, of: &str, value: &'v Value<'v>) -> Option<Through<'v>> {
+    if let Some(text) = value.get_ref().as_str() {
+        let span = value.span();
+        return Some(Through::Point(Name { text, span }));
+    }
+    let at = reader.pair(&format!("`through` of {of}"), value);
+    at.map(Through::At)
 }
 
 /// What slides: a pin or a link.
@@ -257,7 +321,8 @@ fn required<'v>(
     example: &str,
 ) -> Option<&'v Value<'v>> {
     let value = table.get(key);
-    if value.is_none() {
+    // A misspelt key was reported already; what it leaves missing is no second fault.
+    if value.is_none() && !meant(table, &SLIDING_KEYS, key) {
         reader.report(
             Diagnostic::new(format!("{of} has no `{key}`"))
                 .at(name.span.clone(), format!("`{key}` is missing"))
@@ -285,7 +350,7 @@ pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<
 
 fn vector<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Value<'v>) -> Option<Vector<'v>> {
     let what = format!("vector {}", quoted(name.text));
-    let ends = reader.two(&what, r#"["D", "A"] of points"#, value)?;
+    let ends = reader.two(&what, "[tail, head] of points", r#"["D", "A"]"#, value)?;
     let tail = reader.string(&format!("the tail of {what}"), &ends[0]);
     let head = reader.string(&format!("the head of {what}"), &ends[1]);
     Some(Vector {

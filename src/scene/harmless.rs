@@ -32,6 +32,24 @@ pub fn harmless(text: &str, ascii: bool) -> String {
     text.chars().map(|c| replacement(c, ascii)).collect()
 }
 
+/// The text with harmful characters written as escapes (`\u{1b}`), and with `ascii` all others beyond
+/// ASCII too: for messages, where the reader wants to know which character it was.
+///
+/// Line feeds and tabs become spaces.
+#[must_use]
+pub fn escaped(text: &str, ascii: bool) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        let plain = replacement(c, ascii);
+        if plain == c || c == '\t' || c == '\n' {
+            out.push(plain);
+        } else {
+            out.extend(c.escape_unicode());
+        }
+    }
+    out
+}
+
 /// What is shown in place of a character; itself if it is harmless.
 pub(super) fn replacement(c: char, ascii: bool) -> char {
     match c {
@@ -54,6 +72,12 @@ mod tests {
         assert_eq!(shown.chars().count(), hostile.chars().count());
         assert!(!shown.chars().any(is_harmful), "{shown:?}");
         assert_eq!(harmless(hostile, true), "a?[2J?b????c");
+    }
+
+    #[test]
+    fn a_message_names_the_character() {
+        assert_eq!(escaped("a\u{1b}[2J\n\u{d6}", false), "a\\u{1b}[2J \u{d6}");
+        assert_eq!(escaped("\u{d6}", true), "\\u{d6}");
     }
 
     #[test]

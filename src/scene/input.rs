@@ -4,20 +4,46 @@ use super::Unit;
 use super::diagnostic::Diagnostic;
 use super::draft::{Driver, Input, Load};
 use super::rate::{self, Degree, Kind, Misfit};
-use super::reader::{Name, Reader, Span, Value, did_you_mean};
+use super::reader::{Reader, Span, Value, did_you_mean, meant};
 use toml::de::DeTable;
 
-const TURNED: &str = r#"link = "r2", angle = 60, speed = "15 rad/s""#;
-const PUSHED: &str = r#"slide = "r4", position = 120, speed = "50 mm/s""#;
 const LOAD: &str =
     r#"[[loads]] with point = "C" and force = [0, -500], or link = "r4" and torque = 12"#;
-
-const TURNED_KEYS: [&str; 4] = ["link", "angle", "speed", "acceleration"];
-const PUSHED_KEYS: [&str; 4] = ["slide", "position", "speed", "acceleration"];
 
 /// The rate where the file gives none: per unit of the coordinate, so that velocities are the
 /// kinematic coefficients.
 const UNIT_SPEED: f64 = 1.0;
+
+/// How a kind of driver is written.
+struct Form {
+    /// The key that names what is driven.
+    driven: &'static str,
+    /// The key of its coordinate.
+    coordinate: &'static str,
+    /// The coordinate of the other kind.
+    other: &'static str,
+    example: &'static str,
+}
+
+const TURNED: Form = Form {
+    driven: "link",
+    coordinate: "angle",
+    other: "position",
+    example: r#"link = "r2", angle = 60, speed = "15 rad/s""#,
+};
+
+const PUSHED: Form = Form {
+    driven: "slide",
+    coordinate: "position",
+    other: "angle",
+    example: r#"slide = "r4", position = 120, speed = "50 mm/s""#,
+};
+
+impl Form {
+    fn keys(&self) -> [&'static str; 4] {
+        [self.driven, self.coordinate, "speed", "acceleration"]
+    }
+}
 
 /// The section `[driver]`.
 pub(super) fn driver<'v>(
@@ -26,128 +52,142 @@ pub(super) fn driver<'v>(
     key: Span,
     value: &'v Value<'v>,
 ) -> Option<Driver<'v>> {
-    let table = reader.table("[driver]", &format!("{{ {TURNED} }}"), value)?;
-    let (input, coordinate, keys, kind) = match (table.get("link"), table.get("slide")) {
-        (Some(link), None) => {
-            let name = reader.string("`link` of the driver", link);
-            (name.map(Input::Link), "angle", TURNED_KEYS, Kind::Turn)
+    let example = format!("{{ {} }}", TURNED.example);
+    let table = reader.table("[driver]", &example, value)?;
+    let (form, driven) = match (table.get(TURNED.driven), table.get(PUSHED.driven)) {
+        (Some(link), None) => (TURNED, link),
+        (None, Some(slide)) => (PUSHED, slide),
+        (None, None) => {
+            neither(reader, table, key);
+            return None;
         }
-        (None, Some(slide)) => {
-            let name = reader.string("`slide` of the driver", slide);
-            let kind = Kind::Push(unit);
-            (name.map(Input::Slide), "position", PUSHED_KEYS, kind)
-        }
-        (given, _) => {
-            let (message, label) = if given.is_some() {
-                (
-                    "the driver has both `link` and `slide`",
-                    "one of them is driven",
-                )
-            } else {
-                (
-                    "the driver has neither `link` nor `slide`",
-                    "nothing is driven",
-                )
-            };
-            reader.report(
-                Diagnostic::new(message)
-                    .at(key, label)
-                    .help(format!("a driven link: {TURNED}"))
-                    .help(format!("a driven slide: {PUSHED}")),
-            );
+        (Some(_), Some(_)) => {
+            let message = "the driver has both `link` and `slide`";
+            reader.report(both_forms(
+                Diagnostic::new(message).at(key, "one of them is driven"),
+            ));
             return None;
         }
     };
-    reader.only("the driver", table, &keys);
-    let start = start(reader, table, coordinate, key);
+    let name = reader.string(&format!("`{}` of the driver", form.driven), driven);
+    let start = start(reader, table, &form, key);
+    let kind = if form.driven == TURNED.driven {
+        Kind::Turn
+    } else {
+        Kind::Push(unit)
+    };
     let speed = rate(reader, table, "speed", kind, Degree::Speed);
     let acceleration = rate(reader, table, "acceleration", kind, Degree::Acceleration);
+    let name = name?;
     Some(Driver {
-        input: input?,
+        input: match kind {
+            Kind::Turn => Input::Link(name),
+            Kind::Push(_) => Input::Slide(name),
+        },
         start: start.unwrap_or(0.0),
         speed: speed.unwrap_or(UNIT_SPEED),
         acceleration: acceleration.unwrap_or(0.0),
     })
 }
 
-/// The coordinate at which the scene opens.
-fn start<'v>(
-    reader: &mut Reader<'_>,
-    table: &'v DeTable<'v>,
-    coordinate: &str,
-    key: Span,
-) -> Option<f64> {
-    if let Some(value) = table.get(coordinate) {
-        return reader.number(&format!("`{coordinate}` of the driver"), value);
+/// Nothing is driven: a misspelt key, or none at all.
+fn neither(reader: &mut Reader<'_>, table: &DeTable<'_>, key: Span) {
+    let known = [
+        "link",
+        "slide",
+        "angle",
+        "position",
+        "speed",
+        "acceleration",
+    ];
+    reader.only("the driver", table, &known);
+    if !meant(table, &known, "link") && !meant(table, &known, "slide") {
+        let message = "the driver has neither `link` nor `slide`";
+        reader.report(both_forms(
+            Diagnostic::new(message).at(key, "nothing is driven"),
+        ));
     }
-    reader.report(
-        Diagnostic::new(format!("the driver has no `{coordinate}`"))
-            .at(
-                key,
-                format!("`{coordinate}` is missing: where the scene opens"),
-            )
+}
+
+fn both_forms(fault: Diagnostic) -> Diagnostic {
+    fault
+        .help(format!("a driven link: {}", TURNED.example))
+        .help(format!("a driven slide: {}", PUSHED.example))
+}
+
+/// The coordinate at which the scene opens.
+fn start(reader: &mut Reader<'_>, table: &DeTable<'_>, form: &Form, key: Span) -> Option<f64> {
+    let Form {
+        driven,
+        coordinate,
+        other,
+        ..
+    } = form;
+    let given = table.get(*coordinate);
+    if let (None, Some((wrong, _))) = (given, table.get_key_value(*other)) {
+        reader.report(
+            Diagnostic::new(format!(
+                "the driver: a driven {driven} has no `{other}` but `{coordinate}`"
+            ))
+            .at(wrong.span(), format!("`{coordinate}` is meant"))
             .help(format!("for example: {coordinate} = 60")),
-    );
-    None
+        );
+        return None;
+    }
+    reader.only("the driver", table, &form.keys());
+    // A misspelt key was reported already; what it leaves missing is no second fault.
+    if given.is_none() && !meant(table, &form.keys(), coordinate) {
+        let label = format!("`{coordinate}` is missing: where the scene opens");
+        reader.report(
+            Diagnostic::new(format!("the driver has no `{coordinate}`"))
+                .at(key, label)
+                .help(format!("for example: {coordinate} = 60")),
+        );
+    }
+    reader.number(&format!("`{coordinate}` of the driver"), given?)
 }
 
 /// A speed or an acceleration, `None` if it is left out or wrong.
-fn rate<'v>(
+fn rate(
     reader: &mut Reader<'_>,
-    table: &'v DeTable<'v>,
+    table: &DeTable<'_>,
     key: &str,
     kind: Kind,
     degree: Degree,
 ) -> Option<f64> {
     let value = table.get(key)?;
+    let literal = reader.literal(&value.span());
+    let bare = literal.trim_matches(['`', '"', '\'', ' ']);
+    let is_number = value.get_ref().is_integer() || value.get_ref().is_float();
+    let misfit = match value.get_ref().as_str() {
+        Some(text) => match rate::parse(text, kind, degree) {
+            Ok(rate) => return Some(rate),
+            Err(misfit) => misfit,
+        },
+        None if is_number => Misfit::NoUnit,
+        None => Misfit::NoNumber,
+    };
     let units = rate::units(kind, degree);
-    let list = format!("possible units: `{}`", units.join("`, `"));
-    let Some(text) = value.get_ref().as_str() else {
-        let literal = reader.literal(&value.span());
-        let bare = literal.trim_matches('`');
-        let fault = Diagnostic::new(format!("`{key}` of the driver has no unit: {literal}"))
-            .at(value.span(), "expected a number and a unit, in quotes");
-        let is_number = value.get_ref().is_integer() || value.get_ref().is_float();
-        reader.report(
-            fault
-                .help(if is_number {
-                    format!("for example: {key} = \"{bare} {}\"", units[0])
-                } else {
-                    format!("for example: {key} = \"15 {}\"", units[0])
-                })
-                .help(list),
-        );
-        return None;
-    };
-    let misfit = match rate::parse(text, kind, degree) {
-        Ok(rate) => return Some(rate),
-        Err(misfit) => misfit,
-    };
-    let name = Name {
-        text,
-        span: value.span(),
-    };
     let (rule, help) = match misfit {
-        Misfit::NoNumber => ("does not begin with a number", None),
+        Misfit::NoNumber => (
+            "must be a number and a unit in quotes, not",
+            Some(format!("for example: {key} = \"15 {}\"", units[0])),
+        ),
         Misfit::NoUnit => (
-            "has no unit",
-            Some(format!(
-                "for example: {key} = \"{} {}\"",
-                text.trim(),
-                units[0]
-            )),
+            "has no unit:",
+            Some(format!("for example: {key} = \"{bare} {}\"", units[0])),
         ),
         Misfit::Unit(unit) => (
-            "has a unit that does not fit",
+            "has a unit that does not fit:",
             did_you_mean(unit, units.iter().copied()),
         ),
-        Misfit::NotFinite => ("is too large", None),
+        Misfit::NotFinite => ("is too large:", None),
     };
     reader.report(
-        Diagnostic::new(format!("`{key}` of the driver {rule}: {name}"))
-            .at(name.span.clone(), "expected a number and a unit")
+        Diagnostic::new(format!("`{key}` of the driver {rule} `{bare}`"))
+            .at(value.span(), "expected a number and a unit, in quotes")
             .maybe_help(help)
-            .help(list),
+            .help(format!("possible units: `{}`", units.join("`, `"))),
     );
     None
 }

@@ -1,9 +1,99 @@
 //! The scene file: a mechanism with names, a unit and a place for every element in the text.
+//!
+//! A scene is a [TOML](https://toml.io) file of at most 1 MiB and 10,000 links, written by a person who
+//! has a sketch and a textbook:
+//!
+//! ```
+//! let text = r#"
+//! name = "Slider-crank with an offset"
+//! unit = "mm"                     # of every length
+//!
+//! [ground]                        # points fixed in the frame
+//! A = [0, 0]
+//!
+//! [driver]                        # the input, one per scene
+//! link  = "r2"
+//! angle = 60                      # deg, where the scene opens
+//! speed = "15 rad/s"
+//!
+//! [links]                         # local x axis from -> to, origin at from
+//! r2 = { from = "A", to = "B", length = 100 }
+//! r3 = { from = "B", to = "C", length = 300, com = [150, 0] }
+//!
+//! [slides]
+//! r4 = { point = "C", on = "ground", through = [0, -20], angle = 0 }
+//!
+//! [start]                         # rough positions: they choose the assembly
+//! C = [330, -20]
+//! "#;
+//! let scene = krank::scene::Scene::parse(text, "offset.toml")?;
+//! assert_eq!(scene.mechanism.links().len(), 2);
+//! # Ok::<(), krank::scene::Diagnostics>(())
+//! ```
+//!
+//! # Every key
+//!
+//! Lengths and coordinates are plain numbers in the scene's `unit`, angles plain numbers in degrees,
+//! counter-clockwise; only speeds and accelerations carry a unit of their own. What has no default must
+//! be given where its table is.
+//!
+//! | key | what it is | default |
+//! |---|---|---|
+//! | `name` | the title | the file's name |
+//! | `source` | where the mechanism comes from | none |
+//! | `note` | what there is to see | none |
+//! | `unit` | of every length: `"mm"`, `"cm"`, `"m"` or `"in"` | `"mm"` |
+//! | `gravity` | acceleration of free fall `[x, y]` in m/s^2 | `[0, 0]` |
+//! | **`[ground]`** | points fixed in the frame: `A = [x, y]` | none |
+//! | **`[driver]`** | the input: a link that is turned or a slide that is pushed | |
+//! | `link` | the link that turns about its ground point | |
+//! | `angle` | direction of the driven link's x axis where the scene opens, in deg | |
+//! | `slide` | or: the slide that is pushed | |
+//! | `position` | of a driven slide where the scene opens: along the guide from `through` | |
+//! | `speed` | `"15 rad/s"`, `"90 deg/s"`, `"143.2 rpm"`; of a slide `"50 mm/s"` (`cm/s`, `m/s`, `in/s`) | 1 rad/s, or 1 unit/s |
+//! | `acceleration` | `"2 rad/s^2"`, `"90 deg/s^2"`; of a slide `"5 mm/s^2"` (`cm/s^2`, `m/s^2`, `in/s^2`) | 0 |
+//! | **`[links]`** | rigid links, each a table: `r2 = { ... }` | none |
+//! | `from`, `to`, `length` | the two ends of a link and their distance: its vector in the loop equation | no vector |
+//! | `points` | further points in the link's frame: `{ P = [150, 80] }`; alone for a link without two natural ends | none |
+//! | `com` | centre of mass `[x, y]` in the link's frame | none |
+//! | `mass` | in kg; needs `com` | 0 |
+//! | `inertia` | about the centre of mass in kg m^2; needs `com` | 0 |
+//! | **`[slides]`** | guides and what moves along them, each a table: `r4 = { ... }` | none |
+//! | `point` | the pin that moves in the slot, free to turn | |
+//! | `link` | or: the link that slides without turning, its origin on the guide | |
+//! | `on` | what carries the guide: `"ground"` or a link | |
+//! | `through` | a point of the guide: a point of `on` by its name, or `[x, y]` in the frame of `on` | |
+//! | `angle` | of the guide against the x axis of `on`, in deg | 0 |
+//! | `turn` | of a sliding link's x axis against the guide, in deg | 0 |
+//! | **`[start]`** | rough positions of moving points where the scene opens: `C = [x, y]` | none |
+//! | **`[vectors]`** | more vectors for the tables, tail and head: `r1 = ["D", "A"]` | none |
+//! | **`[[loads]]`** | any number of loads | none |
+//! | `point`, `force` | a force `[x, y]` in N at a point, in the ground's frame | |
+//! | `link`, `torque` | or: a torque in N m on a link, counter-clockwise | |
+//!
+//! - A point comes into being where a link or a slide names it; one that two links name, or a link and
+//!   the ground, is a pin joint. `from` lies at `[0, 0]` of its link, `to` at `[length, 0]`.
+//! - A slide's name is a vector too: its r is the signed position along the guide, counted from
+//!   `through`, and it runs from the sliding point back to `through`.
+//! - `[vectors]` and `[[loads]]` may name a centre of mass: `"r3.com"`.
+//! - A scene without `speed` is read per unit of its input: its velocities and accelerations are the
+//!   kinematic coefficients.
+//! - Names are made of ASCII letters, digits, `_`, `-` and `'` (such a key is quoted: `"B'"`), at most 64
+//!   of them. Points, links, slides and vectors share one set of names; `driver`, `ground`, `com` and
+//!   `state` are reserved. Tables and columns keep the order of the file.
+//! - Lengths lie between 1e-300 and 1e300; every number is finite.
+//!
+//! # Faults
+//!
+//! [`Scene::parse`] reports everything that it finds, not only the first, each with line and column, what
+//! is wrong and what would mend it: [`Diagnostics`]. What is wrong with the mechanism as a whole the
+//! solver finds, and [`Scene::explain`] says it in the same way.
 
 mod defect;
 mod diagnostic;
 mod draft;
 mod elements;
+mod guide;
 mod harmless;
 mod input;
 mod names;
@@ -15,7 +105,7 @@ mod syntax;
 mod unit;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub use harmless::{harmless, is_harmful};
+pub use harmless::{escaped, harmless, is_harmful};
 pub use unit::Unit;
 
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};
@@ -105,10 +195,7 @@ impl Scene {
         let mut reader = reader::Reader::new(text);
         let scene = syntax::document(&mut reader).and_then(|root| {
             let draft = draft::read(&mut reader, &root);
-            let driver = root
-                .get_key_value("driver")
-                .map_or(0..0, |(key, _)| key.span());
-            let resolved = resolve::resolve(&mut reader, &draft, driver)?;
+            let resolved = resolve::resolve(&mut reader, &draft)?;
             Some(Scene {
                 name: draft.name.unwrap_or_else(|| stem(origin)),
                 source: draft.source,
@@ -133,7 +220,7 @@ impl Scene {
         &self.origin
     }
 
-    /// The text of the file.
+    /// The text of the file, without a byte order mark: what [`Scene::place`] counts in.
     #[must_use]
     pub fn text(&self) -> &Arc<str> {
         &self.text
@@ -147,6 +234,15 @@ impl Scene {
             Element::Link(link) => self.places.links[link.index()].clone(),
             Element::Slide(slide) => self.places.slides[slide.index()].clone(),
             Element::Driver => self.places.driver.clone(),
+        }
+    }
+
+    /// Faults of this scene, with the text that they point into.
+    pub(crate) fn diagnostics(&self, items: Vec<Diagnostic>) -> Diagnostics {
+        Diagnostics {
+            origin: self.origin.clone(),
+            text: Arc::clone(&self.text),
+            items,
         }
     }
 
@@ -205,5 +301,7 @@ fn stem(origin: &str) -> String {
     harmless(&stem.unwrap_or_else(|| origin.to_owned()), false)
 }
 
+#[cfg(test)]
+mod refusals;
 #[cfg(test)]
 mod tests;

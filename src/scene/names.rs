@@ -9,9 +9,11 @@ use std::collections::{HashMap, HashSet};
 const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
 /// Characters in a name: columns are named by it.
 const LONGEST: usize = 64;
+/// Names that a help lists at most.
+const LISTED: usize = 12;
 
 /// What a name stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Sort {
     Point,
     Link,
@@ -20,6 +22,8 @@ pub(super) enum Sort {
 }
 
 impl Sort {
+    const ALL: [Sort; 4] = [Sort::Point, Sort::Link, Sort::Slide, Sort::Vector];
+
     fn noun(self) -> &'static str {
         match self {
             Sort::Point => "point",
@@ -31,7 +35,6 @@ impl Sort {
 }
 
 struct Symbol {
-    sort: Sort,
     /// The position among those of its sort, in the order of the draft (points: of the file).
     index: usize,
     span: Span,
@@ -39,8 +42,10 @@ struct Symbol {
 
 /// All names of a scene.
 pub(super) struct Names<'t> {
-    symbols: HashMap<&'t str, Symbol>,
+    /// By [`Sort`]: a name with two meanings, once reported, has both.
+    symbols: HashMap<&'t str, [Option<Symbol>; 4]>,
     points: Vec<(&'t str, Span)>,
+    lost_points: bool,
 }
 
 impl<'t> Names<'t> {
@@ -50,37 +55,59 @@ impl<'t> Names<'t> {
         let mut names = Names {
             symbols: HashMap::new(),
             points: Vec::new(),
+            lost_points: draft.lost_points,
         };
         let mut mentions = mentions(draft);
         mentions.sort_by_key(|(name, ..)| name.span.start);
         let mut reported = HashSet::new();
         for (name, sort, index) in mentions {
-            if let Some(fault) = bad(name) {
-                if reported.insert(name.text) {
-                    reader.report(fault);
-                }
+            let fault = bad(name, sort).or_else(|| names.clash(name, sort));
+            if let Some(fault) = fault
+                && reported.insert(name.text)
+            {
+                reader.report(fault);
             }
-            names.define(reader, name, sort, index);
+            names.define(name, sort, index);
         }
         names
     }
 
-    fn define(&mut self, reader: &mut Reader<'_>, name: &Name<'t>, sort: Sort, index: usize) {
-        if let Some(known) = self.symbols.get(name.text) {
-            if known.sort == sort {
-                return;
-            }
-            reader.report(clash(name, sort, known));
-            // A point must exist all the same: links refer to it.
+    fn define(&mut self, name: &Name<'t>, sort: Sort, index: usize) {
+        let symbol = &mut self.symbols.entry(name.text).or_default()[sort as usize];
+        if symbol.is_some() {
+            return;
         }
+        let span = name.span.clone();
         let index = if sort == Sort::Point {
-            self.points.push((name.text, name.span.clone()));
+            self.points.push((name.text, span.clone()));
             self.points.len() - 1
         } else {
             index
         };
-        let span = name.span.clone();
-        self.symbols.insert(name.text, Symbol { sort, index, span });
+        *symbol = Some(Symbol { index, span });
+    }
+
+    fn get(&self, name: &str, sort: Sort) -> Option<&Symbol> {
+        self.symbols.get(name)?[sort as usize].as_ref()
+    }
+
+    /// What else a name stands for.
+    fn other(&self, name: &str, sort: Sort) -> Option<(Sort, &Symbol)> {
+        let mut others = Sort::ALL.into_iter().filter(|&other| other != sort);
+        others.find_map(|other| Some((other, self.get(name, other)?)))
+    }
+
+    fn clash(&self, name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
+        let (other, known) = self.other(name.text, sort)?;
+        let (one, other) = (sort.noun(), other.noun());
+        Some(
+            Diagnostic::new(format!("{name} names both a {other} and a {one}"))
+                .at(name.span.clone(), format!("a {one} here"))
+                .and(known.span.clone(), format!("a {other} here"))
+                .help(
+                    "points, links, slides and vectors share one set of names: rename one of them",
+                ),
+        )
     }
 
     /// The points in the order of the file, each with the place that first names it.
@@ -96,28 +123,49 @@ impl<'t> Names<'t> {
         name: &Name<'_>,
         sort: Sort,
     ) -> Option<usize> {
-        let noun = sort.noun();
-        match self.symbols.get(name.text) {
-            Some(symbol) if symbol.sort == sort => return Some(symbol.index),
-            Some(symbol) => {
-                let other = symbol.sort.noun();
-                reader.report(
-                    Diagnostic::new(format!("{what}: {name} is a {other}, not a {noun}"))
-                        .at(name.span.clone(), format!("expected the name of a {noun}"))
-                        .and(symbol.span.clone(), format!("the {other}")),
-                );
-            }
-            None => {
-                let of_sort = self.symbols.iter().filter(|(_, s)| s.sort == sort);
-                let help = did_you_mean(name.text, of_sort.map(|(name, _)| *name));
-                reader.report(
-                    Diagnostic::new(format!("{what}: there is no {noun} {name}"))
-                        .at(name.span.clone(), format!("unknown {noun}"))
-                        .maybe_help(help),
-                );
-            }
+        if let Some(symbol) = self.get(name.text, sort) {
+            return Some(symbol.index);
         }
+        let noun = sort.noun();
+        let fault = match self.other(name.text, sort) {
+            Some((other, symbol)) => {
+                let other = other.noun();
+                Diagnostic::new(format!("{what}: {name} is a {other}, not a {noun}"))
+                    .at(name.span.clone(), format!("expected the name of a {noun}"))
+                    .and(symbol.span.clone(), format!("the {other}"))
+            }
+            // The name may stand where something could not be read.
+            None if sort == Sort::Point && self.lost_points => return None,
+            None => Diagnostic::new(format!("{what}: there is no {noun} {name}"))
+                .at(name.span.clone(), format!("unknown {noun}")),
+        };
+        let help = self.help(reader, name, sort);
+        reader.report(fault.maybe_help(help));
         None
+    }
+
+    /// The name that was probably meant, or those that there are.
+    fn help(&self, reader: &Reader<'_>, name: &Name<'_>, sort: Sort) -> Option<String> {
+        if reader.is_full() {
+            return None;
+        }
+        let noun = sort.noun();
+        let mut known: Vec<(&str, usize)> = self
+            .symbols
+            .iter()
+            .filter_map(|(name, by_sort)| {
+                let symbol = by_sort[sort as usize].as_ref()?;
+                Some((*name, symbol.span.start))
+            })
+            .collect();
+        known.sort_by_key(|&(_, start)| start);
+        let known: Vec<&str> = known.into_iter().map(|(name, _)| name).collect();
+        let listed = || match known.len() {
+            0 => Some(format!("the scene has no {noun}")),
+            1..=LISTED => Some(format!("{noun}s of the scene: `{}`", known.join("`, `"))),
+            _ => None,
+        };
+        did_you_mean(name.text, known.iter().copied()).or_else(listed)
     }
 }
 
@@ -134,7 +182,7 @@ fn mentions<'d, 't>(draft: &'d Draft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
     }
     for (i, slide) in draft.slides.iter().enumerate() {
         all.push((&slide.name, Sort::Slide, i));
-        if let Slider::Pin(point) = &slide.slider {
+        if let Some(Slider::Pin(point)) = &slide.slider {
             all.push((point, Sort::Point, 0));
         }
     }
@@ -145,18 +193,21 @@ fn mentions<'d, 't>(draft: &'d Draft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
 }
 
 /// What is wrong with a name by itself.
-fn bad(name: &Name<'_>) -> Option<Diagnostic> {
+fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
     let text = name.text;
     let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'');
     let fault =
         |message: String, label: &str| Diagnostic::new(message).at(name.span.clone(), label);
     if RESERVED.contains(&text) {
         let list = RESERVED.join("`, `");
-        return Some(
-            fault(format!("the name {name} is reserved"), "reserved").help(format!(
-                "columns use `{list}` with a meaning of their own; choose another name"
-            )),
-        );
+        let fault = fault(format!("the name {name} is reserved"), "reserved").help(format!(
+            "columns use `{list}` with a meaning of their own: choose another name"
+        ));
+        return Some(if text == "ground" && sort == Sort::Point {
+            fault.help("to join a link to the ground, name one of the points in [ground]")
+        } else {
+            fault
+        });
     }
     if text.is_empty() {
         return Some(fault("a name must not be empty".into(), "empty"));
@@ -177,12 +228,4 @@ fn bad(name: &Name<'_>) -> Option<Diagnostic> {
         )
         .help(format!("names are made of {letters}")),
     )
-}
-
-fn clash(name: &Name<'_>, sort: Sort, known: &Symbol) -> Diagnostic {
-    let (one, other) = (sort.noun(), known.sort.noun());
-    Diagnostic::new(format!("{name} names both a {other} and a {one}"))
-        .at(name.span.clone(), format!("a {one} here"))
-        .and(known.span.clone(), format!("a {other} here"))
-        .help("points, links, slides and vectors share one set of names: rename one of them")
 }

@@ -83,7 +83,7 @@ fn converted(number: f64, unit: &str, kind: Kind) -> f64 {
 }
 
 /// The bytes of a decimal number at the beginning of a text.
-fn number_length(text: &str) -> usize {
+pub(super) fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {
         while bytes.get(at).is_some_and(u8::is_ascii_digit) {

@@ -1,7 +1,8 @@
 //! Typed access to the parsed TOML; everything that does not fit becomes a diagnostic.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::harmless::harmless;
+use super::harmless::escaped;
+use super::rate;
 use crate::Vec2;
 use std::fmt;
 use std::ops::Range;
@@ -16,8 +17,14 @@ pub(super) type Span = Range<usize>;
 pub(super) const LARGEST: f64 = 1e300;
 /// No length may be smaller, for the same reason.
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
+/// The mend for a number out of all proportion.
+pub(super) const ORDINARY: &str = "choose a `unit` in which the dimensions are ordinary numbers";
 /// Characters of a foreign text that a message quotes.
 const QUOTED: usize = 48;
+/// Faults that are shown at most: a person mends a few at a time.
+const SHOWN: usize = 20;
+/// Faults after which no more effort is spent on one.
+const FULL: usize = 50;
 
 /// A text of the file with its place: mostly a name.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -34,11 +41,10 @@ impl fmt::Display for Name<'_> {
 
 /// A foreign text in backticks: harmless, and cut where it is long.
 pub(super) fn quoted(text: &str) -> String {
-    let mut short: String = harmless(text, false).chars().take(QUOTED).collect();
-    if text.chars().nth(QUOTED).is_some() {
-        short.push_str("...");
+    match text.char_indices().nth(QUOTED) {
+        Some((end, _)) => format!("`{}...`", escaped(&text[..end], false)),
+        None => format!("`{}`", escaped(text, false)),
     }
-    format!("`{short}`")
 }
 
 /// The known word nearest to a text, if it is near enough to have been meant.
@@ -52,7 +58,7 @@ pub(super) fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) 
         if word.eq_ignore_ascii_case(text) {
             0
         } else {
-            strsim::damerau_levenshtein(text, word)
+            strsim::osa_distance(text, word)
         }
     };
     known
@@ -96,6 +102,11 @@ impl<'t> Reader<'t> {
     pub(super) fn into_diagnostics(self, origin: &str) -> Diagnostics {
         let mut items = self.found;
         items.sort_by_key(|item| item.primary.as_ref().map(|label| label.span.start));
+        if items.len() > SHOWN {
+            let rest = items.len() - SHOWN;
+            items.truncate(SHOWN);
+            items.push(Diagnostic::new(format!("{rest} more faults are not shown")));
+        }
         Diagnostics {
             origin: origin.to_owned(),
             text: self.text.into(),
@@ -103,8 +114,20 @@ impl<'t> Reader<'t> {
         }
     }
 
+    /// Whether so much was reported that help and further reading are not worth their time.
+    pub(super) fn is_full(&self) -> bool {
+        self.found.len() >= FULL
+    }
+
     pub(super) fn report(&mut self, diagnostic: Diagnostic) {
         self.found.push(diagnostic);
+    }
+
+    /// Adds a mend to the last report.
+    pub(super) fn help(&mut self, help: &str) {
+        if let Some(last) = self.found.last_mut() {
+            last.helps.push(help.to_owned());
+        }
     }
 
     /// A value as the file writes it.
@@ -122,10 +145,7 @@ impl<'t> Reader<'t> {
     pub(super) fn number(&mut self, what: &str, value: &Value<'_>) -> Option<f64> {
         let Some(number) = number_of(value.get_ref()) else {
             let fault = self.wrong_type(what, "a number", value);
-            let help = value.get_ref().as_str().and_then(|text| {
-                let bare = text.trim().parse::<f64>().is_ok_and(f64::is_finite);
-                bare.then(|| format!("write it without quotes: {}", text.trim()))
-            });
+            let help = value.get_ref().as_str().and_then(bare_number);
             self.report(fault.maybe_help(help));
             return None;
         };
@@ -134,23 +154,32 @@ impl<'t> Reader<'t> {
         if number.abs() <= LARGEST {
             return Some(number);
         }
-        let (rule, label) = if number.is_nan() {
-            ("a finite number", "not a number")
+        let (rule, label, help) = if number.is_nan() {
+            (
+                "a finite number",
+                "not a number",
+                "write a decimal number, such as 12.5",
+            )
         } else if number.is_infinite() {
-            ("a finite number", "not finite in double precision")
+            (
+                "a finite number",
+                "not finite in double precision",
+                "write a decimal number, such as 12.5",
+            )
         } else {
-            ("at most 1e300 in size", "too large")
+            ("at most 1e300 in size", "too large", ORDINARY)
         };
         self.report(
             Diagnostic::new(format!("{what} must be {rule}, not {literal}"))
-                .at(value.span(), label),
+                .at(value.span(), label)
+                .help(help),
         );
         None
     }
 
     /// A pair `[x, y]`.
     pub(super) fn pair(&mut self, what: &str, value: &Value<'_>) -> Option<Vec2> {
-        let items = self.two(what, "[x, y]", value)?;
+        let items = self.two(what, "[x, y]", "[12.5, 0]", value)?;
         let x = self.number(&format!("x of {what}"), &items[0]);
         let y = self.number(&format!("y of {what}"), &items[1]);
         Some(Vec2::new(x?, y?))
@@ -161,18 +190,20 @@ impl<'t> Reader<'t> {
         &mut self,
         what: &str,
         form: &str,
+        example: &str,
         value: &'v Value<'v>,
     ) -> Option<&'v DeArray<'v>> {
         let Some(items) = value.get_ref().as_array() else {
             let fault = self.wrong_type(what, &format!("a pair {form}"), value);
-            self.report(fault);
+            self.report(fault.help(format!("for example: {example}")));
             return None;
         };
         if items.len() != 2 {
             let count = items.len();
             self.report(
                 Diagnostic::new(format!("{what} must be a pair {form}, not {count} values"))
-                    .at(value.span(), format!("expected 2 values, found {count}")),
+                    .at(value.span(), format!("expected 2 values, found {count}"))
+                    .help(format!("for example: {example}")),
             );
             return None;
         }
@@ -186,7 +217,14 @@ impl<'t> Reader<'t> {
             return Some(Name { text, span });
         }
         let fault = self.wrong_type(what, "a text in quotes", value);
-        self.report(fault);
+        let literal = self.text.get(value.span()).unwrap_or("");
+        let word = |c: char| c.is_ascii_alphanumeric() || c == '.';
+        let short = literal.len() <= QUOTED && literal.chars().all(word);
+        self.report(if short {
+            fault.help(format!("write it in quotes: \"{literal}\""))
+        } else {
+            fault
+        });
         None
     }
 
@@ -212,16 +250,36 @@ impl<'t> Reader<'t> {
             if known.contains(&text) {
                 continue;
             }
-            let list = known.join("`, `");
             let fault = Diagnostic::new(format!("{of}: unknown key {}", quoted(text)))
                 .at(key.span(), "unknown key");
-            let fault = match did_you_mean(text, known.iter().copied()) {
-                Some(help) => fault.help(help),
-                None => fault.help(format!("known keys: `{list}`")),
-            };
-            self.report(fault);
+            let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
+            let listed = || format!("known keys: `{}`", known.join("`, `"));
+            self.report(fault.help(near.flatten().unwrap_or_else(listed)));
         }
     }
+}
+
+/// The mend for a number that was written as a text.
+fn bare_number(text: &str) -> Option<String> {
+    let text = text.trim();
+    let (number, rest) = text.split_at(rate::number_length(text));
+    let help = match (number.is_empty(), rest.is_empty()) {
+        (true, _) => return None,
+        (false, true) => format!("write it without quotes: {number}"),
+        (false, false) => format!(
+            "write the number alone: {number}; lengths are in the scene's `unit`, angles in degrees"
+        ),
+    };
+    Some(help)
+}
+
+/// Whether an unknown key of the table was probably meant to be this one.
+pub(super) fn meant(table: &DeTable<'_>, known: &[&str], key: &str) -> bool {
+    // Who misspelt more keys than these has other worries.
+    table.keys().take(FULL).any(|k| {
+        let text = k.get_ref().as_ref();
+        !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
+    })
 }
 
 /// What kind of value this is, in a person's words.

@@ -1,12 +1,12 @@
 //! Joins the names of a draft and builds the mechanism.
 
 use super::diagnostic::Diagnostic;
-use super::draft::{self, Draft, Input, Slider, Through};
+use super::draft::{self, Draft, Input, Slider};
 use super::names::{Names, Sort};
-use super::reader::{Name, Reader, Span};
+use super::reader::{Name, Reader, Span, nearest};
 use super::{Places, Vector, VectorKind, defect};
-use crate::{Body, Builder, Driver, LinkId, Load, Mechanism, PointId, SlideId, Vec2, mechanism};
-use std::collections::HashMap;
+use crate::{Builder, Driver, LinkId, Load, Mechanism, PointId, SlideId, mechanism};
+use std::collections::{HashMap, HashSet};
 
 /// Everything of a scene that comes from joining names.
 pub(super) struct Resolved {
@@ -19,60 +19,76 @@ pub(super) struct Resolved {
 }
 
 /// Joins names and builds; `None` if anything was or is reported.
-pub(super) fn resolve<'t>(
-    reader: &mut Reader<'_>,
-    draft: &Draft<'t>,
-    driver: Span,
-) -> Option<Resolved> {
+pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &Draft<'t>) -> Option<Resolved> {
+    if draft.unreadable {
+        return None;
+    }
     let names = Names::collect(reader, draft);
-    let mut resolver = Resolver {
-        reader,
-        draft,
-        names: &names,
-        builder: Mechanism::builder(),
-        points: HashMap::new(),
-        slides: HashMap::new(),
-        point_names: Vec::new(),
-        vectors: Vec::new(),
-        places: Places {
-            driver,
-            ..Places::default()
-        },
-    };
+    let mut resolver = Resolver::new(reader, draft, &names);
     resolver.points();
     resolver.links();
+    resolver.centres();
     resolver.slides();
     resolver.driver();
     resolver.start();
     resolver.vectors();
     resolver.loads();
+    if !draft.lost_points {
+        resolver.unused();
+    }
     resolver.finish()
 }
 
-struct Resolver<'r, 's, 't> {
-    reader: &'r mut Reader<'s>,
-    draft: &'r Draft<'t>,
-    names: &'r Names<'t>,
-    builder: Builder,
-    points: HashMap<&'t str, PointId>,
+/// The mechanism as far as it is built.
+pub(super) struct Resolver<'r, 's, 't> {
+    pub(super) reader: &'r mut Reader<'s>,
+    pub(super) draft: &'r Draft<'t>,
+    pub(super) names: &'r Names<'t>,
+    pub(super) builder: Builder,
+    pub(super) ground: HashMap<&'t str, &'r draft::Place<'t>>,
+    pub(super) points: HashMap<&'t str, PointId>,
+    /// Points that slides, vectors and loads refer to without defining them.
+    pub(super) referred: HashSet<&'t str>,
+    /// The centres of mass, by the link's place in the draft.
+    centres: HashMap<usize, PointId>,
     slides: HashMap<&'t str, SlideId>,
+    /// The slides that could be built, by id.
+    built_slides: Vec<&'r draft::Slide<'t>>,
     point_names: Vec<Option<String>>,
     vectors: Vec<(Span, Vector)>,
     places: Places,
 }
 
-impl<'t> Resolver<'_, '_, 't> {
+impl<'r, 's, 't> Resolver<'r, 's, 't> {
+    fn new(reader: &'r mut Reader<'s>, draft: &'r Draft<'t>, names: &'r Names<'t>) -> Self {
+        Resolver {
+            reader,
+            draft,
+            names,
+            builder: Mechanism::builder(),
+            ground: draft.ground.iter().map(|p| (p.name.text, p)).collect(),
+            points: HashMap::new(),
+            referred: HashSet::new(),
+            centres: HashMap::new(),
+            slides: HashMap::new(),
+            built_slides: Vec::new(),
+            point_names: Vec::new(),
+            vectors: Vec::new(),
+            places: Places {
+                driver: draft.driver_key.clone().unwrap_or_default(),
+                ..Places::default()
+            },
+        }
+    }
+
     /// Every named point, in the order in which the file first names it.
     fn points(&mut self) {
-        let ground: HashMap<&str, Vec2> = self
-            .draft
-            .ground
-            .iter()
-            .map(|p| (p.name.text, p.at))
-            .collect();
         for (name, span) in self.names.points() {
-            let id = match ground.get(name) {
-                Some(at) => self.builder.ground_point(at.x, at.y),
+            let id = match self.ground.get(name) {
+                Some(place) => {
+                    let at = place.at();
+                    self.builder.ground_point(at.x, at.y)
+                }
                 None => self.builder.moving_point(),
             };
             self.points.insert(name, id);
@@ -85,9 +101,8 @@ impl<'t> Resolver<'_, '_, 't> {
         self.places.points.push(span);
     }
 
-    /// All links, then their centres of mass, so that these follow the joints.
     fn links(&mut self) {
-        for (i, link) in self.draft.links.iter().enumerate() {
+        for link in &self.draft.links {
             let id = match &link.ends {
                 Some(ends) => {
                     let (from, to) = (self.points[ends.from.text], self.points[ends.to.text]);
@@ -97,17 +112,21 @@ impl<'t> Resolver<'_, '_, 't> {
                 }
                 None => self.builder.free_link(),
             };
-            debug_assert_eq!(id, LinkId::new(i));
             for place in &link.points {
-                self.builder
-                    .carry(id, self.points[place.name.text], place.at);
+                let point = self.points[place.name.text];
+                self.builder.carry(id, point, place.at());
             }
             self.builder.mass(id, link.mass, link.inertia);
             self.places.links.push(link.name.span.clone());
         }
+    }
+
+    /// The centres of mass follow all named points, so that tables show the joints first.
+    fn centres(&mut self) {
         for (i, link) in self.draft.links.iter().enumerate() {
             if let Some((span, at)) = &link.com {
-                self.builder.centre_of_mass(LinkId::new(i), *at);
+                let centre = self.builder.centre_of_mass(LinkId::new(i), *at);
+                self.centres.insert(i, centre);
                 self.name_point(format!("{}.com", link.name.text), span.clone());
             }
         }
@@ -121,100 +140,20 @@ impl<'t> Resolver<'_, '_, 't> {
         self.vectors.push((name.span.clone(), vector));
     }
 
-    fn slides(&mut self) {
-        for slide in &self.draft.slides {
-            let on = self.body(slide);
-            let slider = self.slider(slide);
-            let Some((on, body)) = on else { continue };
-            let (Some(through), Some(slider)) = (self.through(slide, on), slider) else {
-                continue;
-            };
-            let id = match slider {
-                Sliding::Pin(point) => self.builder.pin_in_slot(point, body, through, slide.angle),
-                Sliding::Link(link, turn) => {
-                    self.builder
-                        .sliding_link(link, turn, body, through, slide.angle)
-                }
-            };
-            self.slides.insert(slide.name.text, id);
-            self.places.slides.push(slide.name.span.clone());
-            self.push_vector(&slide.name, VectorKind::Slide(id));
-        }
-    }
-
-    /// What carries the guide: `None` inside stands for the ground.
-    fn body(&mut self, slide: &draft::Slide<'t>) -> Option<(Option<usize>, Body)> {
-        if slide.on.text == "ground" {
-            return Some((None, Body::Ground));
-        }
-        let what = format!("`on` of slide {}", slide.name);
-        let link = self.names.find(self.reader, &what, &slide.on, Sort::Link)?;
-        Some((Some(link), Body::Link(LinkId::new(link))))
-    }
-
-    fn slider(&mut self, slide: &draft::Slide<'t>) -> Option<Sliding> {
-        match &slide.slider {
-            Slider::Pin(point) => Some(Sliding::Pin(self.points[point.text])),
-            Slider::Link { link, turn } => {
-                let what = format!("`link` of slide {}", slide.name);
-                let link = self.names.find(self.reader, &what, link, Sort::Link)?;
-                Some(Sliding::Link(LinkId::new(link), *turn))
-            }
-        }
-    }
-
-    /// The point of the guide in the frame of what carries it.
-    fn through(&mut self, slide: &draft::Slide<'t>, on: Option<usize>) -> Option<Vec2> {
-        let name = match &slide.through {
-            Through::At(at) => return Some(*at),
-            Through::Point(name) => name,
-        };
-        let what = format!("`through` of slide {}", slide.name);
-        self.names.find(self.reader, &what, name, Sort::Point)?;
-        let local = match on {
-            None => {
-                let ground = self.draft.ground.iter().find(|p| p.name.text == name.text);
-                ground.map(|p| p.at)
-            }
-            Some(link) => self.draft.links[link].local(name.text),
-        };
-        if local.is_none() {
-            let body = if on.is_none() {
-                "the ground".to_owned()
-            } else {
-                format!("link {}", slide.on)
-            };
-            self.reader.report(
-                Diagnostic::new(format!("{what} must be a point of {body}; {name} is not"))
-                    .at(name.span.clone(), format!("not a point of {body}"))
-                    .and(slide.on.span.clone(), "the guide is fixed to this")
-                    .help(format!(
-                        "name a point of {body}, or give coordinates in its frame: through = [0, 0]"
-                    )),
-            );
-        }
-        local
+    /// Takes note of a slide that was built.
+    pub(super) fn push_slide(&mut self, slide: &'r draft::Slide<'t>, id: SlideId) {
+        self.slides.insert(slide.name.text, id);
+        self.built_slides.push(slide);
+        self.places.slides.push(slide.name.span.clone());
+        self.push_vector(&slide.name, VectorKind::Slide(id));
     }
 
     fn driver(&mut self) {
-        let Some(driver) = &self.draft.driver else {
-            return;
-        };
+        let draft = self.draft;
+        let Some(driver) = &draft.driver else { return };
         let input = match &driver.input {
-            Input::Link(name) => {
-                let found = self
-                    .names
-                    .find(self.reader, "`link` of the driver", name, Sort::Link);
-                found.map(|link| mechanism::Input::Turn(LinkId::new(link)))
-            }
-            Input::Slide(name) => {
-                let found =
-                    self.names
-                        .find(self.reader, "`slide` of the driver", name, Sort::Slide);
-                found
-                    .and_then(|_| self.slides.get(name.text))
-                    .map(|&slide| mechanism::Input::Push(slide))
-            }
+            Input::Link(name) => self.driven_link(name).map(mechanism::Input::Turn),
+            Input::Slide(name) => self.driven_slide(name).map(mechanism::Input::Push),
         };
         if let Some(input) = input {
             self.builder.driver(Driver {
@@ -226,29 +165,60 @@ impl<'t> Resolver<'_, '_, 't> {
         }
     }
 
+    fn driven_slide(&mut self, name: &Name<'t>) -> Option<SlideId> {
+        let what = "`slide` of the driver";
+        let slide = self.names.find(self.reader, what, name, Sort::Slide);
+        if slide.is_none() && self.draft.links.iter().any(|l| l.name.text == name.text) {
+            self.reader
+                .help("a driven link is given by `link` and `angle`");
+        }
+        self.slides.get(name.text).copied()
+    }
+
+    /// A link pinned to the ground at two places could not turn.
+    fn driven_link(&mut self, name: &Name<'t>) -> Option<LinkId> {
+        let what = "`link` of the driver";
+        let link = self.names.find(self.reader, what, name, Sort::Link);
+        if link.is_none() && self.slides.contains_key(name.text) {
+            self.reader
+                .help("a driven slide is given by `slide` and `position`");
+        }
+        let link = link?;
+        let points = self.draft.links[link].point_names();
+        let mut pins = points.filter_map(|p| self.ground.get(p.text).map(|place| (p, place.at())));
+        let first = pins.next();
+        let second = first.and_then(|(_, at)| pins.find(|&(_, other)| other != at));
+        if let (Some((first, _)), Some((second, _))) = (first, second) {
+            self.reader.report(
+                Diagnostic::new(format!(
+                    "the driven link {name} cannot turn: it is pinned to the ground twice"
+                ))
+                .at(name.span.clone(), "the driven link")
+                .and(first.span.clone(), "one pin")
+                .and(second.span.clone(), "another")
+                .help("the driven link, mostly the crank, turns about one point of the ground"),
+            );
+        }
+        Some(LinkId::new(link))
+    }
+
     fn start(&mut self) {
         for place in &self.draft.start {
-            let found = self
-                .names
-                .find(self.reader, "[start]", &place.name, Sort::Point);
+            let name = &place.name;
+            let found = self.names.find(self.reader, "[start]", name, Sort::Point);
             if found.is_none() {
                 continue;
             }
-            let ground = self
-                .draft
-                .ground
-                .iter()
-                .find(|p| p.name.text == place.name.text);
-            if let Some(ground) = ground {
+            if let Some(ground) = self.ground.get(name.text) {
                 self.reader.report(
-                    Diagnostic::new(format!("[start]: {} is a point of the ground", place.name))
-                        .at(place.name.span.clone(), "does not move")
+                    Diagnostic::new(format!("[start]: {name} is a point of the ground"))
+                        .at(name.span.clone(), "does not move")
                         .and(ground.name.span.clone(), "fixed here")
-                        .help("[start] is for moving points; take the line out"),
+                        .help("[start] is for moving points: take the line out"),
                 );
                 continue;
             }
-            self.builder.start(self.points[place.name.text], place.at);
+            self.builder.start(self.points[name.text], place.at());
         }
     }
 
@@ -262,10 +232,9 @@ impl<'t> Resolver<'_, '_, 't> {
             };
             if tail == head {
                 self.reader.report(
-                    Diagnostic::new(format!("{what} runs from {} to itself", vector.tail)).at(
-                        vector.head.span.clone(),
-                        "a vector needs two different points",
-                    ),
+                    Diagnostic::new(format!("{what} runs from {} to itself", vector.tail))
+                        .at(vector.head.span.clone(), "its head is its tail")
+                        .help("name two different points: [tail, head]"),
                 );
             }
             self.push_vector(&vector.name, VectorKind::Between(tail, head));
@@ -274,27 +243,25 @@ impl<'t> Resolver<'_, '_, 't> {
 
     fn loads(&mut self) {
         for load in &self.draft.loads {
-            match load {
+            let load = match load {
                 draft::Load::Force { point, force } => {
-                    if let Some(point) = self.point("`point` of the load", point) {
-                        self.builder.load(Load::Force {
-                            point,
-                            force: *force,
-                        });
-                    }
+                    let point = self.point("`point` of the load", point);
+                    point.map(|point| Load::Force {
+                        point,
+                        force: *force,
+                    })
                 }
                 draft::Load::Torque { link, torque } => {
-                    let found =
-                        self.names
-                            .find(self.reader, "`link` of the load", link, Sort::Link);
-                    if let Some(link) = found {
-                        let link = LinkId::new(link);
-                        self.builder.load(Load::Torque {
-                            link,
-                            torque: *torque,
-                        });
-                    }
+                    let what = "`link` of the load";
+                    let link = self.names.find(self.reader, what, link, Sort::Link);
+                    link.map(|link| Load::Torque {
+                        link: LinkId::new(link),
+                        torque: *torque,
+                    })
                 }
+            };
+            if let Some(load) = load {
+                self.builder.load(load);
             }
         }
         self.builder.gravity(self.draft.gravity);
@@ -302,63 +269,102 @@ impl<'t> Resolver<'_, '_, 't> {
 
     /// A point by its name; `r3.com` is the centre of mass of `r3`.
     fn point(&mut self, what: &str, name: &Name<'t>) -> Option<PointId> {
-        if name.text.ends_with(".com") {
-            let com = self
-                .point_names
-                .iter()
-                .position(|n| n.as_deref() == Some(name.text));
-            if let Some(com) = com {
-                return Some(PointId::new(com));
-            }
+        if let Some(link) = name.text.strip_suffix(".com") {
+            return self.centre(what, name, link);
         }
+        self.referred.insert(name.text);
         self.names.find(self.reader, what, name, Sort::Point)?;
         self.points.get(name.text).copied()
     }
 
+    fn centre(&mut self, what: &str, name: &Name<'t>, link: &'t str) -> Option<PointId> {
+        let of = Name {
+            text: link,
+            span: name.span.clone(),
+        };
+        let index = self.names.find(self.reader, what, &of, Sort::Link)?;
+        let centre = self.centres.get(&index).copied();
+        if centre.is_none() {
+            let link = &self.draft.links[index];
+            self.reader.report(
+                Diagnostic::new(format!("{what}: link {of} has no centre of mass"))
+                    .at(name.span.clone(), "no such point")
+                    .and(link.name.span.clone(), "has no `com`")
+                    .help("give the link one, in its own frame: com = [50, 0]"),
+            );
+        }
+        centre
+    }
+
+    /// A ground point that nothing refers to is a slip: mostly a name written in two ways.
+    fn unused(&mut self) {
+        let links = self.draft.links.iter().flat_map(draft::Link::point_names);
+        let pins = self.draft.slides.iter().filter_map(|s| match &s.slider {
+            Some(Slider::Pin(point)) => Some(point),
+            Some(Slider::Link { .. }) | None => None,
+        });
+        let mut used = std::mem::take(&mut self.referred);
+        used.extend(links.chain(pins).map(|name| name.text));
+        for place in &self.draft.ground {
+            let name = &place.name;
+            if used.contains(name.text) || place.read.is_none() {
+                continue;
+            }
+            let moving = self.names.points().map(|(name, _)| name);
+            let moving = moving.filter(|name| !self.ground.contains_key(name));
+            let near = (!self.reader.is_full()).then(|| nearest(name.text, moving));
+            let help = match near.flatten() {
+                Some(near) => format!("`{near}` is a moving point; was {name} meant there?"),
+                None => "take it out, or let a link begin or end there".to_owned(),
+            };
+            self.reader.report(
+                Diagnostic::new(format!("ground point {name} belongs to nothing"))
+                    .at(name.span.clone(), "no link, slide or vector names it")
+                    .help(help),
+            );
+        }
+    }
+
     fn finish(self) -> Option<Resolved> {
-        let Resolver {
-            reader,
-            draft,
-            mut point_names,
-            mut vectors,
-            mut places,
-            builder,
-            ..
-        } = self;
-        let mechanism = match builder.build() {
-            Ok(mechanism) if reader.found.is_empty() => mechanism,
+        let drafted = defect::Drafted {
+            draft: self.draft,
+            slides: &self.built_slides,
+            point_names: &self.point_names,
+        };
+        let mechanism = match self.builder.build() {
+            Ok(mechanism) if self.reader.found.is_empty() => mechanism,
             Ok(_) => return None,
             Err(defects) => {
-                defect::report(reader, draft, &places, &point_names, &defects);
+                drafted.report(self.reader, &defects);
                 return None;
             }
         };
-        // The origins of sliding links have no name; they follow all named points.
-        point_names.resize(mechanism.points().len(), None);
-        places.points.resize(mechanism.points().len(), 0..0);
-        for (slide, span) in mechanism.slides().iter().zip(&places.slides) {
-            let origin = slide.slider.point().index();
-            if point_names[origin].is_none() {
-                places.points[origin] = span.clone();
-            }
-        }
+        let mut places = self.places;
+        let mut point_names = self.point_names;
+        name_origins(&mechanism, &mut point_names, &mut places);
+        let mut vectors = self.vectors;
         vectors.sort_by_key(|(span, _)| span.start);
+        let name = |name: &Name<'_>| name.text.to_owned();
         Some(Resolved {
             mechanism,
             vectors: vectors.into_iter().map(|(_, vector)| vector).collect(),
             point_names,
-            link_names: draft.links.iter().map(|l| l.name.text.to_owned()).collect(),
-            slide_names: draft
-                .slides
-                .iter()
-                .map(|s| s.name.text.to_owned())
-                .collect(),
+            link_names: self.draft.links.iter().map(|l| name(&l.name)).collect(),
+            slide_names: self.built_slides.iter().map(|s| name(&s.name)).collect(),
             places,
         })
     }
 }
 
-enum Sliding {
-    Pin(PointId),
-    Link(LinkId, f64),
+/// The origins that sliding links were given have no name, and the place of their slide. They follow
+/// all named points.
+fn name_origins(mechanism: &Mechanism, names: &mut Vec<Option<String>>, places: &mut Places) {
+    names.resize(mechanism.points().len(), None);
+    places.points.resize(mechanism.points().len(), 0..0);
+    for (slide, span) in mechanism.slides().iter().zip(&places.slides) {
+        let origin = slide.slider.point().index();
+        if names[origin].is_none() {
+            places.points[origin] = span.clone();
+        }
+    }
 }

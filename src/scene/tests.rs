@@ -78,3 +78,203 @@ fn every_preset_opens() {
         );
     }
 }
+
+/// Every key of the format at once.
+const EVERYTHING: &str = r#"
+name = "Every  key"
+source = "made up"
+note = """two
+lines"""
+unit = "in"
+gravity = [0, -9.81]
+
+[ground]
+O = [0, 0]
+"Q'" = [0.4, 0.9]
+
+[driver]
+slide = "rod"
+position = 1.0
+speed = "25.4 mm/s"
+acceleration = "0.0254 m/s^2"
+
+[links]
+barrel = { points = { O = [0, 0], "end-1" = [2, 0] } }
+boom = { points = { "Q'" = [0, 0], P = [1.1, -0.2], T = [3.2, 0.35] }, com = [1.5, 0], mass = 12, inertia = 0.5 }
+ram = { points = { R = [0.1, 0] }, com = [0.1, 0.1] }
+arm = { from = "T", to = "R", length = 2 }
+
+[slides]
+rod = { point = "P", on = "barrel", through = [0, 0.05] }
+guide = { link = "ram", on = "ground", through = "Q'", angle = 90, turn = 180 }
+pin = { point = "R", on = "boom", through = "T", angle = 30 }
+
+[start]
+P = [1.05, 0.2]
+
+[vectors]
+lift = ["Q'", "T"]
+balance = ["boom.com", "ram.com"]
+
+[[loads]]
+point = "T"
+force = [0, -500]
+
+[[loads]]
+link = "boom"
+torque = 12.5
+
+[[loads]]
+point = "boom.com"
+force = [1, 2]
+"#;
+
+#[test]
+fn every_key_is_read() {
+    let scene = Scene::parse(EVERYTHING, "folder/made-up.toml").unwrap();
+    assert_eq!(scene.name, "Every key");
+    assert_eq!(scene.note.as_deref(), Some("two lines"));
+    assert_eq!(scene.unit, Unit::Inch);
+    let m = &scene.mechanism;
+    let driver = m.driver();
+    assert!(matches!(driver.input, Input::Push(_)));
+    assert_eq!((driver.start, driver.speed), (1.0, 1.0));
+    assert_eq!(driver.acceleration, 1.0);
+    let names: Vec<_> = m.point_ids().map(|id| scene.point_name(id)).collect();
+    let named = ["O", "Q'", "end-1", "P", "T", "R", "boom.com", "ram.com"];
+    assert_eq!(names[..8], named.map(Some));
+    assert_eq!(names[8..], [None], "the hidden origin of the ram");
+    let boom = &m.links()[1];
+    assert_eq!((boom.mass, boom.inertia, boom.ends), (12.0, 0.5, None));
+    let vectors: Vec<_> = scene.vectors.iter().map(|v| v.name.as_str()).collect();
+    assert_eq!(vectors, ["arm", "rod", "guide", "pin", "lift", "balance"]);
+    let between = VectorKind::Between(point(&scene, "boom.com"), point(&scene, "ram.com"));
+    assert_eq!(scene.vectors[5].kind, between);
+    assert_eq!(m.gravity(), Vec2::new(0.0, -9.81));
+    let t = point(&scene, "T");
+    let force = Vec2::new(0.0, -500.0);
+    assert_eq!(m.loads()[0], Load::Force { point: t, force });
+    assert!(matches!(m.loads()[1], Load::Torque { torque: 12.5, .. }));
+}
+
+#[test]
+fn slides_are_placed_in_the_frame_of_what_carries_them() {
+    let scene = Scene::parse(EVERYTHING, "made-up").unwrap();
+    let m = &scene.mechanism;
+    let [rod, guide, pin] = m.slides() else {
+        panic!("three slides")
+    };
+    let [barrel, boom, ram, _] = m.link_ids().collect::<Vec<_>>()[..] else {
+        panic!("four links")
+    };
+    assert_eq!(rod.on, Body::Link(barrel));
+    assert_eq!(
+        (rod.through, rod.direction),
+        (Vec2::new(0.0, 0.05), Vec2::X)
+    );
+    assert_eq!(guide.on, Body::Ground);
+    assert_eq!(guide.through, Vec2::new(0.4, 0.9));
+    assert_eq!(guide.direction, Vec2::new(0.0, 1.0));
+    let Slider::Link { link, turn, origin } = guide.slider else {
+        panic!("a sliding link")
+    };
+    assert_eq!((link, turn), (ram, Vec2::new(-1.0, 0.0)));
+    assert_eq!(m.link(ram).local(origin), Some(Vec2::ZERO));
+    assert_eq!(pin.on, Body::Link(boom));
+    assert_eq!(
+        pin.through,
+        Vec2::new(3.2, 0.35),
+        "T in the frame of the boom"
+    );
+}
+
+#[test]
+fn every_element_knows_its_place_in_the_text() {
+    let scene = Scene::parse(EVERYTHING, "made-up").unwrap();
+    let m = &scene.mechanism;
+    let shown = |element| &scene.text()[scene.place(element)];
+    assert_eq!(shown(Element::Driver), "driver");
+    let links: Vec<_> = m.link_ids().map(|id| shown(Element::Link(id))).collect();
+    assert_eq!(links, ["barrel", "boom", "ram", "arm"]);
+    let slides: Vec<_> = m.slide_ids().map(|id| shown(Element::Slide(id))).collect();
+    assert_eq!(slides, ["rod", "guide", "pin"]);
+    let points: Vec<_> = m.point_ids().map(|id| shown(Element::Point(id))).collect();
+    let expected = [
+        "O",
+        "\"Q'\"",
+        "\"end-1\"",
+        "P",
+        "T",
+        "R",
+        "com",
+        "com",
+        "guide",
+    ];
+    assert_eq!(points, expected);
+}
+
+/// The parts of a scene that a person sees, for comparing two texts of the same scene.
+fn gist(text: &str) -> String {
+    let scene = Scene::parse(text, "gist").unwrap_or_else(|faults| panic!("{faults}"));
+    let names: Vec<_> = scene
+        .mechanism
+        .point_ids()
+        .map(|id| scene.point_name(id))
+        .collect();
+    format!(
+        "{names:?} {:?} {:?} {:?}",
+        scene.link_names, scene.vectors, scene.mechanism
+    )
+}
+
+#[test]
+fn line_ends_marks_tabs_and_comments_do_not_matter() {
+    let text = presets::find("four-bar").unwrap().text;
+    let expected = gist(text);
+    assert_eq!(gist(&text.replace('\n', "\r\n")), expected);
+    assert_eq!(gist(&format!("\u{feff}{text}")), expected);
+    assert_eq!(gist(&text.replace(" = ", "\t=\t")), expected);
+    assert_eq!(
+        gist(&text.replace('\n', "   # \u{f6}\u{202e} remark\n")),
+        expected
+    );
+    let bytes = [b"\xef\xbb\xbf", text.as_bytes()].concat();
+    assert!(Scene::read(&bytes, "bytes").is_ok());
+}
+
+#[test]
+fn sections_and_links_may_be_written_in_other_ways() {
+    let text = presets::find("four-bar").unwrap().text;
+    let inline = "r2 = { from = \"A\", to = \"B\", length = 100, com = [0, 0] }";
+    let dotted = "r2.from = \"A\"\nr2.to = \"B\"\nr2.length = 1e2\nr2.com = [0.0, -0.0]";
+    assert!(text.contains(inline));
+    let other = text.replace(inline, dotted);
+    let names = |text| Scene::parse(text, "x").unwrap().link_names;
+    assert_eq!(names(&other), names(text));
+    let table = "[links.r2]\nfrom = \"A\"\nto = \"B\"\nlength = 0x64\n[links]\n";
+    let other = text.replace("[links]\n", table).replace(inline, "");
+    assert_eq!(names(&other), names(text));
+}
+
+#[test]
+fn what_is_left_out_has_a_default() {
+    let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 0\n\
+                [links]\nr = { from = \"A\", to = \"B\", length = 1 }\n";
+    let scene = Scene::parse(text, "some/where/Crank 1.toml").unwrap();
+    assert_eq!(scene.name, "Crank 1");
+    assert_eq!(scene.unit, Unit::Millimetre);
+    assert_eq!((scene.source, scene.note), (None, None));
+    let driver = scene.mechanism.driver();
+    assert_eq!((driver.speed, driver.acceleration), (1.0, 0.0));
+    assert_eq!(scene.mechanism.gravity(), Vec2::ZERO);
+}
+
+#[test]
+fn names_from_outside_are_harmless() {
+    let text = presets::find("four-bar").unwrap().text;
+    let text = text.replace("Four-bar crank-rocker", "Four\\u001b[2J\\u202e bar");
+    let scene = Scene::parse(&text, "x").unwrap();
+    assert_eq!(scene.name, "Four\u{fffd}[2J\u{fffd} bar");
+    let unnamed = Scene::parse(presets::all()[0].text, "a\u{1b}c.toml").unwrap();
+    assert!(!unnamed.name.contains(is_harmful));
+}

@@ -1,0 +1,408 @@
+//! Joins what the solver found wrong, by ids, to names and lines of the scene file.
+
+use crate::scene::{Diagnostic, Diagnostics, Scene};
+use crate::solver::Fault;
+use crate::{Body, Element, LinkId, PointId, SlideId, Slider, Vec2};
+
+/// Elements that one message points at.
+const POINTED_AT: usize = 6;
+/// Significant digits of a figure in a message.
+const DIGITS: usize = 6;
+
+impl Scene {
+    /// Says in the words of the scene file why its mechanism cannot be solved, and what would mend it.
+    #[must_use]
+    pub fn explain(&self, fault: &Fault) -> Diagnostics {
+        let item = match fault {
+            Fault::Mobility {
+                mobility,
+                redundant,
+                floating,
+            } => mobility_fault(self, *mobility, *redundant, floating),
+            Fault::OverConstrained {
+                element,
+                misfit,
+                at,
+            } => over_constrained(self, *element, *misfit, *at),
+            Fault::Open { point, links, gap } => open(self, *point, links, *gap),
+            Fault::Vague { point, choices } => vague(self, *point, choices),
+            Fault::NotAssembled { points, gap } => not_assembled(self, points, *gap),
+            Fault::Singular { elements } => singular(self, elements),
+        };
+        self.diagnostics(vec![item])
+    }
+}
+
+fn mobility_fault(
+    scene: &Scene,
+    mobility: usize,
+    redundant: usize,
+    floating: &[LinkId],
+) -> Diagnostic {
+    let says = if mobility == 0 {
+        "nothing can move"
+    } else {
+        "the driver does not determine every link"
+    };
+    let mut item = Diagnostic::new(format!("the mobility is {mobility}, not 1: {says}"));
+    item = match floating.split_first() {
+        None => item.at(scene.place(Element::Driver), "driven here"),
+        Some((&first, rest)) => {
+            let label = |link| format!("{} floats", link_name(scene, link));
+            let mut item = item.at(scene.place(Element::Link(first)), label(first));
+            for &link in rest.iter().take(POINTED_AT - 1) {
+                item = item.and(scene.place(Element::Link(link)), label(link));
+            }
+            item.note(format!("links that float: {}", link_list(scene, floating)))
+        }
+    };
+    if redundant > 0 {
+        item = item.note(plural(
+            redundant,
+            "constraint repeats others and was set aside",
+            "constraints repeat others and were set aside",
+        ));
+    }
+    if mobility == 0 {
+        return item.help("take out a link or a joint: one that holds what should move");
+    }
+    for (one, other) in loose_ends(scene, floating) {
+        let (name, twin) = (point_name(scene, one), point_name(scene, other));
+        item = item
+            .and(scene.place(Element::Point(one)), "named nowhere else")
+            .and(scene.place(Element::Point(other)), "is this the same?")
+            .help(format!(
+                "if {name} and {twin} are the same point, give it one name"
+            ));
+    }
+    let missing = plural(mobility - 1, "constraint is", "constraints are");
+    item.help(format!(
+        "{missing} missing: join a floating link to another by a common point, or add a slide"
+    ))
+}
+
+/// Points at which a floating link ends in nothing, each with another moving point whose name differs
+/// only in case.
+fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
+    let mechanism = &scene.mechanism;
+    let slid = |point| {
+        let mut slides = mechanism.slides().iter();
+        slides.any(|slide| slide.slider.point() == point)
+    };
+    let mut found = Vec::new();
+    for &link in floating.iter().take(POINTED_AT) {
+        let Some((from, to)) = mechanism.link(link).ends else {
+            continue;
+        };
+        for end in [from, to] {
+            let point = mechanism.point(end);
+            if point.ground.is_some() || point.links.len() > 1 || slid(end) {
+                continue;
+            }
+            let twin = mechanism.point_ids().find(|&other| {
+                let names = (scene.point_name(end), scene.point_name(other));
+                other != end && matches!(names, (Some(a), Some(b)) if a.eq_ignore_ascii_case(b))
+            });
+            let told = |twin: &PointId| found.contains(&(*twin, end));
+            found.extend(twin.filter(|t| !told(t)).map(|twin| (end, twin)));
+        }
+    }
+    found
+}
+
+fn over_constrained(scene: &Scene, element: Element, misfit: f64, at: f64) -> Diagnostic {
+    if let Element::Link(link) = element
+        && let Some(pins) = pinned_twice(scene, link)
+    {
+        return frame_as_link(scene, link, pins, misfit);
+    }
+    let name = element_name(scene, element);
+    Diagnostic::new(format!(
+        "over-constrained: with {name} nothing can move, it does not fit the others by {}",
+        length(scene, misfit)
+    ))
+    .at(
+        scene.place(element),
+        "holds what others hold already, but not equally",
+    )
+    .note(format!(
+        "found with the driver at {}",
+        coordinate(scene, at)
+    ))
+    .help("correct its dimensions so that they agree with the others, or take it out")
+}
+
+/// Two points of the ground that a link joins, with their places.
+fn pinned_twice(scene: &Scene, link: LinkId) -> Option<[(PointId, Vec2); 2]> {
+    let mechanism = &scene.mechanism;
+    let members = mechanism.link(link).members.iter();
+    let mut pins = members.filter_map(|m| Some((m.point, mechanism.point(m.point).ground?)));
+    Some([pins.next()?, pins.next()?])
+}
+
+fn frame_as_link(
+    scene: &Scene,
+    link: LinkId,
+    [(one, at), (other, to)]: [(PointId, Vec2); 2],
+    misfit: f64,
+) -> Diagnostic {
+    let name = link_name(scene, link);
+    let (tail, head) = (bare_name(scene, one), bare_name(scene, other));
+    let vector = format!("{} = [\"{tail}\", \"{head}\"]", key(scene.link_name(link)));
+    Diagnostic::new(format!(
+        "over-constrained: link {name} does not fit by {} between the ground points `{tail}` and `{head}`",
+        length(scene, misfit)
+    ))
+    .at(scene.place(Element::Link(link)), "cannot move")
+    .note(format!(
+        "`{tail}` and `{head}` are {} apart",
+        length(scene, (to - at).norm())
+    ))
+    .help(format!(
+        "the frame needs no link; to see it in the tables, move it to [vectors]: {vector}"
+    ))
+}
+
+fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic {
+    let name = point_name(scene, point);
+    let missing = length(scene, gap);
+    let item = Diagnostic::new(format!(
+        "the linkage cannot close at the start: {name} is out of reach by {missing}"
+    ))
+    .at(
+        scene.place(Element::Point(point)),
+        format!("{name} cannot be placed"),
+    );
+    let item = links.iter().take(POINTED_AT).fold(item, |item, &link| {
+        let reach = match scene.mechanism.link(link).ends {
+            Some(_) => format!("{} has to reach it", link_name(scene, link)),
+            None => format!("{} has to meet it", link_name(scene, link)),
+        };
+        item.and(scene.place(Element::Link(link)), reach)
+    });
+    let driver = scene.mechanism.driver();
+    item.note(format!(
+        "the driver stands at {}",
+        coordinate(scene, driver.start)
+    ))
+    .help("change a length or a ground point by that much, or open the scene at another position of the driver")
+}
+
+fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
+    let name = point_name(scene, point);
+    let places: Vec<String> = choices.iter().map(|&c| pair(c, "(", ")")).collect();
+    let item = Diagnostic::new(format!(
+        "the start does not say which assembly is meant: {name} can be at {} {}",
+        places.join(" or "),
+        scene.unit.symbol()
+    ))
+    .at(
+        scene.place(Element::Point(point)),
+        format!("where is {name}?"),
+    );
+    let given = scene.mechanism.start().iter().find(|(p, _)| *p == point);
+    let item = match given {
+        Some(&(_, near)) => item.note(format!(
+            "[start] has {name} at {}, which is as near to one as to the other",
+            pair(near, "(", ")")
+        )),
+        None => item,
+    };
+    let bare = bare_name(scene, point);
+    let key = key(&bare);
+    let lines: Vec<String> = choices
+        .iter()
+        .map(|&c| format!("{key} = {}", pair(c, "[", "]")))
+        .collect();
+    item.help(format!(
+        "give a rough position, one of:\n[start]\n{}",
+        lines.join("   # or\n")
+    ))
+}
+
+fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
+    let names: Vec<String> = points.iter().map(|&p| point_name(scene, p)).collect();
+    let mut item = Diagnostic::new(format!(
+        "no assembly was found near the start: {} miss their places by at least {}",
+        names.join(", "),
+        length(scene, gap)
+    ));
+    for (i, &point) in points.iter().take(POINTED_AT).enumerate() {
+        let place = scene.place(Element::Point(point));
+        item = if i == 0 {
+            item.at(place, "solved together")
+        } else {
+            item.and(place, "with this")
+        };
+    }
+    if points.is_empty() {
+        item = item.at(
+            scene.place(Element::Driver),
+            "at this position of the driver",
+        );
+    }
+    let missing: Vec<String> = points
+        .iter()
+        .filter(|&&p| !scene.mechanism.start().iter().any(|&(s, _)| s == p))
+        .filter_map(|&p| scene.point_name(p))
+        .map(|name| format!("{} = [x, y]", key(name)))
+        .collect();
+    let help = if missing.is_empty() {
+        "bring the positions in [start] nearer to an assembly, or check the lengths".to_owned()
+    } else {
+        let lines = missing.join("\n");
+        format!("give rough positions, or check the lengths:\n[start]\n{lines}")
+    };
+    item.help(help)
+}
+
+fn singular(scene: &Scene, elements: &[Element]) -> Diagnostic {
+    let guides = guides(scene, elements);
+    let elements = if guides.len() >= 2 { &guides } else { elements };
+    let names: Vec<String> = elements.iter().map(|&e| element_name(scene, e)).collect();
+    let mut item = Diagnostic::new(format!(
+        "{} never determine a position, wherever the driver stands",
+        names.join(" and ")
+    ));
+    for (i, &element) in elements.iter().take(POINTED_AT).enumerate() {
+        let place = scene.place(element);
+        item = if i == 0 {
+            item.at(place, "these together leave a motion free")
+        } else {
+            item.and(place, "with this")
+        };
+    }
+    if guides.len() >= 2 {
+        item.help("guides that are parallel hold nothing along them: turn one by its `angle`")
+    } else {
+        item.help("no dimension mends this: join these parts in another way")
+    }
+}
+
+/// The slides among the elements, and those of which an element slides or carries the guide.
+fn guides(scene: &Scene, elements: &[Element]) -> Vec<Element> {
+    let mechanism = &scene.mechanism;
+    let takes_part = |id: SlideId| {
+        let slide = mechanism.slide(id);
+        let sliding = match slide.slider {
+            Slider::Pin(point) => Element::Point(point),
+            Slider::Link { link, .. } => Element::Link(link),
+        };
+        let on = match slide.on {
+            Body::Ground => None,
+            Body::Link(link) => Some(Element::Link(link)),
+        };
+        let own = [Element::Slide(id), sliding];
+        own.into_iter().chain(on).any(|e| elements.contains(&e))
+    };
+    let ids = mechanism.slide_ids().filter(|&id| takes_part(id));
+    ids.map(Element::Slide).collect()
+}
+
+fn point_name(scene: &Scene, point: PointId) -> String {
+    match scene.point_name(point) {
+        Some(name) => format!("`{name}`"),
+        None => match carrier_of_origin(scene, point) {
+            Some(link) => format!("the origin of {}", link_name(scene, link)),
+            None => "a joint".to_owned(),
+        },
+    }
+}
+
+/// The name as the file writes it, for a line that may be copied.
+fn bare_name(scene: &Scene, point: PointId) -> String {
+    let name = scene.point_name(point).unwrap_or("POINT");
+    name.to_owned()
+}
+
+/// The sliding link whose hidden origin this is.
+fn carrier_of_origin(scene: &Scene, point: PointId) -> Option<LinkId> {
+    let slides = scene.mechanism.slides();
+    slides.iter().find_map(|slide| match slide.slider {
+        Slider::Link { link, origin, .. } if origin == point => Some(link),
+        Slider::Link { .. } | Slider::Pin(_) => None,
+    })
+}
+
+fn link_name(scene: &Scene, link: LinkId) -> String {
+    format!("`{}`", scene.link_name(link))
+}
+
+fn link_list(scene: &Scene, links: &[LinkId]) -> String {
+    let named = links.iter().take(4 * POINTED_AT);
+    let mut names: Vec<String> = named.map(|&link| link_name(scene, link)).collect();
+    if links.len() > names.len() {
+        names.push(format!("and {} more", links.len() - names.len()));
+    }
+    names.join(", ")
+}
+
+fn element_name(scene: &Scene, element: Element) -> String {
+    let slide = |slide: SlideId| format!("slide `{}`", scene.slide_name(slide));
+    match element {
+        Element::Point(point) => point_name(scene, point),
+        Element::Link(link) => format!("link {}", link_name(scene, link)),
+        Element::Slide(id) => slide(id),
+        Element::Driver => "the driver".to_owned(),
+    }
+}
+
+/// A name as a key of TOML.
+fn key(name: &str) -> String {
+    if name.contains('\'') {
+        format!("\"{name}\"")
+    } else {
+        name.to_owned()
+    }
+}
+
+fn plural(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+fn length(scene: &Scene, value: f64) -> String {
+    format!("{} {}", figure(value), scene.unit.symbol())
+}
+
+fn coordinate(scene: &Scene, at: f64) -> String {
+    match scene.mechanism.driver().input {
+        crate::Input::Turn(_) => format!("{} deg", figure(at)),
+        crate::Input::Push(_) => length(scene, at),
+    }
+}
+
+fn pair(at: Vec2, open: &str, close: &str) -> String {
+    format!("{open}{}, {}{close}", figure(at.x), figure(at.y))
+}
+
+/// A number with a few significant digits, as TOML may read it back.
+fn figure(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".to_owned();
+    }
+    if !(1e-4..1e9).contains(&size) {
+        let text = format!("{value:.*e}", DIGITS - 1);
+        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{exponent}", trimmed(mantissa));
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 0 and 10"
+    )]
+    let decimals = (DIGITS as f64 - 1.0 - size.log10().floor()).max(0.0) as usize;
+    trimmed(&format!("{value:.decimals$}")).to_owned()
+}
+
+/// Without the zeros at the end of a decimal fraction.
+fn trimmed(decimal: &str) -> &str {
+    if decimal.contains('.') {
+        decimal.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        decimal
+    }
+}
+
+#[cfg(test)]
+mod tests;

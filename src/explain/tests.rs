@@ -1,0 +1,205 @@
+//! Each fault of the solver, told of a preset.
+
+use super::*;
+use crate::scene::presets;
+
+fn scene(preset: &str) -> Scene {
+    Scene::parse(presets::find(preset).unwrap().text, preset).unwrap()
+}
+
+fn link(scene: &Scene, name: &str) -> LinkId {
+    let mut ids = scene.mechanism.link_ids();
+    ids.find(|&id| scene.link_name(id) == name).unwrap()
+}
+
+fn point(scene: &Scene, name: &str) -> PointId {
+    let mut ids = scene.mechanism.point_ids();
+    ids.find(|&id| scene.point_name(id) == Some(name)).unwrap()
+}
+
+#[track_caller]
+fn says(scene: &Scene, fault: &Fault, phrases: &[&str]) {
+    let shown = scene.explain(fault).to_string();
+    for phrase in phrases {
+        assert!(shown.contains(phrase), "{phrase:?} is not in:\n{shown}");
+    }
+}
+
+#[test]
+fn mobility_names_the_links_that_float_and_counts_what_repeats() {
+    let scene = scene("four-bar");
+    let floating = vec![link(&scene, "r3"), link(&scene, "r4")];
+    let fault = Fault::Mobility {
+        mobility: 2,
+        redundant: 1,
+        floating,
+    };
+    let phrases = [
+        "the mobility is 2, not 1",
+        "`r3` floats",
+        "`r4` floats",
+        "1 constraint repeats others and was set aside",
+        "1 constraint is missing",
+    ];
+    says(&scene, &fault, &phrases);
+    let fault = Fault::Mobility {
+        mobility: 0,
+        redundant: 2,
+        floating: Vec::new(),
+    };
+    let phrases = [
+        "the mobility is 0, not 1: nothing can move",
+        "2 constraints repeat others",
+        "take out a link or a joint",
+    ];
+    says(&scene, &fault, &phrases);
+}
+
+#[test]
+fn an_open_loop_says_by_how_much_and_where() {
+    let scene = scene("four-bar");
+    let fault = Fault::Open {
+        point: point(&scene, "C"),
+        links: vec![link(&scene, "r3"), link(&scene, "r4")],
+        gap: 12.345_678,
+    };
+    let phrases = [
+        "`C` is out of reach by 12.3457 mm",
+        "`r3` has to reach it",
+        "`r4` has to reach it",
+        "the driver stands at 60 deg",
+    ];
+    says(&scene, &fault, &phrases);
+}
+
+#[test]
+fn a_vague_start_lists_the_choices_as_lines_to_copy() {
+    let mut text = presets::find("four-bar").unwrap().text.to_owned();
+    text = text
+        .replace("\"C\"", "\"C'\"")
+        .replace("C = [310, 230]", "");
+    let scene = Scene::parse(&text, "x").unwrap();
+    let fault = Fault::Vague {
+        point: point(&scene, "C'"),
+        choices: vec![Vec2::new(311.416_95, 233.78), Vec2::new(-1e-7, 2.0 / 3.0)],
+    };
+    let phrases = [
+        "`C'` can be at (311.417, 233.78) or (-1e-7, 0.666667) mm",
+        "\"C'\" = [311.417, 233.78]   # or",
+        "\"C'\" = [-1e-7, 0.666667]",
+    ];
+    says(&scene, &fault, &phrases);
+    // The lines that are shown can be put into the file as they stand.
+    let mended = text.replace("[start]\n", "[start]\n\"C'\" = [-1e-7, 0.666667]\n");
+    assert!(Scene::parse(&mended, "x").is_ok());
+}
+
+#[test]
+fn a_start_between_two_assemblies_is_quoted() {
+    let scene = scene("four-bar");
+    let fault = Fault::Vague {
+        point: point(&scene, "C"),
+        choices: vec![Vec2::ZERO, Vec2::X],
+    };
+    says(&scene, &fault, &["[start] has `C` at (310, 230)"]);
+}
+
+#[test]
+fn a_coupled_group_that_was_not_found_asks_for_the_positions_that_are_missing() {
+    let scene = scene("stephenson-six-bar");
+    let given = scene.mechanism.start()[0].0;
+    let other = scene
+        .mechanism
+        .point_ids()
+        .find(|&p| {
+            scene.mechanism.point(p).ground.is_none()
+                && !scene.mechanism.start().iter().any(|&(s, _)| s == p)
+        })
+        .unwrap();
+    let name = scene.point_name(other).unwrap();
+    let fault = Fault::NotAssembled {
+        points: vec![given, other],
+        gap: 3.0,
+    };
+    let line = format!("{name} = [x, y]");
+    says(
+        &scene,
+        &fault,
+        &["no assembly was found near the start", &line],
+    );
+    let fault = Fault::NotAssembled {
+        points: vec![given],
+        gap: 3.0,
+    };
+    says(&scene, &fault, &["bring the positions in [start] nearer"]);
+    let fault = Fault::NotAssembled {
+        points: Vec::new(),
+        gap: 3.0,
+    };
+    says(&scene, &fault, &["at this position of the driver"]);
+}
+
+#[test]
+fn a_misfit_names_its_element_and_size() {
+    let scene = scene("excavator-boom");
+    let fault = Fault::OverConstrained {
+        element: Element::Slide(scene.mechanism.slide_ids().next().unwrap()),
+        misfit: 1e-9,
+        at: 1.25,
+    };
+    let unit = scene.unit.symbol();
+    let size = format!("by 1e-9 {unit}");
+    let place = format!("the driver at 1.25 {unit}");
+    says(&scene, &fault, &["over-constrained", &size, &place]);
+}
+
+#[test]
+fn hidden_points_are_named_by_what_they_belong_to() {
+    let text = "[ground]\nA = [0, 0]\n[driver]\nslide = \"s\"\nposition = 0\n\
+                [links]\nram = { points = { P = [1, 0] } }\nr = { from = \"A\", to = \"P\", length = 1 }\n\
+                [slides]\ns = { link = \"ram\", on = \"ground\", through = \"A\" }\n";
+    let scene = Scene::parse(text, "x").unwrap();
+    let hidden = scene.mechanism.slides()[0].slider.point();
+    assert_eq!(scene.point_name(hidden), None);
+    let fault = Fault::Open {
+        point: hidden,
+        links: vec![link(&scene, "ram")],
+        gap: 1.0,
+    };
+    says(
+        &scene,
+        &fault,
+        &["the origin of `ram` is out of reach by 1 mm"],
+    );
+}
+
+#[test]
+fn a_singular_group_names_its_elements() {
+    let scene = scene("press-ram");
+    let slide = scene.mechanism.slide_ids().next().unwrap();
+    let point = scene.mechanism.slide(slide).slider.point();
+    let fault = Fault::Singular {
+        elements: vec![Element::Point(point), Element::Driver],
+    };
+    says(
+        &scene,
+        &fault,
+        &["never determine a position", "the driver"],
+    );
+}
+
+#[test]
+fn figures_have_six_digits_and_read_back() {
+    for (value, text) in [
+        (0.0, "0"),
+        (-250.0, "-250"),
+        (123_456.7, "123457"),
+        (1e9, "1e9"),
+        (9.999_999_9, "10"),
+        (1.0 / 3.0, "0.333333"),
+        (-2.5e-5, "-2.5e-5"),
+        (f64::MAX, "1.79769e308"),
+    ] {
+        assert_eq!(figure(value), text);
+    }
+}

@@ -1,0 +1,114 @@
+//! Joins the names of slides: what moves, on what, and through which point.
+
+use super::diagnostic::Diagnostic;
+use super::draft::{Slide, Slider, Through};
+use super::names::Sort;
+use super::reader::Name;
+use super::resolve::Resolver;
+use crate::{Body, LinkId, PointId, Vec2};
+
+/// What carries a guide: the ground, or a link by its place in the draft.
+#[derive(Clone, Copy)]
+enum Carrier {
+    Ground,
+    Link(usize),
+}
+
+impl Carrier {
+    fn body(self) -> Body {
+        match self {
+            Carrier::Ground => Body::Ground,
+            Carrier::Link(link) => Body::Link(LinkId::new(link)),
+        }
+    }
+}
+
+/// What slides, by id.
+enum Sliding {
+    Pin(PointId),
+    Link { link: LinkId, turn: f64 },
+}
+
+impl<'r, 't> Resolver<'r, '_, 't> {
+    /// All slides; one that names something unknown is left out.
+    pub(super) fn slides(&mut self) {
+        let draft = self.draft;
+        for slide in &draft.slides {
+            let on = slide.on.as_ref().and_then(|on| self.carrier(slide, on));
+            let sliding = slide.slider.as_ref().and_then(|s| self.sliding(slide, s));
+            let through = match (&slide.through, on) {
+                (Some(Through::At(at)), _) => Some(*at),
+                (Some(Through::Point(name)), Some(on)) => self.through(slide, name, on),
+                (Some(Through::Point(_)) | None, _) => None,
+            };
+            if let (Some(on), Some(sliding), Some(through)) = (on, sliding, through) {
+                self.slide(slide, sliding, on.body(), through);
+            }
+        }
+    }
+
+    fn slide(&mut self, slide: &'r Slide<'t>, sliding: Sliding, on: Body, through: Vec2) {
+        let angle = slide.angle;
+        let id = match sliding {
+            Sliding::Pin(point) => self.builder.pin_in_slot(point, on, through, angle),
+            Sliding::Link { link, turn } => {
+                self.builder.sliding_link(link, turn, on, through, angle)
+            }
+        };
+        self.push_slide(slide, id);
+    }
+
+    fn carrier(&mut self, slide: &Slide<'t>, on: &Name<'t>) -> Option<Carrier> {
+        if on.text == "ground" {
+            return Some(Carrier::Ground);
+        }
+        let what = format!("`on` of slide {}", slide.name);
+        let link = self.names.find(self.reader, &what, on, Sort::Link);
+        if link.is_none() {
+            self.reader.help(r#"a guide in the frame is on = "ground""#);
+        }
+        link.map(Carrier::Link)
+    }
+
+    fn sliding(&mut self, slide: &Slide<'t>, slider: &Slider<'t>) -> Option<Sliding> {
+        match slider {
+            Slider::Pin(point) => Some(Sliding::Pin(self.points[point.text])),
+            Slider::Link { link, turn } => {
+                let what = format!("`link` of slide {}", slide.name);
+                let link = self.names.find(self.reader, &what, link, Sort::Link)?;
+                Some(Sliding::Link {
+                    link: LinkId::new(link),
+                    turn: *turn,
+                })
+            }
+        }
+    }
+
+    /// The place of a named point of the guide in the frame of what carries the guide.
+    fn through(&mut self, slide: &Slide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
+        let what = format!("`through` of slide {}", slide.name);
+        self.referred.insert(name.text);
+        self.names.find(self.reader, &what, name, Sort::Point)?;
+        let (local, body) = match on {
+            Carrier::Ground => {
+                let place = self.ground.get(name.text);
+                (place.map(|p| p.at()), "the ground".to_owned())
+            }
+            Carrier::Link(link) => {
+                let link = &self.draft.links[link];
+                (link.local(name.text), format!("link {}", link.name))
+            }
+        };
+        if local.is_none() {
+            let rule = format!("{what} must be a point of {body}; {name} is not");
+            self.reader.report(
+                Diagnostic::new(rule)
+                    .at(name.span.clone(), format!("not a point of {body}"))
+                    .help(format!(
+                        "name a point of {body}, or give coordinates in its frame: through = [0, 0]"
+                    )),
+            );
+        }
+        local
+    }
+}

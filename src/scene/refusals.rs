@@ -1,0 +1,114 @@
+//! What is refused as a whole, and how a message looks. `tests/broken` has the single faults.
+
+use super::*;
+
+fn message(bytes: &[u8]) -> String {
+    Scene::read(bytes, "file.toml").unwrap_err().to_string()
+}
+
+#[test]
+fn bytes_that_are_no_text_are_refused_with_their_place() {
+    let shown = message(b"name = \"ok\"\nunit = \"m\xff\"\n");
+    assert!(
+        shown.contains("the file is not UTF-8: byte 0xff at offset 21"),
+        "{shown}"
+    );
+    assert!(shown.contains("file.toml:2:10"), "{shown}");
+    let shown = message(b"\xfe\xfe");
+    assert!(shown.contains("byte 0xfe at offset 0"), "{shown}");
+}
+
+#[test]
+fn a_file_beyond_1_mib_is_refused() {
+    let text = presets::find("four-bar").unwrap().text;
+    let filler = |size: usize| format!("{text}#{}", "x".repeat(size - text.len() - 1));
+    assert!(Scene::read(filler(LARGEST_FILE).as_bytes(), "x").is_ok());
+    let shown = message(filler(LARGEST_FILE + 1).as_bytes());
+    assert!(shown.contains("the file has 1048577 bytes"), "{shown}");
+    assert!(shown.contains("at most 1048576 (1 MiB)"), "{shown}");
+}
+
+fn with_links(count: usize) -> String {
+    let mut text = presets::find("four-bar").unwrap().text.to_owned();
+    text += "[links.x0]\npoints.B = [0, 0]\n";
+    for i in 4..count {
+        text += &format!("[links.x{i}]\npoints.B = [0, {i}]\n");
+    }
+    text
+}
+
+#[test]
+fn more_than_10000_links_are_refused() {
+    assert!(Scene::parse(&with_links(10_000), "x").is_ok());
+    let shown = message(with_links(10_001).as_bytes());
+    assert!(
+        shown.contains("the scene has 10001 links; at most 10000 are allowed"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn only_the_first_faults_of_many_are_shown() {
+    let text: String = (0..500).map(|i| format!("k{i} = {i}\n")).collect();
+    let faults = Scene::parse(&text, "x").unwrap_err();
+    assert_eq!(faults.items.len(), 21);
+    // One more is that there are no links.
+    assert_eq!(faults.items[20].message, "481 more faults are not shown");
+}
+
+const WRONG: &str =
+    "unit = \"mm\"\r\n\r\n[ground]\r\nA\t= [0, \"\u{202e}1\"] # \u{4e16}\u{200b}\r\n";
+
+#[test]
+fn a_message_shows_the_line_with_harmful_characters_replaced() {
+    let faults = Scene::parse(WRONG, "caf\u{e9}\u{1b}.toml").unwrap_err();
+    let ascii = r"
+error: the scene has no links: nothing moves
+--> caf\u{e9}\u{1b}.toml
+ = help: add, for example:
+         [links]
+         r2 = { from = `A`, to = `B`, length = 100 }
+
+error: y of ground point `A` must be a number, not a text
+ --> caf\u{e9}\u{1b}.toml:4:9
+  |
+4 | A    = [0, `?1`] # ??
+  |            ^^^^ expected a number
+";
+    assert_eq!(faults.render(true, false).replace('"', "`"), ascii[1..]);
+    let unicode = faults.render(false, false);
+    assert!(
+        unicode.contains("--> caf\u{e9}\\u{1b}.toml:4:9\n"),
+        "{unicode}"
+    );
+    assert!(
+        unicode.contains("A    = [0, \"\u{fffd}1\"] # \u{4e16}\u{fffd}\n"),
+        "{unicode}"
+    );
+}
+
+#[test]
+fn colour_changes_nothing_but_colour() {
+    let faults = Scene::parse(WRONG, "wrong.toml").unwrap_err();
+    let coloured = faults.render(true, true);
+    assert!(coloured.contains("\u{1b}["));
+    let mut plain = String::new();
+    for part in coloured.split('\u{1b}') {
+        let code = part.starts_with('[');
+        let text = if code {
+            part.split_once('m').unwrap().1
+        } else {
+            part
+        };
+        plain += text;
+    }
+    assert_eq!(plain, faults.render(true, false));
+}
+
+#[test]
+fn positions_count_characters_from_one() {
+    let faults = Scene::parse("# \u{4e16}\u{e9}\n\u{e9} = 1", "x").unwrap_err();
+    assert_eq!(faults.position(&faults.items[0]), Some((2, 1)));
+    let faults = Scene::parse("unit = \"mm\"\nname = \"\u{e9}\u{e9}\" x", "x").unwrap_err();
+    assert_eq!(faults.position(&faults.items[0]), Some((2, 13)));
+}
