@@ -34,12 +34,7 @@ const fn turning(name: &'static str, groups: &'static [GroupKind]) -> Expected {
     }
 }
 
-const fn within(
-    name: &'static str,
-    low: f64,
-    high: f64,
-    groups: &'static [GroupKind],
-) -> Expected {
+const fn within(name: &'static str, low: f64, high: f64, groups: &'static [GroupKind]) -> Expected {
     let reach = Reach::Within(low, high);
     Expected {
         name,
@@ -80,8 +75,11 @@ const EXPECTED: [Expected; 19] = [
     ),
     turning("hoecken", &[Rrr]),
     turning("toggle-press", &[Rrr, Rrp]),
-    turning(
+    // Flat and upright: there the joints fall on each other, which are change points.
+    within(
         "scissor-lift",
+        0.0,
+        90.0,
         &[Rrp, Rrr, Rrr, Rrr, Rrr, Rrr, Rrr, Rrr, Rrr, Rrr],
     ),
     // |QP| - |QO| and |QP| + |QO|.
@@ -115,7 +113,6 @@ fn places(range: Range) -> Vec<f64> {
     let (low, high) = match range {
         Range::Full { period } => (0.0, period),
         Range::Limited { low, high } => (low, high),
-        Range::Endless => panic!("no preset is pushed without end"),
     };
     let place = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(PLACES);
     (0..PLACES).map(place).collect()
@@ -208,7 +205,11 @@ fn every_preset_opens_where_its_start_says() {
         let near = 0.06 * longest_link(&scene.mechanism);
         for &(point, place) in scene.mechanism.start() {
             let off = (state.position(point) - place).norm();
-            assert!(off < near, "{name}: {:?} is {off} off", scene.point_name(point));
+            assert!(
+                off < near,
+                "{name}: {:?} is {off} off",
+                scene.point_name(point)
+            );
         }
     }
 }
@@ -260,9 +261,14 @@ fn the_rates_of_every_preset_agree_with_differences() {
         let driver = scene.mechanism.driver();
         assert_eq!(driver.acceleration, 0.0, "differences take an even speed");
         let mut state = solver.state();
-        let places = places(solver.motion().range);
-        // A step of 1e-4 of the first place's distance to the limit, and its time at the driver's speed.
-        let step = 1e-4 * (places[1] - places[0]);
+        let range = solver.motion().range;
+        let places = places(range);
+        // Beside a limit the rates grow so fast that differences say little about them.
+        let shy = match range {
+            Range::Full { .. } => 0,
+            Range::Limited { .. } => 3,
+        };
+        let step = 1e-3 * (places[1] - places[0]);
         let span = match driver.input {
             Input::Turn(_) => (2.0 * step).to_radians() / driver.speed,
             Input::Push(_) => 2.0 * step / driver.speed,
@@ -272,12 +278,18 @@ fn the_rates_of_every_preset_agree_with_differences() {
             assert_eq!(condition, Condition::Ok, "{name} at {at}");
             figures(&scene, &state)
         };
-        for at in places {
+        for &at in &places[shy..places.len() - shy] {
             let (low, here, high) = (at_place(at - step), at_place(at), at_place(at + step));
             let first = disagreement(&low.0, &high.0, span, &here.1);
             let second = disagreement(&low.1, &high.1, span, &here.2);
-            assert!(first < 1e-6, "{name} at {at}: velocities differ by {first:e}");
-            assert!(second < 1e-6, "{name} at {at}: accelerations differ by {second:e}");
+            assert!(
+                first < 1e-6,
+                "{name} at {at}: velocities differ by {first:e}"
+            );
+            assert!(
+                second < 1e-6,
+                "{name} at {at}: accelerations differ by {second:e}"
+            );
         }
     }
 }

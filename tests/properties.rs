@@ -178,10 +178,7 @@ struct Pose {
 impl Pose {
     fn lengths(self) -> (f64, f64) {
         let (b, c) = (self.joint - self.crank.pin(), self.joint - self.pivot);
-        (
-            nudged(b.norm(), self.ulps.0),
-            nudged(c.norm(), self.ulps.1),
-        )
+        (nudged(b.norm(), self.ulps.0), nudged(c.norm(), self.ulps.1))
     }
 
     fn build(self, shift: Vec2, scale: f64) -> FourBar {
@@ -232,9 +229,10 @@ impl Pose {
 fn pose(apex: impl Strategy<Value = Apex>) -> impl Strategy<Value = Pose> {
     let pivot = (length(), angle()).prop_map(|(d, at)| unit(at) * d);
     (crank(), pivot, apex, (ulps(), ulps()))
-        .prop_filter("the anchors of the dyad must lie apart", |(crank, d, ..)| {
-            (*d - crank.pin()).norm() > 0.02
-        })
+        .prop_filter(
+            "the anchors of the dyad must lie apart",
+            |(crank, d, ..)| (*d - crank.pin()).norm() > 0.02,
+        )
         .prop_map(|(crank, pivot, apex, ulps)| Pose {
             crank,
             pivot,
@@ -533,7 +531,11 @@ proptest! {
 fn bits(mechanism: &Mechanism, state: &State, length: f64) -> Vec<u64> {
     let mut figures = Vec::new();
     for id in mechanism.point_ids() {
-        let vectors = [state.position(id), state.velocity(id), state.acceleration(id)];
+        let vectors = [
+            state.position(id),
+            state.velocity(id),
+            state.acceleration(id),
+        ];
         figures.extend(vectors.iter().flat_map(|v| [v.x / length, v.y / length]));
     }
     for id in mechanism.link_ids() {

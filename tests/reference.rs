@@ -258,7 +258,11 @@ fn measure(case: &Case) -> BTreeMap<Kind, Worst> {
                 kind => table.largest[&kind],
             };
             let error = column.error(row[column.index], &state).abs();
-            let error = if error == 0.0 { 0.0 } else { error / (U * scale) };
+            let error = if error == 0.0 {
+                0.0
+            } else {
+                error / (U * scale)
+            };
             let so_far = worst.entry(column.kind).or_default();
             // Written so that NaN counts as the worst of all.
             if !(error <= so_far.error) {
@@ -365,7 +369,12 @@ fn point_checks(state: &State, point: PointId, units: [f64; 3]) -> Vec<Check<'st
 }
 
 /// `theta3_rad`, `omega3` and `alpha3` of a link, whose rates are measured against `omega` and `alpha`.
-fn link_checks(state: &State, link: LinkId, keys: [&'static str; 3], rates: [f64; 2]) -> Vec<Check<'static>> {
+fn link_checks(
+    state: &State,
+    link: LinkId,
+    keys: [&'static str; 3],
+    rates: [f64; 2],
+) -> Vec<Check<'static>> {
     let check = |key, found, unit| Check { key, found, unit };
     vec![
         check(keys[0], state.direction(link).angle(), POSITION_LIMIT),
@@ -381,8 +390,18 @@ fn the_lecture_on_the_four_bar_is_met() {
     solver.solve(60.0, Order::Acceleration, &mut state);
     let by_name = |name| link(&scene, name).expect("a link");
     let rates = [15.0, 95.0];
-    let third = link_checks(&state, by_name("3"), ["theta3_rad", "omega3", "alpha3"], rates);
-    let fourth = link_checks(&state, by_name("4"), ["theta4_rad", "omega4", "alpha4"], rates);
+    let third = link_checks(
+        &state,
+        by_name("3"),
+        ["theta3_rad", "omega3", "alpha3"],
+        rates,
+    );
+    let fourth = link_checks(
+        &state,
+        by_name("4"),
+        ["theta4_rad", "omega4", "alpha4"],
+        rates,
+    );
     check_lecture(&["B1"], &third);
     check_lecture(&["B1"], &fourth);
     for name in ["B", "C", "G3", "G4"] {
@@ -448,7 +467,10 @@ fn h17_three_parallel_cranks_move() {
             let limit = RATE_LIMIT * U * omega;
             assert!(velocity.norm() <= limit, "{name} at {at}: {velocity:?}");
             let limit = limit * omega;
-            assert!(acceleration.norm() <= limit, "{name} at {at}: {acceleration:?}");
+            assert!(
+                acceleration.norm() <= limit,
+                "{name} at {at}: {acceleration:?}"
+            );
         }
         assert!(state.omega(platform).abs() <= RATE_LIMIT * U * omega);
         assert!(state.alpha(platform).abs() <= RATE_LIMIT * U * omega * omega);

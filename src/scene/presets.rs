@@ -21,6 +21,23 @@ macro_rules! presets {
 static PRESETS: &[Preset] = presets! {
     "four-bar"
     "slider-crank"
+    "press"
+    "press-ram"
+    "offset-slider-crank"
+    "slotted-lever"
+    "whitworth"
+    "scotch-yoke"
+    "double-rocker"
+    "drag-link"
+    "watt-six-bar"
+    "stephenson-six-bar"
+    "jansen-leg"
+    "klann-leg"
+    "peaucellier"
+    "hoecken"
+    "toggle-press"
+    "scissor-lift"
+    "excavator-boom"
 };
 
 /// All presets, in the order in which they are listed.

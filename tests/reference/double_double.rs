@@ -5,13 +5,13 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum of two doubles, some 32 digits.
 #[derive(Clone, Copy, Debug)]
-pub struct DoubleDouble {
-    pub hi: f64,
-    pub lo: f64,
+pub(crate) struct DoubleDouble {
+    pub(crate) hi: f64,
+    pub(crate) lo: f64,
 }
 
 /// pi to 32 digits.
-pub const PI: DoubleDouble = DoubleDouble {
+pub(crate) const PI: DoubleDouble = DoubleDouble {
     hi: std::f64::consts::PI,
     lo: 1.224_646_799_147_353_2e-16,
 };
@@ -33,7 +33,7 @@ fn two_prod(a: f64, b: f64) -> DoubleDouble {
 
 impl DoubleDouble {
     /// Reads a decimal such as `-273.0996813837050523441056` or `8.883079e+00`.
-    pub fn parse(text: &str) -> Option<Self> {
+    pub(crate) fn parse(text: &str) -> Option<Self> {
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
         let (sign, digits) = match mantissa.strip_prefix('-') {
             Some(rest) => (-1.0, rest),
@@ -59,7 +59,7 @@ impl DoubleDouble {
     }
 
     /// This value minus a double, as a double: without cancellation where they are close.
-    pub fn minus(self, value: f64) -> f64 {
+    pub(crate) fn minus(self, value: f64) -> f64 {
         let difference = self - Self::from(value);
         difference.hi + difference.lo
     }
@@ -100,10 +100,7 @@ impl Mul for DoubleDouble {
     type Output = Self;
     fn mul(self, o: Self) -> Self {
         let product = two_prod(self.hi, o.hi);
-        two_sum(
-            product.hi,
-            product.lo + (self.hi * o.lo + self.lo * o.hi),
-        )
+        two_sum(product.hi, product.lo + (self.hi * o.lo + self.lo * o.hi))
     }
 }
 

@@ -4,10 +4,10 @@ use krank::solver::State;
 use krank::{Body, Input, Mechanism, Slider, Vec2, angle};
 
 /// Half an ulp of 1: the unit of rounding.
-pub const U: f64 = f64::EPSILON / 2.0;
+pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
 /// The longest link: the largest distance between two points of one.
-pub fn longest_link(mechanism: &Mechanism) -> f64 {
+pub(crate) fn longest_link(mechanism: &Mechanism) -> f64 {
     let mut longest: f64 = 0.0;
     for link in mechanism.links() {
         for a in &link.members {
@@ -22,7 +22,7 @@ pub fn longest_link(mechanism: &Mechanism) -> f64 {
 /// How far a state is from closing: the largest distance between where a link has one of its points
 /// and where the point is, between a sliding point and its guide, and between the driver's coordinate
 /// and what was asked for (a turned link by the arc of the longest link).
-pub fn closure_error(mechanism: &Mechanism, state: &State) -> f64 {
+pub(crate) fn closure_error(mechanism: &Mechanism, state: &State) -> f64 {
     let links = links_error(mechanism, state);
     let slides = slides_error(mechanism, state);
     let grounds = mechanism.point_ids().filter_map(|id| {
