@@ -47,7 +47,8 @@ fn crank(pivot: Vec2, r: f64, omega: f64, degrees: f64) -> Joint {
 #[derive(Clone, Copy, Debug)]
 struct Dyad {
     b2: f64,
-    c2: f64,
+    /// b^2 - c^2.
+    difference: f64,
     per_b2: f64,
     per_c2: f64,
     sign: f64,
@@ -67,7 +68,7 @@ impl Dyad {
     fn new(b: f64, c: f64, sign: f64) -> Self {
         Dyad {
             b2: b * b,
-            c2: c * c,
+            difference: b * b - c * c,
             per_b2: 1.0 / (b * b),
             per_c2: 1.0 / (c * c),
             sign,
@@ -76,14 +77,15 @@ impl Dyad {
 
     #[inline(always)]
     fn solve(&self, from: Joint, to: Joint) -> Solved {
+        // With d the distance, d^2 times the parts of e along and across it; the second is e x f.
         let line = to.p - from.p;
-        let per_d2 = 1.0 / line.norm2();
-        let x = 0.5 + 0.5 * (self.b2 - self.c2) * per_d2;
-        let y = self.sign * (self.b2 * per_d2 - x * x).sqrt();
-        let e = line * x + line.perp() * y;
+        let d2 = line.norm2();
+        let along = 0.5 * (d2 + self.difference);
+        let across = self.sign * (self.b2 * d2 - along * along).sqrt();
+        let e = (line * along + line.perp() * across) * (1.0 / d2);
         let f = e - line;
         // e . V = e . V_from, f . V = f . V_to, and the same once more with the squares.
-        let per_det = 1.0 / e.cross(f);
+        let per_det = 1.0 / across;
         let solve = |r: f64, s: f64| Vec2::new(r * f.y - s * e.y, s * e.x - r * f.x) * per_det;
         let v = solve(e.dot(from.v), f.dot(to.v));
         let (ve, vf) = (v - from.v, v - to.v);
