@@ -1,0 +1,94 @@
+//! What a state must satisfy whatever the mechanism, worked out from the mechanism alone.
+
+use krank::solver::State;
+use krank::{Body, Input, Mechanism, Slider, Vec2, angle};
+
+/// Half an ulp of 1: the unit of rounding.
+pub(crate) const U: f64 = f64::EPSILON / 2.0;
+
+/// The longest link: the largest distance between two points of one.
+pub(crate) fn longest_link(mechanism: &Mechanism) -> f64 {
+    let mut longest: f64 = 0.0;
+    for link in mechanism.links() {
+        for a in &link.members {
+            for b in &link.members {
+                longest = longest.max((a.local - b.local).norm());
+            }
+        }
+    }
+    longest
+}
+
+/// How far a state is from closing: the largest distance between where a link has one of its points
+/// and where the point is, between a sliding point and its guide, and between the driver's coordinate
+/// and what was asked for (a turned link by the arc of the longest link).
+pub(crate) fn closure_error(mechanism: &Mechanism, state: &State) -> f64 {
+    let links = links_error(mechanism, state);
+    let slides = slides_error(mechanism, state);
+    let grounds = mechanism.point_ids().filter_map(|id| {
+        let place = mechanism.point(id).ground?;
+        Some((state.position(id) - place).norm())
+    });
+    let worst = grounds.fold(links.max(slides), f64::max);
+    worst.max(driver_error(mechanism, state))
+}
+
+fn links_error(mechanism: &Mechanism, state: &State) -> f64 {
+    let mut worst: f64 = 0.0;
+    for id in mechanism.link_ids() {
+        let members = &mechanism.link(id).members;
+        let direction = state.direction(id);
+        worst = worst.max((direction.norm() - 1.0).abs() * longest_link(mechanism));
+        for a in members {
+            for b in members {
+                let apart = state.position(b.point) - state.position(a.point);
+                let local = b.local - a.local;
+                worst = worst
+                    .max((apart.norm() - local.norm()).abs())
+                    .max((apart - local.turned(direction)).norm());
+            }
+        }
+    }
+    worst
+}
+
+fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
+    let mut worst: f64 = 0.0;
+    for id in mechanism.slide_ids() {
+        let slide = mechanism.slide(id);
+        let (through, along) = match slide.on {
+            Body::Ground => (slide.through, slide.direction),
+            Body::Link(on) => {
+                // Any point of the link leads to its frame; it has one, or it could not be built.
+                let member = mechanism.link(on).members[0];
+                let turn = state.direction(on);
+                let origin = state.position(member.point) - member.local.turned(turn);
+                (
+                    origin + slide.through.turned(turn),
+                    slide.direction.turned(turn),
+                )
+            }
+        };
+        let apart = state.position(slide.slider.point()) - through;
+        let travel = state.travel(id);
+        worst = worst
+            .max(along.cross(apart).abs())
+            .max((travel.position - along.dot(apart)).abs())
+            .max((travel.guide - along).norm() * longest_link(mechanism));
+        if let Slider::Link { link, turn, .. } = slide.slider {
+            let off = state.direction(link) - turn.turned(along);
+            worst = worst.max(off.norm() * longest_link(mechanism));
+        }
+    }
+    worst
+}
+
+fn driver_error(mechanism: &Mechanism, state: &State) -> f64 {
+    match mechanism.driver().input {
+        Input::Turn(link) => {
+            let off: Vec2 = state.direction(link) - angle::unit(state.at());
+            off.norm() * longest_link(mechanism)
+        }
+        Input::Push(slide) => (state.travel(slide).position - state.at()).abs(),
+    }
+}
