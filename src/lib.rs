@@ -2,10 +2,12 @@
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
 pub mod angle;
+pub mod cli;
 pub mod drawing;
 mod explain;
 mod mechanism;
 pub mod quantity;
+pub mod report;
 pub mod scene;
 pub mod solver;
 mod vec2;

@@ -108,8 +108,7 @@ Examples:
   krank table four-bar --format json")]
     Table(TableArgs),
     /// Write figures over the driver's angle, row by row
-    #[command(
-        after_help = "\
+    #[command(after_help = "\
 Examples:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
   krank sweep four-bar --columns 'C.*,*.omega' --format json
@@ -120,8 +119,7 @@ krank sweep SCENE --from 0 --to 0 shows all of a scene's. The driver's coordinat
 always comes first and the state last: ok, change-point, dead-point or
 no-assembly. A value that does not exist is an empty cell (null in JSON).
 Without --from and --to a sweep covers the motion range and ends on its limits,
-or after one period."
-    )]
+or after one period.")]
     Sweep(SweepArgs),
     /// Print a completion script for a shell
     #[command(

@@ -86,7 +86,7 @@ pub(super) fn man(command: Option<&str>) -> Result<(), Failure> {
 
 fn page_of(krank: &Command, name: &str) -> Result<Command, Failure> {
     match krank.find_subcommand(name) {
-        Some(command) => Ok(command.clone().name(format!("krank-{name}"))),
+        Some(command) => Ok(command.clone()),
         None => Err(Failure::Usage(format!("krank has no command `{name}`"))),
     }
 }

@@ -20,8 +20,8 @@ pub(super) struct Opened {
 /// Reads, checks and assembles the scene that the command line names.
 pub(super) fn open(name: &Path) -> Result<Opened, Failure> {
     let scene = read(name)?;
-    let solver = Solver::new(&scene.mechanism)
-        .map_err(|fault| Failure::Scene(scene.explain(&fault)))?;
+    let solver =
+        Solver::new(&scene.mechanism).map_err(|fault| Failure::Usage(fault.to_string()))?;
     Ok(Opened { scene, solver })
 }
 
@@ -85,7 +85,9 @@ fn unknown(name: &str) -> Failure {
     let scenes = presets::all().iter().map(|preset| ("preset", preset.name));
     let commands = COMMANDS.iter().map(|command| ("command", *command));
     let distance = |known: &str| strsim::damerau_levenshtein(name, known);
-    let nearest = scenes.chain(commands).min_by_key(|(_, known)| distance(known));
+    let nearest = scenes
+        .chain(commands)
+        .min_by_key(|(_, known)| distance(known));
     // Half of the name may be wrong, but not more: otherwise it is another name.
     let nearest = nearest.filter(|(_, known)| 2 * distance(known) <= known.len());
     let mend = match nearest {

@@ -60,7 +60,9 @@ fn judge(outcome: Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
     }
     let outside = rows - valued;
     note(
-        &format!("{outside} of {rows} rows lie outside the motion and have no values: the driver covers {range}"),
+        &format!(
+            "{outside} of {rows} rows lie outside the motion and have no values: the driver covers {range}"
+        ),
         screen,
     );
     Ok(())
@@ -147,10 +149,22 @@ mod tests {
     #[test]
     fn ends_that_are_left_out_are_those_of_the_motion() {
         let full = Range::Full { period: 720.0 };
-        assert_eq!((first(full, false), last(full, false, 30.0)), (Some(0.0), Some(750.0)));
-        assert_eq!((first(full, true), last(full, true, 720.0)), (Some(720.0), Some(0.0)));
-        let limited = Range::Limited { low: -3.0, high: 9.5 };
-        assert_eq!((first(limited, true), last(limited, true, 9.5)), (Some(9.5), Some(-3.0)));
+        assert_eq!(
+            (first(full, false), last(full, false, 30.0)),
+            (Some(0.0), Some(750.0))
+        );
+        assert_eq!(
+            (first(full, true), last(full, true, 720.0)),
+            (Some(720.0), Some(0.0))
+        );
+        let limited = Range::Limited {
+            low: -3.0,
+            high: 9.5,
+        };
+        assert_eq!(
+            (first(limited, true), last(limited, true, 9.5)),
+            (Some(9.5), Some(-3.0))
+        );
         assert_eq!(first(Range::Endless, false), None);
     }
 }

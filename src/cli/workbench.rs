@@ -12,3 +12,9 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
          `krank table {scene}` prints the tables"
     )))
 }
+
+#[cfg(feature = "tui")]
+pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
+    let _ = args;
+    todo!()
+}

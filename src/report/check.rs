@@ -1,9 +1,9 @@
 //! What krank understood of a scene: its parts, its mobility, its groups and its range.
 
+use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Group, GroupKind, Range, Solver};
 use crate::{Body, Element, Input, LinkId, PointId, Slider};
-use crate::quantity::{Catalogue, Quantity};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
