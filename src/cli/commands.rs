@@ -11,7 +11,6 @@ use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order};
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
-use std::io::Write;
 
 /// `krank list`: a line per preset.
 pub(super) fn list(screen: Screen) -> Result<(), Failure> {

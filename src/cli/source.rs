@@ -21,7 +21,7 @@ pub(super) struct Opened {
 pub(super) fn open(name: &Path) -> Result<Opened, Failure> {
     let scene = read(name)?;
     let solver =
-        Solver::new(&scene.mechanism).map_err(|fault| Failure::Usage(fault.to_string()))?;
+        Solver::new(&scene.mechanism).map_err(|fault| Failure::Scene(scene.explain(&fault)))?;
     Ok(Opened { scene, solver })
 }
 

@@ -3,11 +3,14 @@
 use super::check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
 };
+use super::text::{WIDTH, wrapped};
 use crate::scene::harmless;
 use crate::solver::GroupKind;
 
 /// The column in which the facts begin.
 const FACTS: usize = 11;
+/// What stands before the rest of a fact that takes several lines.
+const FURTHER: &str = "  ";
 impl Check {
     /// As text for a person; titles and notes in ASCII alone if asked, everything else always is.
     #[must_use]
@@ -148,9 +151,14 @@ impl Out {
     }
 
     fn facts(&mut self, name: &str, facts: impl IntoIterator<Item = String>) {
-        for (i, fact) in facts.into_iter().enumerate() {
-            let name = if i == 0 { name } else { "" };
-            self.line(&format!("{name:FACTS$}{fact}"));
+        let mut name = name;
+        for fact in facts {
+            // What does not fit goes on below, further in than a fact of its own.
+            let mut indent = "";
+            for line in wrapped(&fact, WIDTH - FACTS - FURTHER.len()) {
+                self.line(&format!("{name:FACTS$}{indent}{line}"));
+                (name, indent) = ("", FURTHER);
+            }
         }
     }
 }
