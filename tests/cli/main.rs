@@ -1,6 +1,7 @@
 //! The program from outside: every command, every exit code, and what stands on which stream.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod readme;
 mod scenes;
 mod streams;
 mod sweep;
