@@ -44,19 +44,23 @@ pub(super) struct WorkbenchArgs {
     #[arg(help = SCENE_HELP, default_value = "four-bar")]
     pub(super) scene: PathBuf,
     /// Where to open: deg of the driven link, or the position of the driven slide
+    #[cfg(feature = "tui")]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(super) at: Option<Decimal>,
     /// The characters to draw with
+    #[cfg(feature = "tui")]
     #[arg(long, value_enum, default_value_t)]
     pub(super) glyphs: Glyphs,
     /// The colours to draw with
+    #[cfg(feature = "tui")]
     #[arg(long, visible_alias = "color", value_enum, default_value_t)]
     pub(super) colour: Colour,
 }
 
 /// The characters that the workbench draws with.
+#[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Glyphs {
+pub(super) enum Glyphs {
     /// As the locale and the terminal allow
     #[default]
     Auto,
@@ -69,8 +73,9 @@ pub enum Glyphs {
 }
 
 /// The colours that the workbench draws with.
+#[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Colour {
+pub(super) enum Colour {
     /// As the terminal and NO_COLOR allow
     #[default]
     Auto,

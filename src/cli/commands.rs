@@ -45,7 +45,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     if solver.solve(at, Order::Acceleration, &mut state) == Condition::NoAssembly {
         let catalogue = Catalogue::new(&scene);
         let driver = catalogue.driver();
-        return Err(Failure::Mechanism(format!(
+        return Err(Failure::Cannot(format!(
             "the mechanism cannot be assembled at {at} {}: the driver covers {}",
             driver.unit,
             range_text(solver.motion().range, driver)

@@ -54,7 +54,7 @@ fn judge(outcome: Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
         return Ok(());
     }
     if valued == 0 {
-        return Err(Failure::Mechanism(format!(
+        return Err(Failure::Cannot(format!(
             "no row of the sweep lies within the motion: the driver covers {range}"
         )));
     }
@@ -93,7 +93,7 @@ fn steps(scene: &Scene, range: Range, args: &SweepArgs) -> Result<Steps, Failure
 
 /// Limits are finite, so that they have a decimal.
 fn decimal(value: f64) -> Result<Decimal, Failure> {
-    Decimal::of(value).ok_or_else(|| Failure::Mechanism("the motion has no finite limits".into()))
+    Decimal::of(value).ok_or_else(|| Failure::Cannot("the motion has no finite limits".into()))
 }
 
 /// Where a sweep begins that was not told.

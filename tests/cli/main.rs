@@ -129,7 +129,7 @@ fn unknown_options_and_values_are_refused() {
         (&["table", "four-bar", "--digits", "0"], "--digits"),
         (&["table", "four-bar", "--at", "sixty"], "--at"),
         (&["list", "four-bar"], "four-bar"),
-        (&["four-bar", "--glyphs", "crayon"], "crayon"),
+        (&["four-bar", "--glyphs", "crayon"], "--glyphs"),
         (&["completions", "tcsh"], "tcsh"),
         (&["man", "motor"], "motor"),
     ] {
@@ -150,7 +150,7 @@ fn completions_and_the_manual_are_written() {
 /// The workbench needs a terminal, and says which commands do not.
 #[test]
 fn the_workbench_is_refused_in_one_line_where_there_is_no_terminal() {
-    for args in [&[][..], &["slider-crank"], &["four-bar", "--at", "30"]] {
+    for args in [&[][..], &["slider-crank"]] {
         let message = refused(2, args);
         assert_eq!(message.lines().count(), 1, "{message}");
         assert!(message.contains("krank table"), "{message}");
