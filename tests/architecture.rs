@@ -28,9 +28,8 @@ const PLACES: [(&str, u8); 13] = [
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 16] = [
+const FOREIGN: [(&str, &[&str]); 18] = [
     ("ratatui", &["tui"]),
-    ("crossterm", &["tui"]),
     ("termina", &["tui"]),
     ("rustix", &["tui"]),
     ("signal_hook", &["tui"]),
@@ -41,6 +40,9 @@ const FOREIGN: [(&str, &[&str]); 16] = [
     ("annotate_snippets", &["scene"]),
     ("csv", &["report"]),
     ("serde_json", &["report"]),
+    ("serde", &["report"]),
+    ("nalgebra", &["solver"]),
+    ("petgraph", &["solver"]),
     ("std::fs", &["cli", "tui"]),
     ("std::io", &["report", "cli", "tui"]),
     ("std::env", &["cli", "tui", "main"]),

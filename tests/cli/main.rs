@@ -10,6 +10,32 @@ mod table;
 use assert_cmd::Command;
 use std::path::{Path, PathBuf};
 
+/// Three parallel cranks: mobile, though one constraint repeats another.
+const PARALLEL_CRANKS: &str = r#"
+name = "Three parallel cranks"
+unit = "m"
+[ground]
+A = [0, 0]
+D = [3, 0]
+G = [1, 0]
+[driver]
+link = "a"
+angle = 60
+speed = "1 rad/s"
+[links]
+a = { from = "A", to = "B", length = 1 }
+c = { from = "D", to = "C", length = 1 }
+e = { from = "G", to = "F", length = 1 }
+b = { from = "B", to = "C", length = 3, points = { F = [1, 0] } }
+[start]
+C = [3.5, 0.866]
+[vectors]
+on_coupler = ["B", "F"]
+across = ["A", "C"]
+on_crank = ["A", "B"]
+on_ground = ["A", "G"]
+"#;
+
 /// What a run of the program left behind.
 struct Run {
     code: i32,

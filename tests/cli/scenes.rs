@@ -1,8 +1,9 @@
 //! `check`, and where scenes come from.
 
-use super::{command, done, folder, json, refused, run};
+use super::{PARALLEL_CRANKS, command, done, folder, json, refused, run};
 
-const PARALLEL_LINKS: &str = r#"
+/// A four-bar that opens in a name with a control character.
+const MINE: &str = r#"
 name = "Mine \u001b[2J"
 unit = "cm"
 [ground]
@@ -52,6 +53,19 @@ fn check_names_slides_and_coupled_groups() {
 }
 
 #[test]
+fn check_tells_of_redundant_constraints_and_driven_slides() {
+    let heard = run(command(&["check", "-"]).write_stdin(PARALLEL_CRANKS));
+    let line = "mobility   1, with 1 redundant constraint set aside: ";
+    assert!(heard.out.contains(line), "{}", heard.out);
+    let boom = done(&["check", "excavator-boom"]);
+    assert!(boom.contains("groups     1. driver: slide rod\n"), "{boom}");
+    assert!(
+        boom.contains("driver     slide rod, opens at 2 m, 0.15 m/s"),
+        "{boom}"
+    );
+}
+
+#[test]
 fn check_gives_the_range_as_doubles_and_with_12_decimals() {
     let full = json(&done(&["check", "four-bar", "--format", "json"]));
     assert_eq!(full["range"], serde_json::json!([0.0, 360.0]));
@@ -81,7 +95,7 @@ fn check_in_json_names_every_part() {
 #[test]
 fn a_scene_comes_from_standard_input() {
     let mut on_stdin = command(&["check", "-"]);
-    let heard = run(on_stdin.write_stdin(PARALLEL_LINKS));
+    let heard = run(on_stdin.write_stdin(MINE));
     assert_eq!((heard.code, heard.err.as_str()), (0, ""));
     assert!(
         heard
@@ -97,7 +111,7 @@ fn a_scene_comes_from_standard_input() {
     );
 
     let mut broken = command(&["check", "-"]);
-    let heard = run(broken.write_stdin(PARALLEL_LINKS.replace("2.5", "-2.5")));
+    let heard = run(broken.write_stdin(MINE.replace("2.5", "-2.5")));
     assert_eq!((heard.code, heard.out.as_str()), (2, ""));
     assert!(heard.err.contains("stdin:14:"), "{}", heard.err);
     assert!(heard.err.is_ascii());
@@ -106,9 +120,9 @@ fn a_scene_comes_from_standard_input() {
 #[test]
 fn a_file_wins_over_a_preset_only_by_path() {
     let here = folder("by-path");
-    std::fs::write(here.join("four-bar"), PARALLEL_LINKS).unwrap();
-    std::fs::write(here.join("mine"), PARALLEL_LINKS).unwrap();
-    std::fs::write(here.join("mine.toml"), PARALLEL_LINKS).unwrap();
+    std::fs::write(here.join("four-bar"), MINE).unwrap();
+    std::fs::write(here.join("mine"), MINE).unwrap();
+    std::fs::write(here.join("mine.toml"), MINE).unwrap();
     let unit = |name: &str| {
         let mut command = command(&["check", name, "--format", "json"]);
         json(&run(command.current_dir(&here)).out)["unit"].clone()
@@ -142,7 +156,7 @@ fn what_cannot_be_read_is_refused() {
 #[test]
 fn an_impossible_scene_ends_with_2_for_every_command() {
     let file = folder("impossible").join("open.toml");
-    std::fs::write(&file, PARALLEL_LINKS.replace("length = 3", "length = 9")).unwrap();
+    std::fs::write(&file, MINE.replace("length = 3", "length = 9")).unwrap();
     let file = file.to_str().unwrap();
     for command in ["check", "table", "sweep"] {
         let message = refused(2, &[command, file]);

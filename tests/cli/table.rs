@@ -1,6 +1,6 @@
 //! `table`: the lectures' tables, and the figures that the lectures print.
 
-use super::{done, json, refused, rows};
+use super::{PARALLEL_CRANKS, command, done, json, refused, rows, run};
 use std::collections::BTreeMap;
 
 #[test]
@@ -125,6 +125,45 @@ fn given_entries_are_told_from_found_ones() {
     assert_eq!(
         (entry("A.x"), entry("C.x")),
         ("given".into(), "found".into())
+    );
+}
+
+/// A vector between two points of one body keeps its length and turns as the body does.
+#[test]
+fn vectors_between_points_are_given_as_far_as_their_body_is() {
+    let mut command = command(&["table", "-", "--format", "json"]);
+    let table = json(&run(command.write_stdin(PARALLEL_CRANKS)).out);
+    let vectors = table["vectors"].as_array().unwrap();
+    let given = |name: &str| {
+        let vector = vectors.iter().find(|v| v["name"] == name).unwrap();
+        let length = vector["length"].as_f64().unwrap();
+        (length, vector["given"].as_array().unwrap().len())
+    };
+    assert_eq!(given("on_coupler"), (1.0, 3));
+    assert_eq!(given("on_crank"), (1.0, 6));
+    assert_eq!(given("on_ground"), (1.0, 6));
+    let (length, entries) = given("across");
+    assert!((length - 13.0_f64.sqrt()).abs() < 1e-15 * 20.0 && entries == 0);
+}
+
+#[test]
+fn a_link_that_cannot_turn_has_its_direction_given() {
+    let table = json(&done(&["table", "press-ram", "--format", "json"]));
+    let vectors = table["vectors"].as_array().unwrap();
+    let find = |name: &str| vectors.iter().find(|v| v["name"] == name).unwrap();
+    let turning = serde_json::json!(["angle", "omega", "alpha"]);
+    // The guide points up, and the vector runs back along it.
+    assert_eq!(
+        (&find("r6")["given"], &find("r6")["angle"]),
+        (&turning, &270.0.into())
+    );
+    assert_eq!(
+        (&find("ram")["given"], &find("ram")["angle"]),
+        (&turning, &90.0.into())
+    );
+    assert!(
+        find("ram").get("length").is_none(),
+        "a link without ends has no length"
     );
 }
 
