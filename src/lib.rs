@@ -1,11 +1,92 @@
-//! krank: planar linkages with one input.
+//! Planar linkages with one input: position, velocity and acceleration of every point and link.
+//!
+//! krank is a program and this library. The program is a workbench in the terminal and a set of
+//! commands; the library is the scene file, the solver and the reports, for other front ends.
+//! Without the feature `tui` the workbench is left out, and with it every crate that knows a
+//! terminal.
+//!
+//! # The way of the data
+//!
+//! ```text
+//! scene file (TOML)
+//!   -> scene      text, units and names; a fault points at its line and column
+//!   -> mechanism  points, links, slides and the driver, by typed ids: no text, no I/O
+//!   -> solver     once: which groups, in which order, over which range
+//!                 then: the driver's coordinate -> a state, without a history and without allocating
+//!   -> quantity   everything that has a name, a unit and a value
+//!   -> report     tables, CSV, JSON      -> drawing, tui   the linkage in characters, live tables
+//! ```
+//!
+//! Nobody imports against this way: [`solver`] knows no file, no unit name and no terminal. What the
+//! solver finds wrong carries ids; [`scene::Scene::explain`] joins it with the lines of the file.
+//!
+//! # A four-bar in code
+//!
+//! The four-bar of the lectures: crank 100 mm, coupler 300 mm, rocker 250 mm, the ground pivots
+//! 400 mm apart; the crank turns at 15 rad/s.
+//!
+//! ```
+//! use krank::solver::{Condition, Order, Solver};
+//! use krank::{Driver, Input, Mechanism, Vec2};
+//!
+//! let mut builder = Mechanism::builder();
+//! let a = builder.ground_point(0.0, 0.0);
+//! let d = builder.ground_point(400.0, 0.0);
+//! let (b, c) = (builder.moving_point(), builder.moving_point());
+//! let crank = builder.link(a, b, 100.0);
+//! let coupler = builder.link(b, c, 300.0);
+//! builder.link(c, d, 250.0);
+//! builder.driver(Driver {
+//!     input: Input::Turn(crank),
+//!     start: 60.0,
+//!     speed: 15.0,
+//!     acceleration: 0.0,
+//! });
+//! // Two assemblies close this loop; the start says which one is meant.
+//! builder.start(c, Vec2::new(310.0, 230.0));
+//! let mechanism = builder.build().expect("every element is sound by itself");
+//!
+//! let solver = Solver::new(&mechanism).expect("the linkage closes and has one input");
+//! let mut state = solver.state();
+//! assert_eq!(solver.solve(60.0, Order::Acceleration, &mut state), Condition::Ok);
+//!
+//! // The velocity of C in mm/s, and the coupler's angular velocity in rad/s.
+//! let v = state.velocity(c);
+//! assert!((v.x + 722.630802).abs() < 1e-6 && (v.y + 273.816684).abs() < 1e-6);
+//! assert!((state.omega(coupler) + 3.916412730).abs() < 1e-9);
+//! ```
+//!
+//! # Notation
+//!
+//! The frame is fixed, x to the right and y up. Angles and everything that turns count
+//! counter-clockwise, from +x.
+//!
+//! | symbol | in columns | meaning | unit |
+//! |---|---|---|---|
+//! | r | `length` | length of a vector; of a slide the signed position along its guide, counted from `through` | the scene's length unit |
+//! | theta | `angle` | direction of a vector at its tail, from 0 to below 360; the driver's is not wrapped | deg |
+//! | dr/dt, d2r/dt2 | `rate`, `accel` | first and second rate of r | length/s, length/s^2 |
+//! | omega | `omega` | angular velocity of a link or a vector | rad/s |
+//! | alpha | `alpha` | angular acceleration | rad/s^2 |
+//! | x, y | `x`, `y` | position of a point in the ground frame | length |
+//! | v | `vx`, `vy` | its velocity | length/s |
+//! | a | `ax`, `ay` | its acceleration | length/s^2 |
+//! | q | `driver.angle`, `driver.position` | the driver's coordinate | deg, or length |
+//! | e | | in the solver: from a known point P to the point X that is sought, e = X - P | length |
+//! | t, n | | direction of a guide, and its normal: t turned by +90 degrees | 1 |
+//! | mu | | transmission angle of a dyad: between its two links, at the inner joint | deg |
+//!
+//! A link from B to C has its origin at B and its x axis towards C; `com`, further points and the
+//! guides that it carries are given in that frame.
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
 pub mod angle;
+pub mod cli;
 pub mod drawing;
 mod explain;
 mod mechanism;
 pub mod quantity;
+pub mod report;
 pub mod scene;
 pub mod solver;
 mod vec2;

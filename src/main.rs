@@ -1,3 +1,7 @@
 //! The program `krank`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    krank::cli::run(std::env::args_os())
+}

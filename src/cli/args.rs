@@ -44,19 +44,23 @@ pub(super) struct WorkbenchArgs {
     #[arg(help = SCENE_HELP, default_value = "four-bar")]
     pub(super) scene: PathBuf,
     /// Where to open: deg of the driven link, or the position of the driven slide
+    #[cfg(feature = "tui")]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(super) at: Option<Decimal>,
     /// The characters to draw with
+    #[cfg(feature = "tui")]
     #[arg(long, value_enum, default_value_t)]
     pub(super) glyphs: Glyphs,
     /// The colours to draw with
+    #[cfg(feature = "tui")]
     #[arg(long, visible_alias = "color", value_enum, default_value_t)]
     pub(super) colour: Colour,
 }
 
 /// The characters that the workbench draws with.
+#[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Glyphs {
+pub(super) enum Glyphs {
     /// As the locale and the terminal allow
     #[default]
     Auto,
@@ -69,8 +73,9 @@ pub enum Glyphs {
 }
 
 /// The colours that the workbench draws with.
+#[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Colour {
+pub(super) enum Colour {
     /// As the terminal and NO_COLOR allow
     #[default]
     Auto,
@@ -108,8 +113,7 @@ Examples:
   krank table four-bar --format json")]
     Table(TableArgs),
     /// Write figures over the driver's angle, row by row
-    #[command(
-        after_help = "\
+    #[command(after_help = "\
 Examples:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
   krank sweep four-bar --columns 'C.*,*.omega' --format json
@@ -120,8 +124,7 @@ krank sweep SCENE --from 0 --to 0 shows all of a scene's. The driver's coordinat
 always comes first and the state last: ok, change-point, dead-point or
 no-assembly. A value that does not exist is an empty cell (null in JSON).
 Without --from and --to a sweep covers the motion range and ends on its limits,
-or after one period."
-    )]
+or after one period.")]
     Sweep(SweepArgs),
     /// Print a completion script for a shell
     #[command(

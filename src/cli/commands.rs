@@ -11,7 +11,6 @@ use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order};
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
-use std::io::Write;
 
 /// `krank list`: a line per preset.
 pub(super) fn list(screen: Screen) -> Result<(), Failure> {
@@ -46,7 +45,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     if solver.solve(at, Order::Acceleration, &mut state) == Condition::NoAssembly {
         let catalogue = Catalogue::new(&scene);
         let driver = catalogue.driver();
-        return Err(Failure::Mechanism(format!(
+        return Err(Failure::Cannot(format!(
             "the mechanism cannot be assembled at {at} {}: the driver covers {}",
             driver.unit,
             range_text(solver.motion().range, driver)
@@ -86,7 +85,7 @@ pub(super) fn man(command: Option<&str>) -> Result<(), Failure> {
 
 fn page_of(krank: &Command, name: &str) -> Result<Command, Failure> {
     match krank.find_subcommand(name) {
-        Some(command) => Ok(command.clone().name(format!("krank-{name}"))),
+        Some(command) => Ok(command.clone()),
         None => Err(Failure::Usage(format!("krank has no command `{name}`"))),
     }
 }

@@ -13,8 +13,8 @@ pub(super) enum Failure {
     Usage(String),
     /// The scene is wrong.
     Scene(Diagnostics),
-    /// The mechanism cannot do what was asked.
-    Mechanism(String),
+    /// What was asked cannot be done, by the mechanism or by the terminal.
+    Cannot(String),
     /// The results cannot be written; `None` is standard output.
     Output(Option<PathBuf>, io::Error),
     /// Whoever read the results has enough of them.
@@ -22,12 +22,12 @@ pub(super) enum Failure {
 }
 
 impl Failure {
-    /// 1: the mechanism cannot, or the output cannot be written; 2: the command line or the scene
-    /// is wrong. A reader that closes the pipe is no failure.
+    /// 1: it cannot be done, or the output cannot be written; 2: the command line or the scene is
+    /// wrong. A reader that closes the pipe is no failure.
     pub(super) fn code(&self) -> ExitCode {
         match self {
             Failure::PipeClosed => ExitCode::SUCCESS,
-            Failure::Mechanism(_) | Failure::Output(..) => ExitCode::from(1),
+            Failure::Cannot(_) | Failure::Output(..) => ExitCode::from(1),
             Failure::Usage(_) | Failure::Scene(_) => ExitCode::from(2),
         }
     }
@@ -37,7 +37,7 @@ impl Failure {
         let text = match self {
             Failure::PipeClosed => return,
             Failure::Scene(diagnostics) => diagnostics.render(screen.ascii, screen.colour),
-            Failure::Usage(message) | Failure::Mechanism(message) => error(message, screen),
+            Failure::Usage(message) | Failure::Cannot(message) => error(message, screen),
             Failure::Output(None, e) => error(&format!("cannot write the results: {e}"), screen),
             Failure::Output(Some(path), e) => {
                 error(&format!("cannot write `{}`: {e}", path.display()), screen)

@@ -7,9 +7,11 @@ mod output;
 mod screen;
 mod source;
 mod sweep;
+#[cfg(feature = "tui")]
 mod workbench;
-
-pub use args::{Colour, Glyphs};
+#[cfg(not(feature = "tui"))]
+#[path = "no_workbench.rs"]
+mod workbench;
 
 use crate::scene::harmless;
 use args::{Cli, Command};

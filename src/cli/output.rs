@@ -32,7 +32,10 @@ pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure>
     write_to(path, |out| out.write_all(text.as_bytes()))
 }
 
-fn through<T>(to: impl Write, write: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {
+fn through<T>(
+    to: impl Write,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<T>,
+) -> io::Result<T> {
     let mut buffered = BufWriter::with_capacity(BUFFER, to);
     let outcome = write(&mut buffered);
     if outcome.is_err() {

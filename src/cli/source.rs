@@ -19,22 +19,32 @@ pub(super) struct Opened {
 
 /// Reads, checks and assembles the scene that the command line names.
 pub(super) fn open(name: &Path) -> Result<Opened, Failure> {
-    let scene = read(name)?;
-    let solver = Solver::new(&scene.mechanism)
-        .map_err(|fault| Failure::Scene(scene.explain(&fault)))?;
+    load(&find(name)?)
+}
+
+/// The scene of a source, checked and assembled.
+pub(super) fn load(source: &Source) -> Result<Opened, Failure> {
+    let scene = read(source)?;
+    let solver =
+        Solver::new(&scene.mechanism).map_err(|fault| Failure::Scene(scene.explain(&fault)))?;
     Ok(Opened { scene, solver })
 }
 
 /// Where a scene comes from.
 #[derive(Debug)]
-enum Source {
+pub(super) enum Source {
     Stdin,
     Preset(&'static Preset),
     File(PathBuf),
 }
 
-fn read(name: &Path) -> Result<Scene, Failure> {
-    let scene = match source(name, Path::exists)? {
+/// Which scene the command line means.
+pub(super) fn find(name: &Path) -> Result<Source, Failure> {
+    source(name, Path::exists)
+}
+
+fn read(source: &Source) -> Result<Scene, Failure> {
+    let scene = match source {
         Source::Preset(preset) => Scene::parse(preset.text, preset.name),
         Source::Stdin => {
             let bytes = limited(io::stdin()).map_err(|e| unreadable("standard input", &e))?;
@@ -42,7 +52,7 @@ fn read(name: &Path) -> Result<Scene, Failure> {
         }
         Source::File(path) => {
             let shown = path.display().to_string();
-            let bytes = File::open(&path).and_then(limited);
+            let bytes = File::open(path).and_then(limited);
             let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
             Scene::read(&bytes, &shown)
         }
@@ -85,7 +95,9 @@ fn unknown(name: &str) -> Failure {
     let scenes = presets::all().iter().map(|preset| ("preset", preset.name));
     let commands = COMMANDS.iter().map(|command| ("command", *command));
     let distance = |known: &str| strsim::damerau_levenshtein(name, known);
-    let nearest = scenes.chain(commands).min_by_key(|(_, known)| distance(known));
+    let nearest = scenes
+        .chain(commands)
+        .min_by_key(|(_, known)| distance(known));
     // Half of the name may be wrong, but not more: otherwise it is another name.
     let nearest = nearest.filter(|(_, known)| 2 * distance(known) <= known.len());
     let mend = match nearest {

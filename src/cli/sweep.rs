@@ -54,13 +54,15 @@ fn judge(outcome: Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
         return Ok(());
     }
     if valued == 0 {
-        return Err(Failure::Mechanism(format!(
+        return Err(Failure::Cannot(format!(
             "no row of the sweep lies within the motion: the driver covers {range}"
         )));
     }
     let outside = rows - valued;
     note(
-        &format!("{outside} of {rows} rows lie outside the motion and have no values: the driver covers {range}"),
+        &format!(
+            "{outside} of {rows} rows lie outside the motion and have no values: the driver covers {range}"
+        ),
         screen,
     );
     Ok(())
@@ -71,11 +73,11 @@ fn steps(scene: &Scene, range: Range, args: &SweepArgs) -> Result<Steps, Failure
     let down = args.step.is_some_and(|step| step.value() < 0.0);
     let from = match args.from {
         Some(from) => from,
-        None => decimal(first(range, down).ok_or_else(endless)?)?,
+        None => decimal(first(range, down))?,
     };
     let to = match args.to {
         Some(to) => to,
-        None => decimal(last(range, down, from.value()).ok_or_else(endless)?)?,
+        None => decimal(last(range, down, from.value()))?,
     };
     let step = match (args.step, scene.mechanism.driver().input) {
         (Some(step), _) => step,
@@ -89,30 +91,28 @@ fn steps(scene: &Scene, range: Range, args: &SweepArgs) -> Result<Steps, Failure
     })
 }
 
-fn endless() -> Failure {
-    Failure::Usage("the slide can be pushed without end: give --from and --to".into())
-}
-
 /// Limits are finite, so that they have a decimal.
 fn decimal(value: f64) -> Result<Decimal, Failure> {
-    Decimal::of(value).ok_or_else(|| Failure::Mechanism("the motion has no finite limits".into()))
+    Decimal::of(value).ok_or_else(|| Failure::Cannot("the motion has no finite limits".into()))
 }
 
 /// Where a sweep begins that was not told.
-fn first(range: Range, down: bool) -> Option<f64> {
-    match range {
-        Range::Full { period } => Some(if down { period } else { 0.0 }),
-        Range::Limited { low, high } => Some(if down { high } else { low }),
-        Range::Endless => None,
+fn first(range: Range, down: bool) -> f64 {
+    match (range, down) {
+        (Range::Full { .. }, false) => 0.0,
+        (Range::Full { period }, true) => period,
+        (Range::Limited { low, .. }, false) => low,
+        (Range::Limited { high, .. }, true) => high,
     }
 }
 
 /// Where a sweep ends that was not told: one period on, or on the limit.
-fn last(range: Range, down: bool, from: f64) -> Option<f64> {
-    match range {
-        Range::Full { period } => Some(if down { from - period } else { from + period }),
-        Range::Limited { low, high } => Some(if down { low } else { high }),
-        Range::Endless => None,
+fn last(range: Range, down: bool, from: f64) -> f64 {
+    match (range, down) {
+        (Range::Full { period }, false) => from + period,
+        (Range::Full { period }, true) => from - period,
+        (Range::Limited { high, .. }, false) => high,
+        (Range::Limited { low, .. }, true) => low,
     }
 }
 
@@ -146,11 +146,16 @@ mod tests {
 
     #[test]
     fn ends_that_are_left_out_are_those_of_the_motion() {
+        let ends = |range, down| (first(range, down), last(range, down, first(range, down)));
         let full = Range::Full { period: 720.0 };
-        assert_eq!((first(full, false), last(full, false, 30.0)), (Some(0.0), Some(750.0)));
-        assert_eq!((first(full, true), last(full, true, 720.0)), (Some(720.0), Some(0.0)));
-        let limited = Range::Limited { low: -3.0, high: 9.5 };
-        assert_eq!((first(limited, true), last(limited, true, 9.5)), (Some(9.5), Some(-3.0)));
-        assert_eq!(first(Range::Endless, false), None);
+        assert_eq!(ends(full, false), (0.0, 720.0));
+        assert_eq!(ends(full, true), (720.0, 0.0));
+        assert_eq!(last(full, false, 30.0), 750.0);
+        let limited = Range::Limited {
+            low: -3.0,
+            high: 9.5,
+        };
+        assert_eq!(ends(limited, false), (-3.0, 9.5));
+        assert_eq!(ends(limited, true), (9.5, -3.0));
     }
 }

@@ -1,14 +1,54 @@
 //! Opening the workbench.
 
-use super::args::WorkbenchArgs;
+use super::args::{Colour, Glyphs, WorkbenchArgs};
 use super::failure::Failure;
+use super::source::{Opened, Source, find, load};
+use crate::drawing;
+use crate::tui::{self, Colours, Options, Origin};
 
-/// Without the feature `tui` there is none: says so, and what to use instead.
-#[cfg(not(feature = "tui"))]
+/// Opens the scene on the terminal and returns when the workbench is left.
 pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
-    let scene = args.scene.display();
-    Err(Failure::Usage(format!(
-        "this krank was built without the workbench (the feature `tui`); \
-         `krank table {scene}` prints the tables"
-    )))
+    let source = find(&args.scene)?;
+    let Opened { scene, solver } = load(&source)?;
+    let origin = match source {
+        Source::Stdin => Origin::Stdin,
+        Source::Preset(preset) => Origin::Preset(preset.name.to_owned()),
+        Source::File(path) => Origin::File(path),
+    };
+    let options = Options {
+        at: args.at.map(|at| at.value()),
+        glyphs: glyphs(args.glyphs),
+        colours: colours(args.colour),
+    };
+    let opened = tui::Opened {
+        scene,
+        solver,
+        origin,
+    };
+    tui::run(opened, &options).map_err(|error| {
+        if error.is_usage() {
+            Failure::Usage(error.to_string())
+        } else {
+            Failure::Cannot(error.to_string())
+        }
+    })
+}
+
+fn glyphs(wish: Glyphs) -> Option<drawing::Glyphs> {
+    match wish {
+        Glyphs::Auto => None,
+        Glyphs::Ascii => Some(drawing::Glyphs::Ascii),
+        Glyphs::Line => Some(drawing::Glyphs::Line),
+        Glyphs::Braille => Some(drawing::Glyphs::Braille),
+    }
+}
+
+fn colours(wish: Colour) -> Option<Colours> {
+    match wish {
+        Colour::Auto => None,
+        Colour::None => Some(Colours::None),
+        Colour::Palette => Some(Colours::Sixteen),
+        Colour::Indexed => Some(Colours::Indexed),
+        Colour::True => Some(Colours::True),
+    }
 }

@@ -1,9 +1,9 @@
 //! What krank understood of a scene: its parts, its mobility, its groups and its range.
 
+use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Group, GroupKind, Range, Solver};
 use crate::{Body, Element, Input, LinkId, PointId, Slider};
-use crate::quantity::{Catalogue, Quantity};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
@@ -111,8 +111,8 @@ pub struct Check {
     pub redundant: Vec<String>,
     /// The groups in the order in which they are solved.
     pub groups: Vec<GroupFacts>,
-    /// The lower and the upper end of the driver's range; `None` for a slide without end.
-    pub range: Option<[f64; 2]>,
+    /// The lower and the upper end of the driver's range, in deg or the scene's unit.
+    pub range: [f64; 2],
     /// The degrees after which the motion repeats; `None` if the driver cannot turn fully.
     pub period: Option<f64>,
     /// The same in words.
@@ -132,7 +132,6 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
         Range::Limited { low, high } => {
             format!("{low:.DECIMALS$} to {high:.DECIMALS$} {unit}")
         }
-        Range::Endless => "without end".into(),
     }
 }
 
@@ -144,9 +143,8 @@ impl Check {
         let mechanism = &scene.mechanism;
         let plan = solver.plan();
         let (range, period) = match solver.motion().range {
-            Range::Full { period } => (Some([0.0, period]), Some(period)),
-            Range::Limited { low, high } => (Some([low, high]), None),
-            Range::Endless => (None, None),
+            Range::Full { period } => ([0.0, period], Some(period)),
+            Range::Limited { low, high } => ([low, high], None),
         };
         Check {
             scene: scene.name.clone(),

@@ -3,11 +3,14 @@
 use super::check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
 };
+use super::text::{WIDTH, wrapped};
 use crate::scene::harmless;
 use crate::solver::GroupKind;
 
 /// The column in which the facts begin.
 const FACTS: usize = 11;
+/// What stands before the rest of a fact that takes several lines.
+const FURTHER: &str = "  ";
 impl Check {
     /// As text for a person; titles and notes in ASCII alone if asked, everything else always is.
     #[must_use]
@@ -28,7 +31,7 @@ impl Check {
         out.facts("slides", self.slides.iter().map(slide_text));
         out.facts("mobility", [self.mobility_text()]);
         let groups = self.groups.iter().enumerate();
-        let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, group_text(group)));
+        let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, self.group_text(group)));
         out.facts("groups", groups);
         out.facts("range", [self.range_text.clone()]);
         out.text
@@ -51,19 +54,51 @@ impl Check {
     fn driver_text(&self) -> String {
         let DriverFacts {
             kind,
-            name,
             start,
             speed,
             acceleration,
+            ..
         } = &self.driver;
-        let (what, coordinate, rate) = match kind {
-            DriverKind::Link => ("link", "deg", "rad"),
-            DriverKind::Slide => ("slide", self.unit, self.unit),
+        let (coordinate, rate) = match kind {
+            DriverKind::Link => ("deg", "rad"),
+            DriverKind::Slide => (self.unit, self.unit),
         };
+        let driven = self.driven();
         format!(
-            "{what} {name}, opens at {start} {coordinate}, {speed} {rate}/s, \
+            "{driven}, opens at {start} {coordinate}, {speed} {rate}/s, \
              {acceleration} {rate}/s^2"
         )
+    }
+
+    fn driven(&self) -> String {
+        let kind = match self.driver.kind {
+            DriverKind::Link => "link",
+            DriverKind::Slide => "slide",
+        };
+        format!("{kind} {}", self.driver.name)
+    }
+
+    fn group_text(&self, group: &GroupFacts) -> String {
+        let at = group.point.as_ref().map(|p| format!(" at {p}"));
+        let at = at.unwrap_or_default();
+        let dyad = |class| format!("dyad {class}{at}");
+        let (what, how) = match group.kind {
+            GroupKind::Driver => return format!("driver: {}", self.driven()),
+            GroupKind::Rrr => (dyad("RRR"), "closed form"),
+            GroupKind::Rrp => (dyad("RRP"), "closed form"),
+            GroupKind::Rpr => (dyad("RPR"), "closed form"),
+            GroupKind::Prp => (dyad("PRP"), "closed form"),
+            GroupKind::Rpp => (dyad("RPP"), "closed form"),
+            GroupKind::Coupled { unknowns } => {
+                let unknowns = counted(unknowns, "unknown");
+                (format!("coupled group{at}, {unknowns}"), "by Newton")
+            }
+        };
+        match group.links.as_slice() {
+            [] => format!("{what} ({how})"),
+            [link] => format!("{what}: link {link} ({how})"),
+            links => format!("{what}: links {} ({how})", links.join(", ")),
+        }
     }
 
     fn mobility_text(&self) -> String {
@@ -104,37 +139,6 @@ fn slide_text(slide: &SlideFacts) -> String {
     }
 }
 
-fn group_text(group: &GroupFacts) -> String {
-    let links = match group.links.as_slice() {
-        [] => String::new(),
-        [one] => format!("link {one}"),
-        many => format!("links {}", many.join(", ")),
-    };
-    let at = group.point.as_ref().map(|p| format!(" at {p}"));
-    let at = at.unwrap_or_default();
-    let (what, how) = match group.kind {
-        GroupKind::Driver => ("driver".to_owned(), ""),
-        GroupKind::Rrr => dyad("RRR", &at),
-        GroupKind::Rrp => dyad("RRP", &at),
-        GroupKind::Rpr => dyad("RPR", &at),
-        GroupKind::Prp => dyad("PRP", &at),
-        GroupKind::Rpp => dyad("RPP", &at),
-        GroupKind::Coupled { unknowns } => {
-            let unknowns = counted(unknowns, "unknown");
-            (format!("coupled group{at}, {unknowns}"), " (by Newton)")
-        }
-    };
-    if links.is_empty() {
-        format!("{what}{how}")
-    } else {
-        format!("{what}: {links}{how}")
-    }
-}
-
-fn dyad(class: &str, at: &str) -> (String, &'static str) {
-    (format!("dyad {class}{at}"), " (closed form)")
-}
-
 /// Lines of a name and its facts, one fact a line.
 #[derive(Default)]
 struct Out {
@@ -148,9 +152,14 @@ impl Out {
     }
 
     fn facts(&mut self, name: &str, facts: impl IntoIterator<Item = String>) {
-        for (i, fact) in facts.into_iter().enumerate() {
-            let name = if i == 0 { name } else { "" };
-            self.line(&format!("{name:FACTS$}{fact}"));
+        let mut name = name;
+        for fact in facts {
+            // What does not fit goes on below, further in than a fact of its own.
+            let mut indent = "";
+            for line in wrapped(&fact, WIDTH - FACTS - FURTHER.len()) {
+                self.line(&format!("{name:FACTS$}{indent}{line}"));
+                (name, indent) = ("", FURTHER);
+            }
         }
     }
 }

@@ -322,7 +322,11 @@ mod tests {
         );
         let full = steps("1", "1e9", "1").unwrap();
         assert_eq!(full.count(), 1_000_000_000);
-        for (from, to, step) in [("0", "1e9", "1"), ("0", "360", "1e-300"), ("-1e300", "1e300", "1")] {
+        for (from, to, step) in [
+            ("0", "1e9", "1"),
+            ("0", "360", "1e-300"),
+            ("-1e300", "1e300", "1"),
+        ] {
             let refused = steps(from, to, step).unwrap_err();
             assert!(matches!(refused, StepsError::TooMany { .. }), "{refused}");
         }
@@ -345,7 +349,10 @@ mod tests {
         let wide = steps("1e-30", "3", "1").unwrap();
         assert_eq!(wide.iter().collect::<Vec<_>>(), [1e-30, 1.0, 2.0]);
         let long = steps("0.1234567890123456789012345678901234567890123", "2", "1").unwrap();
-        assert_eq!(long.iter().collect::<Vec<_>>(), [0.123_456_789_012_345_68, 1.123_456_789_012_345_7]);
+        assert_eq!(
+            long.iter().collect::<Vec<_>>(),
+            [0.123_456_789_012_345_68, 1.123_456_789_012_345_7]
+        );
     }
 
     proptest! {

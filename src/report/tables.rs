@@ -213,7 +213,12 @@ fn vector_column(mechanism: &Mechanism, vector: &Vector, state: &State) -> Vecto
 /// The direction of a link and its rates.
 fn turning(mechanism: &Mechanism, link: LinkId, state: &State) -> [Entry; 3] {
     let known = known_direction(mechanism, Body::Link(link));
-    read(Subject::Link(link), TURNING, known, state)
+    let mut entries = read(Subject::Link(link), TURNING, known, state);
+    if known == Known::Driven && entries[0].value.is_some() {
+        // As it was asked, without the detour over the direction's components.
+        entries[0].value = Some(angle::wrapped(state.at()));
+    }
+    entries
 }
 
 /// The scene gives the direction of the driven link, and of a link that cannot turn.

@@ -35,6 +35,10 @@ impl Tables {
     }
 }
 
+/// Widths of the labels, so that the tables below one another line up.
+const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
+const POINT_LABELS: usize = "acceleration of points".len();
+
 /// The title of a table.
 fn title(order: Order) -> &'static str {
     match order {
@@ -58,8 +62,12 @@ impl Writer<'_> {
             [Aspect::Length, Aspect::Rate, Aspect::Accel]
         };
         let [at, speed, acceleration]: [String; 3] = std::array::from_fn(|i| {
-            let number = significant(driver.values[i], self.style.digits);
-            format!("{number} {}", units[i].unit(self.tables.unit))
+            // As asked and as given: these are no results that would need rounding.
+            format!(
+                "{} {}",
+                driver.values[i] + 0.0,
+                units[i].unit(self.tables.unit)
+            )
         });
         format!(
             "{}\ndriver {} at {at}, {speed}, {acceleration}\nstate {}\n",
@@ -85,7 +93,8 @@ impl Writer<'_> {
             Order::Acceleration => [("d2r/dt2", Aspect::Accel), ("alpha", Aspect::Alpha)],
         };
         let vectors = &self.tables.vectors;
-        let mut grid = Grid::default();
+        // Sign, point and star beside the digits.
+        let mut grid = Grid::new(VECTOR_LABELS, self.style.digits + 3);
         let mut row = |label: String, cell: &dyn Fn(&VectorColumn) -> String| {
             grid.row(std::iter::once(label).chain(vectors.iter().map(cell)));
         };
@@ -129,7 +138,7 @@ impl Writer<'_> {
             Order::Velocity => (["vx", "vy", "v"], Aspect::Vx),
             Order::Acceleration => (["ax", "ay", "a"], Aspect::Ax),
         };
-        let mut grid = Grid::default();
+        let mut grid = Grid::new(POINT_LABELS, self.style.digits + 2);
         let headers = names.map(|name| self.label(name, aspect));
         let direction = self.label("direction", Aspect::Angle);
         let title = format!("{} of points", title(order));

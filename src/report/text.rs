@@ -1,17 +1,28 @@
 //! Aligned tables in plain text.
 
-/// Columns of a plain terminal: tables wrap to stay within them where they can.
-const WIDTH: usize = 80;
+/// Columns of a plain terminal: tables and lines wrap to stay within them where they can.
+pub(super) const WIDTH: usize = 80;
 /// Blanks between two columns.
 const GAP: &str = "  ";
 
-/// A table of text: a title and rows of cells; the first cell of a row is its label.
+/// A table of text: rows of cells; the first cell of a row is its label.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Grid {
     rows: Vec<Vec<String>>,
+    labels: usize,
+    columns: usize,
 }
 
 impl Grid {
+    /// Labels and columns have at least these widths, so that tables below one another line up.
+    pub(super) fn new(labels: usize, columns: usize) -> Self {
+        Grid {
+            rows: Vec::new(),
+            labels,
+            columns,
+        }
+    }
+
     pub(super) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         self.rows.push(cells.into_iter().collect());
     }
@@ -19,7 +30,7 @@ impl Grid {
     /// The labels to the left, everything else to the right; as many columns side by side as fit,
     /// the others below under the same labels.
     pub(super) fn render(&self) -> String {
-        let labels = self.width(0);
+        let labels = self.width(0).max(self.labels);
         let columns = self.rows.iter().map(Vec::len).max().unwrap_or(0);
         let mut out = String::new();
         let mut first = 1;
@@ -44,7 +55,7 @@ impl Grid {
         let mut used = labels;
         let mut widths = Vec::new();
         for column in first..columns {
-            let width = self.width(column);
+            let width = self.width(column).max(self.columns);
             used += GAP.len() + width;
             if used > WIDTH && !widths.is_empty() {
                 break;
@@ -68,9 +79,31 @@ impl Grid {
     }
 }
 
+/// The words of a text in lines of at most `width` characters; a longer word has its own line.
+pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn words_wrap_and_none_is_lost() {
+        let lines = wrapped("one two  three-and-more four", 8);
+        assert_eq!(lines, ["one two", "three-and-more", "four"]);
+        assert!(wrapped(" ", 8).is_empty());
+    }
 
     #[test]
     fn columns_that_do_not_fit_follow_below() {

@@ -4,9 +4,11 @@
 //! Links with two joints are distances, not unknowns. Every joint is `base + R(angle) r`, so that its
 //! derivatives are exact; the equations are
 //!
-//!     distance   (|a - b|^2 - r^2) / 2 = 0        rate  e.(Va - Vb)
-//!     meeting    a - b = 0                               Va - Vb
-//!     slot       n.(x - q) = 0                           n.(Vx - Vq) - w t.(x - q)
+//! ```text
+//! distance   (|a - b|^2 - r^2) / 2 = 0        rate  e.(Va - Vb)
+//! meeting    a - b = 0                               Va - Vb
+//! slot       n.(x - q) = 0                           n.(Vx - Vq) - w t.(x - q)
+//! ```
 //!
 //! With J the matrix of the rates: J z' = -(rates with z' = 0), J z'' = -(second rates with z'' = 0).
 

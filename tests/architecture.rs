@@ -1,0 +1,410 @@
+//! Who may import whom, read from the sources themselves.
+//!
+//! The way of the data is scene -> mechanism -> solver -> quantity -> report -> tui. `solver` knows
+//! no file, no unit name and no terminal; nobody imports `tui` but the command line, and nobody
+//! imports the command line but `main`.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Every module of the crate and its place on the way of the data: a module may import those of a
+/// lower place. Modules of the same place do not know each other.
+const PLACES: [(&str, u8); 13] = [
+    ("vec2", 0),
+    ("angle", 1),
+    ("mechanism", 2),
+    ("scene", 3),
+    ("solver", 3),
+    ("explain", 4),
+    ("quantity", 4),
+    ("study", 5),
+    ("drawing", 6),
+    ("report", 6),
+    ("tui", 7),
+    ("cli", 8),
+    ("main", 9),
+];
+
+/// Crates, and parts of the standard library, that belong to some modules alone.
+const FOREIGN: [(&str, &[&str]); 18] = [
+    ("ratatui", &["tui"]),
+    ("termina", &["tui"]),
+    ("rustix", &["tui"]),
+    ("signal_hook", &["tui"]),
+    ("clap", &["cli"]),
+    ("clap_complete", &["cli"]),
+    ("clap_mangen", &["cli"]),
+    ("toml", &["scene"]),
+    ("annotate_snippets", &["scene"]),
+    ("csv", &["report"]),
+    ("serde_json", &["report"]),
+    ("serde", &["report"]),
+    ("nalgebra", &["solver"]),
+    ("petgraph", &["solver"]),
+    ("std::fs", &["cli", "tui"]),
+    ("std::io", &["report", "cli", "tui"]),
+    ("std::env", &["cli", "tui", "main"]),
+    ("std::process", &["cli", "tui", "main"]),
+];
+
+fn place(module: &str) -> Option<u8> {
+    PLACES.iter().find(|(m, _)| *m == module).map(|(_, p)| *p)
+}
+
+/// A source file: the module path that it stands for, and its text without tests.
+struct Source {
+    path: Vec<String>,
+    tokens: Vec<String>,
+}
+
+/// Identifiers, `::` and single marks; comments, texts and characters left out, lifetimes too.
+fn tokens(text: &str) -> Vec<String> {
+    let chars: Vec<char> = text.chars().collect();
+    let mut found = Vec::new();
+    let mut i = 0;
+    while i < chars.len() {
+        let next = chars.get(i + 1).copied();
+        i = match chars[i] {
+            '/' if next == Some('/') => until(&chars, i, |c| c == '\n'),
+            '/' if next == Some('*') => after_comment(&chars, i),
+            '"' => after_text(&chars, i),
+            'r' if matches!(next, Some('"' | '#')) && raw_text(&chars, i).is_some() => {
+                raw_text(&chars, i).unwrap()
+            }
+            '\'' => after_quote(&chars, i),
+            c if c.is_alphanumeric() || c == '_' => {
+                let end = until(&chars, i, |c| !(c.is_alphanumeric() || c == '_'));
+                found.push(chars[i..end].iter().collect());
+                end
+            }
+            ':' if next == Some(':') => {
+                found.push("::".into());
+                i + 2
+            }
+            c => {
+                if !c.is_whitespace() {
+                    found.push(c.into());
+                }
+                i + 1
+            }
+        };
+    }
+    found
+}
+
+fn until(chars: &[char], from: usize, end: impl Fn(char) -> bool) -> usize {
+    let length = chars[from..].iter().position(|&c| end(c));
+    length.map_or(chars.len(), |length| from + length)
+}
+
+fn after_comment(chars: &[char], from: usize) -> usize {
+    let rest = chars[from + 2..].windows(2);
+    let length = rest.into_iter().position(|pair| pair == ['*', '/']);
+    length.map_or(chars.len(), |length| from + length + 4)
+}
+
+fn after_text(chars: &[char], from: usize) -> usize {
+    let mut i = from + 1;
+    while i < chars.len() && chars[i] != '"' {
+        i += if chars[i] == '\\' { 2 } else { 1 };
+    }
+    i + 1
+}
+
+/// Behind `r"..."` or `r#"..."#`; `None` for an `r` that opens no text.
+fn raw_text(chars: &[char], from: usize) -> Option<usize> {
+    let open = until(chars, from + 1, |c| c != '#');
+    if chars.get(open) != Some(&'"') {
+        return None;
+    }
+    let mut close = vec!['"'];
+    close.resize(open - from, '#');
+    let mut ends = open + 1..chars.len();
+    let end = ends.find(|&i| chars[i..].starts_with(&close))?;
+    Some(end + close.len())
+}
+
+/// Behind a character, or behind the quote of a lifetime.
+fn after_quote(chars: &[char], from: usize) -> usize {
+    if chars.get(from + 1) == Some(&'\\') {
+        until(chars, from + 3, |c| c == '\'') + 1
+    } else if chars.get(from + 2) == Some(&'\'') {
+        from + 3
+    } else {
+        from + 1
+    }
+}
+
+/// The tokens without modules under `#[cfg(test)]`: tests may look at everything.
+fn without_tests(tokens: &[String]) -> Vec<String> {
+    let mark = ["#", "[", "cfg", "(", "test", ")", "]", "mod"];
+    let mut kept = Vec::new();
+    let mut i = 0;
+    while i < tokens.len() {
+        if tokens[i..].iter().take(mark.len()).eq(mark.iter()) {
+            i = behind_block(tokens, i + mark.len());
+        } else {
+            kept.push(tokens[i].clone());
+            i += 1;
+        }
+    }
+    kept
+}
+
+/// Behind `name { ... }` or `name;`.
+fn behind_block(tokens: &[String], from: usize) -> usize {
+    let mut depth = 0;
+    for (i, token) in tokens.iter().enumerate().skip(from) {
+        match token.as_str() {
+            "{" => depth += 1,
+            "}" => depth -= 1,
+            ";" if depth == 0 => return i + 1,
+            _ => {}
+        }
+        if depth == 0 && token == "}" {
+            return i + 1;
+        }
+    }
+    tokens.len()
+}
+
+/// What stands behind a path's `::` at `i`: one name, or the first names of a group in braces.
+fn heads(tokens: &[String], i: usize) -> Vec<String> {
+    if tokens.get(i).map(String::as_str) != Some("{") {
+        return tokens.get(i).cloned().into_iter().collect();
+    }
+    let mut heads = Vec::new();
+    let mut depth = 0;
+    for (j, token) in tokens.iter().enumerate().skip(i) {
+        match token.as_str() {
+            "{" => depth += 1,
+            "}" => depth -= 1,
+            _ if depth == 1 && matches!(tokens[j - 1].as_str(), "{" | ",") => {
+                heads.push(token.clone());
+            }
+            _ => {}
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    heads
+}
+
+impl Source {
+    fn new(path: Vec<String>, text: &str) -> Self {
+        let tokens = without_tests(&tokens(text));
+        Source { path, tokens }
+    }
+
+    fn module(&self) -> &str {
+        &self.path[0]
+    }
+
+    /// The names at the crate's root that the file refers to, by `crate::`, `krank::` or `super::`.
+    fn root_names(&self) -> BTreeSet<String> {
+        let mut names = BTreeSet::new();
+        let at = |i: usize| self.tokens.get(i).map_or("", String::as_str);
+        for i in 0..self.tokens.len() {
+            if at(i + 1) != "::" || (i > 0 && at(i - 1) == "::") {
+                continue;
+            }
+            let mut behind = i + 2;
+            let mut depth = match at(i) {
+                "crate" | "krank" => 0,
+                "super" => self.path.len() - 1,
+                _ => continue,
+            };
+            while at(behind) == "super" && depth > 0 {
+                depth -= 1;
+                behind += 2;
+            }
+            if depth == 0 {
+                names.extend(heads(&self.tokens, behind));
+            }
+        }
+        names
+    }
+
+    /// Whether the file names a foreign crate, or a part of the standard library.
+    fn names_foreign(&self, foreign: &str) -> bool {
+        let (first, second) = foreign.split_once("::").unwrap_or((foreign, ""));
+        let at = |i: usize| self.tokens.get(i).map_or("", String::as_str);
+        (0..self.tokens.len()).any(|i| {
+            let path = at(i) == first && at(i + 1) == "::" && (i == 0 || at(i - 1) != "::");
+            path && (second.is_empty() || heads(&self.tokens, i + 2).iter().any(|h| h == second))
+        })
+    }
+
+    /// Everything that the file may not do.
+    fn faults(&self, exports: &BTreeMap<String, String>) -> Vec<String> {
+        let module = self.module();
+        let own = place(module).unwrap_or_else(|| panic!("`{module}` has no place in PLACES"));
+        let mut faults = Vec::new();
+        for name in self.root_names() {
+            let target = exports.get(&name).unwrap_or(&name);
+            let allowed = match place(target) {
+                _ if target == module => true,
+                Some(place) => place < own,
+                None => false,
+            };
+            if !allowed {
+                faults.push(format!(
+                    "{} imports `{target}` ({name})",
+                    self.path.join("::")
+                ));
+            }
+        }
+        for (foreign, users) in FOREIGN {
+            if self.names_foreign(foreign) && !users.contains(&module) {
+                faults.push(format!("{} uses `{foreign}`", self.path.join("::")));
+            }
+        }
+        faults
+    }
+}
+
+/// What `lib.rs` hands on at the root: `pub use module::{A, B}`.
+fn exports(lib: &str) -> BTreeMap<String, String> {
+    let tokens = tokens(lib);
+    let mut exports = BTreeMap::new();
+    for i in 2..tokens.len().saturating_sub(2) {
+        if tokens[i - 2] == "pub" && tokens[i - 1] == "use" && tokens[i + 1] == "::" {
+            for name in heads(&tokens, i + 2) {
+                exports.insert(name, tokens[i].clone());
+            }
+        }
+    }
+    exports
+}
+
+fn source_folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+/// `src/solver/plan.rs` is `solver::plan`, `src/solver/mod.rs` and `src/solver.rs` are `solver`.
+fn module_path(file: &Path) -> Vec<String> {
+    let inner = file
+        .strip_prefix(source_folder())
+        .unwrap()
+        .with_extension("");
+    let parts = inner.iter().map(|part| part.to_str().unwrap().to_owned());
+    parts.filter(|part| part != "mod").collect()
+}
+
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files(&path, found);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+fn is_test(path: &[String]) -> bool {
+    path.iter().any(|part| part == "tests")
+}
+
+#[test]
+fn nobody_imports_against_the_way_of_the_data() {
+    let lib = fs::read_to_string(source_folder().join("lib.rs")).unwrap();
+    let exports = exports(&lib);
+    assert_eq!(exports["LinkId"], "mechanism", "lib.rs was not understood");
+    let mut found = Vec::new();
+    files(&source_folder(), &mut found);
+    let mut faults = Vec::new();
+    let mut seen = BTreeSet::new();
+    for file in found {
+        let path = module_path(&file);
+        if path == ["lib"] || is_test(&path) {
+            continue;
+        }
+        seen.insert(path[0].clone());
+        let source = Source::new(path, &fs::read_to_string(&file).unwrap());
+        faults.extend(source.faults(&exports));
+    }
+    assert!(seen.contains("solver") && seen.contains("cli"), "{seen:?}");
+    assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
+}
+
+/// The checker on samples: it must find what it is there to find, and nothing else.
+mod checker {
+    use super::*;
+
+    fn faults(path: &[&str], text: &str) -> Vec<String> {
+        let exports = [
+            ("Vec2", "vec2"),
+            ("LinkId", "mechanism"),
+            ("Scene", "scene"),
+        ];
+        let exports = exports.map(|(name, module)| (name.to_owned(), module.to_owned()));
+        let path = path.iter().map(|&part| part.to_owned()).collect();
+        Source::new(path, text).faults(&exports.into())
+    }
+
+    #[test]
+    fn finds_imports_by_every_road() {
+        let bad = [
+            "use crate::scene::Scene;",
+            "use crate::{LinkId, scene::{Scene, Unit}};",
+            "use crate::{Vec2, Scene};",
+            "fn f(s: &crate::quantity::Quantity) {}",
+            "use super::super::tui::App;",
+            "fn f() -> krank::report::Tables { todo!() }",
+            "use crate::nowhere;",
+            "pub(crate) use crate :: drawing :: Glyphs;",
+        ];
+        for text in bad {
+            assert_eq!(faults(&["solver", "plan"], text).len(), 1, "{text}");
+        }
+    }
+
+    #[test]
+    fn finds_foreign_crates_and_input_and_output() {
+        let bad = [
+            "use ratatui::buffer::Buffer;",
+            "use std::{collections::BTreeMap, fs};",
+            "fn f() { let _ = std::io::stdout(); }",
+        ];
+        for text in bad {
+            assert_eq!(faults(&["solver"], text).len(), 1, "{text}");
+        }
+        assert_eq!(
+            faults(&["report"], "use std::io::Write; use clap::Parser;").len(),
+            1
+        );
+    }
+
+    #[test]
+    fn leaves_the_rest_alone() {
+        let good = [
+            "use crate::{LinkId, Vec2, mechanism::Link};",
+            "use super::plan::Plan; use crate::solver::State;",
+            "// use crate::tui::App;\n/* crate::cli */ fn f() {}",
+            "fn f() -> &'static str { \"crate::tui::App\" }",
+            "fn f() -> char { '\"' } // \"\nfn g<'a>(x: &'a str) {}",
+            "const T: &str = r#\"use crate::tui; \"# ;",
+            "#[cfg(test)] mod tests { use crate::scene::Scene; fn f() { {} } } fn g() {}",
+            "fn f() -> std::fmt::Result { Ok(()) }",
+        ];
+        for text in good {
+            assert_eq!(faults(&["solver", "plan"], text), [""; 0], "{text}");
+        }
+        assert_eq!(
+            faults(&["cli"], "use crate::{tui, report, scene};"),
+            [""; 0]
+        );
+    }
+
+    #[test]
+    fn a_test_module_ends_where_it_ends() {
+        let text = "#[cfg(test)] mod tests { fn f() { } } use crate::tui::App;";
+        assert_eq!(faults(&["solver"], text).len(), 1);
+        let text = "#[cfg(test)] mod tests; use crate::tui::App;";
+        assert_eq!(faults(&["solver"], text).len(), 1);
+    }
+}

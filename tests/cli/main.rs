@@ -1,0 +1,184 @@
+//! The program from outside: every command, every exit code, and what stands on which stream.
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod readme;
+mod scenes;
+mod streams;
+mod sweep;
+mod table;
+
+use assert_cmd::Command;
+use std::path::{Path, PathBuf};
+
+/// Three parallel cranks: mobile, though one constraint repeats another.
+const PARALLEL_CRANKS: &str = r#"
+name = "Three parallel cranks"
+unit = "m"
+[ground]
+A = [0, 0]
+D = [3, 0]
+G = [1, 0]
+[driver]
+link = "a"
+angle = 60
+speed = "1 rad/s"
+[links]
+a = { from = "A", to = "B", length = 1 }
+c = { from = "D", to = "C", length = 1 }
+e = { from = "G", to = "F", length = 1 }
+b = { from = "B", to = "C", length = 3, points = { F = [1, 0] } }
+[start]
+C = [3.5, 0.866]
+[vectors]
+on_coupler = ["B", "F"]
+across = ["A", "C"]
+on_crank = ["A", "B"]
+on_ground = ["A", "G"]
+"#;
+
+/// What a run of the program left behind.
+struct Run {
+    code: i32,
+    out: String,
+    err: String,
+}
+
+/// Runs krank in a plain environment: no locale, no terminal.
+fn krank(args: &[&str]) -> Run {
+    run(&mut command(args))
+}
+
+fn command(args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
+    command.env_clear().env("LC_ALL", "C").args(args);
+    command
+}
+
+fn run(command: &mut Command) -> Run {
+    let output = command.output().unwrap();
+    Run {
+        code: output
+            .status
+            .code()
+            .expect("the program must not be killed"),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// Runs what must succeed without a word on standard error, and gives its results.
+fn done(args: &[&str]) -> String {
+    let Run { code, out, err } = krank(args);
+    assert_eq!((code, err.as_str()), (0, ""), "krank {args:?}");
+    out
+}
+
+/// Runs what must fail with this code, without results, and gives the message.
+fn refused(code: i32, args: &[&str]) -> String {
+    let run = krank(args);
+    assert_eq!(run.code, code, "krank {args:?}: {}", run.err);
+    assert_eq!(run.out, "", "krank {args:?}");
+    assert!(run.err.is_ascii(), "{}", run.err);
+    run.err
+}
+
+fn json(text: &str) -> serde_json::Value {
+    serde_json::from_str(text).unwrap()
+}
+
+/// A folder of its own for a test's files.
+fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn presets() -> Vec<String> {
+    let first = |line: &str| line.split_whitespace().next().unwrap().to_owned();
+    done(&["list"]).lines().map(first).collect()
+}
+
+/// Cells of a CSV text, without its header.
+fn rows(csv: &str) -> Vec<Vec<String>> {
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let cells = |row: csv::StringRecord| row.iter().map(str::to_owned).collect();
+    reader.records().map(|row| cells(row.unwrap())).collect()
+}
+
+#[test]
+fn help_has_an_example_for_each_command() {
+    for command in ["", "list", "check", "table", "sweep", "completions", "man"] {
+        let args = [command, "--help"];
+        let out = done(&args[usize::from(command.is_empty())..]);
+        let example = format!("\n  krank {command}");
+        assert!(out.contains("Example"), "{out}");
+        assert!(out.contains(example.trim_end()), "{out}");
+        assert!(out.is_ascii(), "{out}");
+    }
+}
+
+#[test]
+fn version_is_that_of_the_package() {
+    assert_eq!(
+        done(&["--version"]),
+        concat!("krank ", env!("CARGO_PKG_VERSION"), "\n")
+    );
+}
+
+#[test]
+fn every_preset_checks_prints_and_sweeps() {
+    let presets = presets();
+    assert!(presets.len() >= 19, "{presets:?}");
+    for preset in &presets {
+        assert!(
+            done(&["check", preset]).contains("\nmobility   1"),
+            "{preset}"
+        );
+        assert!(
+            done(&["table", preset]).contains("\nstate ok\n"),
+            "{preset}"
+        );
+        let csv = done(&["sweep", preset]);
+        assert!(rows(&csv).len() > 60, "{preset}");
+        for cell in csv.split([',', '\n']) {
+            let bad = ["nan", "inf", "-0"].contains(&cell.to_lowercase().as_str());
+            assert!(!bad, "{preset}: {cell}");
+        }
+    }
+}
+
+#[test]
+fn unknown_options_and_values_are_refused() {
+    for (args, phrase) in [
+        (&["sweep"][..], "<SCENE>"),
+        (&["check", "four-bar", "--format", "csv"], "--format"),
+        (&["table", "four-bar", "--digits", "0"], "--digits"),
+        (&["table", "four-bar", "--at", "sixty"], "--at"),
+        (&["list", "four-bar"], "four-bar"),
+        (&["four-bar", "--glyphs", "crayon"], "--glyphs"),
+        (&["completions", "tcsh"], "tcsh"),
+        (&["man", "motor"], "motor"),
+    ] {
+        let message = refused(2, args);
+        assert!(message.contains(phrase), "{args:?}: {message}");
+    }
+}
+
+#[test]
+fn completions_and_the_manual_are_written() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        assert!(done(&["completions", shell]).contains("sweep"), "{shell}");
+    }
+    assert!(done(&["man"]).contains(".TH krank 1"));
+    assert!(done(&["man", "sweep"]).contains(".TH krank-sweep 1"));
+}
+
+/// The workbench needs a terminal, and says which commands do not.
+#[test]
+fn the_workbench_is_refused_in_one_line_where_there_is_no_terminal() {
+    for args in [&[][..], &["slider-crank"]] {
+        let message = refused(2, args);
+        assert_eq!(message.lines().count(), 1, "{message}");
+        assert!(message.contains("krank table"), "{message}");
+    }
+}

@@ -1,0 +1,61 @@
+//! What the README shows is what krank does.
+
+use super::{command, done, folder, run};
+
+const README: &str = include_str!("../../README.md");
+
+/// The blocks of the README in this language.
+fn blocks(language: &str) -> Vec<&'static str> {
+    let opening = format!("```{language}\n");
+    let behind = README.split(opening.as_str()).skip(1);
+    behind
+        .map(|text| text.split("```").next().unwrap())
+        .collect()
+}
+
+#[test]
+fn the_scene_of_the_readme_opens() {
+    let mut check = command(&["check", "-"]);
+    let heard = run(check.write_stdin(blocks("toml")[0]));
+    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+    assert!(
+        heard.out.starts_with("Four-bar crank-rocker\n"),
+        "{}",
+        heard.out
+    );
+}
+
+#[test]
+fn what_is_shown_is_what_is_printed() {
+    let [fault, table, check] = blocks("text")[..] else {
+        panic!("the README has other blocks of output than this test knows");
+    };
+    assert!(done(&["table", "four-bar"]).starts_with(table));
+    assert_eq!(done(&["check", "stephenson-six-bar"]), check);
+
+    let here = folder("readme");
+    let broken = blocks("toml")[0].replace("\"D\", length", "\"D\", lenght");
+    std::fs::write(here.join("my.toml"), broken).unwrap();
+    let mut command = command(&["check", "my.toml"]);
+    assert_eq!(run(command.current_dir(&here)).err, fault);
+}
+
+/// The commands stand indented by four, each with a word about it.
+#[test]
+fn the_commands_of_the_readme_run() {
+    let here = folder("readme-commands");
+    let shown = README
+        .lines()
+        .filter_map(|line| line.strip_prefix("    krank "));
+    let mut ran = 0;
+    for line in shown {
+        let line = line.split("   ").next().unwrap().trim();
+        let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
+        if ["list", "check", "table", "sweep"].contains(&args[0]) {
+            let heard = run(command(&args).current_dir(&here));
+            assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 4);
+}

@@ -1,0 +1,165 @@
+//! `check`, and where scenes come from.
+
+use super::{PARALLEL_CRANKS, command, done, folder, json, refused, run};
+
+/// A four-bar that opens in a name with a control character.
+const MINE: &str = r#"
+name = "Mine \u001b[2J"
+unit = "cm"
+[ground]
+A = [0, 0]
+D = [4, 0]
+[driver]
+link = "a"
+angle = 90
+speed = "60 rpm"
+[links]
+a = { from = "A", to = "B", length = 1 }
+b = { from = "B", to = "C", length = 3 }
+c = { from = "C", to = "D", length = 2.5 }
+[start]
+C = [3, 2]
+"#;
+
+#[test]
+fn check_tells_what_was_understood() {
+    let text = done(&["check", "four-bar"]);
+    for line in [
+        "Four-bar crank-rocker",
+        "unit       mm",
+        "parts      3 links and the ground, 4 pin joints, no slide",
+        "driver     link r2, opens at 60 deg, 15 rad/s, 0 rad/s^2",
+        "           C: r3, r4",
+        "mobility   1",
+        "groups     1. driver: link r2",
+        "           2. dyad RRR at C: links r3, r4 (closed form)",
+        "range      turns fully; the motion repeats after 360 deg",
+    ] {
+        assert!(text.lines().any(|l| l == line), "{line}\n{text}");
+    }
+}
+
+#[test]
+fn check_names_slides_and_coupled_groups() {
+    let slider_crank = done(&["check", "slider-crank"]);
+    assert!(
+        slider_crank.contains("r4: pin C in a slot of ground"),
+        "{slider_crank}"
+    );
+    assert!(slider_crank.contains("dyad RRP at C"), "{slider_crank}");
+    let six_bar = done(&["check", "stephenson-six-bar"]);
+    assert!(six_bar.contains("unknowns: links"), "{six_bar}");
+    assert!(six_bar.contains("(by Newton)"), "{six_bar}");
+}
+
+#[test]
+fn check_tells_of_redundant_constraints_and_driven_slides() {
+    let heard = run(command(&["check", "-"]).write_stdin(PARALLEL_CRANKS));
+    let line = "mobility   1, with 1 redundant constraint set aside: ";
+    assert!(heard.out.contains(line), "{}", heard.out);
+    let boom = done(&["check", "excavator-boom"]);
+    assert!(boom.contains("groups     1. driver: slide rod\n"), "{boom}");
+    assert!(
+        boom.contains("driver     slide rod, opens at 2 m, 0.15 m/s"),
+        "{boom}"
+    );
+}
+
+#[test]
+fn check_gives_the_range_as_doubles_and_with_12_decimals() {
+    let full = json(&done(&["check", "four-bar", "--format", "json"]));
+    assert_eq!(full["range"], serde_json::json!([0.0, 360.0]));
+    assert_eq!(full["period"], 360.0);
+    let limited = json(&done(&["check", "double-rocker", "--format", "json"]));
+    let (low, high) = (&limited["range"][0], &limited["range"][1]);
+    assert!(limited["period"].is_null());
+    let (low, high) = (low.as_f64().unwrap(), high.as_f64().unwrap());
+    assert!(0.0 < low && low < high && high < 180.0);
+    let text = done(&["check", "double-rocker"]);
+    let line = format!("range      {low:.12} to {high:.12} deg");
+    assert!(text.contains(&line), "{text}");
+}
+
+#[test]
+fn check_in_json_names_every_part() {
+    let facts = json(&done(&["check", "slider-crank", "--format", "json"]));
+    assert_eq!(facts["unit"], "cm");
+    assert_eq!(facts["driver"]["kind"], "link");
+    assert_eq!(facts["driver"]["speed"], 200.0);
+    assert_eq!(facts["links"], serde_json::json!(["r2", "r3"]));
+    assert_eq!(facts["slides"][0]["slider"], "C");
+    assert_eq!(facts["groups"][1]["kind"], "RRP");
+    assert_eq!(facts["mobility"], 1);
+}
+
+#[test]
+fn a_scene_comes_from_standard_input() {
+    let mut on_stdin = command(&["check", "-"]);
+    let heard = run(on_stdin.write_stdin(MINE));
+    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+    assert!(
+        heard
+            .out
+            .contains("opens at 90 deg, 6.283185307179586 rad/s"),
+        "{}",
+        heard.out
+    );
+    assert!(
+        heard.out.starts_with("Mine ?[2J\n"),
+        "a control character: {}",
+        heard.out
+    );
+
+    let mut broken = command(&["check", "-"]);
+    let heard = run(broken.write_stdin(MINE.replace("2.5", "-2.5")));
+    assert_eq!((heard.code, heard.out.as_str()), (2, ""));
+    assert!(heard.err.contains("stdin:14:"), "{}", heard.err);
+    assert!(heard.err.is_ascii());
+}
+
+#[test]
+fn a_file_wins_over_a_preset_only_by_path() {
+    let here = folder("by-path");
+    std::fs::write(here.join("four-bar"), MINE).unwrap();
+    std::fs::write(here.join("mine"), MINE).unwrap();
+    std::fs::write(here.join("mine.toml"), MINE).unwrap();
+    let unit = |name: &str| {
+        let mut command = command(&["check", name, "--format", "json"]);
+        json(&run(command.current_dir(&here)).out)["unit"].clone()
+    };
+    assert_eq!(unit("four-bar"), "mm");
+    assert_eq!(unit("./four-bar"), "cm");
+    assert_eq!(unit("mine"), "cm");
+    assert_eq!(unit("mine.toml"), "cm");
+}
+
+#[test]
+fn what_cannot_be_read_is_refused() {
+    for (name, phrase) in [
+        ("four-bra", "did you mean the preset `four-bar`?"),
+        ("tabel", "did you mean the command `table`?"),
+        ("qqqqqqqqqq", "`krank list` names the presets"),
+        (
+            "no/such/file.toml",
+            "cannot read `no/such/file.toml`: No such file",
+        ),
+        ("/", "cannot read `/`: Is a directory"),
+    ] {
+        let message = refused(2, &["check", name]);
+        assert!(message.contains(phrase), "{message}");
+    }
+    let endless = refused(2, &["check", "/dev/zero"]);
+    assert!(endless.contains("1 MiB"), "{endless}");
+}
+
+/// What makes the scene itself impossible is told by every command, with its line.
+#[test]
+fn an_impossible_scene_ends_with_2_for_every_command() {
+    let file = folder("impossible").join("open.toml");
+    std::fs::write(&file, MINE.replace("length = 3", "length = 9")).unwrap();
+    let file = file.to_str().unwrap();
+    for command in ["check", "table", "sweep"] {
+        let message = refused(2, &[command, file]);
+        assert!(message.contains("open.toml:1"), "{message}");
+    }
+}

@@ -1,0 +1,280 @@
+//! `sweep`: columns, rows and numbers.
+
+use super::{Run, done, json, krank, refused, rows};
+
+fn header(csv: &str) -> &str {
+    csv.lines().next().unwrap()
+}
+
+/// The first column as text.
+fn driver(csv: &str) -> Vec<String> {
+    rows(csv).into_iter().map(|row| row[0].clone()).collect()
+}
+
+#[test]
+fn columns_bear_units_and_stand_between_the_driver_and_the_state() {
+    let args = ["sweep", "four-bar", "--to", "0", "--columns"];
+    let sweep = |columns| done(&[&args[..], &[columns]].concat());
+    assert_eq!(
+        header(&sweep("C.x,C.vx,r4.omega")),
+        "driver.angle [deg],C.x [mm],C.vx [mm/s],r4.omega [rad/s],state"
+    );
+    assert_eq!(
+        header(&sweep("r3.com.a*, r3.alpha")),
+        "driver.angle [deg],r3.com.ax [mm/s^2],r3.com.ay [mm/s^2],r3.alpha [rad/s^2],state"
+    );
+    assert_eq!(
+        header(&sweep("*.omega")),
+        "driver.angle [deg],r2.omega [rad/s],r3.omega [rad/s],r4.omega [rad/s],r1.omega [rad/s],state"
+    );
+    assert_eq!(
+        header(&sweep("state,C.x,driver.angle,C.x")),
+        "driver.angle [deg],C.x [mm],state"
+    );
+    let bare = done(&[
+        "sweep",
+        "four-bar",
+        "--to",
+        "0",
+        "--columns",
+        "C.*",
+        "--no-units",
+    ]);
+    assert_eq!(
+        header(&bare),
+        "driver.angle,C.x,C.y,C.vx,C.vy,C.ax,C.ay,state"
+    );
+}
+
+#[test]
+fn without_columns_there_are_all_vectors_and_points() {
+    let csv = done(&["sweep", "slider-crank", "--to", "0"]);
+    let names: Vec<_> = header(&csv).split(',').collect();
+    assert_eq!(names.len(), 1 + 2 * 3 + 6 + 4 * 6 + 1, "{names:?}");
+    for name in [
+        "r3.angle [deg]",
+        "r4.length [cm]",
+        "r3.com.ay [cm/s^2]",
+        "A.x [cm]",
+    ] {
+        assert!(names.contains(&name), "{name}");
+    }
+}
+
+#[test]
+fn a_driven_slide_gives_its_position() {
+    let csv = done(&["sweep", "excavator-boom"]);
+    assert!(header(&csv).starts_with("driver.position [m],"), "{csv}");
+    let rows = rows(&csv);
+    assert!((100..=252).contains(&rows.len()), "{} rows", rows.len());
+}
+
+#[test]
+fn rows_stand_on_the_nearest_doubles() {
+    let csv = done(&["sweep", "four-bar", "--step", "0.1", "--columns", "C.x"]);
+    let written = driver(&csv);
+    assert_eq!(written.len(), 3601);
+    for (k, cell) in written.iter().enumerate() {
+        let exact = format!("{}.{}", k / 10, k % 10);
+        assert_eq!(cell.parse::<f64>(), exact.parse(), "row {k}");
+    }
+}
+
+#[test]
+fn ends_and_signs() {
+    let at = |args: &[&str]| {
+        let all = [&["sweep", "four-bar", "--columns", "C.x"], args].concat();
+        driver(&done(&all))
+    };
+    assert_eq!(at(&["--from", "60", "--to", "60"]), ["60"]);
+    assert_eq!(
+        at(&["--from", "-10", "--to", "10", "--step", "10"]),
+        ["-10", "0", "10"]
+    );
+    assert_eq!(
+        at(&["--from", "1", "--to", "0", "--step", "-.5"]),
+        ["1", "0.5", "0"]
+    );
+    assert_eq!(
+        at(&["--from", "0", "--to", "1", "--step", "0.4"]),
+        ["0", "0.4", "0.8"]
+    );
+    assert_eq!(at(&["--step", "100"]), ["0", "100", "200", "300", "360"]);
+    assert_eq!(at(&["--step", "-180"]), ["360", "180", "0"]);
+    assert_eq!(at(&["--from", "30", "--step", "200"]), ["30", "230", "390"]);
+    assert_eq!(at(&["--from=-1e0", "--to=+1E0"]), ["-1", "0", "1"]);
+}
+
+/// A default sweep begins and ends on the limits themselves: positions are there, rates are not.
+#[test]
+fn a_limited_motion_is_swept_from_limit_to_limit() {
+    let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
+    let csv = done(&["sweep", "double-rocker", "--columns", "C.x,C.vx,C.ax"]);
+    let rows = rows(&csv);
+    for (row, limit) in [(&rows[0], 0), (&rows[rows.len() - 1], 1)] {
+        assert_eq!(row[0].parse(), Ok(facts["range"][limit].as_f64().unwrap()));
+        assert_eq!(row[4], "dead-point");
+        assert!(row[1].parse::<f64>().is_ok());
+        assert_eq!(row[2..4], ["", ""]);
+    }
+    let inside = &rows[1..rows.len() - 1];
+    assert!(
+        inside
+            .iter()
+            .all(|row| row[4] == "ok" && row.iter().all(|c| !c.is_empty()))
+    );
+}
+
+#[test]
+fn rows_outside_the_motion_are_empty_and_noted() {
+    let args = [
+        "sweep",
+        "double-rocker",
+        "--from",
+        "0",
+        "--to",
+        "90",
+        "--step",
+        "45",
+    ];
+    let Run { code, out, err } = krank(&[&args[..], &["--columns", "C.*"]].concat());
+    assert_eq!(code, 0, "{err}");
+    let rows = rows(&out);
+    assert_eq!(rows[0], ["0", "", "", "", "", "", "", "no-assembly"]);
+    assert_eq!(rows[1][7], "ok");
+    assert!(
+        err.starts_with("note: 1 of 3 rows lie outside the motion"),
+        "{err}"
+    );
+    assert!(err.contains("36.8698976458"), "{err}");
+
+    let json_rows = krank(&[&args[..], &["--columns", "C.x", "--format", "json"]].concat());
+    let first = &json(&json_rows.out)["rows"][0];
+    assert_eq!(
+        first,
+        &serde_json::json!({"driver.angle": 0, "C.x": null, "state": "no-assembly"})
+    );
+}
+
+#[test]
+fn a_sweep_without_any_value_ends_with_1() {
+    let run = krank(&["sweep", "double-rocker", "--from", "0", "--to", "10"]);
+    assert_eq!(run.code, 1);
+    assert!(
+        run.err
+            .starts_with("error: no row of the sweep lies within the motion"),
+        "{}",
+        run.err
+    );
+    assert_eq!(rows(&run.out).len(), 11);
+}
+
+#[test]
+fn what_makes_no_sweep_is_refused() {
+    for (args, phrase) in [
+        (&["--step", "0"][..], "the step must not be 0"),
+        (
+            &["--step", "nan"],
+            "'--step <STEP>': must be a finite number",
+        ),
+        (
+            &["--from", "-inf"],
+            "'--from <COORDINATE>': must be a finite number",
+        ),
+        (
+            &["--to", "1e999"],
+            "'--to <COORDINATE>': must be a finite number",
+        ),
+        (&["--to", "x"], "'--to <COORDINATE>': must be a number"),
+        (&["--step", "1e-8"], "more than 10^9 rows"),
+        (&["--from", "9", "--to", "1"], "a step of -1 does"),
+        (
+            &["--columns", "C.q"],
+            "--columns: no quantity is named `C.q`",
+        ),
+        (&["--columns", "C.x,E.*"], "`E.*`"),
+        (&["--columns", ""], "no quantity is named"),
+    ] {
+        let message = refused(2, &[&["sweep", "four-bar"], args].concat());
+        assert!(message.contains(phrase), "{args:?}: {message}");
+    }
+}
+
+/// The three formats say the same; CSV and JSON to the last bit.
+#[test]
+fn formats_agree() {
+    let args = ["sweep", "press-ram", "--step", "7.3", "--format"];
+    let csv = rows(&done(&[&args[..], &["csv"]].concat()));
+    let parsed = json(&done(&[&args[..], &["json"]].concat()));
+    let text = done(&[&args[..], &["text", "--digits", "4"]].concat());
+    let names = parsed["units"].as_object().unwrap();
+    assert_eq!(parsed["rows"].as_array().unwrap().len(), csv.len());
+    assert_eq!(text.lines().count(), csv.len() + 1);
+    for ((row, object), line) in csv
+        .iter()
+        .zip(parsed["rows"].as_array().unwrap())
+        .zip(text.lines().skip(1))
+    {
+        let shown: Vec<_> = line.split_whitespace().collect();
+        for (i, name) in names.keys().enumerate() {
+            let exact: f64 = row[i].parse().unwrap();
+            assert_eq!(object[name].as_f64().unwrap().to_bits(), exact.to_bits());
+            let rounded: f64 = shown[i].parse().unwrap();
+            let slack = 1e-3 * exact.abs();
+            let turned = name.ends_with(".angle") && rounded == 0.0 && exact > 359.0;
+            assert!((rounded - exact).abs() <= slack || turned, "{name}: {line}");
+        }
+        assert_eq!(row.last().unwrap(), object["state"].as_str().unwrap());
+    }
+}
+
+#[test]
+fn text_columns_line_up() {
+    let text = done(&["sweep", "four-bar", "--columns", "C.*", "--format", "text"]);
+    let ends = |line: &str| line.find("state").or_else(|| line.find("ok"));
+    let first = ends(text.lines().next().unwrap()).unwrap();
+    assert!(text.lines().all(|line| ends(line) == Some(first)), "{text}");
+}
+
+#[test]
+fn directions_lie_in_the_half_open_turn_and_the_driver_counts_turns() {
+    let csv = done(&[
+        "sweep",
+        "four-bar",
+        "--from",
+        "-720",
+        "--to",
+        "720",
+        "--columns",
+        "*.angle",
+    ]);
+    for row in rows(&csv) {
+        for cell in &row[1..row.len() - 1] {
+            assert!(
+                (0.0..360.0).contains(&cell.parse::<f64>().unwrap()),
+                "{cell}"
+            );
+        }
+    }
+    assert_eq!(driver(&csv).first().unwrap(), "-720");
+}
+
+/// A turn later everything is the same to the bit.
+#[test]
+fn a_turn_later_the_rows_are_the_same() {
+    let values = |from: &str, to: &str| {
+        let csv = done(&[
+            "sweep",
+            "jansen-leg",
+            "--from",
+            from,
+            "--to",
+            to,
+            "--step",
+            "7",
+        ]);
+        let rows = rows(&csv).into_iter();
+        rows.map(|row| row[1..].to_vec()).collect::<Vec<_>>()
+    };
+    assert_eq!(values("0", "360"), values("3600000000", "3600000360"));
+}

@@ -1,0 +1,278 @@
+//! `table`: the lectures' tables, and the figures that the lectures print.
+
+use super::{PARALLEL_CRANKS, command, done, json, refused, rows, run};
+use std::collections::BTreeMap;
+
+#[test]
+fn the_tables_of_the_four_bar_are_laid_out_as_in_the_lectures() {
+    let text = done(&["table", "four-bar", "--at", "60"]);
+    let expected = "\
+Four-bar crank-rocker
+driver r2 at 60 deg, 15 rad/s, 0 rad/s^2
+state ok
+
+position                 r2         r3         r4         r1
+r [mm]              100.000    300.000    250.000    400.000
+theta [deg]         60.0000    29.3794*   290.753*   180.000
+
+velocity                 r2         r3         r4         r1
+dr/dt [mm/s]              0          0          0          0
+omega [rad/s]       15.0000   -3.91641*   3.09107*         0
+
+acceleration             r2         r3         r4         r1
+d2r/dt2 [mm/s^2]          0          0          0          0
+alpha [rad/s^2]           0    42.2670*   95.5036*         0
+
+* found; entries without a star are given
+
+position of points        x [mm]    y [mm]    r [mm]  direction [deg]
+A                              0         0         0                -
+D                        400.000         0   400.000                0
+B                        50.0000   86.6025   100.000          60.0000
+C                        311.417   233.780   389.402          36.8955
+r2.com                         0         0         0                -
+r3.com                   180.708   160.191   241.489          41.5558
+r4.com                   355.708   116.890   374.422          18.1911
+";
+    assert!(text.starts_with(expected), "{text}");
+}
+
+/// All figures of a table by name.
+fn figures(scene: &str, at: &str) -> BTreeMap<String, f64> {
+    let csv = done(&["table", scene, "--at", at, "--format", "csv"]);
+    let number = |row: Vec<String>| Some((row[0].clone(), row[1].parse().ok()?));
+    rows(&csv).into_iter().filter_map(number).collect()
+}
+
+/// What the lectures print, the exact value, and by how much the printed one may be off: where that
+/// is more than half a unit of its last digit, the notes rounded on the way.
+#[test]
+fn the_printed_figures_of_the_four_bar() {
+    let found = figures("four-bar", "60");
+    for (name, printed, exact, off) in [
+        ("r3.angle", 29.3795, 29.379_447_783_733_734, 5.3e-5),
+        ("r4.angle", 290.7520, 290.752_521_225_055_8, 5.3e-4),
+        ("r3.omega", -3.916, -3.916_412_730_164_438_5, 4.2e-4),
+        ("r4.omega", 3.091, 3.091_073_219_520_966_5, 7.4e-5),
+        ("r3.alpha", 42.27, 42.267_018_333_886_15, 3.0e-3),
+        ("r4.alpha", 95.5, 95.503_608_391_121_4, 3.7e-3),
+        ("B.a", 22500.0, 22500.0, 1e-9),
+        ("B.a.angle", 240.0, 240.0, 1e-9),
+        ("C.a", 23994.18, 23_995.093_444_829_12, 0.92),
+        ("C.a.angle", 206.47, 206.465_711_769_812_02, 4.3e-3),
+        ("r3.com.a", 22260.0, 22_260.223_855_620_69, 0.23),
+        ("r3.com.a.angle", 222.68, 222.677_772_617_160_04, 2.3e-3),
+        ("r4.com.a", 11997.09, 11_997.546_722_414_56, 0.46),
+        ("r4.com.a.angle", 206.47, 206.465_711_769_812_02, 4.3e-3),
+    ] {
+        let ours = found[name];
+        assert!(
+            (ours - exact).abs() <= 1e-13 * exact.abs(),
+            "{name}: {ours}"
+        );
+        assert!(
+            (ours - printed).abs() <= off,
+            "{name}: {ours}, printed {printed}"
+        );
+    }
+}
+
+#[test]
+fn the_printed_figures_of_the_slider_crank() {
+    let found = figures("slider-crank", "30");
+    for (name, printed, exact, off) in [
+        ("r4.length", 28.0, 28.025_170_768_881_472, 0.026),
+        ("r3.angle", 345.5, 345.522_487_814_070_1, 0.023),
+        // The notes went on with theta3 = -14.47 and two decimals of r4.
+        ("r3.omega", -89.45, -89.442_719_099_991_59, 0.0073),
+        ("r4.rate", -1447.93, -1_447.213_595_499_957_9, 0.72),
+        ("r3.alpha", 8259.0, 8_262.364_471_909_156, 3.4),
+        ("r4.accel", -459_977.6, -460_017.673_002_526_35, 40.1),
+    ] {
+        let ours = found[name];
+        assert!(
+            (ours - exact).abs() <= 1e-13 * exact.abs(),
+            "{name}: {ours}"
+        );
+        assert!(
+            (ours - printed).abs() <= off,
+            "{name}: {ours}, printed {printed}"
+        );
+    }
+    assert_eq!(found["r4.angle"], 180.0);
+}
+
+#[test]
+fn given_entries_are_told_from_found_ones() {
+    let table = json(&done(&["table", "slider-crank", "--format", "json"]));
+    let vectors = table["vectors"].as_array().unwrap();
+    let given = |name: &str| {
+        let vector = vectors.iter().find(|v| v["name"] == name).unwrap();
+        vector["given"].clone()
+    };
+    let rigid = serde_json::json!(["length", "rate", "accel"]);
+    let turning = serde_json::json!(["angle", "omega", "alpha"]);
+    assert_eq!(given("r2").as_array().unwrap().len(), 6);
+    assert_eq!(given("r3"), rigid);
+    assert_eq!(given("r4"), turning);
+
+    let csv = rows(&done(&["table", "slider-crank", "--format", "csv"]));
+    let entry = |name: &str| csv.iter().find(|row| row[0] == name).unwrap()[3].clone();
+    assert_eq!(
+        (entry("r3.omega"), entry("r2.omega")),
+        ("found".into(), "given".into())
+    );
+    assert_eq!(
+        (entry("A.x"), entry("C.x")),
+        ("given".into(), "found".into())
+    );
+}
+
+/// A vector between two points of one body keeps its length and turns as the body does.
+#[test]
+fn vectors_between_points_are_given_as_far_as_their_body_is() {
+    let mut command = command(&["table", "-", "--format", "json"]);
+    let table = json(&run(command.write_stdin(PARALLEL_CRANKS)).out);
+    let vectors = table["vectors"].as_array().unwrap();
+    let given = |name: &str| {
+        let vector = vectors.iter().find(|v| v["name"] == name).unwrap();
+        let length = vector["length"].as_f64().unwrap();
+        (length, vector["given"].as_array().unwrap().len())
+    };
+    assert_eq!(given("on_coupler"), (1.0, 3));
+    assert_eq!(given("on_crank"), (1.0, 6));
+    assert_eq!(given("on_ground"), (1.0, 6));
+    let (length, entries) = given("across");
+    assert!((length - 13.0_f64.sqrt()).abs() < 1e-15 * 20.0 && entries == 0);
+}
+
+#[test]
+fn a_link_that_cannot_turn_has_its_direction_given() {
+    let table = json(&done(&["table", "press-ram", "--format", "json"]));
+    let vectors = table["vectors"].as_array().unwrap();
+    let find = |name: &str| vectors.iter().find(|v| v["name"] == name).unwrap();
+    let turning = serde_json::json!(["angle", "omega", "alpha"]);
+    // The guide points up, and the vector runs back along it.
+    assert_eq!(
+        (&find("r6")["given"], &find("r6")["angle"]),
+        (&turning, &270.0.into())
+    );
+    assert_eq!(
+        (&find("ram")["given"], &find("ram")["angle"]),
+        (&turning, &90.0.into())
+    );
+    assert!(
+        find("ram").get("length").is_none(),
+        "a link without ends has no length"
+    );
+}
+
+#[test]
+fn a_driven_slide_is_given_and_what_it_turns_is_found() {
+    let table = json(&done(&["table", "excavator-boom", "--format", "json"]));
+    let name = table["driver"]["name"].as_str().unwrap();
+    let vectors = table["vectors"].as_array().unwrap();
+    let rod = vectors.iter().find(|v| v["name"] == name).unwrap();
+    assert_eq!(rod["given"], serde_json::json!(["length", "rate", "accel"]));
+    assert_eq!(rod["length"], table["driver"]["position"]);
+    assert_eq!(rod["rate"], table["driver"]["rate"]);
+}
+
+/// The forms say the same, and a sweep says it too.
+#[test]
+fn table_and_sweep_agree_to_the_bit() {
+    let table = json(&done(&[
+        "table",
+        "press-ram",
+        "--at",
+        "77.7",
+        "--format",
+        "json",
+    ]));
+    let csv = figures("press-ram", "77.7");
+    let args = [
+        "sweep",
+        "press-ram",
+        "--from",
+        "77.7",
+        "--to",
+        "77.7",
+        "--format",
+        "json",
+    ];
+    let sweep = json(&done(&args));
+    for point in table["points"].as_array().unwrap() {
+        let name = point["name"].as_str().unwrap();
+        for figure in ["x", "y", "vx", "vy", "ax", "ay"] {
+            let column = format!("{name}.{figure}");
+            let value = point[figure].as_f64().unwrap();
+            assert_eq!(sweep["rows"][0][&column].as_f64(), Some(value), "{column}");
+            assert_eq!(csv[&column].to_bits(), value.to_bits(), "{column}");
+        }
+    }
+}
+
+#[test]
+fn digits_and_units_are_as_asked() {
+    let text = done(&["table", "four-bar", "--digits", "10", "--no-units"]);
+    assert!(
+        text.contains("\ntheta               60.00000000    29.37944778*"),
+        "{text}"
+    );
+    assert!(text.contains("\nomega"), "{text}");
+    let one = done(&["table", "four-bar", "--digits", "1"]);
+    assert!(one.contains(" 3e1*"), "{one}");
+    let bare = done(&["table", "four-bar", "--format", "csv", "--no-units"]);
+    assert!(
+        bare.starts_with("name,value,entry\ndriver.angle,60,given\n"),
+        "{bare}"
+    );
+}
+
+#[test]
+fn a_scene_opens_where_it_says() {
+    let text = done(&["table", "slider-crank"]);
+    assert!(text.contains("\ndriver r2 at 30 deg, 200 rad/s"), "{text}");
+}
+
+#[test]
+fn wide_scenes_wrap_to_a_plain_terminal() {
+    for scene in ["jansen-leg", "scissor-lift", "press"] {
+        let text = done(&["table", scene]);
+        assert!(text.lines().all(|line| line.len() <= 80), "{text}");
+    }
+}
+
+#[test]
+fn at_a_dead_point_positions_are_shown_and_rates_are_not() {
+    let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
+    let limit = facts["range"][0].to_string();
+    let text = done(&["table", "double-rocker", "--at", &limit]);
+    assert!(text.contains("\nstate dead-point\n"), "{text}");
+    let table = json(&done(&[
+        "table",
+        "double-rocker",
+        "--at",
+        &limit,
+        "--format",
+        "json",
+    ]));
+    let c = table["points"].as_array().unwrap();
+    let c = c.iter().find(|point| point["name"] == "C").unwrap();
+    assert!(
+        c["x"].is_number() && c["vx"].is_null() && c["a"].is_null(),
+        "{c}"
+    );
+    assert_eq!(table["state"], "dead-point");
+}
+
+#[test]
+fn outside_the_motion_there_is_no_table() {
+    let message = refused(1, &["table", "double-rocker", "--at", "5"]);
+    assert!(
+        message.starts_with(
+            "error: the mechanism cannot be assembled at 5 deg: the driver covers 36.8698976458"
+        ),
+        "{message}"
+    );
+}
