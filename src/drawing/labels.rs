@@ -150,3 +150,104 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     }
     Some(sum)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Vec2;
+    use crate::drawing::{Glyphs, Reach, render, render_into};
+    use proptest::prelude::*;
+
+    const MARKS: [Role; 3] = [Role::Joint, Role::GroundPin, Role::Slider];
+
+    fn mark(at: Vec2) -> Shape {
+        let role = Role::Joint;
+        Shape::Mark { at, role }
+    }
+
+    fn label(at: Vec2, text: &str) -> Shape {
+        let (text, role) = (text.to_owned(), Role::Label);
+        Shape::Label { at, text, role }
+    }
+
+    fn view() -> View {
+        let corners = [Vec2::ZERO, Vec2::new(30.0, 10.0)];
+        View::fit(&Reach::by_hand(&corners, &[]), 40, 12, 2.0)
+    }
+
+    fn count(raster: &Raster, role: Role) -> usize {
+        let cells = raster.lines().flatten();
+        cells.filter(|cell| cell.role == role).count()
+    }
+
+    proptest! {
+        #[test]
+        fn a_name_hides_no_joint_and_no_other_name(
+            points in prop::collection::vec((0.0..30.0, 0.0..10.0), 1..20),
+        ) {
+            let mut figure = Figure::new();
+            let places: Vec<_> = points.iter().map(|&(x, y)| Vec2::new(x, y)).collect();
+            places.iter().for_each(|&at| figure.add(mark(at)));
+            let bare = render(&figure, &view(), Glyphs::Ascii);
+            let mut named = 0;
+            for &at in &places {
+                let before = count(&render(&figure, &view(), Glyphs::Ascii), Role::Label);
+                figure.add(label(at, "Q7"));
+                let raster = render(&figure, &view(), Glyphs::Ascii);
+                let added = count(&raster, Role::Label) - before;
+                prop_assert!(added == 0 || added == 2, "a name is whole or absent");
+                named += added;
+                for role in MARKS {
+                    prop_assert_eq!(count(&raster, role), count(&bare, role));
+                }
+            }
+            prop_assert!(named >= 2, "the first finds a place");
+        }
+    }
+
+    #[test]
+    fn a_name_stands_beside_its_line_rather_than_on_it() {
+        let mut figure = Figure::new();
+        let (from, to, role) = (Vec2::new(15.0, 5.0), Vec2::new(30.0, 10.0), Role::Link);
+        figure.add(Shape::Line { from, to, role });
+        figure.add(mark(from));
+        let bare = count(&render(&figure, &view(), Glyphs::Ascii), Role::Link);
+        figure.add(label(from, "name"));
+        let raster = render(&figure, &view(), Glyphs::Ascii);
+        assert_eq!(count(&raster, Role::Link), bare);
+        assert_eq!(count(&raster, Role::Label), 4);
+    }
+
+    /// Sides changed in each frame while a line turned through a name's place.
+    #[test]
+    fn a_name_keeps_its_side_while_the_other_is_hardly_better() {
+        let (from, role) = (Vec2::new(15.0, 5.0), Role::Link);
+        let seats = |labels: &mut Labels| {
+            let mut seats = Vec::new();
+            let mut raster = Raster::new();
+            for k in 0..200 {
+                let swing = 60.0 + 8.0 * f64::from(k).sin();
+                let to = from + crate::angle::unit(swing) * 9.0;
+                let mut figure = Figure::new();
+                figure.add(Shape::Line { from, to, role });
+                figure.add(mark(from));
+                figure.add(label(from, "P"));
+                render_into(&figure, &view(), Glyphs::Ascii, labels, &mut raster);
+                seats.push(labels.seats[0]);
+            }
+            seats
+        };
+        let kept = seats(&mut Labels::default());
+        assert!(kept.windows(2).filter(|w| w[0] != w[1]).count() <= 1);
+    }
+
+    #[test]
+    fn a_name_that_fits_nowhere_is_left_out() {
+        let mut figure = Figure::new();
+        figure.add(label(Vec2::new(15.0, 5.0), &"n".repeat(100)));
+        assert_eq!(
+            count(&render(&figure, &view(), Glyphs::Ascii), Role::Label),
+            0
+        );
+    }
+}

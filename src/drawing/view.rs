@@ -212,3 +212,70 @@ fn middle(spans: &[Span], cells: f64, scale: f64) -> f64 {
         cells / 2.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn reach(points: &[(f64, f64)], ground: &[(f64, f64)]) -> Reach {
+        let place = |p: &[(f64, f64)]| p.iter().map(|&(x, y)| Vec2::new(x, y)).collect::<Vec<_>>();
+        Reach::by_hand(&place(points), &place(ground))
+    }
+
+    proptest! {
+        #[test]
+        fn everything_fits_and_a_square_is_square(
+            points in prop::collection::vec((-1.0..1.0, -1.0..1.0), 2..8),
+            (size, shift) in (-150.0..150.0, -1e6..1e6),
+            (cols, rows) in (12_u16..400, 6_u16..200),
+            aspect in 1.0..3.0,
+        ) {
+            let size = 10_f64.powf(size);
+            let shift = shift * size;
+            let scaled: Vec<_> = points.iter().map(|p| (p.0 * size + shift, p.1 * size)).collect();
+            let reach = reach(&scaled, &scaled[..1]);
+            let view = View::fit(&reach, cols, rows, aspect);
+            for &(x, y) in &scaled {
+                let at = view.cell(Vec2::new(x, y));
+                prop_assert!(at.x >= 0.0 && at.x <= f64::from(cols), "{at:?}");
+                prop_assert!(at.y >= 0.0 && at.y <= f64::from(rows), "{at:?}");
+            }
+            let corner = Vec2::new(scaled[0].0, scaled[0].1);
+            let origin = view.cell(corner);
+            let right = view.cell(corner + Vec2::new(size, 0.0)) - origin;
+            let up = view.cell(corner + Vec2::new(0.0, size)) - origin;
+            prop_assert!((right.x + up.y * aspect).abs() < 1e-6 * right.x.abs());
+        }
+    }
+
+    #[test]
+    fn the_first_ground_point_lies_in_the_middle_of_a_cell() {
+        let reach = reach(&[(-3.0, -1.0), (9.7, 5.1)], &[(0.4, 0.3), (7.0, 0.3)]);
+        for (cols, rows) in [(80, 24), (79, 23), (40, 12), (5, 3)] {
+            let at = View::fit(&reach, cols, rows, 2.0).cell(Vec2::new(0.4, 0.3));
+            assert!((at.x.fract() - 0.5).abs() < 1e-9, "{at:?}");
+            assert!((at.y.fract() - 0.5).abs() < 1e-9, "{at:?}");
+        }
+    }
+
+    #[test]
+    fn there_is_room_for_the_support_below_the_lowest_pin() {
+        let reach = reach(&[(0.0, 0.0), (9.0, 9.0)], &[(0.0, 0.0)]);
+        let at = View::fit(&reach, 60, 30, 2.0).cell(Vec2::ZERO);
+        assert!(at.y.floor() + 2.0 < 30.0, "{at:?}");
+    }
+
+    #[test]
+    fn windows_and_motions_of_no_size_give_finite_cells() {
+        for (cols, rows) in [(0, 0), (1, 1), (0, 9), (u16::MAX, 1)] {
+            for points in [&[][..], &[(5.0, 5.0)], &[(1.0, 1.0), (1.0, 2.0)]] {
+                for aspect in [2.0, 0.0, -1.0, f64::NAN, f64::INFINITY] {
+                    let view = View::fit(&reach(points, points), cols, rows, aspect);
+                    let at = view.cell(Vec2::new(5.0, 5.0));
+                    assert!(at.is_finite(), "{cols} x {rows}, {points:?}: {at:?}");
+                }
+            }
+        }
+    }
+}
