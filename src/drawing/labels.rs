@@ -1,7 +1,7 @@
 //! Names beside their points, out of the way of everything else.
 
 use super::figure::{Figure, Role, Shape};
-use super::raster::Raster;
+use super::raster::{Cell, Raster};
 use super::symbol::cell_of;
 use super::view::View;
 
@@ -61,10 +61,12 @@ const SEATS: [Seat; 14] = [
 const OVER_LINE: i32 = 4;
 /// For each character that hides a piece of the ground or of a guide.
 const OVER_GROUND: i32 = 3;
-/// For a mark or another name right before or behind: `B` beside `C` would read as one name.
+/// For a mark right before or behind.
 const TOUCHING: i32 = 4;
 /// For a line right before or behind.
 const BESIDE_LINE: i32 = 3;
+/// A label that would cost more is left out: it would hide more than it tells.
+const TOO_MUCH: i32 = 12;
 /// A label moves only for a place that is better by more than this.
 const INERTIA: i32 = 6;
 
@@ -86,12 +88,27 @@ impl Labels {
             count += 1;
             if let Some(seat) = seat {
                 let (col, row) = origin(&SEATS[seat], cell_of(view.cell(at)), text);
-                for (i, glyph) in (0..).zip(text.chars()) {
-                    raster.put(col.saturating_add(i), row, glyph, role);
-                }
+                write(raster, col, row, text, role);
             }
         }
         self.seats.truncate(count);
+    }
+}
+
+/// Writes a name, with a blank before and behind where there is hatching.
+fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
+    let mut end = col;
+    for glyph in text.chars() {
+        raster.put(end, row, glyph, role);
+        end = end.saturating_add(1);
+    }
+    for beside in [col.saturating_sub(1), end] {
+        if raster
+            .cell(beside, row)
+            .is_some_and(|c| c.role == Role::Ground)
+        {
+            raster.put(beside, row, Cell::EMPTY.glyph, Role::Empty);
+        }
     }
 }
 
@@ -99,7 +116,8 @@ fn best_seat(raster: &Raster, point: (i32, i32), text: &str, last: Option<usize>
     let cost = |index: usize| {
         let bonus = if last == Some(index) { INERTIA } else { 0 };
         let (col, row) = origin(&SEATS[index], point, text);
-        cover(raster, col, row, text).map(|cover| cover + SEATS[index].cost - bonus)
+        let cost = cover(raster, col, row, text)? + SEATS[index].cost - bonus;
+        (cost <= TOO_MUCH).then_some(cost)
     };
     let priced = (0..SEATS.len()).filter_map(|i| cost(i).map(|c| (c, i)));
     priced.min().map(|(_, index)| index)
@@ -140,12 +158,11 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
         sum += match role {
             Role::Empty | Role::Ground | Role::Guide => 0,
             Role::Link | Role::Driver => BESIDE_LINE,
-            Role::Joint
-            | Role::GroundPin
-            | Role::Slider
-            | Role::Rider
-            | Role::CentreOfMass
-            | Role::Label => TOUCHING,
+            Role::Joint | Role::GroundPin | Role::Slider | Role::Rider | Role::CentreOfMass => {
+                TOUCHING
+            }
+            // `B` beside `C` would read as one name.
+            Role::Label => return None,
         };
     }
     Some(sum)

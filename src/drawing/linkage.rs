@@ -1,10 +1,11 @@
 //! The figure of a scene in a state.
 
 use super::figure::{Figure, Role, Shape};
+use super::outline::{self, Corner};
 use super::reach::Reach;
 use crate::scene::Scene;
 use crate::solver::{Condition, State};
-use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
+use crate::{Body, Input, LinkId, Mechanism, Member, Point, SlideId, Slider, Vec2};
 
 /// What of a linkage is shown beside its links and joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,6 +36,7 @@ impl Default for Layers {
 pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> Figure {
     let assembled = state.condition() != Condition::NoAssembly;
     let mut sketch = Sketch {
+        roles: roles(&scene.mechanism),
         scene,
         mechanism: &scene.mechanism,
         reach,
@@ -53,7 +55,31 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     sketch.figure
 }
 
+/// What each point is drawn as.
+fn roles(mechanism: &Mechanism) -> Vec<Role> {
+    let role = |point: &Point| match (point.ground, point.links.len()) {
+        (Some(_), 0) => Role::Ground,
+        (Some(_), _) => Role::GroundPin,
+        (None, 0 | 1) => Role::Rider,
+        (None, _) => Role::Joint,
+    };
+    let mut roles: Vec<Role> = mechanism.points().iter().map(role).collect();
+    for com in mechanism.links().iter().filter_map(|link| link.com) {
+        roles[com.index()] = Role::CentreOfMass;
+    }
+    for slide in mechanism.slides() {
+        let slot = &mut roles[slide.slider.point().index()];
+        // A ground point in a slot of a link is a pin like any other, and wants its support.
+        *slot = match *slot {
+            Role::Ground | Role::GroundPin => Role::GroundPin,
+            _ => Role::Slider,
+        };
+    }
+    roles
+}
+
 struct Sketch<'a> {
+    roles: Vec<Role>,
     scene: &'a Scene,
     mechanism: &'a Mechanism,
     reach: &'a Reach,
@@ -93,16 +119,10 @@ impl Sketch<'_> {
     }
 
     fn ground_pins(&mut self) {
-        for point in self.mechanism.points() {
+        for (point, &role) in self.mechanism.points().iter().zip(&self.roles) {
             let Some(at) = point.ground else { continue };
-            if point.links.is_empty() {
-                let role = Role::Ground;
-                self.figure.add(Shape::Mark { at, role });
-                continue;
-            }
-            let role = Role::GroundPin;
             self.figure.add(Shape::Mark { at, role });
-            if self.layers.ground {
+            if self.layers.ground && role == Role::GroundPin {
                 self.figure.add(Shape::Support { at });
             }
         }
@@ -114,16 +134,20 @@ impl Sketch<'_> {
                 Input::Turn(driven) if driven == id => Role::Driver,
                 Input::Turn(_) | Input::Push(_) => Role::Link,
             };
-            let corners = self.corners(id);
-            outline(&mut self.figure, corners, role);
+            let body = self.body(id);
+            outline::draw(&mut self.figure, &body, role);
         }
     }
 
     /// The places of a link's points, the centre of mass left out.
-    fn corners(&self, link: LinkId) -> Vec<Vec2> {
+    fn body(&self, link: LinkId) -> Vec<Corner> {
         let link = self.mechanism.link(link);
         let solid = link.members.iter().filter(|m| link.com != Some(m.point));
-        solid.map(|m| self.state.position(m.point)).collect()
+        let corner = |m: &Member| Corner {
+            at: self.state.position(m.point),
+            block: self.roles[m.point.index()] == Role::Slider,
+        };
+        solid.map(corner).collect()
     }
 
     fn slides(&mut self) {
@@ -131,187 +155,128 @@ impl Sketch<'_> {
             let at = self.state.position(slide.slider.point());
             let along = self.state.travel(id).guide;
             if let Body::Link(on) = slide.on {
-                if self.mechanism.driver().input == Input::Push(id) {
-                    self.cylinder(id, on, at, along);
-                } else {
-                    self.slot(id, on, at, along);
-                    let pin = matches!(slide.slider, Slider::Pin(_));
-                    self.figure.add(Shape::Block { at, along, pin });
+                let driven = self.mechanism.driver().input == Input::Push(id);
+                if let Some(mouth) = self.mouth(id, on).filter(|_| driven) {
+                    self.cylinder(id, on, mouth);
+                    continue;
                 }
-            } else {
-                let pin = match slide.slider {
-                    Slider::Pin(_) => true,
-                    Slider::Link { origin, .. } => self.is_joint(origin),
-                };
-                self.figure.add(Shape::Block { at, along, pin });
+                self.slot(id, on);
             }
+            let pin = match slide.slider {
+                Slider::Pin(_) => true,
+                Slider::Link { origin, .. } => self.mechanism.point(origin).links.len() > 1,
+            };
+            self.figure.add(Shape::Block { at, along, pin });
         }
+    }
+
+    /// A place on the guide of a slide now, by the position counted from `through`.
+    fn on_guide(&self, id: SlideId, position: f64) -> Vec2 {
+        let travel = self.state.travel(id);
+        let slider = self.mechanism.slide(id).slider.point();
+        self.state.position(slider) + travel.guide * (position - travel.position)
     }
 
     /// The guide of a moving link over the whole travel, and what joins it to the link's points.
-    fn slot(&mut self, id: SlideId, on: LinkId, at: Vec2, along: Vec2) {
-        let Some((low, high)) = self.reach.travel(id) else {
-            return;
-        };
-        let now = self.state.travel(id).position;
-        let from = at + along * (low - now);
-        let to = at + along * (high - now);
-        let role = Role::Link;
-        self.figure.add(Shape::Line { from, to, role });
-        self.join(on, from, to);
+    fn slot(&mut self, id: SlideId, on: LinkId) {
+        if let Some((low, high)) = self.reach.travel(id) {
+            let (from, to) = (self.on_guide(id, low), self.on_guide(id, high));
+            let role = Role::Link;
+            self.figure.add(Shape::Line { from, to, role });
+            self.join(on, from, to);
+        }
     }
 
-    /// A barrel as long as the shortest stroke leaves room for, and the rod from it to the point.
-    fn cylinder(&mut self, id: SlideId, on: LinkId, at: Vec2, along: Vec2) {
-        let now = self.state.travel(id).position;
-        let shortest = self.reach.travel(id).map_or(now, |(low, _)| low);
-        if shortest <= 0.0 {
-            self.slot(id, on, at, along);
-            return;
-        }
-        let foot = at - along * now;
-        let rim = foot + along * (0.85 * shortest);
-        let (from, to, role) = (foot, rim, Role::Driver);
-        self.figure.add(Shape::Line {
-            from: rim,
-            to: at,
-            role: Role::Link,
+    /// Where the barrel of a cylinder ends, counted along its guide: at the link's point farthest out
+    /// that the rod never passes, or a little before the shortest stroke. None if there is no room.
+    fn mouth(&self, id: SlideId, on: LinkId) -> Option<f64> {
+        let (shortest, _) = self.reach.travel(id)?;
+        let slide = self.mechanism.slide(id);
+        let members = self.mechanism.link(on).members.iter();
+        let along = members.filter_map(|m| {
+            let offset = m.local - slide.through;
+            let position = offset.dot(slide.direction);
+            let beside = offset.cross(slide.direction).abs();
+            (position > 0.0 && position <= shortest && beside < 1e-3 * position).then_some(position)
         });
+        let mouth = along.fold(0.0, f64::max);
+        let mouth = if mouth > 0.0 { mouth } else { 0.85 * shortest };
+        (mouth > 0.0).then_some(mouth)
+    }
+
+    /// The barrel up to its mouth, and the rod from there to the point that it pushes.
+    fn cylinder(&mut self, id: SlideId, on: LinkId, mouth: f64) {
+        let (foot, rim) = (self.on_guide(id, 0.0), self.on_guide(id, mouth));
+        let eye = self.state.position(self.mechanism.slide(id).slider.point());
+        let (from, to, role) = (rim, eye, Role::Link);
+        self.figure.add(Shape::Line { from, to, role });
+        let (from, to, role) = (foot, rim, Role::Driver);
         self.figure.add(Shape::Barrel { from, to, role });
-        self.join(on, from, to);
+        let (at, role) = (eye, Role::Joint);
+        self.figure.add(Shape::Mark { at, role });
+        self.join(on, foot, rim);
     }
 
     /// Joins a guide to the nearest point of the link that carries it.
     fn join(&mut self, on: LinkId, from: Vec2, to: Vec2) {
         let along = to - from;
         let foot = |p: Vec2| {
-            let share = (p - from).dot(along) / along.norm2();
-            from + along
-                * if share.is_finite() {
-                    share.clamp(0.0, 1.0)
-                } else {
-                    0.0
-                }
+            // Of a guide of no length either end is the nearest point.
+            let share = (p - from).dot(along) / along.norm2().max(f64::MIN_POSITIVE);
+            from + along * share.clamp(0.0, 1.0)
         };
-        let corners = self.corners(on);
-        let feet = corners.iter().map(|&p| (p, foot(p)));
+        let feet = self.body(on).into_iter().map(|c| (c.at, foot(c.at)));
         let nearest = feet.min_by(|a, b| (a.1 - a.0).norm().total_cmp(&(b.1 - b.0).norm()));
-        if let Some((from, to)) = nearest {
+        if let Some((from, to)) = nearest
+            && (to - from).norm() > 1e-6 * along.norm()
+        {
             let role = Role::Link;
             self.figure.add(Shape::Line { from, to, role });
         }
     }
 
-    fn is_joint(&self, point: PointId) -> bool {
-        let point = self.mechanism.point(point);
-        point.links.len() + usize::from(point.ground.is_some()) > 1
-    }
-
+    /// Centres of mass first: a joint at the same place is drawn over them.
     fn marks(&mut self) {
-        if self.layers.centres {
-            for com in self.mechanism.links().iter().filter_map(|l| l.com) {
-                let (at, role) = (self.state.position(com), Role::CentreOfMass);
-                self.figure.add(Shape::Mark { at, role });
-            }
-        }
-        for id in self.mechanism.point_ids() {
-            let point = self.mechanism.point(id);
-            let is_com = self.mechanism.links().iter().any(|l| l.com == Some(id));
-            let slides = self.mechanism.slides();
-            let in_block = slides.iter().any(|s| s.slider.point() == id);
-            if point.ground.is_some() || is_com || in_block {
+        for shown in [Role::CentreOfMass, Role::Rider, Role::Joint] {
+            if shown == Role::CentreOfMass && !self.layers.centres {
                 continue;
             }
-            let role = if self.is_joint(id) {
-                Role::Joint
-            } else {
-                Role::Rider
-            };
-            let at = self.state.position(id);
-            self.figure.add(Shape::Mark { at, role });
+            for (id, &role) in self.mechanism.point_ids().zip(&self.roles) {
+                if role == shown {
+                    let at = self.state.position(id);
+                    self.figure.add(Shape::Mark { at, role });
+                }
+            }
         }
     }
 
     fn names(&mut self, assembled: bool) {
         if self.layers.points {
-            for id in self.mechanism.point_ids() {
-                let ground = self.mechanism.point(id).ground;
-                let is_com = self.mechanism.links().iter().any(|l| l.com == Some(id));
-                let at = match (ground, assembled) {
+            for (id, &role) in self.mechanism.point_ids().zip(&self.roles) {
+                let at = match (self.mechanism.point(id).ground, assembled) {
                     (Some(at), _) => at,
                     (None, true) => self.state.position(id),
                     (None, false) => continue,
                 };
-                if let (Some(name), false) = (self.scene.point_name(id), is_com) {
-                    self.label(at, name);
+                if role != Role::CentreOfMass
+                    && let Some(name) = self.scene.point_name(id)
+                {
+                    add_name(&mut self.figure, at, name);
                 }
             }
         }
         if self.layers.links && assembled {
             for id in self.mechanism.link_ids() {
-                let corners = self.corners(id);
-                let sum = corners.iter().fold(Vec2::ZERO, |sum, &c| sum + c);
-                let name = self.scene.link_name(id);
-                self.label(sum / corners.len() as f64, name);
+                let body = self.body(id);
+                let sum = body.iter().fold(Vec2::ZERO, |sum, c| sum + c.at);
+                let middle = sum / body.len() as f64;
+                add_name(&mut self.figure, middle, self.scene.link_name(id));
             }
-        }
-    }
-
-    fn label(&mut self, at: Vec2, name: &str) {
-        let (text, role) = (name.to_owned(), Role::Label);
-        self.figure.add(Shape::Label { at, text, role });
-    }
-}
-
-/// A line between two points, the hull of more; points inside are joined to the nearest corner.
-fn outline(figure: &mut Figure, points: Vec<Vec2>, role: Role) {
-    let corners = hull(points.clone());
-    match corners[..] {
-        [] | [_] => {}
-        [from, to] => figure.add(Shape::Line { from, to, role }),
-        _ => {
-            for &from in points.iter().filter(|p| !corners.contains(p)) {
-                let distance = |a: &Vec2| (*a - from).norm();
-                let nearest = corners
-                    .iter()
-                    .min_by(|a, b| distance(a).total_cmp(&distance(b)));
-                if let Some(&to) = nearest {
-                    figure.add(Shape::Line { from, to, role });
-                }
-            }
-            figure.add(Shape::Outline { corners, role });
         }
     }
 }
 
-/// The corners of the convex hull (Andrew 1979), counter-clockwise, without points on its edges; two
-/// for points on a line.
-fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
-    points.retain(|p| p.is_finite());
-    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
-    points.dedup();
-    if points.len() < 3 {
-        return points;
-    }
-    let mut lower = half_hull(points.iter().copied());
-    let upper = half_hull(points.iter().rev().copied());
-    lower.pop();
-    lower.extend(&upper[..upper.len() - 1]);
-    lower
-}
-
-fn half_hull(points: impl Iterator<Item = Vec2>) -> Vec<Vec2> {
-    let mut chain: Vec<Vec2> = Vec::new();
-    for point in points {
-        while let [.., a, b] = chain[..] {
-            let (first, second) = (b - a, point - b);
-            // Flatter than a hundredth of a degree is no corner to the eye.
-            if first.cross(second) > 2e-4 * first.norm() * second.norm() {
-                break;
-            }
-            chain.pop();
-        }
-        chain.push(point);
-    }
-    chain
+fn add_name(figure: &mut Figure, at: Vec2, name: &str) {
+    let (text, role) = (name.to_owned(), Role::Label);
+    figure.add(Shape::Label { at, text, role });
 }

@@ -8,6 +8,7 @@
 mod figure;
 mod labels;
 mod linkage;
+mod outline;
 mod raster;
 mod reach;
 mod render;

@@ -162,8 +162,8 @@ impl Symbols<'_> {
 
 fn glyph_of(role: Role) -> char {
     match role {
-        Role::GroundPin => 'O',
-        Role::Joint | Role::Slider => 'o',
+        // A pin is a pin: what tells one on the ground is its support, as on paper.
+        Role::Joint | Role::GroundPin | Role::Slider => 'o',
         Role::Rider => '*',
         Role::CentreOfMass => 'x',
         Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',

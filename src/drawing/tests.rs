@@ -48,64 +48,76 @@ fn four_bar_reach() -> Reach {
 
 #[test]
 fn look() {
-    for (cols, rows) in [(80, 24), (50, 18), (40, 12)] {
-        let view = View::fit(&four_bar_reach(), cols, rows, 2.0);
-        for angle in [60.0, 200.0, 300.0] {
-            for glyphs in [Glyphs::Ascii, Glyphs::Braille] {
-                println!("== {cols}x{rows} {angle}");
-                print!("{}", render(&four_bar_figure(angle), &view, glyphs).text());
-            }
-        }
+    let all = |name: &str| std::env::var("LOOK").map_or(true, |l| l.split(',').any(|x| x == name));
+    let angles: Vec<f64> = std::env::var("AT")
+        .unwrap_or("0,120".into())
+        .split(',')
+        .map(|x| x.parse().unwrap())
+        .collect();
+    let sizes = std::env::var("SIZE").unwrap_or("80x24".into());
+    let pens = std::env::var("PEN").unwrap_or("a".into());
+    struct P {
+        name: String,
+        text: String,
     }
-}
-
-#[test]
-fn look_slider() {
-    for angle in [0.0, 30.0, 63.0, 80.0, 90.0, 120.0, 150.0] {
-        let along = crate::angle::unit(angle);
-        let p = |s: f64| along * s;
-        let mut figure = Figure::new();
-        figure.add(Shape::Line {
-            from: p(5.0),
-            to: p(35.0),
-            role: Role::Guide,
-        });
-        let (from, to) = if angle > 90.0 {
-            (p(35.0), p(5.0))
-        } else {
-            (p(5.0), p(35.0))
+    let mut presets: Vec<P> = std::fs::read_dir("presets")
+        .unwrap()
+        .map(|e| {
+            let p = e.unwrap().path();
+            P {
+                name: p.file_stem().unwrap().to_str().unwrap().into(),
+                text: std::fs::read_to_string(p).unwrap(),
+            }
+        })
+        .collect();
+    presets.sort_by(|a, b| a.name.cmp(&b.name));
+    for preset in presets {
+        if !all(&preset.name) {
+            continue;
+        }
+        let scene = match crate::scene::Scene::parse(&preset.text, &preset.name) {
+            Ok(s) => s,
+            Err(e) => {
+                println!("== {} fails {e:?}", preset.name);
+                continue;
+            }
         };
-        figure.add(Shape::Hatching { from, to });
-        figure.add(Shape::Block {
-            at: p(22.0),
-            along,
-            pin: true,
-        });
-        let b = crate::angle::unit(angle + 40.0) * 10.0;
-        figure.add(Shape::Line {
-            from: v(0.0, 0.0),
-            to: b,
-            role: Role::Driver,
-        });
-        figure.add(Shape::Line {
-            from: b,
-            to: p(22.0),
-            role: Role::Link,
-        });
-        figure.add(Shape::Mark {
-            at: b,
-            role: Role::Joint,
-        });
-        figure.add(Shape::Mark {
-            at: v(0.0, 0.0),
-            role: Role::GroundPin,
-        });
-        figure.add(Shape::Support { at: v(0.0, 0.0) });
-        let reach = Reach::by_hand(&[b, p(35.0)], &[v(0.0, 0.0)]);
-        let view = View::fit(&reach, 70, 22, 2.0);
-        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
-            println!("== {angle}");
-            print!("{}", render(&figure, &view, glyphs).text());
+        let solver = match crate::solver::Solver::new(&scene.mechanism) {
+            Ok(s) => s,
+            Err(e) => {
+                println!("== {} fails {e:?}", preset.name);
+                continue;
+            }
+        };
+        let reach = Reach::of(&scene, &solver);
+        let mut state = solver.state();
+        for size in sizes.split(',') {
+            let (cols, rows) = size.split_once('x').unwrap();
+            let view = View::fit(&reach, cols.parse().unwrap(), rows.parse().unwrap(), 2.0);
+            for angle in &angles {
+                let at = match solver.motion().range {
+                    crate::solver::Range::Full { .. } => scene.mechanism.driver().start + angle,
+                    crate::solver::Range::Limited { low, high } => {
+                        low + (high - low) * (angle / 360.0)
+                    }
+                };
+                solver.solve(at, crate::solver::Order::Position, &mut state);
+                let layers = Layers {
+                    links: std::env::var("LINKS").is_ok(),
+                    centres: std::env::var("COM").is_ok(),
+                    ..Layers::default()
+                };
+                let figure = linkage(&scene, &reach, &state, layers);
+                for pen in pens.chars() {
+                    let glyphs = match pen {
+                        'a' => Glyphs::Ascii,
+                        'l' => Glyphs::Line,
+                        _ => Glyphs::Braille,
+                    };
+                    println!("== {} {size} at {at}", preset.name);
+                    print!("{}", render(&figure, &view, glyphs).text());
+                }
+            }
         }
     }
 }
