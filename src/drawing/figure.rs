@@ -81,8 +81,6 @@ pub enum Shape {
     Block {
         /// Its middle.
         at: Vec2,
-        /// The direction of its guide: a unit vector.
-        along: Vec2,
         /// Whether a pin sits in it.
         pin: bool,
     },
@@ -104,10 +102,10 @@ impl Shape {
             | Shape::Barrel { from, to, .. }
             | Shape::Hatching { from, to } => from.is_finite() && to.is_finite(),
             Shape::Outline { corners, .. } => corners.iter().all(|c| c.is_finite()),
-            Shape::Mark { at, .. } | Shape::Support { at } | Shape::Label { at, .. } => {
-                at.is_finite()
-            }
-            Shape::Block { at, along, .. } => at.is_finite() && along.is_finite(),
+            Shape::Mark { at, .. }
+            | Shape::Support { at }
+            | Shape::Block { at, .. }
+            | Shape::Label { at, .. } => at.is_finite(),
         }
     }
 }

@@ -8,7 +8,18 @@ use super::view::View;
 /// Where the labels of a figure stood last; keep it from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
-    seats: Vec<Option<usize>>,
+    places: Vec<Place>,
+}
+
+/// What became of a label.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Place {
+    /// It was not drawn yet.
+    New,
+    /// There was no room.
+    Hidden,
+    /// It stands on the seat of this index.
+    Seat(usize),
 }
 
 /// A place for a label, relative to its point.
@@ -58,7 +69,7 @@ const SEATS: [Seat; 14] = [
 ];
 
 /// For each character that hides a piece of a line.
-const OVER_LINE: i32 = 4;
+const OVER_LINE: i32 = 7;
 /// For each character that hides a piece of the ground or of a guide.
 const OVER_GROUND: i32 = 3;
 /// For a mark right before or behind.
@@ -66,7 +77,9 @@ const TOUCHING: i32 = 4;
 /// For a line right before or behind.
 const BESIDE_LINE: i32 = 3;
 /// A label that would cost more is left out: it would hide more than it tells.
-const TOO_MUCH: i32 = 12;
+const TOO_MUCH: i32 = 16;
+/// The same where the names together are longer than the lines: only those that stand free help then.
+const TOO_MUCH_IN_A_CROWD: i32 = 3;
 /// A label moves only for a place that is better by more than this.
 const INERTIA: i32 = 6;
 
@@ -77,21 +90,29 @@ impl Labels {
             Shape::Label { at, text, role } => Some((*at, text.as_str(), *role)),
             _ => None,
         });
+        let length: usize = labels.clone().map(|(_, text, _)| text.len()).sum();
+        let is_line = |cell: &&Cell| matches!(cell.role, Role::Link | Role::Driver);
+        let lines = raster.lines().flatten().filter(is_line).count();
+        let limit = if length > lines {
+            TOO_MUCH_IN_A_CROWD
+        } else {
+            TOO_MUCH
+        };
         let mut count = 0;
         for (at, text, role) in labels {
-            let last = self.seats.get(count).copied().flatten();
-            let seat = best_seat(raster, cell_of(view.cell(at)), text, last);
-            match self.seats.get_mut(count) {
-                Some(slot) => *slot = seat,
-                None => self.seats.push(seat),
+            let point = cell_of(view.cell(at));
+            if count == self.places.len() {
+                self.places.push(Place::New);
             }
+            let place = best_place(raster, point, text, self.places[count], limit);
+            self.places[count] = place;
             count += 1;
-            if let Some(seat) = seat {
-                let (col, row) = origin(&SEATS[seat], cell_of(view.cell(at)), text);
+            if let Place::Seat(seat) = place {
+                let (col, row) = origin(&SEATS[seat], point, text);
                 write(raster, col, row, text, role);
             }
         }
-        self.seats.truncate(count);
+        self.places.truncate(count);
     }
 }
 
@@ -100,9 +121,9 @@ fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
     let mut end = col;
     for glyph in text.chars() {
         raster.put(end, row, glyph, role);
-        end = end.saturating_add(1);
+        end += 1;
     }
-    for beside in [col.saturating_sub(1), end] {
+    for beside in [col - 1, end] {
         if raster
             .cell(beside, row)
             .is_some_and(|c| c.role == Role::Ground)
@@ -112,33 +133,46 @@ fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
     }
 }
 
-fn best_seat(raster: &Raster, point: (i32, i32), text: &str, last: Option<usize>) -> Option<usize> {
-    let cost = |index: usize| {
-        let bonus = if last == Some(index) { INERTIA } else { 0 };
-        let (col, row) = origin(&SEATS[index], point, text);
-        let cost = cover(raster, col, row, text)? + SEATS[index].cost - bonus;
-        (cost <= TOO_MUCH).then_some(cost)
+fn best_place(raster: &Raster, point: (i32, i32), text: &str, last: Place, limit: i32) -> Place {
+    if raster.cell(point.0, point.1).is_none() {
+        return Place::Hidden;
+    }
+    // One that was left out comes back only when there is clearly room for it.
+    let limit = if last == Place::Hidden {
+        (limit - INERTIA).max(0)
+    } else {
+        limit
     };
-    let priced = (0..SEATS.len()).filter_map(|i| cost(i).map(|c| (c, i)));
-    priced.min().map(|(_, index)| index)
+    let cost = |index: usize| {
+        let seat = &SEATS[index];
+        let (col, row) = origin(seat, point, text);
+        let inertia = i32::from(last == Place::Seat(index)) * INERTIA;
+        Some(cover(raster, col, row, text)? + seat.cost - inertia).filter(|&cost| cost <= limit)
+    };
+    let priced = (0..SEATS.len()).filter_map(|index| cost(index).map(|cost| (cost, index)));
+    priced
+        .min()
+        .map_or(Place::Hidden, |(_, index)| Place::Seat(index))
+}
+
+/// Characters, of which no name has more than a raster has columns and is still shown.
+fn width(text: &str) -> i32 {
+    text.chars().count().min(usize::from(u16::MAX)) as i32
 }
 
 /// The cell of the first character.
 fn origin(seat: &Seat, point: (i32, i32), text: &str) -> (i32, i32) {
-    let width = i32::try_from(text.chars().count()).unwrap_or(i32::MAX);
     let back = match seat.align {
         Align::Start => 0,
-        Align::Middle => width / 2,
-        Align::End => width.saturating_sub(1),
+        Align::Middle => width(text) / 2,
+        Align::End => width(text) - 1,
     };
-    let col = point.0.saturating_add(seat.col).saturating_sub(back);
-    (col, point.1.saturating_add(seat.row))
+    (point.0 + seat.col - back, point.1 + seat.row)
 }
 
 /// What a label hides at a place; `None` where it cannot stand: outside, on a mark, on another name.
 fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
-    let width = i32::try_from(text.chars().count()).ok()?;
-    let end = col.checked_add(width)?;
+    let end = col + width(text);
     let mut sum = 0;
     for c in col..end {
         sum += match raster.cell(c, row)?.role {
@@ -166,6 +200,24 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
         };
     }
     Some(sum)
+}
+
+#[cfg(test)]
+impl Labels {
+    /// How many labels stand elsewhere than `before`.
+    pub(super) fn moved_from(&self, before: &Labels) -> usize {
+        let pairs = self.places.iter().zip(&before.places);
+        pairs.filter(|(now, then)| now != then).count()
+    }
+
+    /// How many are left out.
+    pub(super) fn hidden(&self) -> usize {
+        self.places.iter().filter(|&&p| p == Place::Hidden).count()
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.places.len()
+    }
 }
 
 #[cfg(test)]
@@ -250,7 +302,7 @@ mod tests {
                 figure.add(mark(from));
                 figure.add(label(from, "P"));
                 render_into(&figure, &view(), Glyphs::Ascii, labels, &mut raster);
-                seats.push(labels.seats[0]);
+                seats.push(labels.places[0]);
             }
             seats
         };

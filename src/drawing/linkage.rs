@@ -153,7 +153,6 @@ impl Sketch<'_> {
     fn slides(&mut self) {
         for (id, slide) in self.mechanism.slide_ids().zip(self.mechanism.slides()) {
             let at = self.state.position(slide.slider.point());
-            let along = self.state.travel(id).guide;
             if let Body::Link(on) = slide.on {
                 let driven = self.mechanism.driver().input == Input::Push(id);
                 if let Some(mouth) = self.mouth(id, on).filter(|_| driven) {
@@ -166,7 +165,7 @@ impl Sketch<'_> {
                 Slider::Pin(_) => true,
                 Slider::Link { origin, .. } => self.mechanism.point(origin).links.len() > 1,
             };
-            self.figure.add(Shape::Block { at, along, pin });
+            self.figure.add(Shape::Block { at, pin });
         }
     }
 
@@ -182,7 +181,9 @@ impl Sketch<'_> {
         if let Some((low, high)) = self.reach.travel(id) {
             let (from, to) = (self.on_guide(id, low), self.on_guide(id, high));
             let role = Role::Link;
-            self.figure.add(Shape::Line { from, to, role });
+            for (from, to) in outline::beyond(&self.body(on), from, to) {
+                self.figure.add(Shape::Line { from, to, role });
+            }
             self.join(on, from, to);
         }
     }

@@ -15,29 +15,110 @@ pub(super) struct Corner {
 /// Flatter than this, in radians, a corner is none to the eye.
 const FLAT: f64 = 2e-4;
 
-/// Draws a link: a line between two points, else the convex hull of its points, with a strut to each
-/// point inside. A link that slides on a point inside (a yoke) is drawn as arms from its block.
+/// Draws a link: the line through its points where they lie on one, else their convex hull with a
+/// strut to each point inside. A link that slides on a point inside (a yoke) is drawn as arms from its
+/// block.
 pub(super) fn draw(figure: &mut Figure, points: &[Corner], role: Role) {
     let corners = hull(points.iter().map(|c| c.at).collect());
-    match corners[..] {
-        [] | [_] => {}
-        [from, to] => figure.add(Shape::Line { from, to, role }),
-        _ => {
-            let is_inside = |c: &&Corner| !corners.contains(&c.at);
-            if let Some(block) = points.iter().filter(is_inside).find(|c| c.block) {
-                for point in points {
-                    let (from, to) = (block.at, point.at);
-                    figure.add(Shape::Line { from, to, role });
-                }
-                return;
-            }
-            for inside in points.iter().filter(is_inside) {
-                let (from, to) = (inside.at, nearest(&corners, inside.at));
-                figure.add(Shape::Line { from, to, role });
-            }
-            figure.add(Shape::Outline { corners, role });
-        }
+    let struts = struts(&corners, points);
+    let has_arms = corners.len() > 2 && block_inside(&corners, points).is_some();
+    for (from, to) in struts {
+        figure.add(Shape::Line { from, to, role });
     }
+    if corners.len() > 2 && !has_arms {
+        figure.add(Shape::Outline { corners, role });
+    }
+}
+
+/// All lines of a link.
+fn lines(points: &[Corner]) -> Vec<(Vec2, Vec2)> {
+    let corners = hull(points.iter().map(|c| c.at).collect());
+    let mut lines = struts(&corners, points);
+    if corners.len() > 2 && block_inside(&corners, points).is_none() {
+        lines.extend(
+            corners
+                .iter()
+                .copied()
+                .zip(corners.iter().copied().cycle().skip(1)),
+        );
+    }
+    lines
+}
+
+/// The parts of the line from `from` to `to` that no line of the link lies along.
+pub(super) fn beyond(points: &[Corner], from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2)> {
+    let along = to - from;
+    let length = along.norm();
+    let beside = |p: Vec2| (p - from).cross(along).abs() > FLAT * length * length;
+    let share = |p: Vec2| (p - from).dot(along) / along.norm2();
+    let mut covered: Vec<(f64, f64)> = lines(points)
+        .into_iter()
+        .filter(|&(a, b)| !(beside(a) || beside(b)))
+        .map(|(a, b)| (share(a).min(share(b)), share(a).max(share(b))))
+        .collect();
+    covered.sort_by(|a, b| a.0.total_cmp(&b.0));
+    covered.push((1.0, 1.0));
+    let mut bare = Vec::new();
+    let mut reached = 0.0_f64;
+    for (start, end) in covered {
+        let start = start.min(1.0);
+        if start > reached + FLAT {
+            bare.push((from + along * reached, from + along * start));
+        }
+        reached = reached.max(end);
+    }
+    bare
+}
+
+/// The lines of a link beside its hull.
+fn struts(corners: &[Vec2], points: &[Corner]) -> Vec<(Vec2, Vec2)> {
+    match *corners {
+        [] | [_] => Vec::new(),
+        [from, to] => chain(points, from, to - from),
+        _ => match block_inside(corners, points) {
+            Some(block) => arms(block, points),
+            None => inside(corners, points)
+                .map(|c| (c.at, nearest(corners, c.at)))
+                .collect(),
+        },
+    }
+}
+
+/// From point to point along a line: where the glyphs of joints stand a little beside it, they are
+/// still met.
+fn chain(points: &[Corner], from: Vec2, along: Vec2) -> Vec<(Vec2, Vec2)> {
+    let mut row: Vec<Vec2> = points
+        .iter()
+        .map(|c| c.at)
+        .filter(|p| p.is_finite())
+        .collect();
+    let place = |p: &Vec2| (*p - from).dot(along);
+    row.sort_by(|a, b| place(a).total_cmp(&place(b)));
+    row.dedup();
+    row.windows(2).map(|w| (w[0], w[1])).collect()
+}
+
+/// From a block to all points, but not to those on the way to another.
+fn arms(block: Vec2, points: &[Corner]) -> Vec<(Vec2, Vec2)> {
+    let tips = points.iter().map(|c| c.at - block);
+    let passed = |tip: Vec2| {
+        let beyond = |other: Vec2| {
+            other.norm() > tip.norm()
+                && other.dot(tip) > 0.0
+                && other.cross(tip).abs() <= FLAT * other.norm() * tip.norm()
+        };
+        points.iter().any(|c| beyond(c.at - block))
+    };
+    let ends = tips.filter(|&tip| tip != Vec2::ZERO && !passed(tip));
+    ends.map(|tip| (block, block + tip)).collect()
+}
+
+fn inside<'a>(corners: &'a [Vec2], points: &'a [Corner]) -> impl Iterator<Item = &'a Corner> {
+    points.iter().filter(|c| !corners.contains(&c.at))
+}
+
+fn block_inside(corners: &[Vec2], points: &[Corner]) -> Option<Vec2> {
+    inside(corners, points).find(|c| c.block).map(|c| c.at)
 }
 
 fn nearest(corners: &[Vec2], to: Vec2) -> Vec2 {
@@ -113,11 +194,15 @@ mod tests {
     }
 
     #[test]
-    fn points_on_a_line_make_one_line() {
+    fn points_on_a_line_are_joined_one_after_another() {
         let line = shapes(&[(1.0, 1.0), (3.0, 3.0), (0.1 + 0.2, 0.3), (2.0, 2.0)], 9);
-        let (from, to) = (Vec2::new(0.1 + 0.2, 0.3), Vec2::new(3.0, 3.0));
+        let stops = points(&[(0.1 + 0.2, 0.3), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]);
         let role = Role::Link;
-        assert_eq!(line, [Shape::Line { from, to, role }]);
+        let joined = stops.windows(2).map(|w| (w[0], w[1]));
+        let expected: Vec<_> = joined
+            .map(|(from, to)| Shape::Line { from, to, role })
+            .collect();
+        assert_eq!(line, expected);
     }
 
     #[test]

@@ -100,8 +100,142 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
         Shape::Mark { at, role } => symbols.mark(at, role),
         Shape::Support { at } => symbols.support(at),
         Shape::Hatching { from, to } => symbols.hatching(from, to),
-        Shape::Block { at, pin, .. } => symbols.block(at, pin),
+        Shape::Block { at, pin } => symbols.block(at, pin),
         // Names come last, when all that they must avoid is in place.
         Shape::Label { .. } => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::Reach;
+    use proptest::prelude::*;
+
+    fn place() -> impl Strategy<Value = Vec2> {
+        let coordinate = || {
+            prop_oneof![
+                8 => -20.0..20.0,
+                1 => any::<f64>(),
+                1 => prop::sample::select(vec![0.0, 1e300, -1e300, f64::NAN, f64::INFINITY]),
+            ]
+        };
+        (coordinate(), coordinate()).prop_map(|(x, y)| Vec2::new(x, y))
+    }
+
+    fn shape() -> impl Strategy<Value = Shape> {
+        let role = || {
+            prop::sample::select(vec![
+                Role::Ground,
+                Role::Guide,
+                Role::Link,
+                Role::Driver,
+                Role::Joint,
+                Role::Slider,
+                Role::Label,
+            ])
+        };
+        prop_oneof![
+            (place(), place(), role()).prop_map(|(from, to, role)| Shape::Line { from, to, role }),
+            (prop::collection::vec(place(), 0..5), role())
+                .prop_map(|(corners, role)| Shape::Outline { corners, role }),
+            (place(), place(), role()).prop_map(|(from, to, role)| Shape::Barrel {
+                from,
+                to,
+                role
+            }),
+            (place(), role()).prop_map(|(at, role)| Shape::Mark { at, role }),
+            place().prop_map(|at| Shape::Support { at }),
+            (place(), place()).prop_map(|(from, to)| Shape::Hatching { from, to }),
+            (place(), any::<bool>()).prop_map(|(at, pin)| Shape::Block { at, pin }),
+            (place(), "[ -~]{0,12}", role()).prop_map(|(at, text, role)| Shape::Label {
+                at,
+                text,
+                role
+            }),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn anything_can_be_drawn_at_any_size(
+            shapes in prop::collection::vec(shape(), 0..30),
+            points in prop::collection::vec(place(), 0..4),
+            (cols, rows) in prop_oneof![(0_u16..12, 0_u16..6), (0_u16..400, 0_u16..200)],
+        ) {
+            let mut figure = Figure::new();
+            shapes.into_iter().for_each(|shape| figure.add(shape));
+            let view = View::fit(&Reach::by_hand(&points, &points), cols, rows, 2.0);
+            let (mut labels, mut raster) = (Labels::default(), Raster::new());
+            for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+                render_into(&figure, &view, glyphs, &mut labels, &mut raster);
+                prop_assert_eq!((raster.cols(), raster.rows()), (cols, rows));
+                prop_assert_eq!(raster.lines().flatten().count(), usize::from(cols) * usize::from(rows));
+            }
+        }
+    }
+
+    /// A window of 20 x 10 cells on which one unit of length is one column.
+    fn view() -> View {
+        let corners = [Vec2::ZERO, Vec2::new(12.0, 10.0)];
+        View::fit(&Reach::by_hand(&corners, &[]), 20, 10, 2.0)
+    }
+
+    fn line(from: Vec2, to: Vec2, role: Role) -> Shape {
+        Shape::Line { from, to, role }
+    }
+
+    #[test]
+    fn the_later_link_lies_on_top_and_marks_over_both() {
+        let (low, high) = (Vec2::ZERO, Vec2::new(12.0, 10.0));
+        let (left, right) = (Vec2::new(0.0, 10.0), Vec2::new(12.0, 0.0));
+        let middle = Vec2::new(6.0, 5.0);
+        let at_middle = |figure: &Figure, glyphs| {
+            let at = view().cell(middle);
+            let raster = render(figure, &view(), glyphs);
+            raster
+                .cell(at.x.floor() as i32, at.y.floor() as i32)
+                .unwrap()
+        };
+        let mut figure = Figure::new();
+        let (at, role) = (middle, Role::Joint);
+        figure.add(line(low, high, Role::Driver));
+        figure.add(line(left, right, Role::Link));
+        assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link);
+        figure.add(line(low, high, Role::Guide));
+        assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link);
+        let mut marked = Figure::new();
+        marked.add(Shape::Mark { at, role });
+        figure.shapes().iter().for_each(|s| marked.add(s.clone()));
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            assert_eq!(at_middle(&marked, glyphs).glyph, 'o');
+        }
+    }
+
+    #[test]
+    fn dots_of_crossing_lines_share_a_cell() {
+        let dots = |lines: &[(f64, f64, f64, f64)]| {
+            let mut figure = Figure::new();
+            for &(ax, ay, bx, by) in lines {
+                figure.add(line(Vec2::new(ax, ay), Vec2::new(bx, by), Role::Link));
+            }
+            let raster = render(&figure, &view(), Glyphs::Braille);
+            raster
+                .lines()
+                .flatten()
+                .map(|cell| (u32::from(cell.glyph) | 0x2800) & 0xff)
+                .map(|pattern| {
+                    if pattern == u32::from(' ') {
+                        0
+                    } else {
+                        pattern
+                    }
+                })
+                .collect::<Vec<_>>()
+        };
+        let (rising, falling) = ((0.0, 0.0, 12.0, 10.0), (0.0, 10.0, 12.0, 0.0));
+        let both = dots(&[rising, falling]);
+        let apart = dots(&[rising]).into_iter().zip(dots(&[falling]));
+        assert_eq!(both, apart.map(|(a, b)| a | b).collect::<Vec<_>>());
     }
 }

@@ -2,8 +2,9 @@
 //!
 //! With characters a line is a chain of strokes that meet at the edges of their cells: `_` lies on the
 //! lower edge, `-` in the middle, `/` runs from corner to corner, `|` stands in the middle. Which one a
-//! cell gets is decided by where the line really passes, not by the step from the last cell, so a
-//! slowly turning link does not shiver.
+//! cell gets is decided by where the line passes, not by the step from the last cell. The line runs
+//! between the middles of the cells of its ends, where the glyphs of joints stand: drawn from its true
+//! ends it would miss them by up to half a cell, and shiver while they stand still.
 
 use super::figure::Role;
 use super::raster::Raster;
@@ -16,30 +17,31 @@ const CLIMB: f64 = 0.36;
 
 /// Draws the line from `a` to `b`, in cell coordinates.
 pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: Role) {
-    let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
-    let Some((a, b)) = clip(a, b, size) else {
-        return;
-    };
     match glyphs {
-        Glyphs::Ascii => strokes(raster, a, b, role, '-', '|'),
-        Glyphs::Line => strokes(raster, a, b, role, '─', '│'),
+        Glyphs::Ascii => strokes(raster, a, b, role, ('-', '|')),
+        Glyphs::Line => strokes(raster, a, b, role, ('─', '│')),
         Glyphs::Braille => dots(raster, a, b, role),
     }
 }
 
-/// Draws the line from `a` to `b` with one glyph.
-pub(super) fn solid(raster: &mut Raster, glyph: char, a: Vec2, b: Vec2, role: Role) {
-    let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
-    if let Some((a, b)) = clip(a, b, size) {
-        trace(a, b, |x, y| {
-            raster.put(x.floor() as i32, y.floor() as i32, glyph, role);
-        });
-    }
+/// The cells of the line from `a` to `b`, from the left, or from above if it is steep.
+pub(super) fn cells(raster: &Raster, a: Vec2, b: Vec2) -> impl Iterator<Item = (i32, i32)> + use<> {
+    let clipped = clip(middle_of_cell(a), middle_of_cell(b), raster);
+    let course = clipped.map(|(a, b)| Course::new(a, b));
+    course.into_iter().flat_map(|course| {
+        let cells = course.cells();
+        cells.map(move |cell| course.cell(cell, course.middle(cell).floor() as i32))
+    })
+}
+
+fn middle_of_cell(p: Vec2) -> Vec2 {
+    Vec2::new(p.x.floor() + 0.5, p.y.floor() + 0.5)
 }
 
 /// The part of the line inside the cells and one around them (Liang and Barsky 1984); `None` if there
 /// is none, or if an end is not finite.
-fn clip(a: Vec2, b: Vec2, size: Vec2) -> Option<(Vec2, Vec2)> {
+pub(super) fn clip(a: Vec2, b: Vec2, raster: &Raster) -> Option<(Vec2, Vec2)> {
+    let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
     let step = b - a;
     if !(a.is_finite() && step.is_finite()) {
         return None;
@@ -60,100 +62,140 @@ fn clip(a: Vec2, b: Vec2, size: Vec2) -> Option<(Vec2, Vec2)> {
     (enter <= leave).then(|| (a + step * enter, a + step * leave))
 }
 
-/// Visits a line once in every column, or in every row if it is steep, at the middle of the cell.
-/// A line that passes no middle is visited once, half way.
-pub(super) fn trace(a: Vec2, b: Vec2, mut visit: impl FnMut(f64, f64)) {
-    let step = b - a;
-    let steep = step.y.abs() > step.x.abs();
-    let (from, to, from_side, rate) = if steep {
-        (a.y, b.y, a.x, step.x / step.y)
-    } else {
-        (a.x, b.x, a.y, step.y / step.x)
-    };
-    let rate = if rate.is_finite() { rate } else { 0.0 };
-    let mut at = |main: f64| {
-        let side = from_side + rate * (main - from);
-        if steep {
-            visit(side, main);
-        } else {
-            visit(main, side);
-        }
-    };
-    let first = (from.min(to) - 0.5).ceil() as i32;
-    let last = (from.max(to) - 0.5).floor() as i32;
-    if first > last {
-        at((from + to) / 2.0);
-    }
-    for cell in first..=last {
-        at(f64::from(cell) + 0.5);
-    }
+/// A line as a function: of the column where it is shallow, of the row where it is steep.
+#[derive(Clone, Copy)]
+struct Course {
+    steep: bool,
+    /// The smaller and the larger end along the main axis, and the other coordinate at the first.
+    from: f64,
+    to: f64,
+    side: f64,
+    /// Between -1 and 1.
+    rate: f64,
 }
 
-fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, flat: char, upright: char) {
-    let step = b - a;
-    if step.y.abs() > step.x.abs() {
-        let lean = step.x / step.y;
-        trace(a, b, |x, y| {
-            let (col, glyph) = descend(x, lean, upright);
-            raster.put(col, y.floor() as i32, glyph, role);
-        });
-        return;
-    }
-    let slope = if step.x == 0.0 { 0.0 } else { step.y / step.x };
-    trace(a, b, |x, y| {
-        let (row, glyph) = if slope.abs() < CLIMB {
-            half_row(y, flat)
+/// Places exactly between two strokes are common, since ends lie on middles of cells. This much, in
+/// cells, pushes all of them to the same side whatever the rounding.
+const NUDGE: f64 = 1e-6;
+
+impl Course {
+    fn new(a: Vec2, b: Vec2) -> Course {
+        let step = b - a;
+        let steep = step.y.abs() > step.x.abs();
+        let turned = |p: Vec2| if steep { Vec2::new(p.y, p.x) } else { p };
+        let (a, b) = (turned(a), turned(b));
+        let (a, b) = if a.x <= b.x { (a, b) } else { (b, a) };
+        let rate = if a.x == b.x {
+            0.0
         } else {
-            climb(y, slope)
+            (b.y - a.y) / (b.x - a.x)
         };
-        raster.put(x.floor() as i32, row, glyph, role);
-    });
-}
-
-/// The stroke of a steep line in one row: a slash where it changes columns, else upright.
-///
-/// Up to half a column per row it changes where it really does, between the middles of two columns.
-/// Beyond, slashes follow each other, and they must meet at corners.
-fn descend(x: f64, lean: f64, upright: char) -> (i32, char) {
-    let (top, bottom) = (x - lean / 2.0, x + lean / 2.0);
-    let straight = (x.floor() as i32, upright);
-    if lean.abs() <= 0.5 {
-        if top.floor() == bottom.floor() {
-            straight
-        } else {
-            (x.floor() as i32, slash(lean))
+        Course {
+            steep,
+            from: a.x,
+            to: b.x,
+            side: a.y + NUDGE,
+            rate,
         }
-    } else if top.round() == bottom.round() {
-        straight
-    } else {
-        (top.round().min(bottom.round()) as i32, slash(lean))
+    }
+
+    /// The columns (or rows) whose middle it passes; the one that it lies in if it passes none.
+    fn cells(&self) -> std::ops::RangeInclusive<i32> {
+        let first = (self.from - 0.5).ceil() as i32;
+        let last = (self.to - 0.5).floor() as i32;
+        if first <= last {
+            return first..=last;
+        }
+        let only = ((self.from + self.to) / 2.0).floor() as i32;
+        only..=only
+    }
+
+    /// The other coordinate at a place on the main axis.
+    fn at(&self, main: f64) -> f64 {
+        self.side + self.rate * (main - self.from)
+    }
+
+    fn middle(&self, cell: i32) -> f64 {
+        self.at(f64::from(cell) + 0.5)
+    }
+
+    /// Where it enters and leaves a column (or row).
+    fn crossing(&self, cell: i32) -> (f64, f64) {
+        (self.at(f64::from(cell)), self.at(f64::from(cell) + 1.0))
+    }
+
+    /// Column and row from the coordinates along and across the line.
+    fn cell(&self, main: i32, side: i32) -> (i32, i32) {
+        if self.steep {
+            (side, main)
+        } else {
+            (main, side)
+        }
+    }
+
+    /// `/` where a line runs down to the left, `\` where it runs down to the right.
+    fn slash(&self) -> char {
+        if self.rate < 0.0 { '/' } else { '\\' }
+    }
+
+    /// The stroke of a shallow line in one column.
+    ///
+    /// Nearly level, it is the nearest of `flat` in the middle of a row and `_` on its lower edge.
+    /// Else it joins the corners nearest to the line on both sides of the cell: by a slash, or by
+    /// `_` where they are level.
+    fn shallow(&self, col: i32, flat: char) -> (i32, char) {
+        if self.rate.abs() < CLIMB {
+            let halves = (self.middle(col) * 2.0).round() as i32;
+            return if halves.rem_euclid(2) == 1 {
+                (halves.div_euclid(2), flat)
+            } else {
+                (halves.div_euclid(2) - 1, '_')
+            };
+        }
+        let (left, right) = self.crossing(col);
+        let (left, right) = (left.round() as i32, right.round() as i32);
+        if left == right {
+            (left - 1, '_')
+        } else {
+            (left.min(right), self.slash())
+        }
+    }
+
+    /// The stroke of a steep line in one row: a slash where it changes columns, else `upright`.
+    ///
+    /// Up to half a column per row it changes where it really does, between the middles of two
+    /// columns. Beyond, slashes follow each other, and they must meet at corners.
+    fn steep(&self, row: i32, upright: char) -> (i32, char) {
+        let (top, bottom) = self.crossing(row);
+        let straight = self.middle(row).floor();
+        if self.rate.abs() <= 0.5 {
+            let changes = top.floor() != bottom.floor();
+            return (
+                straight as i32,
+                if changes { self.slash() } else { upright },
+            );
+        }
+        if top.round() == bottom.round() {
+            (straight as i32, upright)
+        } else {
+            (top.round().min(bottom.round()) as i32, self.slash())
+        }
     }
 }
 
-/// `/` where a line runs down to the left, `\` where it runs down to the right; rows count downwards,
-/// so the sign is that of columns per row as well as of rows per column.
-fn slash(slope: f64) -> char {
-    if slope < 0.0 { '/' } else { '\\' }
-}
-
-/// The nearest of the strokes at the middle of a row and on its lower edge.
-fn half_row(y: f64, flat: char) -> (i32, char) {
-    let halves = (y * 2.0).round() as i32;
-    if halves.rem_euclid(2) == 1 {
-        (halves.div_euclid(2), flat)
-    } else {
-        (halves / 2 - 1, '_')
-    }
-}
-
-/// Between the corners nearest to the line on both sides of the cell: a slash, or `_` where they are level.
-fn climb(y: f64, slope: f64) -> (i32, char) {
-    let left = (y - slope / 2.0).round() as i32;
-    let right = (y + slope / 2.0).round() as i32;
-    if left == right {
-        (left - 1, '_')
-    } else {
-        (left.min(right), slash(slope))
+fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, (flat, upright): (char, char)) {
+    let Some((a, b)) = clip(middle_of_cell(a), middle_of_cell(b), raster) else {
+        return;
+    };
+    let course = Course::new(a, b);
+    for cell in course.cells() {
+        let (side, glyph) = if course.steep {
+            course.steep(cell, upright)
+        } else {
+            course.shallow(cell, flat)
+        };
+        let (col, row) = course.cell(cell, side);
+        raster.put(col, row, glyph, role);
     }
 }
 
@@ -164,10 +206,15 @@ const BLANK: u32 = 0x2800;
 const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
 fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
+    let Some((a, b)) = clip(a, b, raster) else {
+        return;
+    };
     let fine = |p: Vec2| Vec2::new(p.x * 2.0, p.y * 4.0);
-    trace(fine(a), fine(b), |x, y| {
-        dot(raster, x.floor() as i32, y.floor() as i32, role);
-    });
+    let course = Course::new(fine(a), fine(b));
+    for cell in course.cells() {
+        let (x, y) = course.cell(cell, course.middle(cell).floor() as i32);
+        dot(raster, x, y, role);
+    }
 }
 
 /// Sets one dot, counted over the whole raster, and keeps those that the cell has.
@@ -226,11 +273,15 @@ mod tests {
             (bx, by) in (2.0..38.0, 2.0..38.0),
         ) {
             let (a, b) = (Vec2::new(ax, ay), Vec2::new(bx, by));
-            let step = b - a;
+            let from = middle_of_cell(a);
+            let step = middle_of_cell(b) - from;
+            if step == Vec2::ZERO {
+                return Ok(());
+            }
             for (col, row, glyph) in drawn(a, b, Glyphs::Ascii) {
                 let (start, end) = stroke_of(glyph);
                 let middle = Vec2::new(f64::from(col), f64::from(row)) + (start + end) * 0.5;
-                let off = (middle - a).cross(step);
+                let off = (middle - from).cross(step);
                 let axis = step.x.abs().max(step.y.abs());
                 prop_assert!((off / axis).abs() <= 0.5 + 1e-9, "{glyph} at {col}, {row}");
             }
@@ -254,7 +305,7 @@ mod tests {
         }
 
         #[test]
-        fn nothing_is_drawn_twice_over(
+        fn a_line_takes_one_cell_of_a_column_or_of_a_row(
             (ax, ay) in (-50.0..90.0, -50.0..90.0),
             (bx, by) in (-50.0..90.0, -50.0..90.0),
         ) {

@@ -12,9 +12,7 @@ use crate::Vec2;
 const ROOMY_ROWS: u16 = 16;
 
 /// Cells from one stroke of hatching to the next.
-const HATCHING: u32 = 2;
-/// More strokes than any screen shows; guides of a closely zoomed view go far beyond it.
-const LONGEST_HATCHING: f64 = 2000.0;
+const HATCHING: usize = 2;
 
 /// What the symbols are drawn with.
 pub(super) struct Symbols<'a> {
@@ -23,9 +21,14 @@ pub(super) struct Symbols<'a> {
     pub(super) raster: &'a mut Raster,
 }
 
-/// The cell that holds a place in cell coordinates. Far outside it saturates, which is outside still.
+/// Farther than any raster reaches, and small enough to count on from there.
+const FAR: f64 = 1e6;
+
+/// The cell that holds a place in cell coordinates; what lies far outside, or nowhere, is put to a
+/// cell that is outside still.
 pub(super) fn cell_of(at: Vec2) -> (i32, i32) {
-    (at.x.floor() as i32, at.y.floor() as i32)
+    let index = |v: f64| if v.is_nan() { FAR } else { v.clamp(-FAR, FAR) }.floor() as i32;
+    (index(at.x), index(at.y))
 }
 
 impl Symbols<'_> {
@@ -66,7 +69,7 @@ impl Symbols<'_> {
 
     fn stamp(&mut self, col: i32, row: i32, glyphs: &str, role: Role) {
         for (i, glyph) in (0..).zip(glyphs.chars()) {
-            self.raster.put(col.saturating_add(i), row, glyph, role);
+            self.raster.put(col + i, row, glyph, role);
         }
     }
 
@@ -91,17 +94,16 @@ impl Symbols<'_> {
         } else {
             '/'
         };
-        let mut count = 0;
-        stroke::trace(a + offset, b + offset, |x, y| {
-            count += 1;
-            if count % HATCHING == 1 {
-                let (col, row) = cell_of(Vec2::new(x, y));
-                self.raster.put(col, row, glyph, Role::Ground);
-            }
-        });
+        let cells = stroke::cells(self.raster, a + offset, b + offset);
+        for (col, row) in cells.step_by(HATCHING) {
+            self.raster.put(col, row, glyph, Role::Ground);
+        }
     }
 
     fn dotted_hatching(&mut self, a: Vec2, b: Vec2) {
+        let Some((a, b)) = stroke::clip(a, b, self.raster) else {
+            return;
+        };
         let aspect = self.view.aspect();
         // In widths of a cell, so that a square is one on the screen.
         let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
@@ -110,9 +112,10 @@ impl Symbols<'_> {
         // Rows count downwards, and so `perp` points to the right.
         let stroke = (unit.perp() - unit) * 1.3;
         let on_screen = |v: Vec2| Vec2::new(v.x, v.y / aspect);
-        let count = (length / f64::from(HATCHING)).clamp(0.0, LONGEST_HATCHING) as u32;
+        let spacing = HATCHING as f64;
+        let count = (length / spacing) as u32;
         for k in 1..=count {
-            let foot = a + on_screen(unit * f64::from(k * HATCHING));
+            let foot = a + on_screen(unit * (f64::from(k) * spacing));
             self.line(foot, foot + on_screen(stroke), Role::Ground);
         }
     }
@@ -150,7 +153,9 @@ impl Symbols<'_> {
                 return;
             }
         };
-        stroke::solid(self.raster, glyph, a, b, role);
+        for (col, row) in stroke::cells(self.raster, a, b) {
+            self.raster.put(col, row, glyph, role);
+        }
     }
 
     /// A mark of one cell.

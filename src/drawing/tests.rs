@@ -1,123 +1,250 @@
-//! Pictures of figures made by hand.
+//! Pictures of whole motions: what must hold for every preset in every state.
 
 use super::*;
 use crate::Vec2;
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Range, Solver, State};
 
-fn v(x: f64, y: f64) -> Vec2 {
-    Vec2::new(x, y)
+/// A preset, ready to be drawn.
+struct Stage {
+    name: String,
+    scene: Scene,
+    solver: Solver,
+    reach: Reach,
 }
 
-/// The four-bar A(0, 0), D(400, 0), AB = 100, BC = 300, CD = 250 at a crank angle in degrees.
-fn four_bar(angle: f64) -> [Vec2; 4] {
-    let (a, d) = (v(0.0, 0.0), v(400.0, 0.0));
-    let b = crate::angle::unit(angle) * 100.0;
-    let r = d - b;
-    let m = r.norm();
-    let p = (m * m + 300.0 * 300.0 - 250.0 * 250.0) / (2.0 * m);
-    let h = (300.0 * 300.0 - p * p).sqrt();
-    let u = r / m;
-    [a, b, b + u * p + u.perp() * h, d]
+impl Stage {
+    fn of(name: &str, text: &str) -> Stage {
+        let scene = Scene::parse(text, name).expect("the scene reads");
+        let solver = Solver::new(&scene.mechanism).expect("the scene moves");
+        let reach = Reach::of(&scene, &solver);
+        let name = name.to_owned();
+        Stage {
+            name,
+            scene,
+            solver,
+            reach,
+        }
+    }
+
+    fn presets() -> Vec<Stage> {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/presets");
+        let mut paths: Vec<_> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().path())
+            .collect();
+        paths.sort();
+        let stage = |path: &std::path::PathBuf| {
+            Stage::of(
+                &path.display().to_string(),
+                &std::fs::read_to_string(path).unwrap(),
+            )
+        };
+        paths.iter().map(stage).collect()
+    }
+
+    /// The whole motion in 200 steps.
+    fn motion(&self) -> impl Iterator<Item = State> {
+        let start = self.scene.mechanism.driver().start;
+        let (low, high) = match self.solver.motion().range {
+            Range::Full { period } => (start, start + period),
+            Range::Limited { low, high } => (low, high),
+        };
+        let mut state = self.solver.state();
+        (0..=200).map(move |k| {
+            let at = (low + (high - low) * f64::from(k) / 200.0).min(high);
+            let condition = self.solver.solve(at, Order::Position, &mut state);
+            assert_ne!(condition, Condition::NoAssembly, "{} at {at}", self.name);
+            state.clone()
+        })
+    }
+
+    fn figure(&self, state: &State) -> Figure {
+        linkage(&self.scene, &self.reach, state, EVERYTHING)
+    }
 }
 
-fn four_bar_figure(angle: f64) -> Figure {
-    let [a, b, c, d] = four_bar(angle);
-    let mut figure = Figure::new();
-    for (from, to, role) in [(a, b, Role::Driver), (b, c, Role::Link), (c, d, Role::Link)] {
-        figure.add(Shape::Line { from, to, role });
-    }
-    for at in [b, c] {
-        let role = Role::Joint;
-        figure.add(Shape::Mark { at, role });
-    }
-    for at in [a, d] {
-        let role = Role::GroundPin;
-        figure.add(Shape::Mark { at, role });
-        figure.add(Shape::Support { at });
-    }
-    for (at, text) in [(a, "A"), (b, "B"), (c, "C"), (d, "D")] {
-        let (text, role) = (text.to_owned(), Role::Label);
-        figure.add(Shape::Label { at, text, role });
-    }
-    figure
-}
+const EVERYTHING: Layers = Layers {
+    ground: true,
+    points: true,
+    links: true,
+    centres: true,
+};
 
-fn four_bar_reach() -> Reach {
-    let all: Vec<Vec2> = (0..360).flat_map(|k| four_bar(f64::from(k))).collect();
-    Reach::by_hand(&all, &[v(0.0, 0.0), v(400.0, 0.0)])
+fn cell(view: &View, at: Vec2) -> (i32, i32) {
+    let at = view.cell(at);
+    (at.x.floor() as i32, at.y.floor() as i32)
 }
 
 #[test]
-fn look() {
-    let all = |name: &str| std::env::var("LOOK").map_or(true, |l| l.split(',').any(|x| x == name));
-    let angles: Vec<f64> = std::env::var("AT")
-        .unwrap_or("0,120".into())
-        .split(',')
-        .map(|x| x.parse().unwrap())
-        .collect();
-    let sizes = std::env::var("SIZE").unwrap_or("80x24".into());
-    let pens = std::env::var("PEN").unwrap_or("a".into());
-    struct P {
-        name: String,
-        text: String,
-    }
-    let mut presets: Vec<P> = std::fs::read_dir("presets")
-        .unwrap()
-        .map(|e| {
-            let p = e.unwrap().path();
-            P {
-                name: p.file_stem().unwrap().to_str().unwrap().into(),
-                text: std::fs::read_to_string(p).unwrap(),
-            }
-        })
-        .collect();
-    presets.sort_by(|a, b| a.name.cmp(&b.name));
-    for preset in presets {
-        if !all(&preset.name) {
-            continue;
-        }
-        let scene = match crate::scene::Scene::parse(&preset.text, &preset.name) {
-            Ok(s) => s,
-            Err(e) => {
-                println!("== {} fails {e:?}", preset.name);
-                continue;
-            }
-        };
-        let solver = match crate::solver::Solver::new(&scene.mechanism) {
-            Ok(s) => s,
-            Err(e) => {
-                println!("== {} fails {e:?}", preset.name);
-                continue;
-            }
-        };
-        let reach = Reach::of(&scene, &solver);
-        let mut state = solver.state();
-        for size in sizes.split(',') {
-            let (cols, rows) = size.split_once('x').unwrap();
-            let view = View::fit(&reach, cols.parse().unwrap(), rows.parse().unwrap(), 2.0);
-            for angle in &angles {
-                let at = match solver.motion().range {
-                    crate::solver::Range::Full { .. } => scene.mechanism.driver().start + angle,
-                    crate::solver::Range::Limited { low, high } => {
-                        low + (high - low) * (angle / 360.0)
+fn no_joint_ever_leaves_the_window() {
+    for stage in Stage::presets() {
+        for (cols, rows) in [(200, 60), (80, 24), (40, 12), (13, 7)] {
+            let view = View::fit(&stage.reach, cols, rows, 2.0);
+            let mut raster = Raster::new();
+            for state in stage.motion() {
+                let figure = stage.figure(&state);
+                render_into(
+                    &figure,
+                    &view,
+                    Glyphs::Ascii,
+                    &mut Labels::default(),
+                    &mut raster,
+                );
+                for shape in figure.shapes() {
+                    if let Shape::Mark { at, role } = *shape {
+                        let (col, row) = cell(&view, at);
+                        let shown = raster.cell(col, row).map(|cell| cell.role);
+                        assert!(
+                            shown.is_some_and(|shown| shown != Role::Empty),
+                            "{}: {role:?} at {col}, {row} in {cols} x {rows}",
+                            stage.name
+                        );
                     }
-                };
-                solver.solve(at, crate::solver::Order::Position, &mut state);
-                let layers = Layers {
-                    links: std::env::var("LINKS").is_ok(),
-                    centres: std::env::var("COM").is_ok(),
-                    ..Layers::default()
-                };
-                let figure = linkage(&scene, &reach, &state, layers);
-                for pen in pens.chars() {
-                    let glyphs = match pen {
-                        'a' => Glyphs::Ascii,
-                        'l' => Glyphs::Line,
-                        _ => Glyphs::Braille,
-                    };
-                    println!("== {} {size} at {at}", preset.name);
-                    print!("{}", render(&figure, &view, glyphs).text());
                 }
             }
+        }
+    }
+}
+
+#[test]
+fn supports_stay_inside_where_there_is_room() {
+    for stage in Stage::presets() {
+        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        for point in stage.scene.mechanism.points() {
+            if let Some(at) = point.ground {
+                let (col, row) = cell(&view, at);
+                assert!((2..78).contains(&col), "{}: column {col}", stage.name);
+                assert!((0..22).contains(&row), "{}: row {row}", stage.name);
+            }
+        }
+    }
+}
+
+/// Names used to change sides in every frame, nearly.
+#[test]
+fn names_are_calm() {
+    for stage in Stage::presets() {
+        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let mut raster = Raster::new();
+        let mut labels = Labels::default();
+        let mut before = None::<Labels>;
+        let mut moves = 0;
+        for state in stage.motion() {
+            let layers = Layers::default();
+            let figure = linkage(&stage.scene, &stage.reach, &state, layers);
+            render_into(&figure, &view, Glyphs::Ascii, &mut labels, &mut raster);
+            moves += before.map_or(0, |before| labels.moved_from(&before));
+            before = Some(labels.clone());
+        }
+        let each = moves as f64 / labels.len() as f64;
+        assert!(each < 6.0, "{}: {each} moves a name", stage.name);
+    }
+}
+
+#[test]
+fn every_name_of_a_textbook_linkage_is_shown() {
+    let crowded = ["scissor-lift"];
+    for stage in Stage::presets() {
+        if crowded.iter().any(|name| stage.name.contains(name)) {
+            continue;
+        }
+        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let mut raster = Raster::new();
+        let mut labels = Labels::default();
+        for state in stage.motion() {
+            let layers = Layers::default();
+            let figure = linkage(&stage.scene, &stage.reach, &state, layers);
+            render_into(&figure, &view, Glyphs::Ascii, &mut labels, &mut raster);
+            assert_eq!(labels.hidden(), 0, "{} at {}", stage.name, state.at());
+        }
+    }
+}
+
+#[test]
+fn ascii_is_seven_bit() {
+    for stage in Stage::presets() {
+        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        for state in stage.motion().step_by(20) {
+            let text = render(&stage.figure(&state), &view, Glyphs::Ascii).text();
+            assert!(text.is_ascii(), "{}\n{text}", stage.name);
+        }
+    }
+}
+
+#[test]
+fn without_an_assembly_there_is_the_ground() {
+    let text = include_str!("../../presets/double-rocker.toml");
+    let stage = Stage::of("double-rocker", text);
+    let mut state = stage.solver.state();
+    let condition = stage.solver.solve(180.0, Order::Position, &mut state);
+    assert_eq!(condition, Condition::NoAssembly);
+    let figure = stage.figure(&state);
+    let is_moving = |shape: &Shape| {
+        matches!(
+            shape,
+            Shape::Line { .. } | Shape::Outline { .. } | Shape::Block { .. }
+        )
+    };
+    assert!(!figure.shapes().iter().any(is_moving));
+    let supports = |shape: &&Shape| matches!(shape, Shape::Support { .. });
+    assert_eq!(figure.shapes().iter().filter(supports).count(), 2);
+}
+
+/// A four-bar of the same shape, `scale` times as large, with A at (x, y).
+fn four_bar(scale: f64, x: f64, y: f64) -> Stage {
+    let [a, b, c, d] = [100.0, 300.0, 250.0, 400.0].map(|length| length * scale);
+    let (cx, cy) = (x + 310.0 * scale, y + 230.0 * scale);
+    let text = format!(
+        "unit = \"m\"
+        ground = {{ A = [{x:e}, {y:e}], D = [{:e}, {y:e}] }}
+        driver = {{ link = \"r2\", angle = 60, speed = \"1 rad/s\" }}
+        [links]
+        r2 = {{ from = \"A\", to = \"B\", length = {a:e} }}
+        r3 = {{ from = \"B\", to = \"C\", length = {b:e} }}
+        r4 = {{ from = \"C\", to = \"D\", length = {c:e} }}
+        [start]
+        C = [{cx:e}, {cy:e}]",
+        x + d
+    );
+    Stage::of("a four-bar", &text)
+}
+
+#[test]
+fn size_and_place_do_not_show() {
+    let picture = |stage: &Stage| {
+        let mut state = stage.solver.state();
+        stage.solver.solve(60.0, Order::Position, &mut state);
+        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        render(&stage.figure(&state), &view, Glyphs::Ascii).text()
+    };
+    let plain = picture(&four_bar(1.0, 0.0, 0.0));
+    for (scale, x, y) in [
+        (1e-9, 0.0, 0.0),
+        (1e9, 0.0, 0.0),
+        (1e150, 0.0, 0.0),
+        (1.0, 1e8, -3e8),
+    ] {
+        assert_eq!(picture(&four_bar(scale, x, y)), plain, "{scale:e} at {x:e}");
+    }
+}
+
+/// A frame with everything on it, against a millisecond: the best of many, as machines are busy.
+#[test]
+fn a_large_frame_takes_well_under_a_millisecond() {
+    for stage in Stage::presets() {
+        let view = View::fit(&stage.reach, 200, 60, 2.0);
+        let mut raster = Raster::new();
+        let mut labels = Labels::default();
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            let best = stage.motion().map(|state| {
+                let begin = std::time::Instant::now();
+                let figure = stage.figure(&state);
+                render_into(&figure, &view, glyphs, &mut labels, &mut raster);
+                begin.elapsed()
+            });
+            let best = best.min().expect("there are frames");
+            assert!(best.as_micros() < 500, "{}: {best:?}", stage.name);
         }
     }
 }
