@@ -181,10 +181,14 @@ impl Sketch<'_> {
         if let Some((low, high)) = self.reach.travel(id) {
             let (from, to) = (self.on_guide(id, low), self.on_guide(id, high));
             let role = Role::Link;
-            for (from, to) in outline::beyond(&self.body(on), from, to) {
+            let bare = outline::beyond(&self.body(on), from, to);
+            let stands_apart = bare == [(from, to)];
+            for (from, to) in bare {
                 self.figure.add(Shape::Line { from, to, role });
             }
-            self.join(on, from, to);
+            if stands_apart {
+                self.join(on, from, to);
+            }
         }
     }
 

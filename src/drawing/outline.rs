@@ -57,6 +57,12 @@ pub(super) fn beyond(points: &[Corner], from: Vec2, to: Vec2) -> Vec<(Vec2, Vec2
         .map(|(a, b)| (share(a).min(share(b)), share(a).max(share(b))))
         .collect();
     covered.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if covered
+        .iter()
+        .all(|&(start, end)| end < FLAT || start > 1.0 - FLAT)
+    {
+        return vec![(from, to)];
+    }
     covered.push((1.0, 1.0));
     let mut bare = Vec::new();
     let mut reached = 0.0_f64;
@@ -222,6 +228,25 @@ mod tests {
             yoke.iter()
                 .all(|s| matches!(s, Shape::Line { from, .. } if *from == Vec2::ZERO))
         );
+    }
+
+    #[test]
+    fn a_guide_is_drawn_where_no_line_of_its_link_is() {
+        let v = Vec2::new;
+        let lever = [v(0.0, 0.0), v(8.0, 8.0)].map(|at| Corner { at, block: false });
+        let beyond = |from, to| beyond(&lever, from, to);
+        assert_eq!(beyond(v(2.0, 2.0), v(7.0, 7.0)), []);
+        assert_eq!(
+            beyond(v(4.0, 4.0), v(12.0, 12.0)),
+            [(v(8.0, 8.0), v(12.0, 12.0))]
+        );
+        assert_eq!(
+            beyond(v(-1.0, -1.0), v(9.0, 9.0)),
+            [(v(-1.0, -1.0), v(0.0, 0.0)), (v(8.0, 8.0), v(9.0, 9.0))]
+        );
+        for (from, to) in [(v(9.0, 9.0), v(12.0, 12.0)), (v(0.0, 1.0), v(8.0, 9.0))] {
+            assert_eq!(beyond(from, to), [(from, to)]);
+        }
     }
 
     #[test]
