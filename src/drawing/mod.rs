@@ -4,6 +4,26 @@
 //! the scene's length unit, y upwards), a [`View`] says which cell a world point falls into, and
 //! [`render_into`] draws the figure into the cells of a [`Raster`] with one set of [`Glyphs`].
 //! Nothing here knows a terminal: a raster is printed as text, or copied cell by cell by whoever has one.
+//!
+//! ```
+//! use krank::drawing::{Glyphs, Layers, Reach, View, linkage, render};
+//! use krank::scene::{Scene, presets};
+//! use krank::solver::{Order, Solver};
+//!
+//! let preset = presets::find("four-bar").expect("it is built in");
+//! let scene = Scene::parse(preset.text, preset.name)?;
+//! let solver = Solver::new(&scene.mechanism)?;
+//! // Once for a scene, and once for a size: the window holds the whole motion, so it never jumps.
+//! let reach = Reach::of(&scene, &solver);
+//! let view = View::fit(&reach, 80, 24, 2.0);
+//!
+//! let mut state = solver.state();
+//! solver.solve(60.0, Order::Position, &mut state);
+//! let figure = linkage(&scene, &reach, &state, Layers::default());
+//! let picture = render(&figure, &view, Glyphs::Ascii).text();
+//! assert!(picture.contains("/_\\"), "A and D stand on the ground");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod figure;
 mod labels;

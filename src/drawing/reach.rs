@@ -5,9 +5,10 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{Body, SlideId, Vec2};
 
-/// How many states are looked at. Between two of 120 a crank's pin rises above both by less than
-/// 4e-4 of its radius, far less than a cell.
-const SAMPLES: u16 = 120;
+/// How many steps the motion is followed in. In a motion of two turns they are at most 5 degrees;
+/// between two states a crank's pin then rises above both by less than 1e-3 of its radius, far less
+/// than a cell.
+const SAMPLES: u16 = 240;
 
 /// The space that a linkage needs over its whole motion: views are fitted to it, and guides are drawn
 /// as long as it says.

@@ -195,7 +195,7 @@ mod tests {
             let raster = render(figure, &view(), glyphs);
             raster
                 .cell(at.x.floor() as i32, at.y.floor() as i32)
-                .unwrap()
+                .expect("the middle lies inside")
         };
         let mut figure = Figure::new();
         let (at, role) = (middle, Role::Joint);

@@ -30,14 +30,14 @@ impl Stage {
     fn presets() -> Vec<Stage> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/presets");
         let mut paths: Vec<_> = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().path())
+            .expect("the presets are there")
+            .map(|entry| entry.expect("the folder reads").path())
             .collect();
         paths.sort();
         let stage = |path: &std::path::PathBuf| {
             Stage::of(
                 &path.display().to_string(),
-                &std::fs::read_to_string(path).unwrap(),
+                &std::fs::read_to_string(path).expect("the preset reads"),
             )
         };
         paths.iter().map(stage).collect()
