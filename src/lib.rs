@@ -5,6 +5,8 @@ mod mechanism;
 pub mod quantity;
 pub mod scene;
 pub mod solver;
+#[cfg(feature = "tui")]
+pub mod tui;
 mod vec2;
 
 pub use mechanism::{

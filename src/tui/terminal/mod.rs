@@ -1,0 +1,28 @@
+//! The gate between krank and the terminal: modes, keys, signals and bytes.
+//!
+//! Everything that goes to the terminal or comes from it passes here, and nothing of it knows
+//! linkages. One reader reads all that the terminal sends (`keyboard`), one writer writes whole
+//! frames (`painter`), one guard puts the terminal back as it was found (`gate`).
+
+mod capability;
+mod gate;
+mod keyboard;
+mod painter;
+mod signals;
+
+pub(crate) use capability::{Capability, Colours, Dumb};
+pub(crate) use gate::{Gate, NoTerminal, Wake};
+pub(crate) use keyboard::Input;
+pub(crate) use painter::{Painter, Totals};
+pub(crate) use signals::{Notice, ask_to_suspend, die_of};
+
+/// The characters that drawings and tables are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Glyphs {
+    /// Seven bits.
+    Ascii,
+    /// What console fonts have.
+    Line,
+    /// Braille, and Greek letters.
+    Braille,
+}
