@@ -1,7 +1,7 @@
 //! What the terminal can show, as the environment tells it. Nothing is asked of the terminal itself:
 //! many never answer, and a slow one answers into the shell.
 
-use super::Glyphs;
+use crate::drawing::Glyphs;
 
 /// How many colours may be used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

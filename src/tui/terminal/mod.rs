@@ -15,14 +15,3 @@ pub(crate) use gate::{Gate, NoTerminal, Wake};
 pub(crate) use keyboard::Input;
 pub(crate) use painter::{Painter, Totals};
 pub(crate) use signals::{Notice, ask_to_suspend, die_of};
-
-/// The characters that drawings and tables are made of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Glyphs {
-    /// Seven bits.
-    Ascii,
-    /// What console fonts have.
-    Line,
-    /// Braille, and Greek letters.
-    Braille,
-}
