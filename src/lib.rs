@@ -3,6 +3,7 @@ pub mod angle;
 pub mod drawing;
 mod mechanism;
 pub mod quantity;
+pub mod report;
 pub mod scene;
 pub mod solver;
 #[cfg(feature = "tui")]

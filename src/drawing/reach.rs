@@ -141,7 +141,6 @@ fn samples(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> 
     let (low, high) = match solver.motion().range {
         Range::Full { period } => (start, start + period),
         Range::Limited { low, high } => (low, high),
-        Range::Endless => (start, start),
     };
     (0..=SAMPLES).map(move |k| {
         // Closer towards the ends, where a motion between dead points changes fastest.

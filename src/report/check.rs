@@ -132,7 +132,6 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
         Range::Limited { low, high } => {
             format!("{low:.DECIMALS$} to {high:.DECIMALS$} {unit}")
         }
-        Range::Endless => "without end".into(),
     }
 }
 
@@ -146,7 +145,6 @@ impl Check {
         let (range, period) = match solver.motion().range {
             Range::Full { period } => (Some([0.0, period]), Some(period)),
             Range::Limited { low, high } => (Some([low, high]), None),
-            Range::Endless => (None, None),
         };
         Check {
             scene: scene.name.clone(),

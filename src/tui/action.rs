@@ -86,6 +86,8 @@ const fn entry(
 }
 
 /// All actions with their keys, in the order in which the help shows them.
+// One row, one line.
+#[rustfmt::skip]
 pub(crate) static ACTIONS: [Entry; 26] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
@@ -107,7 +109,7 @@ pub(crate) static ACTIONS: [Entry; 26] = {
         entry(A::MotionView, "motion", "the motion, with live tables", &[Char('1')]),
         entry(A::TablesView, "tables", "all tables", &[Char('2')]),
         entry(A::LineUp, "up", "scroll up", &[Key::Up, Char('k')]),
-        entry(A::LineDown, "down", "scroll down", &[Key::Down, Char('j')]),
+        entry(A::LineDown, "scroll", "scroll down", &[Key::Down, Char('j')]),
         entry(A::PageUp, "page up", "scroll a screen up", &[Key::PageUp]),
         entry(A::PageDown, "page down", "scroll a screen down", &[Key::PageDown]),
         entry(A::Help, "help", "show or hide these keys", &[Char('?'), Function(1)]),

@@ -41,7 +41,7 @@ impl Course {
         let span = match (turns, range) {
             (true, _) => TURN,
             (false, Range::Limited { low, high }) if high > low => high - low,
-            (false, _) => longest_link(scene),
+            (false, _) => 1.0,
         };
         let decimals = if turns {
             2
@@ -87,16 +87,11 @@ impl Course {
         self.decimals
     }
 
-    /// Between where and where playing goes to and fro; `None` if it goes on for ever.
+    /// Between where and where playing goes to and fro; `None` if it goes round for ever.
     pub(crate) fn shuttle(&self) -> Option<(f64, f64)> {
-        match (self.range, self.turns) {
-            (Range::Limited { low, high }, _) => Some((low, high)),
-            (Range::Full { .. }, _) | (Range::Endless, true) => None,
-            // Pushed for ever, a linkage would leave the screen.
-            (Range::Endless, false) => {
-                let half = self.span / 2.0;
-                Some((self.opening - half, self.opening + half))
-            }
+        match self.range {
+            Range::Limited { low, high } => Some((low, high)),
+            Range::Full { .. } => None,
         }
     }
 
@@ -118,7 +113,7 @@ impl Course {
         match self.range {
             // The limits are ordered by the solver; max and min do not panic if they were not.
             Range::Limited { low, high } => at.max(low).min(high),
-            Range::Full { .. } | Range::Endless => at,
+            Range::Full { .. } => at,
         }
     }
 
@@ -139,11 +134,4 @@ pub(crate) fn rounded(value: f64, decimals: usize) -> f64 {
 fn speed(driver: &Driver, turns: bool) -> f64 {
     let speed = driver.speed.abs();
     if turns { speed.to_degrees() } else { speed }
-}
-
-fn longest_link(scene: &Scene) -> f64 {
-    let links = scene.mechanism.links().iter();
-    let members = links.flat_map(|link| &link.members);
-    let longest = members.map(|m| m.local.norm()).fold(0.0, f64::max);
-    if longest > 0.0 { longest } else { 1.0 }
 }

@@ -5,7 +5,7 @@ use crate::drawing::Glyphs;
 
 /// How many colours may be used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Colours {
+pub enum Colours {
     /// None; bold and reverse remain.
     None,
     /// The 16 names of the terminal's own palette.

@@ -1,6 +1,7 @@
 //! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
 
 use super::capability::Capability;
+use crate::tui::Error;
 use super::keyboard::{Input, Keyboard};
 use super::signals::{self, Notice, Signals};
 use ratatui::layout::Size;
@@ -13,7 +14,6 @@ use rustix::termios::{
 use std::io;
 use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
 use std::time::{Duration, Instant};
-use thiserror::Error;
 
 /// Alternate screen, cursor hidden; the painter clears.
 const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l";
@@ -35,17 +35,6 @@ const MOST_AT_ONCE: usize = 4096;
 const USUAL_SIZE: Size = Size::new(80, 24);
 /// No screen is larger; a nonsensical size must not eat the memory.
 const LARGEST_SIZE: Size = Size::new(1000, 400);
-
-/// Standard output is no terminal, or there is none to read keys from.
-#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
-pub(crate) enum NoTerminal {
-    /// Standard output goes elsewhere.
-    #[error("standard output is not a terminal")]
-    Output,
-    /// Neither standard input nor /dev/tty is a terminal.
-    #[error("there is no terminal to read keys from")]
-    Keyboard,
-}
 
 /// Why the wait is over.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -83,15 +72,13 @@ impl Gate {
     /// through standard input.
     ///
     /// # Errors
-    /// [`NoTerminal`], or what the system says.
-    pub(crate) fn open(capability: Capability) -> Result<Self, io::Error> {
-        let screen = terminal_of(io::stdout().as_fd())
-            .ok_or_else(|| io::Error::other(NoTerminal::Output))?;
-        let keys = terminal_of(io::stdin().as_fd())
-            .or_else(controlling_terminal)
-            .ok_or_else(|| io::Error::other(NoTerminal::Keyboard))?;
+    /// No terminal to draw on or to read keys from, or what the system says.
+    pub(crate) fn open(capability: Capability) -> Result<Self, Error> {
+        let screen = terminal_of(io::stdout().as_fd()).ok_or(Error::NoScreen)?;
+        let keys = terminal_of(io::stdin().as_fd()).or_else(controlling_terminal);
+        let keys = keys.ok_or(Error::NoKeyboard)?;
         let mut gate = Gate {
-            found: tcgetattr(&keys)?,
+            found: tcgetattr(&keys).map_err(io::Error::from)?,
             keys,
             screen,
             modern: capability.modern,
@@ -225,38 +212,44 @@ impl Gate {
         Ok(!ends)
     }
 
-    /// Waits for something to happen until `deadline`, or for ever; everything that is there is
-    /// taken at once, so that many keys cost one frame.
+    /// Waits for something to happen until `deadline`, or for ever. Everything that is there is taken
+    /// at once, so that many keys cost one frame; keys are looked for even where time is up.
     pub(crate) fn wait(&mut self, deadline: Option<Instant>) -> io::Result<Vec<Wake>> {
         let mut wakes = std::mem::take(&mut self.early);
         loop {
+            let patience = self.keyboard.deadline();
+            let at_once = (!wakes.is_empty()).then(Instant::now);
+            let until = [deadline, patience, at_once].into_iter().flatten().min();
+            let told = self.poll(until)?;
+            wakes.extend(self.signals.pending().into_iter().map(Wake::Notice));
+            let mut inputs = Vec::new();
+            if !told.is_empty() {
+                self.read_keys(told, &mut inputs)?;
+            }
+            if patience.is_some_and(|p| p <= Instant::now() && self.keyboard.deadline() == patience) {
+                self.keyboard.give_up(&mut inputs);
+            }
+            wakes.extend(inputs.into_iter().map(Wake::Input));
             if self.hung_up {
                 wakes.push(Wake::HungUp);
             }
             if !wakes.is_empty() || deadline.is_some_and(|d| d <= Instant::now()) {
                 return Ok(wakes);
             }
-            let until = [deadline, self.keyboard.deadline()].into_iter().flatten().min();
-            let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
-            let mut fds = [
-                PollFd::new(&self.keys, PollFlags::IN),
-                PollFd::new(&self.signals, PollFlags::IN),
-            ];
-            match poll(&mut fds, timeout.as_ref()) {
-                Ok(_) | Err(Errno::INTR) => {}
-                Err(error) => return Err(error.into()),
-            }
-            let told = fds[0].revents();
-            wakes.extend(self.signals.pending().into_iter().map(Wake::Notice));
-            let mut inputs = Vec::new();
-            if !told.is_empty() {
-                self.read_keys(told, &mut inputs)?;
-            }
-            let now = Instant::now();
-            if self.keyboard.deadline().is_some_and(|d| d <= now) {
-                self.keyboard.give_up(&mut inputs);
-            }
-            wakes.extend(inputs.into_iter().map(Wake::Input));
+        }
+    }
+
+    /// Waits for keys and signals, and says what is told of the keys.
+    fn poll(&self, until: Option<Instant>) -> io::Result<PollFlags> {
+        let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
+        let mut fds = [
+            PollFd::new(&self.keys, PollFlags::IN),
+            PollFd::new(&self.signals, PollFlags::IN),
+        ];
+        match poll(&mut fds, timeout.as_ref()) {
+            Ok(_) => Ok(fds[0].revents()),
+            Err(Errno::INTR) => Ok(PollFlags::empty()),
+            Err(error) => Err(error.into()),
         }
     }
 
@@ -310,8 +303,8 @@ fn terminal_flags() -> OFlags {
 }
 
 fn timespec(duration: Duration) -> Timespec {
-    // Waiting longer than i64 seconds is waiting for ever; rounding up avoids a spin at the end.
-    Timespec::try_from(duration + Duration::from_micros(50)).unwrap_or(Timespec {
+    // No wait is longer than i64 seconds.
+    Timespec::try_from(duration).unwrap_or(Timespec {
         tv_sec: i64::MAX,
         tv_nsec: 0,
     })

@@ -10,8 +10,9 @@ mod keyboard;
 mod painter;
 mod signals;
 
-pub(crate) use capability::{Capability, Colours, Dumb};
-pub(crate) use gate::{Gate, NoTerminal, Wake};
+pub use capability::Colours;
+pub(crate) use capability::{Capability, Dumb};
+pub(crate) use gate::{Gate, Wake};
 pub(crate) use keyboard::Input;
-pub(crate) use painter::{Painter, Totals};
-pub(crate) use signals::{Notice, ask_to_suspend, die_of};
+pub(crate) use painter::Painter;
+pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};

@@ -6,6 +6,7 @@
 //! after the last column. Every cell is one column wide: the views let nothing else through.
 
 use super::capability::{Capability, Colours};
+use crate::tui::Frames;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier};
@@ -19,15 +20,6 @@ const ERASE_TO_END: &[u8] = b"\x1b[K";
 
 /// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
 const REWRITE: u16 = 4;
-
-/// What has been painted so far.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Totals {
-    /// Frames with at least one changed cell.
-    pub(crate) frames: u64,
-    /// Their bytes.
-    pub(crate) bytes: u64,
-}
 
 /// Colours and attributes in force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,7 +49,7 @@ pub(crate) struct Painter {
     /// Where the cursor is, if that is certain.
     cursor: Option<(u16, u16)>,
     pen: Pen,
-    totals: Totals,
+    frames: Frames,
 }
 
 impl Painter {
@@ -71,7 +63,7 @@ impl Painter {
             bytes: Vec::new(),
             cursor: None,
             pen: Pen::PLAIN,
-            totals: Totals::default(),
+            frames: Frames::default(),
         }
     }
 
@@ -82,8 +74,8 @@ impl Painter {
 
     /// What has been painted so far.
     #[must_use]
-    pub(crate) fn totals(&self) -> Totals {
-        self.totals
+    pub(crate) fn frames(&self) -> Frames {
+        self.frames
     }
 
     /// The bytes that make the terminal show `wanted`; none if it does already.
@@ -117,8 +109,8 @@ impl Painter {
             if self.capability.modern {
                 self.bytes.extend_from_slice(SYNC_OFF);
             }
-            self.totals.frames += 1;
-            self.totals.bytes += self.bytes.len() as u64;
+            self.frames.count += 1;
+            self.frames.bytes += self.bytes.len() as u64;
         }
         self.shown = wanted;
         self.stale = false;

@@ -15,6 +15,9 @@ const CAUGHT: [i32; 7] = [
     SIGWINCH, SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGCONT, SIGTSTP,
 ];
 
+/// The signal of a terminal that has gone.
+pub(crate) const HANG_UP: i32 = SIGHUP;
+
 /// What a signal asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Notice {
