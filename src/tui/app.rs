@@ -167,8 +167,11 @@ impl App {
         self.scroll_by(0);
     }
 
-    /// Time has passed.
+    /// Time has passed: if a frame is due, what is played moves to where it is now.
     pub(crate) fn tick(&mut self, now: Duration) {
+        if self.next_frame().is_none_or(|next| now < next) {
+            return;
+        }
         if let Some(at) = self.playback.position(now, self.stage.course()) {
             self.frame = now;
             let at = self.stage.course().on_grid(at);

@@ -28,8 +28,8 @@ use crate::scene::Scene;
 use crate::solver::Solver;
 use app::Effect;
 use std::backtrace::{Backtrace, BacktraceStatus};
-use std::io::{self, Write};
-use std::panic::{self, AssertUnwindSafe};
+use std::io;
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
@@ -99,6 +99,9 @@ pub enum Error {
     /// What the system says.
     #[error("the terminal failed: {0}")]
     Terminal(#[from] io::Error),
+    /// A panic: what, and where in the source.
+    #[error("krank is broken: {0}")]
+    Broken(String),
 }
 
 impl Error {
@@ -107,7 +110,7 @@ impl Error {
     pub fn is_usage(&self) -> bool {
         match self {
             Error::NoScreen | Error::NoKeyboard | Error::Dumb => true,
-            Error::Terminal(_) => false,
+            Error::Terminal(_) | Error::Broken(_) => false,
         }
     }
 }
@@ -118,15 +121,13 @@ impl Error {
 /// terminal that vanishes, ends the process by that signal once the terminal is put back.
 ///
 /// # Errors
-/// Where there is no terminal that can show it, and what the system says about it.
-///
-/// # Panics
-/// Passes on a panic of its own, after the terminal was put back.
+/// Where there is no terminal that can show it, and what the system says about it. A panic inside is
+/// an error too.
 pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     let env = |name: &str| std::env::var(name).ok();
     let capability = Capability::detect(env, options.glyphs, options.colours)
         .map_err(|Dumb| Error::Dumb)?;
-    let end = with_panics_told_last(|| {
+    let end = catching(|| {
         let gate = Gate::open(capability)?;
         let size = gate.size();
         let workbench = Workbench::on(opened, options.at, capability, size);
@@ -139,27 +140,38 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     Ok(())
 }
 
-/// Runs something that holds the terminal: a panic is told only after the terminal was put back.
-fn with_panics_told_last<T>(run: impl FnOnce() -> T) -> T {
+/// Runs something that holds the terminal: a panic is caught on the way out, and told only after the
+/// terminal was put back.
+fn catching<T>(run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     let told = Arc::new(Mutex::new(String::new()));
     let teller = Arc::clone(&told);
     let before = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
-        let backtrace = Backtrace::capture();
         let mut text = teller.lock().unwrap_or_else(PoisonError::into_inner);
-        text.push_str(&format!("{info}\n"));
-        if backtrace.status() == BacktraceStatus::Captured {
-            text.push_str(&format!("{backtrace}\n"));
-        }
+        *text = told_of(info);
     }));
     let outcome = panic::catch_unwind(AssertUnwindSafe(run));
     panic::set_hook(before);
-    outcome.unwrap_or_else(|payload| {
+    outcome.unwrap_or_else(|_| {
         let text = told.lock().unwrap_or_else(PoisonError::into_inner);
-        // Nobody to tell where standard error is gone.
-        let _ = io::stderr().write_all(text.as_bytes());
-        panic::resume_unwind(payload)
+        Err(Error::Broken(text.clone()))
     })
+}
+
+/// What panicked and where; with RUST_BACKTRACE also how it came there.
+fn told_of(info: &PanicHookInfo<'_>) -> String {
+    let payload = info.payload();
+    let what = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let place = info.location().map(ToString::to_string);
+    let (what, place) = (what.unwrap_or("a panic"), place.unwrap_or_default());
+    let backtrace = Backtrace::capture();
+    match backtrace.status() {
+        BacktraceStatus::Captured => format!("{what} ({place})\n{backtrace}"),
+        _ => format!("{what} ({place})"),
+    }
 }
 
 /// A workbench on a terminal.
@@ -176,15 +188,27 @@ type End = Option<i32>;
 impl Session {
     fn run(mut self) -> Result<End, Error> {
         let begun = Instant::now();
+        // Whether something has happened that no frame has shown yet.
+        let mut owed = true;
         loop {
-            self.gate.send(self.workbench.paint())?;
-            fault_on_demand();
-            let next = self.workbench.app().next_frame();
-            let wakes = self.gate.wait(next.map(|next| begun + next))?;
-            // Everything that has come is taken in before one frame shows it.
-            if wakes.contains(&Wake::Notice(Notice::Continued)) {
-                self.workbench.skip_to(begun.elapsed());
+            let ready = self.gate.ready_at();
+            if owed && ready.is_none_or(|ready| ready <= Instant::now()) {
+                self.gate.send(self.workbench.paint())?;
+                owed = false;
+                fault_on_demand();
+            }
+            let ready = self.gate.ready_at();
+            let next = self.workbench.app().next_frame().map(|next| begun + next);
+            let deadline = if owed {
+                ready
             } else {
+                next.map(|next| ready.map_or(next, |ready| ready.max(next)))
+            };
+            // Everything that has come is taken in before one frame shows it.
+            let wakes = self.gate.wait(deadline)?;
+            let stopped = wakes.contains(&Wake::Notice(Notice::Continued));
+            self.stopped |= stopped;
+            if !stopped {
                 self.workbench.move_to(begun.elapsed());
             }
             for wake in wakes {
@@ -195,6 +219,7 @@ impl Session {
             if std::mem::take(&mut self.stopped) {
                 self.workbench.skip_to(begun.elapsed());
             }
+            owed = true;
         }
     }
 
@@ -213,6 +238,7 @@ impl Session {
                 self.start_over();
             }
             Wake::Notice(Notice::Resized) => self.resize(),
+            Wake::Room | Wake::Input(Input::Answer) => {}
             Wake::Input(Input::Paste(text)) => self.workbench.app().paste(&text),
             Wake::Input(Input::Key(key)) => match self.workbench.key(key) {
                 Effect::Show => {}

@@ -3,6 +3,7 @@
 use super::capability::Capability;
 use crate::tui::Error;
 use super::keyboard::{Input, Keyboard};
+use super::pace::{Pace, QUESTION};
 use super::signals::{self, Notice, Signals};
 use ratatui::layout::Size;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
@@ -43,6 +44,8 @@ pub(crate) enum Wake {
     Input(Input),
     /// A signal came.
     Notice(Notice),
+    /// The line has taken the last frame.
+    Room,
     /// The terminal is gone; nothing may be written any more.
     HungUp,
 }
@@ -61,6 +64,7 @@ pub(crate) struct Gate {
     cut: bool,
     signals: Signals,
     keyboard: Keyboard,
+    pace: Pace,
     /// What came while a frame was being written.
     early: Vec<Wake>,
 }
@@ -87,6 +91,7 @@ impl Gate {
             cut: false,
             signals: Signals::new()?,
             keyboard: Keyboard::default(),
+            pace: Pace::new(),
             early: Vec::new(),
         };
         gate.enter()?;
@@ -96,14 +101,12 @@ impl Gate {
     /// Raw mode and alternate screen. What the screen shows afterwards is not known.
     pub(crate) fn enter(&mut self) -> io::Result<()> {
         self.entered = true;
+        self.pace = Pace::new();
         let mut raw = self.found.clone();
         raw.make_raw();
         tcsetattr(&self.keys, OptionalActions::Now, &raw)?;
-        self.send(ENTER)?;
-        if self.modern {
-            self.send(ENTER_MODERN)?;
-        }
-        Ok(())
+        let modern = if self.modern { ENTER_MODERN } else { &[] };
+        self.write_all(&[ENTER, modern].concat())
     }
 
     /// Puts the terminal back as it was found. Does what it can: there is nobody to tell.
@@ -111,6 +114,7 @@ impl Gate {
         if !std::mem::take(&mut self.entered) || self.hung_up {
             return;
         }
+        self.await_answer();
         let parts = [
             (CUT, self.cut),
             (CUT_MODERN, self.cut && self.modern),
@@ -160,12 +164,57 @@ impl Gate {
         (1.0..=4.0).contains(&aspect).then_some(aspect)
     }
 
-    /// Writes a frame. Signals that end the program, and a hang-up, end the writing too; they are
-    /// reported by the next [`Gate::wait`].
-    pub(crate) fn send(&mut self, bytes: &[u8]) -> io::Result<()> {
+    /// From when on a frame may be sent, if [`Wake::Room`] does not come before; `None` if at once.
+    pub(crate) fn ready_at(&self) -> Option<Instant> {
+        self.pace.ready_at()
+    }
+
+    /// Writes a frame; one without a byte is none. Signals that end the program, and a hang-up, end
+    /// the writing too; they are reported by the next [`Gate::wait`].
+    pub(crate) fn send(&mut self, frame: &[u8]) -> io::Result<()> {
+        if frame.is_empty() {
+            return Ok(());
+        }
+        let ask = self.pace.send(Instant::now());
+        let question = if ask { QUESTION } else { &[] };
+        self.write_all(&[frame, question].concat())
+    }
+
+    fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.cut = true;
         self.cut = !self.write_until(bytes, None)?;
         Ok(())
+    }
+
+    /// Waits for an answer that is still to come: the shell would take it for typed text. Keys typed
+    /// meanwhile were meant for us and are dropped with it.
+    fn await_answer(&mut self) {
+        let Some(until) = self.pace.farewell(Instant::now()) else {
+            return;
+        };
+        while !self.hung_up && Instant::now() < until {
+            let mut inputs = Vec::new();
+            let told = self.poll_keys(until);
+            if told.is_empty() || self.read_keys(told, &mut inputs).is_err() {
+                return;
+            }
+            if inputs.contains(&Input::Answer) {
+                return;
+            }
+        }
+    }
+
+    /// Waits for keys alone: we are leaving, and no signal changes that.
+    fn poll_keys(&self, until: Instant) -> PollFlags {
+        loop {
+            let timeout = timespec(until.saturating_duration_since(Instant::now()));
+            let mut fds = [PollFd::new(&self.keys, PollFlags::IN)];
+            match poll(&mut fds, Some(&timeout)) {
+                Ok(_) => return fds[0].revents(),
+                Err(Errno::INTR) => {}
+                Err(_) => return PollFlags::empty(),
+            }
+        }
     }
 
     /// Writes, and says whether everything was written.
@@ -229,7 +278,15 @@ impl Gate {
             if patience.is_some_and(|p| p <= Instant::now() && self.keyboard.deadline() == patience) {
                 self.keyboard.give_up(&mut inputs);
             }
-            wakes.extend(inputs.into_iter().map(Wake::Input));
+            for input in inputs {
+                match input {
+                    Input::Answer => {
+                        self.pace.answered();
+                        wakes.push(Wake::Room);
+                    }
+                    input => wakes.push(Wake::Input(input)),
+                }
+            }
             if self.hung_up {
                 wakes.push(Wake::HungUp);
             }

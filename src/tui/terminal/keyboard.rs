@@ -6,6 +6,7 @@
 //! line, Alt and a bracket) must not make the program deaf. So this wrapper knows what is held back
 //! and for how long.
 
+use super::pace::ANSWER;
 use crate::tui::key::Key;
 use std::time::{Duration, Instant};
 use termina::event::{KeyCode, KeyEvent, KeyEventKind, Modifiers};
@@ -31,6 +32,8 @@ pub(crate) enum Input {
     Key(Key),
     /// Text was pasted; it must never be taken for keys.
     Paste(String),
+    /// The terminal answered our question: all that was sent before has been drawn.
+    Answer,
 }
 
 /// The parser with its clock.
@@ -81,6 +84,11 @@ impl Keyboard {
     fn take(&mut self, inputs: &mut Vec<Input>) {
         if self.held.ends_with(PASTE_BEGINS) {
             self.pasting = true;
+        }
+        // The parser knows no such answer and drops it.
+        if !self.pasting && self.held.ends_with(ANSWER) {
+            self.held.clear();
+            inputs.push(Input::Answer);
         }
         while let Some(event) = self.parser.pop() {
             self.held.clear();
@@ -192,6 +200,20 @@ mod tests {
         let up = vec![Input::Key(Key::Up)];
         assert_eq!(keys_of(&[b"\x1b", b"[A"]), up);
         assert_eq!(keys_of(&[b"\x1b[", b"A"]), up);
+    }
+
+    #[test]
+    fn answers_are_told_from_keys_and_from_pastes() {
+        assert_eq!(
+            key_of(b"a\x1b[0nb"),
+            vec![
+                Input::Key(Key::Char('a')),
+                Input::Answer,
+                Input::Key(Key::Char('b'))
+            ]
+        );
+        let pasted = b"\x1b[200~\x1b[0n\x1b[201~";
+        assert_eq!(key_of(pasted), vec![Input::Paste("\x1b[0n".into())]);
     }
 
     #[test]

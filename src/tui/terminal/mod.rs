@@ -7,6 +7,7 @@
 mod capability;
 mod gate;
 mod keyboard;
+mod pace;
 mod painter;
 mod signals;
 
