@@ -89,6 +89,8 @@ pub mod quantity;
 pub mod report;
 pub mod scene;
 pub mod solver;
+#[cfg(feature = "tui")]
+pub mod tui;
 mod vec2;
 
 pub use mechanism::{

@@ -1,0 +1,382 @@
+//! The state of the workbench and how actions change it. Views read it and change nothing.
+
+use super::action::{self, Action};
+use super::course::rounded;
+use super::figures::coordinate;
+use super::key::Key;
+use super::line::Line;
+use super::playback::Playback;
+use super::stage::{Stage, open_preset};
+use super::steps::Steps;
+use super::views;
+use super::{Opened, terminal::Capability};
+use crate::drawing::Glyphs;
+use crate::solver::Condition;
+use ratatui::layout::Size;
+use std::time::Duration;
+
+/// What keys go to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// The view.
+    Normal,
+    /// The help overlay, scrolled by so many lines.
+    Help(usize),
+    /// The line in which a coordinate is typed.
+    GoTo(Line),
+}
+
+/// What is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum View {
+    /// The drawing, with live tables.
+    Motion,
+    /// All tables.
+    Tables,
+}
+
+/// What the terminal has to do after an action.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Effect {
+    /// Show what has changed.
+    Show,
+    /// Draw everything again.
+    Redraw,
+    /// Stop the program until the shell continues it.
+    Suspend,
+    /// Leave.
+    Quit,
+}
+
+/// Time between two frames while playing.
+const FRAME: Duration = Duration::from_millis(33);
+/// Decimals to which a step is exact.
+const STEP_DECIMALS: usize = 9;
+
+/// The workbench without its terminal.
+#[derive(Debug)]
+pub(crate) struct App {
+    stage: Stage,
+    steps: Steps,
+    playback: Playback,
+    view: View,
+    mode: Mode,
+    /// Lines that each view is scrolled by: motion, tables.
+    scroll: [usize; 2],
+    capability: Capability,
+    size: Size,
+    /// The height of a cell for its width.
+    aspect: f64,
+    /// Said in the last line until the next key.
+    message: Option<String>,
+    /// When the last frame was due.
+    frame: Duration,
+    /// How many scenes have been opened.
+    opened: usize,
+}
+
+impl App {
+    /// A workbench with an open scene, paused where it says, or at `at`.
+    pub(crate) fn new(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
+        let stage = Stage::new(opened);
+        let mut app = App {
+            steps: steps_of(&stage),
+            stage,
+            playback: Playback::new(),
+            view: View::Motion,
+            mode: Mode::Normal,
+            scroll: [0; 2],
+            capability,
+            size,
+            aspect: USUAL_ASPECT,
+            message: None,
+            frame: Duration::ZERO,
+            opened: 1,
+        };
+        if let Some(at) = at {
+            app.jump(at, Duration::ZERO);
+        }
+        app
+    }
+
+    pub(crate) fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    pub(crate) fn steps(&self) -> &Steps {
+        &self.steps
+    }
+
+    pub(crate) fn playback(&self) -> &Playback {
+        &self.playback
+    }
+
+    pub(crate) fn view(&self) -> View {
+        self.view
+    }
+
+    pub(crate) fn mode(&self) -> &Mode {
+        &self.mode
+    }
+
+    /// How many scenes have been opened: another number, another scene.
+    pub(crate) fn opened(&self) -> usize {
+        self.opened
+    }
+
+    /// Lines that the view is scrolled by.
+    pub(crate) fn scroll(&self) -> usize {
+        self.scroll[self.view as usize]
+    }
+
+    pub(crate) fn glyphs(&self) -> Glyphs {
+        self.capability.glyphs
+    }
+
+    pub(crate) fn size(&self) -> Size {
+        self.size
+    }
+
+    pub(crate) fn aspect(&self) -> f64 {
+        self.aspect
+    }
+
+    pub(crate) fn message(&self) -> Option<&str> {
+        self.message.as_deref()
+    }
+
+    /// A key was pressed.
+    pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
+        self.type_key(key, now).unwrap_or_else(|| {
+            let action = action::of_key(key);
+            action.map_or(Effect::Show, |action| self.update(action, now))
+        })
+    }
+
+    /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
+    pub(crate) fn paste(&mut self, text: &str) {
+        if let Mode::GoTo(line) = &mut self.mode {
+            text.chars().for_each(|c| line.push(c));
+        }
+    }
+
+    /// The screen has another size.
+    pub(crate) fn resize(&mut self, size: Size, aspect: Option<f64>) {
+        self.size = size;
+        self.aspect = aspect.unwrap_or(USUAL_ASPECT);
+        self.scroll_by(0);
+    }
+
+    /// Time has passed: if a frame is due, what is played moves to where it is now.
+    pub(crate) fn tick(&mut self, now: Duration) {
+        if self.next_frame().is_none_or(|next| now < next) {
+            return;
+        }
+        if let Some(at) = self.playback.position(now, self.stage.course()) {
+            self.frame = now;
+            let at = self.stage.course().on_grid(at);
+            self.stage.go(at);
+        }
+    }
+
+    /// When to call [`App::tick`]; never while paused.
+    pub(crate) fn next_frame(&self) -> Option<Duration> {
+        self.playback.is_playing().then(|| self.frame + FRAME)
+    }
+
+    /// The program was stopped meanwhile: playing goes on from where it was.
+    pub(crate) fn wake(&mut self, now: Duration) {
+        self.playback.rebase(now, self.stage.at());
+    }
+
+    /// Does what was asked.
+    pub(crate) fn update(&mut self, action: Action, now: Duration) -> Effect {
+        self.message = None;
+        match action {
+            Action::Quit | Action::Leave => return Effect::Quit,
+            Action::Suspend => return Effect::Suspend,
+            Action::Redraw => return Effect::Redraw,
+            Action::Back => self.mode = Mode::Normal,
+            Action::Help => {
+                self.mode = match self.mode {
+                    Mode::Help(_) => Mode::Normal,
+                    Mode::Normal | Mode::GoTo(_) => Mode::Help(0),
+                }
+            }
+            Action::LineUp => self.scroll_by(-1),
+            Action::LineDown => self.scroll_by(1),
+            Action::PageUp => self.scroll_by(-self.page()),
+            Action::PageDown => self.scroll_by(self.page()),
+            _ if self.mode != Mode::Normal => {}
+            Action::Play | Action::Slower | Action::Faster | Action::Reverse => {
+                self.play(action, now);
+            }
+            Action::StepBack => self.step(-self.steps.size(), now),
+            Action::StepForward => self.step(self.steps.size(), now),
+            Action::SmallerStep => self.steps.smaller(),
+            Action::LargerStep => self.steps.larger(),
+            Action::GoTo => self.mode = Mode::GoTo(Line::default()),
+            Action::Opening => self.arrive(self.stage.course().opening(), now),
+            Action::NextPreset => self.open(1),
+            Action::PreviousPreset => self.open(-1),
+            Action::Glyphs => self.next_glyphs(),
+            Action::NextView => self.next_view(),
+            Action::MotionView => self.view = View::Motion,
+            Action::TablesView => self.view = View::Tables,
+        }
+        Effect::Show
+    }
+
+    /// Keys of the line in which a coordinate is typed; `None` for those that mean the same everywhere.
+    fn type_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        let Mode::GoTo(line) = &mut self.mode else {
+            return None;
+        };
+        match key {
+            Key::Ctrl('u') => line.clear(),
+            Key::Ctrl(_) => return None,
+            Key::Escape => self.mode = Mode::Normal,
+            Key::Backspace => line.erase(),
+            Key::Char(c) => line.push(c),
+            Key::Enter => {
+                let line = line.clone();
+                self.accept(&line, now);
+                return Some(Effect::Show);
+            }
+            _ => {}
+        }
+        self.message = None;
+        Some(Effect::Show)
+    }
+
+    fn accept(&mut self, line: &Line, now: Duration) {
+        match line.number(self.stage.unit()) {
+            Some(at) => {
+                if self.jump(at, now) {
+                    self.mode = Mode::Normal;
+                }
+            }
+            None if line.text().trim().is_empty() => self.mode = Mode::Normal,
+            None => {
+                let unit = self.stage.unit();
+                self.message = Some(format!("not a number of {unit}: {}", line.text()));
+            }
+        }
+    }
+
+    /// Goes to a coordinate, if it can be reached; says so if not.
+    fn jump(&mut self, at: f64, now: Duration) -> bool {
+        let course = self.stage.course();
+        match course.reach(at) {
+            Ok(at) => {
+                self.arrive(at, now);
+                true
+            }
+            Err(out) => {
+                let say = |x| coordinate(x, course.decimals());
+                self.message = Some(format!(
+                    "{} is out of reach: the motion is {} to {} {}",
+                    say(at),
+                    say(out.low),
+                    say(out.high),
+                    self.stage.unit()
+                ));
+                false
+            }
+        }
+    }
+
+    fn step(&mut self, by: f64, now: Duration) {
+        let wanted = rounded(self.stage.at() + by, STEP_DECIMALS);
+        let reached = self.stage.course().clamp(wanted);
+        if reached != wanted {
+            self.message = Some("the motion ends here".into());
+        }
+        self.arrive(reached, now);
+    }
+
+    fn arrive(&mut self, at: f64, now: Duration) {
+        self.stage.go(at);
+        self.playback.rebase(now, at);
+    }
+
+    fn play(&mut self, action: Action, now: Duration) {
+        // Pausing leaves the driver where the last frame showed it.
+        let at = self.stage.at();
+        match action {
+            Action::Slower => self.playback.slower(now, at),
+            Action::Faster => self.playback.faster(now, at),
+            Action::Reverse => self.playback.reverse(now, at),
+            _ if self.playback.is_playing() => self.playback.pause(),
+            _ => {
+                self.playback.play(now, at);
+                self.frame = now;
+            }
+        }
+    }
+
+    fn open(&mut self, distance: isize) {
+        let Some(preset) = self.stage.preset_at(distance) else {
+            self.message = Some("there are no presets".into());
+            return;
+        };
+        match open_preset(preset) {
+            Ok(opened) => {
+                self.stage = Stage::new(opened);
+                self.opened += 1;
+                self.steps = steps_of(&self.stage);
+                self.playback = Playback::new();
+                self.scroll = [0; 2];
+            }
+            Err(message) => self.message = Some(message),
+        }
+    }
+
+    fn next_glyphs(&mut self) {
+        let (glyphs, name) = match self.capability.glyphs {
+            Glyphs::Ascii => (Glyphs::Line, "lines"),
+            Glyphs::Line => (Glyphs::Braille, "Braille"),
+            Glyphs::Braille => (Glyphs::Ascii, "ASCII"),
+        };
+        self.capability.glyphs = glyphs;
+        self.message = Some(format!("drawn with {name}"));
+        self.scroll_by(0);
+    }
+
+    fn next_view(&mut self) {
+        self.view = match self.view {
+            View::Motion => View::Tables,
+            View::Tables => View::Motion,
+        };
+    }
+
+    fn page(&self) -> isize {
+        isize::try_from(views::page(self)).unwrap_or(isize::MAX)
+    }
+
+    /// Scrolls what is on top, within its limits.
+    fn scroll_by(&mut self, lines: isize) {
+        let most = views::most_scroll(self);
+        let scroll = match &mut self.mode {
+            Mode::Help(scroll) => scroll,
+            Mode::Normal | Mode::GoTo(_) => &mut self.scroll[self.view as usize],
+        };
+        *scroll = scroll.saturating_add_signed(lines).min(most);
+    }
+
+    /// Why figures are missing, if they are.
+    pub(crate) fn condition(&self) -> Condition {
+        self.stage.condition()
+    }
+}
+
+/// The height of a cell for its width in most fonts.
+const USUAL_ASPECT: f64 = 2.0;
+
+fn steps_of(stage: &Stage) -> Steps {
+    if stage.course().turns() {
+        Steps::of_angle()
+    } else {
+        Steps::of_length(stage.course().span())
+    }
+}

@@ -1,0 +1,178 @@
+//! Numbers in a fixed place: as many decimals as their column needs over the whole motion, so that a
+//! figure that changes does not make its neighbours dance.
+
+/// Significant digits of a figure of usual size.
+const DIGITS: i32 = 6;
+/// More decimals than this say nothing to the eye; smaller figures take an exponent.
+const MOST_DECIMALS: i32 = 7;
+
+/// How the figures of a column are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Format {
+    /// `None`: with an exponent.
+    decimals: Option<usize>,
+    width: usize,
+}
+
+impl Format {
+    /// Directions: 0.000 to 359.999 deg.
+    pub(crate) const ANGLE: Format = Format {
+        decimals: Some(3),
+        width: 7,
+    };
+
+    /// Figures that are always 0.
+    const NOUGHT: Format = Format {
+        decimals: Some(0),
+        width: 7,
+    };
+
+    /// For figures whose sizes over the motion are these; what does not exist is left out.
+    ///
+    /// Near a dead point rates grow beyond all bounds, so the decimals follow from the size that a
+    /// quarter of the figures exceeds, and the few that do not fit take an exponent.
+    pub(crate) fn of_sizes(mut sizes: Vec<f64>) -> Format {
+        sizes.retain(|size| size.is_finite());
+        sizes.sort_by(f64::total_cmp);
+        let usual = sizes.get(sizes.len() * 3 / 4).copied().unwrap_or(0.0);
+        let largest = sizes.last().copied().unwrap_or(0.0);
+        match (usual > 0.0, largest > 0.0) {
+            (true, _) => Format::of_size(usual),
+            (false, true) => Format::of_size(largest),
+            (false, false) => Format::NOUGHT,
+        }
+    }
+
+    fn of_size(usual: f64) -> Format {
+        // Digits in front of the point.
+        let digits = exponent(usual) + 1;
+        let whole = digits.max(1);
+        let decimals = DIGITS - digits;
+        if decimals > MOST_DECIMALS || whole > 2 * DIGITS {
+            return Format {
+                decimals: None,
+                width: 11,
+            };
+        }
+        let decimals = decimals.max(0);
+        // Sign, whole digits with one to spare, point, decimals.
+        let width = 2 + whole + i32::from(decimals > 0) + decimals;
+        Format {
+            decimals: usize::try_from(decimals).ok(),
+            width: usize::try_from(width).unwrap_or(0),
+        }
+    }
+
+    /// Columns that a figure takes.
+    pub(crate) fn width(self) -> usize {
+        self.width
+    }
+
+    /// The figure; `-` for one that does not exist.
+    pub(crate) fn write(self, value: Option<f64>) -> String {
+        let Some(value) = value.filter(|v| v.is_finite()) else {
+            return "-".into();
+        };
+        let Some(decimals) = self.decimals else {
+            return scientific(value, self.width);
+        };
+        let text = plain(value, decimals);
+        if text.len() <= self.width {
+            text
+        } else {
+            scientific(value, self.width)
+        }
+    }
+
+    /// A direction in degrees; one that rounds to 360 is 0.
+    pub(crate) fn write_angle(self, value: Option<f64>) -> String {
+        let text = self.write(value);
+        if text == "360.000" { "0.000".into() } else { text }
+    }
+}
+
+/// With so many decimals, and no sign in front of a zero.
+fn plain(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(digits) if !digits.bytes().any(|b| (b'1'..=b'9').contains(&b)) => digits.to_owned(),
+        _ => text,
+    }
+}
+
+/// With an exponent and as many digits as fit.
+fn scientific(value: f64, width: usize) -> String {
+    let longest = format!("{value:.*e}", width.saturating_sub(3));
+    let excess = longest.len().saturating_sub(width);
+    format!("{value:.*e}", width.saturating_sub(3 + excess))
+}
+
+/// The power of ten of the first digit.
+fn exponent(size: f64) -> i32 {
+    let text = format!("{size:e}");
+    let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());
+    exponent.unwrap_or(0)
+}
+
+/// A coordinate as short as it can be said: at least `decimals` places, at most six more.
+pub(crate) fn coordinate(value: f64, decimals: usize) -> String {
+    let exact = (decimals..decimals + 6).find(|&d| super::course::rounded(value, d) == value);
+    plain(value, exact.unwrap_or(decimals + 6))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn column(sizes: &[f64], value: f64) -> String {
+        Format::of_sizes(sizes.to_vec()).write(Some(value))
+    }
+
+    #[test]
+    fn figures_have_six_digits_where_they_are_of_usual_size() {
+        assert_eq!(column(&[400.0, 250.0, 300.0], 250.0), "250.000");
+        assert_eq!(column(&[15.0, 3.9], -3.916_412_7), "-3.9164");
+        assert_eq!(column(&[22500.0, 1500.0], 22500.0), "22500.0");
+        assert_eq!(column(&[460_017.7], -460_017.673), "-460018");
+        assert_eq!(column(&[0.012], 0.012_345_678), "0.0123457");
+        assert_eq!(column(&[], 0.0), "0");
+        assert_eq!(column(&[1e-9], 1.234_567_89e-9), "1.234568e-9");
+    }
+
+    #[test]
+    fn zero_has_no_sign_and_what_does_not_exist_is_a_dash() {
+        let format = Format::of_sizes(vec![100.0]);
+        assert_eq!(format.write(Some(-0.0)), "0.000");
+        assert_eq!(format.write(Some(-1e-9)), "0.000");
+        assert_eq!(format.write(None), "-");
+        assert_eq!(format.write(Some(f64::NAN)), "-");
+        assert_eq!(Format::ANGLE.write_angle(Some(359.9999)), "0.000");
+    }
+
+    #[test]
+    fn near_a_dead_point_figures_take_an_exponent_rather_than_more_room() {
+        let format = Format::of_sizes(vec![10.0, 12.0, 14.0, 20.0]);
+        assert_eq!(format.write(Some(14.0)), "14.0000");
+        assert_eq!(format.write(Some(-123_456_789.0)), "-1.235e8");
+    }
+
+    #[test]
+    fn a_coordinate_says_what_it_is() {
+        assert_eq!(coordinate(60.0, 2), "60.00");
+        assert_eq!(coordinate(13.897_841, 2), "13.897841");
+        assert_eq!(coordinate(28.955_024_371_859, 2), "28.95502437");
+        assert_eq!(coordinate(-0.0, 2), "0.00");
+    }
+
+    proptest! {
+        #[test]
+        fn no_figure_is_wider_than_its_column(
+            sizes in prop::collection::vec(any::<f64>().prop_map(f64::abs), 0..8),
+            value: f64,
+        ) {
+            let format = Format::of_sizes(sizes);
+            prop_assert!(format.write(Some(value)).len() <= format.width(), "{format:?}");
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! Keys, as the table of actions names them.
+
+use std::fmt;
+use std::str::FromStr;
+
+/// A key, with the modifiers that matter.
+///
+/// Shift is part of a character and ignored elsewhere; a key with Alt is no key at all, since a
+/// slow line turns Esc and the next key into one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Key {
+    /// A printable character.
+    Char(char),
+    /// A character with the control key, in lower case.
+    Ctrl(char),
+    /// A function key, from 1.
+    Function(u8),
+    /// Enter.
+    Enter,
+    /// Escape.
+    Escape,
+    /// The tabulator.
+    Tab,
+    /// Shift and the tabulator.
+    BackTab,
+    /// Erases to the left.
+    Backspace,
+    /// An arrow key.
+    Left,
+    /// An arrow key.
+    Right,
+    /// An arrow key.
+    Up,
+    /// An arrow key.
+    Down,
+    /// Home.
+    Home,
+    /// End.
+    End,
+    /// A screen up.
+    PageUp,
+    /// A screen down.
+    PageDown,
+}
+
+impl fmt::Display for Key {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match self {
+            Key::Char(' ') => "space",
+            Key::Char(c) => return write!(f, "{c}"),
+            Key::Ctrl(c) => return write!(f, "Ctrl-{}", c.to_ascii_uppercase()),
+            Key::Function(n) => return write!(f, "F{n}"),
+            Key::Enter => "Enter",
+            Key::Escape => "Esc",
+            Key::Tab => "Tab",
+            Key::BackTab => "Shift-Tab",
+            Key::Backspace => "Backspace",
+            Key::Left => "Left",
+            Key::Right => "Right",
+            Key::Up => "Up",
+            Key::Down => "Down",
+            Key::Home => "Home",
+            Key::End => "End",
+            Key::PageUp => "PgUp",
+            Key::PageDown => "PgDn",
+        };
+        f.write_str(name)
+    }
+}
+
+/// The text names no key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct NoKey;
+
+impl FromStr for Key {
+    type Err = NoKey;
+
+    /// Reads a key as it is shown.
+    fn from_str(text: &str) -> Result<Self, NoKey> {
+        let mut chars = text.chars();
+        if let (Some(c), None) = (chars.next(), chars.next()) {
+            return Ok(Key::Char(c));
+        }
+        let control = text.strip_prefix("Ctrl-").and_then(|rest| rest.parse().ok());
+        if let Some(c) = control.map(|c: char| c.to_ascii_lowercase()) {
+            return Ok(Key::Ctrl(c));
+        }
+        let function = text.strip_prefix('F').and_then(|rest| rest.parse().ok());
+        if let Some(n) = function {
+            return Ok(Key::Function(n));
+        }
+        let named = NAMED.iter().find(|key| key.to_string() == text);
+        named.copied().ok_or(NoKey)
+    }
+}
+
+/// Keys with a name of their own.
+const NAMED: [Key; 14] = [
+    Key::Char(' '),
+    Key::Enter,
+    Key::Escape,
+    Key::Tab,
+    Key::BackTab,
+    Key::Backspace,
+    Key::Left,
+    Key::Right,
+    Key::Up,
+    Key::Down,
+    Key::Home,
+    Key::End,
+    Key::PageUp,
+    Key::PageDown,
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_are_read_as_they_are_shown() {
+        let others = [Key::Char('?'), Key::Ctrl('c'), Key::Function(1)];
+        for key in NAMED.into_iter().chain(others) {
+            assert_eq!(key.to_string().parse(), Ok(key));
+        }
+        assert_eq!("nothing".parse::<Key>(), Err(NoKey));
+    }
+}

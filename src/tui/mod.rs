@@ -1,0 +1,272 @@
+//! The workbench: a scene on the screen, moved by keys.
+//!
+//! Keys become [`Action`](action::Action)s, actions change the [`App`](app::App), views show it: a view
+//! changes nothing. Time and the terminal come in from outside, so that the whole can be driven by a
+//! test. The timer follows the wall clock; while paused nothing wakes up and nothing is written.
+
+mod action;
+mod app;
+mod course;
+mod figures;
+mod key;
+mod line;
+mod playback;
+mod sheet;
+mod stage;
+mod steps;
+mod terminal;
+mod theme;
+mod views;
+mod workbench;
+
+pub use action::key_list;
+pub use terminal::Colours;
+pub use workbench::Workbench;
+
+use crate::drawing::Glyphs;
+use crate::scene::Scene;
+use crate::solver::Solver;
+use app::Effect;
+use std::backtrace::{Backtrace, BacktraceStatus};
+use std::io;
+use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
+use terminal::{Capability, Dumb, Gate, Input, Notice, Wake};
+use thiserror::Error;
+
+/// Where a scene comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Origin {
+    /// Built in, under this name.
+    Preset(String),
+    /// A file.
+    File(PathBuf),
+    /// Standard input; keys are then read from /dev/tty.
+    Stdin,
+}
+
+/// A scene that is ready to be shown.
+#[derive(Debug)]
+pub struct Opened {
+    /// The scene.
+    pub scene: Scene,
+    /// Its solver, with nothing left out.
+    pub solver: Solver,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+/// How to open the workbench; what is `None` follows from the scene and the environment.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Options {
+    /// The driver's coordinate, in degrees or in the scene's length unit.
+    pub at: Option<f64>,
+    /// The characters to draw with.
+    pub glyphs: Option<Glyphs>,
+    /// The colours to draw with.
+    pub colours: Option<Colours>,
+}
+
+/// Frames with at least one changed cell, and what they cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Frames {
+    /// How many there were.
+    pub count: u64,
+    /// Their bytes.
+    pub bytes: u64,
+}
+
+/// Why the workbench could not be opened, or had to be left.
+#[derive(Debug, Error)]
+pub enum Error {
+    /// Standard output goes elsewhere.
+    #[error(
+        "standard output is no terminal, and the workbench needs one; `krank table SCENE` prints \
+         the tables"
+    )]
+    NoScreen,
+    /// Neither standard input nor /dev/tty is a terminal.
+    #[error(
+        "there is no terminal to read keys from, and the workbench needs one; `krank table SCENE` \
+         prints the tables"
+    )]
+    NoKeyboard,
+    /// The terminal cannot place its cursor.
+    #[error("TERM=dumb cannot show the workbench; `krank table SCENE` prints the tables")]
+    Dumb,
+    /// What the system says.
+    #[error("the terminal failed: {0}")]
+    Terminal(#[from] io::Error),
+    /// A panic: what, and where in the source.
+    #[error("krank is broken: {0}")]
+    Broken(String),
+}
+
+impl Error {
+    /// Whether the workbench was asked for where there can be none: a wrong command line.
+    #[must_use]
+    pub fn is_usage(&self) -> bool {
+        match self {
+            Error::NoScreen | Error::NoKeyboard | Error::Dumb => true,
+            Error::Terminal(_) | Error::Broken(_) => false,
+        }
+    }
+}
+
+/// Opens the workbench on the terminal and returns when it is left.
+///
+/// The terminal is put back as it was found, whatever happens. A signal that ends the program, or a
+/// terminal that vanishes, ends the process by that signal once the terminal is put back.
+///
+/// # Errors
+/// Where there is no terminal that can show it, and what the system says about it. A panic inside is
+/// an error too.
+pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
+    let env = |name: &str| std::env::var(name).ok();
+    let capability = Capability::detect(env, options.glyphs, options.colours)
+        .map_err(|Dumb| Error::Dumb)?;
+    let end = catching(|| {
+        let gate = Gate::open(capability)?;
+        let size = gate.size();
+        let workbench = Workbench::on(opened, options.at, capability, size);
+        let stopped = false;
+        Session { gate, workbench, stopped }.run()
+    })?;
+    if let Some(signal) = end {
+        terminal::die_of(signal)?;
+    }
+    Ok(())
+}
+
+/// Runs something that holds the terminal: a panic is caught on the way out, and told only after the
+/// terminal was put back.
+fn catching<T>(run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
+    let told = Arc::new(Mutex::new(String::new()));
+    let teller = Arc::clone(&told);
+    let before = panic::take_hook();
+    panic::set_hook(Box::new(move |info| {
+        let mut text = teller.lock().unwrap_or_else(PoisonError::into_inner);
+        *text = told_of(info);
+    }));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(run));
+    panic::set_hook(before);
+    outcome.unwrap_or_else(|_| {
+        let text = told.lock().unwrap_or_else(PoisonError::into_inner);
+        Err(Error::Broken(text.clone()))
+    })
+}
+
+/// What panicked and where; with RUST_BACKTRACE also how it came there.
+fn told_of(info: &PanicHookInfo<'_>) -> String {
+    let payload = info.payload();
+    let what = payload
+        .downcast_ref::<&str>()
+        .copied()
+        .or_else(|| payload.downcast_ref::<String>().map(String::as_str));
+    let place = info.location().map(ToString::to_string);
+    let (what, place) = (what.unwrap_or("a panic"), place.unwrap_or_default());
+    let backtrace = Backtrace::capture();
+    match backtrace.status() {
+        BacktraceStatus::Captured => format!("{what} ({place})\n{backtrace}"),
+        _ => format!("{what} ({place})"),
+    }
+}
+
+/// A workbench on a terminal.
+struct Session {
+    gate: Gate,
+    workbench: Workbench,
+    /// Whether the program was stopped since the last frame.
+    stopped: bool,
+}
+
+/// By what signal the process is to end, if not by itself.
+type End = Option<i32>;
+
+impl Session {
+    fn run(mut self) -> Result<End, Error> {
+        let begun = Instant::now();
+        // Whether something has happened that no frame has shown yet.
+        let mut owed = true;
+        loop {
+            let ready = self.gate.ready_at();
+            if owed && ready.is_none_or(|ready| ready <= Instant::now()) {
+                self.gate.send(self.workbench.paint())?;
+                owed = false;
+                fault_on_demand();
+            }
+            let ready = self.gate.ready_at();
+            let next = self.workbench.app().next_frame().map(|next| begun + next);
+            let deadline = if owed {
+                ready
+            } else {
+                next.map(|next| ready.map_or(next, |ready| ready.max(next)))
+            };
+            // Everything that has come is taken in before one frame shows it.
+            let wakes = self.gate.wait(deadline)?;
+            let stopped = wakes.contains(&Wake::Notice(Notice::Continued));
+            self.stopped |= stopped;
+            if !stopped {
+                self.workbench.move_to(begun.elapsed());
+            }
+            for wake in wakes {
+                if let Some(end) = self.take(wake)? {
+                    return Ok(end);
+                }
+            }
+            if std::mem::take(&mut self.stopped) {
+                self.workbench.skip_to(begun.elapsed());
+            }
+            owed = true;
+        }
+    }
+
+    /// Takes in what has happened; the end, if that was it.
+    fn take(&mut self, wake: Wake) -> Result<Option<End>, Error> {
+        match wake {
+            Wake::HungUp => return Ok(Some(Some(terminal::HANG_UP))),
+            Wake::Notice(Notice::End(signal)) => return Ok(Some(Some(signal))),
+            Wake::Notice(Notice::Suspend) => {
+                self.gate.suspend()?;
+                self.stopped = true;
+                self.start_over();
+            }
+            Wake::Notice(Notice::Continued) => {
+                self.gate.enter()?;
+                self.start_over();
+            }
+            Wake::Notice(Notice::Resized) => self.resize(),
+            Wake::Room | Wake::Input(Input::Answer) => {}
+            Wake::Input(Input::Paste(text)) => self.workbench.app().paste(&text),
+            Wake::Input(Input::Key(key)) => match self.workbench.key(key) {
+                Effect::Show => {}
+                Effect::Redraw => self.start_over(),
+                Effect::Suspend => terminal::ask_to_suspend()?,
+                Effect::Quit => return Ok(Some(None)),
+            },
+        }
+        Ok(None)
+    }
+
+    fn resize(&mut self) {
+        let (size, aspect) = (self.gate.size(), self.gate.aspect());
+        self.workbench.app().resize(size, aspect);
+    }
+
+    /// What the terminal shows, and what time it is, is no longer what it was.
+    fn start_over(&mut self) {
+        self.resize();
+        self.workbench.forget();
+    }
+}
+
+/// `KRANK_FAULT=panic` makes the workbench panic after its first frame, for the test that the
+/// terminal survives it.
+fn fault_on_demand() {
+    assert!(
+        std::env::var_os("KRANK_FAULT").is_none_or(|fault| fault != "panic"),
+        "KRANK_FAULT=panic asks for this"
+    );
+}

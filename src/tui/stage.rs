@@ -1,0 +1,164 @@
+//! A scene on the stage: what is found once when it opens, and what follows from the driver's coordinate.
+
+use super::course::Course;
+use super::sheet::Sheet;
+use super::{Opened, Origin};
+use crate::drawing::Reach;
+use crate::report::Tables;
+use crate::scene::presets::{self, Preset};
+use crate::scene::{Scene, harmless};
+use crate::solver::{Condition, Order, Solver, State};
+
+/// States that the tables' columns are fitted to.
+const SAMPLES: u16 = 72;
+
+/// An open scene at one coordinate of its driver.
+#[derive(Debug)]
+pub(crate) struct Stage {
+    opened: Opened,
+    course: Course,
+    reach: Reach,
+    sheet: Sheet,
+    at: f64,
+    state: State,
+    tables: Tables,
+}
+
+impl Stage {
+    /// Opens a scene where it says.
+    pub(crate) fn new(opened: Opened) -> Self {
+        let course = Course::new(&opened.scene, &opened.solver);
+        let reach = Reach::of(&opened.scene, &opened.solver);
+        let mut state = opened.solver.state();
+        let samples = samples(&opened, &course, &mut state);
+        let at = course.opening();
+        opened.solver.solve(at, Order::Acceleration, &mut state);
+        Stage {
+            sheet: Sheet::new(&samples),
+            tables: Tables::new(&opened.scene, &state),
+            opened,
+            course,
+            reach,
+            at,
+            state,
+        }
+    }
+
+    /// Moves the driver to a coordinate, wherever that is.
+    pub(crate) fn go(&mut self, at: f64) {
+        self.at = at;
+        let solver = &self.opened.solver;
+        solver.solve(at, Order::Acceleration, &mut self.state);
+        self.tables = Tables::new(&self.opened.scene, &self.state);
+    }
+
+    pub(crate) fn scene(&self) -> &Scene {
+        &self.opened.scene
+    }
+
+    pub(crate) fn origin(&self) -> &Origin {
+        &self.opened.origin
+    }
+
+    pub(crate) fn course(&self) -> &Course {
+        &self.course
+    }
+
+    pub(crate) fn reach(&self) -> &Reach {
+        &self.reach
+    }
+
+    pub(crate) fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// The driver's coordinate, in degrees or in the scene's length unit.
+    pub(crate) fn at(&self) -> f64 {
+        self.at
+    }
+
+    pub(crate) fn state(&self) -> &State {
+        &self.state
+    }
+
+    pub(crate) fn condition(&self) -> Condition {
+        self.state.condition()
+    }
+
+    pub(crate) fn tables(&self) -> &Tables {
+        &self.tables
+    }
+
+    /// The unit of the driver's coordinate.
+    pub(crate) fn unit(&self) -> &'static str {
+        if self.course.turns() {
+            "deg"
+        } else {
+            self.opened.scene.unit.symbol()
+        }
+    }
+
+    /// The preset so many places further on in the list; from a file, the first or the last.
+    pub(crate) fn preset_at(&self, distance: isize) -> Option<&'static Preset> {
+        let all = presets::all();
+        let position = match &self.opened.origin {
+            Origin::Preset(name) => all.iter().position(|preset| preset.name == name.as_str()),
+            Origin::File(_) | Origin::Stdin => None,
+        };
+        let count = isize::try_from(all.len()).ok().filter(|&n| n > 0)?;
+        let target = match position {
+            Some(here) => isize::try_from(here).ok()? + distance,
+            None if distance > 0 => 0,
+            None => -1,
+        };
+        all.get(usize::try_from(target.rem_euclid(count)).ok()?)
+    }
+}
+
+/// Opens a preset; in words what is wrong with it, which a test keeps from happening.
+pub(crate) fn open_preset(preset: &Preset) -> Result<Opened, String> {
+    let fault = |what: &str| format!("the preset {} cannot be opened: {what}", preset.name);
+    let scene = Scene::parse(preset.text, preset.name)
+        .map_err(|d| fault(d.items.first().map_or("", |item| item.message.as_str())))?;
+    let solver = Solver::new(&scene.mechanism).map_err(|f| fault(&f.to_string()))?;
+    let origin = Origin::Preset(preset.name.to_owned());
+    Ok(Opened {
+        scene,
+        solver,
+        origin,
+    })
+}
+
+/// The tables at coordinates spread over the whole motion, the opening first.
+fn samples(opened: &Opened, course: &Course, state: &mut State) -> Vec<Tables> {
+    let (low, high) = course
+        .shuttle()
+        .unwrap_or((course.opening(), course.opening() + course.span()));
+    let share = |k: u16| f64::from(k) / f64::from(SAMPLES);
+    let spread = (0..=SAMPLES).map(|k| low + (high - low) * share(k));
+    let places = std::iter::once(course.opening()).chain(spread);
+    places
+        .map(|at| {
+            opened.solver.solve(at, Order::Acceleration, state);
+            Tables::new(&opened.scene, state)
+        })
+        .collect()
+}
+
+/// Text of a scene that may be shown: one column to a character, and only such characters as the
+/// terminal has.
+pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
+    use crate::drawing::Glyphs;
+    let ascii = glyphs == Glyphs::Ascii;
+    let text = harmless(text, ascii);
+    let fits = |c: char| match glyphs {
+        Glyphs::Ascii => c.is_ascii(),
+        // Console fonts have Latin-1.
+        Glyphs::Line => u32::from(c) < 0x100,
+        Glyphs::Braille => {
+            let mut buffer = [0; 4];
+            ratatui::text::Span::raw(&*c.encode_utf8(&mut buffer)).width() == 1
+        }
+    };
+    text.chars().map(|c| if fits(c) { c } else { '?' }).collect()
+}

@@ -1,0 +1,368 @@
+//! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
+
+use super::capability::Capability;
+use crate::tui::Error;
+use super::keyboard::{Input, Keyboard};
+use super::pace::{Pace, QUESTION};
+use super::signals::{self, Notice, Signals};
+use ratatui::layout::Size;
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::fs::{Mode, OFlags, open};
+use rustix::io::{Errno, read, write};
+use rustix::termios::{
+    OptionalActions, Termios, isatty, tcgetattr, tcgetwinsize, tcsetattr,
+};
+use std::io;
+use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
+use std::time::{Duration, Instant};
+
+/// Alternate screen, cursor hidden; the painter clears.
+const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l";
+/// Undoes it. The screen is cleared for terminals that have no alternate one.
+const LEAVE: &[u8] = b"\x1b[0m\x1b[2J\x1b[H\x1b[?25h\x1b[?1049l";
+/// Text that is pasted comes marked as such.
+const ENTER_MODERN: &[u8] = b"\x1b[?2004h";
+const LEAVE_MODERN: &[u8] = b"\x1b[?2004l";
+/// Ends a frame that was cut short: CAN aborts half a sequence, and the frame is shown as it is.
+const CUT: &[u8] = b"\x18";
+const CUT_MODERN: &[u8] = b"\x1b[?2026l";
+
+/// How long a stalled line may hold up leaving.
+const FAREWELL: Duration = Duration::from_millis(500);
+/// What is read before a frame is drawn; a terminal's queue holds no more.
+const MOST_AT_ONCE: usize = 4096;
+
+/// What a terminal is taken for that reports no size: a serial console, mostly.
+const USUAL_SIZE: Size = Size::new(80, 24);
+/// No screen is larger; a nonsensical size must not eat the memory.
+const LARGEST_SIZE: Size = Size::new(1000, 400);
+
+/// Why the wait is over.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Wake {
+    /// The terminal sent something.
+    Input(Input),
+    /// A signal came.
+    Notice(Notice),
+    /// The line has taken the last frame.
+    Room,
+    /// The terminal is gone; nothing may be written any more.
+    HungUp,
+}
+
+/// The terminal, taken over. Dropping it puts the terminal back.
+#[derive(Debug)]
+pub(crate) struct Gate {
+    keys: OwnedFd,
+    screen: OwnedFd,
+    /// The modes as they were found, and as they are set while the gate is held.
+    found: Termios,
+    modern: bool,
+    entered: bool,
+    hung_up: bool,
+    /// Whether the last frame was not written to its end.
+    cut: bool,
+    signals: Signals,
+    keyboard: Keyboard,
+    pace: Pace,
+    /// What came while a frame was being written.
+    early: Vec<Wake>,
+}
+
+impl Gate {
+    /// Takes the terminal over.
+    ///
+    /// Keys come from standard input, or from /dev/tty if that is no terminal: the scene may come
+    /// through standard input.
+    ///
+    /// # Errors
+    /// No terminal to draw on or to read keys from, or what the system says.
+    pub(crate) fn open(capability: Capability) -> Result<Self, Error> {
+        let screen = terminal_of(io::stdout().as_fd()).ok_or(Error::NoScreen)?;
+        let keys = terminal_of(io::stdin().as_fd()).or_else(controlling_terminal);
+        let keys = keys.ok_or(Error::NoKeyboard)?;
+        let mut gate = Gate {
+            found: tcgetattr(&keys).map_err(io::Error::from)?,
+            keys,
+            screen,
+            modern: capability.modern,
+            entered: false,
+            hung_up: false,
+            cut: false,
+            signals: Signals::new()?,
+            keyboard: Keyboard::default(),
+            pace: Pace::new(),
+            early: Vec::new(),
+        };
+        gate.enter()?;
+        Ok(gate)
+    }
+
+    /// Raw mode and alternate screen. What the screen shows afterwards is not known.
+    pub(crate) fn enter(&mut self) -> io::Result<()> {
+        self.entered = true;
+        self.pace = Pace::new();
+        let mut raw = self.found.clone();
+        raw.make_raw();
+        tcsetattr(&self.keys, OptionalActions::Now, &raw)?;
+        let modern = if self.modern { ENTER_MODERN } else { &[] };
+        self.write_all(&[ENTER, modern].concat())
+    }
+
+    /// Puts the terminal back as it was found. Does what it can: there is nobody to tell.
+    pub(crate) fn leave(&mut self) {
+        if !std::mem::take(&mut self.entered) || self.hung_up {
+            return;
+        }
+        self.await_answer();
+        let parts = [
+            (CUT, self.cut),
+            (CUT_MODERN, self.cut && self.modern),
+            (LEAVE_MODERN, self.modern),
+            (LEAVE, true),
+        ];
+        let said = parts.iter().filter(|(_, said)| *said);
+        let bytes: Vec<u8> = said.flat_map(|(part, _)| part.iter().copied()).collect();
+        let _ = self.write_until(&bytes, Some(Instant::now() + FAREWELL));
+        let _ = tcsetattr(&self.keys, OptionalActions::Now, &self.found);
+    }
+
+    /// Stops the program until it is continued; does nothing where nobody could continue it.
+    /// What the screen shows afterwards is not known.
+    pub(crate) fn suspend(&mut self) -> io::Result<()> {
+        if !signals::can_suspend() {
+            return Ok(());
+        }
+        self.leave();
+        signals::stop()?;
+        let woken_by = |n: &Notice| matches!(n, Notice::Continued | Notice::Suspend);
+        let others = self.signals.pending().into_iter().filter(|n| !woken_by(n));
+        self.early.extend(others.map(Wake::Notice));
+        self.enter()
+    }
+
+    /// The size of the screen in cells, never empty.
+    #[must_use]
+    pub(crate) fn size(&self) -> Size {
+        let told = tcgetwinsize(&self.screen).map_or((0, 0), |w| (w.ws_col, w.ws_row));
+        match told {
+            (0, _) | (_, 0) => USUAL_SIZE,
+            (cols, rows) => Size::new(
+                cols.min(LARGEST_SIZE.width),
+                rows.min(LARGEST_SIZE.height),
+            ),
+        }
+    }
+
+    /// The height of a cell for its width, if the terminal's size in pixels tells it.
+    #[must_use]
+    pub(crate) fn aspect(&self) -> Option<f64> {
+        let w = tcgetwinsize(&self.screen).ok()?;
+        let cell = |pixels: u16, cells: u16| f64::from(pixels) / f64::from(cells);
+        let aspect = cell(w.ws_ypixel, w.ws_row) / cell(w.ws_xpixel, w.ws_col);
+        // Some terminals report pixels that cannot be; a cell is between square and very slim.
+        (1.0..=4.0).contains(&aspect).then_some(aspect)
+    }
+
+    /// From when on a frame may be sent, if [`Wake::Room`] does not come before; `None` if at once.
+    pub(crate) fn ready_at(&self) -> Option<Instant> {
+        self.pace.ready_at()
+    }
+
+    /// Writes a frame; one without a byte is none. Signals that end the program, and a hang-up, end
+    /// the writing too; they are reported by the next [`Gate::wait`].
+    pub(crate) fn send(&mut self, frame: &[u8]) -> io::Result<()> {
+        if frame.is_empty() {
+            return Ok(());
+        }
+        let ask = self.pace.send(Instant::now());
+        let question = if ask { QUESTION } else { &[] };
+        self.write_all(&[frame, question].concat())
+    }
+
+    fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.cut = true;
+        self.cut = !self.write_until(bytes, None)?;
+        Ok(())
+    }
+
+    /// Waits for an answer that is still to come: the shell would take it for typed text. Keys typed
+    /// meanwhile were meant for us and are dropped with it.
+    fn await_answer(&mut self) {
+        let Some(until) = self.pace.farewell(Instant::now()) else {
+            return;
+        };
+        while !self.hung_up && Instant::now() < until {
+            let mut inputs = Vec::new();
+            let told = self.poll_keys(until);
+            if told.is_empty() || self.read_keys(told, &mut inputs).is_err() {
+                return;
+            }
+            if inputs.contains(&Input::Answer) {
+                return;
+            }
+        }
+    }
+
+    /// Waits for keys alone: we are leaving, and no signal changes that.
+    fn poll_keys(&self, until: Instant) -> PollFlags {
+        loop {
+            let timeout = timespec(until.saturating_duration_since(Instant::now()));
+            let mut fds = [PollFd::new(&self.keys, PollFlags::IN)];
+            match poll(&mut fds, Some(&timeout)) {
+                Ok(_) => return fds[0].revents(),
+                Err(Errno::INTR) => {}
+                Err(_) => return PollFlags::empty(),
+            }
+        }
+    }
+
+    /// Writes, and says whether everything was written.
+    fn write_until(&mut self, mut bytes: &[u8], deadline: Option<Instant>) -> io::Result<bool> {
+        while !bytes.is_empty() && !self.hung_up {
+            match write(&self.screen, bytes) {
+                Ok(n) => bytes = &bytes[n..],
+                Err(Errno::INTR) => {}
+                Err(Errno::AGAIN) => {
+                    if !self.wait_for_room(deadline)? {
+                        return Ok(false);
+                    }
+                }
+                Err(Errno::IO | Errno::PIPE | Errno::NXIO) => self.hung_up = true,
+                Err(error) => return Err(error.into()),
+            }
+        }
+        Ok(bytes.is_empty())
+    }
+
+    /// Waits until the line takes more; false if the rest is not worth waiting for.
+    fn wait_for_room(&mut self, deadline: Option<Instant>) -> io::Result<bool> {
+        let leaving = deadline.is_some();
+        let timeout = deadline.map(|d| timespec(d.saturating_duration_since(Instant::now())));
+        let mut fds = vec![PollFd::new(&self.screen, PollFlags::OUT)];
+        if !leaving {
+            fds.push(PollFd::new(&self.signals, PollFlags::IN));
+        }
+        match poll(&mut fds, timeout.as_ref()) {
+            Err(Errno::INTR) => return Ok(true),
+            other => other?,
+        };
+        let room = fds[0].revents();
+        drop(fds);
+        if gone(room) {
+            self.hung_up = true;
+        }
+        if leaving {
+            return Ok(room.contains(PollFlags::OUT) && !self.hung_up);
+        }
+        let notices = self.signals.pending();
+        let ends = notices.iter().any(|n| matches!(n, Notice::End(_)));
+        self.early.extend(notices.into_iter().map(Wake::Notice));
+        Ok(!ends)
+    }
+
+    /// Waits for something to happen until `deadline`, or for ever. Everything that is there is taken
+    /// at once, so that many keys cost one frame; keys are looked for even where time is up.
+    pub(crate) fn wait(&mut self, deadline: Option<Instant>) -> io::Result<Vec<Wake>> {
+        let mut wakes = std::mem::take(&mut self.early);
+        loop {
+            let patience = self.keyboard.deadline();
+            let at_once = (!wakes.is_empty()).then(Instant::now);
+            let until = [deadline, patience, at_once].into_iter().flatten().min();
+            let told = self.poll(until)?;
+            wakes.extend(self.signals.pending().into_iter().map(Wake::Notice));
+            let mut inputs = Vec::new();
+            if !told.is_empty() {
+                self.read_keys(told, &mut inputs)?;
+            }
+            if patience.is_some_and(|p| p <= Instant::now() && self.keyboard.deadline() == patience) {
+                self.keyboard.give_up(&mut inputs);
+            }
+            for input in inputs {
+                match input {
+                    Input::Answer => {
+                        self.pace.answered();
+                        wakes.push(Wake::Room);
+                    }
+                    input => wakes.push(Wake::Input(input)),
+                }
+            }
+            if self.hung_up {
+                wakes.push(Wake::HungUp);
+            }
+            if !wakes.is_empty() || deadline.is_some_and(|d| d <= Instant::now()) {
+                return Ok(wakes);
+            }
+        }
+    }
+
+    /// Waits for keys and signals, and says what is told of the keys.
+    fn poll(&self, until: Option<Instant>) -> io::Result<PollFlags> {
+        let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
+        let mut fds = [
+            PollFd::new(&self.keys, PollFlags::IN),
+            PollFd::new(&self.signals, PollFlags::IN),
+        ];
+        match poll(&mut fds, timeout.as_ref()) {
+            Ok(_) => Ok(fds[0].revents()),
+            Err(Errno::INTR) => Ok(PollFlags::empty()),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Reads once, which never blocks after a poll. The end of the file and an error of the device
+    /// mean that the terminal is gone.
+    fn read_keys(&mut self, told: PollFlags, inputs: &mut Vec<Input>) -> io::Result<()> {
+        let mut buffer = [0; MOST_AT_ONCE];
+        match read(&self.keys, &mut buffer) {
+            Ok(0) | Err(Errno::IO | Errno::NXIO) => self.hung_up = true,
+            Ok(n) => self.keyboard.feed(&buffer[..n], Instant::now(), inputs),
+            // Nothing to read, and yet poll returned: without this the loop would spin.
+            Err(Errno::AGAIN) => self.hung_up |= gone(told),
+            Err(Errno::INTR) => {}
+            Err(error) => return Err(error.into()),
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Gate {
+    fn drop(&mut self) {
+        self.leave();
+    }
+}
+
+/// Whether what poll says means that the terminal is gone.
+fn gone(events: PollFlags) -> bool {
+    events.intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL)
+}
+
+/// A descriptor of our own for the terminal behind `fd`, which never blocks; `None` if it is none.
+///
+/// Opened anew, since O_NONBLOCK on the given one would reach every program that shares it. Where
+/// that is not allowed (after `su`), the given one is used, and a stalled line can block.
+fn terminal_of(fd: BorrowedFd<'_>) -> Option<OwnedFd> {
+    if !isatty(fd) {
+        return None;
+    }
+    let path = format!("/proc/self/fd/{}", std::os::fd::AsRawFd::as_raw_fd(&fd));
+    let anew = open(path, terminal_flags(), Mode::empty()).ok();
+    anew.filter(|fd| isatty(fd))
+        .or_else(|| fd.try_clone_to_owned().ok())
+}
+
+fn controlling_terminal() -> Option<OwnedFd> {
+    open("/dev/tty", terminal_flags(), Mode::empty()).ok()
+}
+
+fn terminal_flags() -> OFlags {
+    OFlags::RDWR | OFlags::NONBLOCK | OFlags::NOCTTY | OFlags::CLOEXEC
+}
+
+fn timespec(duration: Duration) -> Timespec {
+    // No wait is longer than i64 seconds.
+    Timespec::try_from(duration).unwrap_or(Timespec {
+        tv_sec: i64::MAX,
+        tv_nsec: 0,
+    })
+}

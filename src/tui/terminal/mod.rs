@@ -1,0 +1,19 @@
+//! The gate between krank and the terminal: modes, keys, signals and bytes.
+//!
+//! Everything that goes to the terminal or comes from it passes here, and nothing of it knows
+//! linkages. One reader reads all that the terminal sends (`keyboard`), one writer writes whole
+//! frames (`painter`), one guard puts the terminal back as it was found (`gate`).
+
+mod capability;
+mod gate;
+mod keyboard;
+mod pace;
+mod painter;
+mod signals;
+
+pub use capability::Colours;
+pub(crate) use capability::{Capability, Dumb};
+pub(crate) use gate::{Gate, Wake};
+pub(crate) use keyboard::Input;
+pub(crate) use painter::Painter;
+pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};

@@ -1,0 +1,52 @@
+//! What each part of the screen looks like. Colours are names of the terminal's own palette, of those
+//! that can be read on dark and on light ground; none carries a meaning alone.
+
+use crate::drawing::Role;
+use ratatui::style::{Color, Modifier, Style};
+
+/// Parts of the screen beside the drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// Ordinary text.
+    Text,
+    /// The scene's title.
+    Title,
+    /// Names of columns and of keys' purposes; rules.
+    Quiet,
+    /// The name of a row.
+    Name,
+    /// A key.
+    Key,
+    /// The mode, at the start of the last line.
+    Mode,
+    /// Something that the reader should know.
+    Warning,
+    /// Where typed text goes on.
+    Caret,
+}
+
+/// The look of a part of the screen.
+pub(crate) fn part(part: Part) -> Style {
+    let style = Style::new();
+    match part {
+        Part::Text => style,
+        Part::Title | Part::Key => style.add_modifier(Modifier::BOLD),
+        Part::Quiet => style.fg(Color::Cyan),
+        Part::Name => style.add_modifier(Modifier::BOLD),
+        Part::Mode | Part::Caret => style.add_modifier(Modifier::REVERSED),
+        Part::Warning => style.fg(Color::Red).add_modifier(Modifier::BOLD),
+    }
+}
+
+/// The look of a part of the drawing.
+pub(crate) fn role(role: Role) -> Style {
+    let style = Style::new();
+    match role {
+        Role::Empty | Role::Link | Role::Guide => style,
+        Role::Ground | Role::GroundPin => style.fg(Color::Green),
+        Role::Driver => style.fg(Color::Red),
+        Role::Joint | Role::Slider => style.add_modifier(Modifier::BOLD),
+        Role::Rider | Role::CentreOfMass => style.fg(Color::Magenta),
+        Role::Label => style.fg(Color::Cyan),
+    }
+}

@@ -1,0 +1,93 @@
+//! The help overlay: the table of actions, over the middle of the view.
+//!
+//! ```text
+//! +- Help ----------------------------------------+
+//! | space      play in slow motion, or pause      |
+//! ```
+
+use super::{columns, print, print_right};
+use crate::drawing::Glyphs;
+use crate::tui::action::{ACTIONS, Action, entry_of};
+use crate::tui::app::App;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns of the keys.
+const KEYS: u16 = 13;
+
+pub(super) fn render(app: &App, scroll: usize, area: Rect, buffer: &mut Buffer) {
+    let frame = placed(area);
+    border(app.glyphs(), frame, buffer);
+    let inner = within(frame);
+    if scroll + usize::from(inner.height) < ACTIONS.len() {
+        let more = format!(" {} for more ", entry_of(Action::LineDown).keys[0]);
+        let style = theme::part(Part::Quiet);
+        print_right(buffer, frame.right() - 2, frame.bottom() - 1, &more, style);
+    }
+    let seen = ACTIONS.iter().skip(scroll);
+    for (y, entry) in (inner.top()..inner.bottom()).zip(seen) {
+        let key = theme::part(Part::Key);
+        print(buffer, inner.x, y, KEYS, &entry.keys(), key);
+        let room = inner.width.saturating_sub(KEYS);
+        let text = theme::part(Part::Text);
+        print(buffer, inner.x + KEYS, y, room, entry.help, text);
+    }
+}
+
+/// Lines of the help, and how many are seen.
+pub(super) fn extent(area: Rect) -> (usize, usize) {
+    (ACTIONS.len(), within(placed(area)).height.into())
+}
+
+/// The frame in the middle of `area`, as large as it needs to be.
+fn placed(area: Rect) -> Rect {
+    let longest = ACTIONS.iter().map(|e| columns(e.help)).max().unwrap_or(0);
+    let width = (KEYS + longest + 4).min(area.width);
+    let lines = u16::try_from(ACTIONS.len()).unwrap_or(u16::MAX);
+    let height = lines.saturating_add(2).min(area.height);
+    Rect {
+        x: area.x + (area.width - width) / 2,
+        y: area.y + (area.height - height) / 2,
+        width,
+        height,
+    }
+}
+
+fn within(frame: Rect) -> Rect {
+    Rect {
+        x: frame.x + 2,
+        y: frame.y + 1,
+        width: frame.width.saturating_sub(4),
+        height: frame.height.saturating_sub(2),
+    }
+}
+
+fn border(glyphs: Glyphs, frame: Rect, buffer: &mut Buffer) {
+    let [level, upright, corners @ ..] = match glyphs {
+        Glyphs::Ascii => ['-', '|', '+', '+', '+', '+'],
+        Glyphs::Line | Glyphs::Braille => [
+            '\u{2500}', '\u{2502}', '\u{250c}', '\u{2510}', '\u{2514}', '\u{2518}',
+        ],
+    };
+    let (right, bottom) = (frame.right() - 1, frame.bottom() - 1);
+    for position in frame.positions() {
+        let at_side = position.x == frame.x || position.x == right;
+        let at_end = position.y == frame.y || position.y == bottom;
+        let glyph = match (at_side, at_end) {
+            (true, true) => {
+                let corner = usize::from(position.x == right) + 2 * usize::from(position.y == bottom);
+                corners[corner]
+            }
+            (true, false) => upright,
+            (false, true) => level,
+            (false, false) => ' ',
+        };
+        buffer[position].reset();
+        buffer[position]
+            .set_char(glyph)
+            .set_style(theme::part(Part::Quiet));
+    }
+    let title = theme::part(Part::Title);
+    print(buffer, frame.x + 2, frame.y, frame.width, " Help ", title);
+}

@@ -1,0 +1,140 @@
+//! The screen: views read the workbench and fill a buffer; they change nothing.
+//!
+//! ```text
+//! title                              step, pace   one line
+//! drawing                            | live       what is left
+//!                                    | tables
+//! mode  scene  angle  state     hints             one line
+//! ```
+
+mod help;
+mod motion;
+mod status;
+mod table;
+mod title;
+
+use super::app::{App, Mode, View};
+use super::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Rect, Size};
+use ratatui::style::Style;
+
+/// Below this nothing sensible can be shown.
+const SMALLEST: Size = Size::new(40, 12);
+
+pub(crate) use motion::Sketch;
+
+/// Brings what the screen remembers of its last frame up to date.
+pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
+    if app.view() == View::Motion && !too_small(app.size()) {
+        sketch.draw(app, body(whole(app.size())));
+    }
+}
+
+/// The whole screen.
+pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
+    let area = whole(app.size());
+    let mut buffer = Buffer::empty(area);
+    if too_small(app.size()) {
+        let Size { width, height } = SMALLEST;
+        let text = format!("krank needs {width} x {height} characters");
+        print(&mut buffer, 0, 0, area.width, &text, theme::part(Part::Text));
+        return buffer;
+    }
+    title::render(app, row(area, 0), &mut buffer);
+    match app.view() {
+        View::Motion => motion::render(app, sketch, body(area), &mut buffer),
+        View::Tables => table::render(app, inset(body(area)), &mut buffer),
+    }
+    if let Mode::Help(scroll) = *app.mode() {
+        help::render(app, scroll, body(area), &mut buffer);
+    }
+    status::render(app, row(area, area.height - 1), &mut buffer);
+    buffer
+}
+
+/// How far what is on top can be scrolled, in lines.
+pub(crate) fn most_scroll(app: &App) -> usize {
+    let (lines, page) = on_top(app);
+    lines.saturating_sub(page)
+}
+
+/// Lines of what is on top that are seen at once.
+pub(crate) fn page(app: &App) -> usize {
+    on_top(app).1
+}
+
+/// Lines of what is on top, and how many of them are seen.
+fn on_top(app: &App) -> (usize, usize) {
+    let area = whole(app.size());
+    if too_small(app.size()) {
+        return (0, 0);
+    }
+    let body = body(area);
+    match (app.mode(), app.view()) {
+        (Mode::Help(_), _) => help::extent(body),
+        (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
+        (_, View::Tables) => table::extent(app, inset(body)),
+    }
+}
+
+fn whole(size: Size) -> Rect {
+    Rect::from((Position::ORIGIN, size))
+}
+
+fn too_small(size: Size) -> bool {
+    size.width < SMALLEST.width || size.height < SMALLEST.height
+}
+
+/// Between the title and the last line.
+fn body(area: Rect) -> Rect {
+    Rect {
+        y: area.y + 1,
+        height: area.height.saturating_sub(2),
+        ..area
+    }
+}
+
+/// Without a column at either side.
+fn inset(area: Rect) -> Rect {
+    Rect {
+        x: area.x + 1,
+        width: area.width.saturating_sub(2),
+        ..area
+    }
+}
+
+fn row(area: Rect, y: u16) -> Rect {
+    Rect {
+        y: area.y + y,
+        height: 1,
+        ..area
+    }
+}
+
+/// Prints text of one column to a character, at most `width` of it, and says where it ends.
+fn print(buffer: &mut Buffer, x: u16, y: u16, width: u16, text: &str, style: Style) -> u16 {
+    let end = (x.saturating_add(width)).min(buffer.area.right());
+    if y >= buffer.area.bottom() {
+        return x;
+    }
+    let cells = (x..end).zip(text.chars());
+    let mut next = x;
+    for (x, c) in cells {
+        buffer[(x, y)].set_char(c).set_style(style);
+        next = x + 1;
+    }
+    next
+}
+
+/// Prints text so that it ends before `right`.
+fn print_right(buffer: &mut Buffer, right: u16, y: u16, text: &str, style: Style) {
+    let length = columns(text);
+    let x = right.saturating_sub(length);
+    print(buffer, x, y, length, text, style);
+}
+
+/// Columns of text of one column to a character.
+fn columns(text: &str) -> u16 {
+    u16::try_from(text.chars().count()).unwrap_or(u16::MAX)
+}

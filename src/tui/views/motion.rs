@@ -1,0 +1,163 @@
+//! The linkage, and its tables live beside or below it: wherever it is drawn larger.
+
+use super::{inset, table};
+use crate::drawing::{self, Glyphs, Labels, Layers, Raster};
+use crate::tui::app::App;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Where the parts of the view are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Arrangement {
+    pub(super) drawing: Rect,
+    /// One cell wide or high.
+    pub(super) rule: Rect,
+    pub(super) table: Rect,
+}
+
+/// Tables beside the drawing leave it at least so many columns.
+const NARROWEST_DRAWING: u16 = 40;
+/// Columns for names and supports at the sides of a drawing.
+const MARGINS: f64 = 12.0;
+/// Tables below the drawing leave it two thirds of the height.
+const TABLE_SHARE: u16 = 3;
+const LOWEST_TABLE: u16 = 4;
+/// On lower screens the rule's line goes to the drawing.
+const ROOM_FOR_RULE: u16 = 14;
+
+/// Puts the tables where they leave the linkage the larger scale.
+pub(super) fn arrange(app: &App, area: Rect) -> Arrangement {
+    let below = below(app, area);
+    match beside(app, area) {
+        Some(beside) if scale(app, beside.drawing) >= scale(app, below.drawing) => beside,
+        _ => below,
+    }
+}
+
+fn beside(app: &App, area: Rect) -> Option<Arrangement> {
+    let (narrow, wide) = app.stage().sheet().widths(app.glyphs());
+    let [narrow, wide] = [narrow, wide].map(|w| u16::try_from(w).unwrap_or(u16::MAX));
+    // A blank at either side, and the rule.
+    let most = area.width.checked_sub(narrow.checked_add(3)?)?;
+    if most < NARROWEST_DRAWING {
+        return None;
+    }
+    // What the height keeps the drawing from using widens the table.
+    let spare = most.saturating_sub(columns_used(app, area).max(NARROWEST_DRAWING));
+    let drawing = most - spare.min(wide.saturating_sub(narrow));
+    let table = area.width - drawing - 1;
+    let columns = [(0, drawing), (drawing, 1), (drawing + 1, table)];
+    let [drawing, rule, table] = columns.map(|(x, w)| Rect {
+        x: area.x + x,
+        width: w,
+        ..area
+    });
+    Some(Arrangement {
+        drawing,
+        rule,
+        table: inset(table),
+    })
+}
+
+/// Columns that a drawing of this height can fill, names and supports included.
+fn columns_used(app: &App, area: Rect) -> u16 {
+    let size = app.stage().reach().bounds().size();
+    let columns = f64::from(area.height) * app.aspect() * size.x / size.y + MARGINS;
+    if columns < f64::from(u16::MAX) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and u16::MAX"
+        )]
+        let columns = columns.ceil() as u16;
+        columns
+    } else {
+        u16::MAX
+    }
+}
+
+fn below(app: &App, area: Rect) -> Arrangement {
+    let width = usize::from(inset(area).width);
+    let lines = app.stage().sheet().vector_lines(width, app.glyphs());
+    let most = (area.height / TABLE_SHARE).max(LOWEST_TABLE);
+    let table = u16::try_from(lines).unwrap_or(u16::MAX).min(most);
+    let rule = u16::from(area.height >= ROOM_FOR_RULE);
+    let drawing = area.height.saturating_sub(table + rule);
+    let rows = [(0, drawing), (drawing, rule), (drawing + rule, table)];
+    let [drawing, rule, table] = rows.map(|(y, h)| Rect {
+        y: area.y + y,
+        height: h,
+        ..area
+    });
+    Arrangement {
+        drawing,
+        rule,
+        table: inset(table),
+    }
+}
+
+/// Cells along x for a unit of length, as far as the area limits it.
+fn scale(app: &App, area: Rect) -> f64 {
+    let size = app.stage().reach().bounds().size();
+    let across = f64::from(area.width) / size.x;
+    let along = f64::from(area.height) * app.aspect() / size.y;
+    // A motion along a line has no extent across it.
+    across.min(along)
+}
+
+/// The drawing as it was made last: names keep their sides from frame to frame.
+#[derive(Debug, Default)]
+pub(crate) struct Sketch {
+    labels: Labels,
+    raster: Raster,
+    /// Which of the scenes that were opened the labels belong to.
+    opened: usize,
+}
+
+impl Sketch {
+    /// Draws the linkage as it is now, for a body of this size.
+    pub(super) fn draw(&mut self, app: &App, body: Rect) {
+        if self.opened != app.opened() {
+            self.opened = app.opened();
+            self.labels = Labels::default();
+        }
+        let stage = app.stage();
+        let area = arrange(app, body).drawing;
+        let layers = Layers::default();
+        let figure = drawing::linkage(stage.scene(), stage.reach(), stage.state(), layers);
+        let view = drawing::View::fit(stage.reach(), area.width, area.height, app.aspect());
+        let Sketch { labels, raster, .. } = self;
+        drawing::render_into(&figure, &view, app.glyphs(), labels, raster);
+    }
+}
+
+pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer) {
+    let arrangement = arrange(app, area);
+    show(sketch, arrangement.drawing, buffer);
+    rule(app.glyphs(), arrangement.rule, buffer);
+    table::render(app, arrangement.table, buffer);
+}
+
+fn show(sketch: &Sketch, area: Rect, buffer: &mut Buffer) {
+    for (y, line) in (area.top()..area.bottom()).zip(sketch.raster.lines()) {
+        for (x, cell) in (area.left()..area.right()).zip(line) {
+            buffer[(x, y)]
+                .set_char(cell.glyph)
+                .set_style(theme::role(cell.role));
+        }
+    }
+}
+
+fn rule(glyphs: Glyphs, area: Rect, buffer: &mut Buffer) {
+    let (upright, level) = match glyphs {
+        Glyphs::Ascii => ('|', '-'),
+        Glyphs::Line | Glyphs::Braille => ('\u{2502}', '\u{2500}'),
+    };
+    let glyph = if area.width == 1 { upright } else { level };
+    for position in area.positions() {
+        buffer[position]
+            .set_char(glyph)
+            .set_style(theme::part(Part::Quiet));
+    }
+}

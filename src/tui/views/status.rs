@@ -1,0 +1,186 @@
+//! The last line: mode, scene, driver, state; then the keys that matter now, as far as there is room.
+//!
+//! ```text
+//!  motion  four-bar  r2 60.00 deg  ok  paused     space play  , back  . step  ? help  q quit
+//! ```
+
+use super::{columns, print};
+use crate::solver::Condition;
+use crate::tui::action::{Action, entry_of};
+use crate::tui::app::{App, Mode, View};
+use crate::tui::figures::coordinate;
+use crate::tui::key::Key;
+use crate::tui::line::Line;
+use crate::tui::stage::{Stage, shown};
+use crate::tui::theme::{self, Part};
+use crate::tui::Origin;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Longer names of scenes are cut.
+const LONGEST_SCENE: usize = 20;
+
+/// Narrower lines have single blanks between their parts.
+const ROOM_FOR_GAPS: u16 = 60;
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let mut line = Writer {
+        buffer,
+        x: area.x,
+        area,
+    };
+    line.say(&format!(" {} ", mode(app)), Part::Mode);
+    if let Mode::GoTo(typed) = app.mode() {
+        prompt(app, typed, &mut line);
+        return;
+    }
+    let gap = if area.width < ROOM_FOR_GAPS { 1 } else { 2 };
+    line.gap(1);
+    line.say(&scene(app.stage().origin(), app), Part::Text);
+    line.gap(gap);
+    line.say(&driver(app.stage()), Part::Text);
+    line.gap(gap);
+    let (state, part) = state(app.condition());
+    line.say(state, part);
+    line.gap(gap);
+    if let Some(message) = app.message() {
+        line.say(&shown(message, app.glyphs()), Part::Warning);
+    } else {
+        hints(app, &mut line);
+    }
+}
+
+fn mode(app: &App) -> &'static str {
+    match (app.mode(), app.view()) {
+        (Mode::Help(_), _) => "help",
+        (Mode::GoTo(_), _) => "go to",
+        (Mode::Normal, View::Motion) => "motion",
+        (Mode::Normal, View::Tables) => "tables",
+    }
+}
+
+fn scene(origin: &Origin, app: &App) -> String {
+    let name = match origin {
+        Origin::Preset(name) => name.clone(),
+        Origin::File(path) => {
+            let name = path.file_name().unwrap_or(path.as_os_str());
+            name.to_string_lossy().into_owned()
+        }
+        Origin::Stdin => "stdin".into(),
+    };
+    let name: String = name.chars().take(LONGEST_SCENE).collect();
+    shown(&name, app.glyphs())
+}
+
+/// The driver's coordinate: an angle within a turn, and the turns.
+fn driver(stage: &Stage) -> String {
+    let (at, unit) = (stage.at(), stage.unit());
+    let course = stage.course();
+    if !course.turns() || course.shuttle().is_some() {
+        let text = coordinate(at, course.decimals());
+        return format!("{text:>7} {unit}");
+    }
+    let turns = (at / crate::angle::TURN).floor();
+    // Subtracting whole turns from a decimal leaves digits that nobody asked for.
+    let within = crate::tui::course::rounded(at - turns * crate::angle::TURN, 9);
+    let text = coordinate(within, course.decimals());
+    if turns == 0.0 {
+        format!("{text:>6} {unit}")
+    } else {
+        let plural = if turns.abs() == 1.0 { "" } else { "s" };
+        format!("{text:>6} {unit} {turns:+} turn{plural}")
+    }
+}
+
+fn state(condition: Condition) -> (&'static str, Part) {
+    match condition {
+        Condition::Ok => ("ok", Part::Text),
+        Condition::ChangePoint => ("change point", Part::Warning),
+        Condition::DeadPoint => ("dead point: no rates", Part::Warning),
+        Condition::NoAssembly => ("no assembly here", Part::Warning),
+    }
+}
+
+fn prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
+    let what = if app.stage().course().turns() {
+        "angle"
+    } else {
+        "position"
+    };
+    line.say(&format!(" {what} [{}]: ", app.stage().unit()), Part::Text);
+    line.say(typed.text(), Part::Text);
+    line.say(" ", Part::Caret);
+    line.gap(3);
+    if let Some(message) = app.message() {
+        line.say(&shown(message, app.glyphs()), Part::Warning);
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), "go");
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
+/// The most important first: the last ones are dropped where there is no room.
+fn hints(app: &App, line: &mut Writer<'_>) {
+    let actions: &[Action] = match (app.mode(), app.view()) {
+        (Mode::Help(_), _) => &[Action::Back, Action::LineDown, Action::Quit],
+        (_, View::Motion) => &[
+            Action::Help,
+            Action::Play,
+            Action::StepForward,
+            Action::GoTo,
+            Action::NextPreset,
+            Action::Quit,
+        ],
+        (_, View::Tables) => &[
+            Action::Help,
+            Action::MotionView,
+            Action::LineDown,
+            Action::Play,
+            Action::StepForward,
+            Action::Quit,
+        ],
+    };
+    for &action in actions {
+        let entry = entry_of(action);
+        let name = match action {
+            Action::Play if app.playback().is_playing() => "pause",
+            _ => entry.name,
+        };
+        line.hint(&entry.keys[0].to_string(), name);
+    }
+}
+
+/// Writes along the line.
+struct Writer<'a> {
+    buffer: &'a mut Buffer,
+    x: u16,
+    area: Rect,
+}
+
+impl Writer<'_> {
+    fn room(&self) -> u16 {
+        self.area.right().saturating_sub(self.x)
+    }
+
+    fn say(&mut self, text: &str, part: Part) {
+        let (room, style) = (self.room(), theme::part(part));
+        self.x = print(self.buffer, self.x, self.area.y, room, text, style);
+    }
+
+    fn gap(&mut self, columns: u16) {
+        self.x = self.x.saturating_add(columns);
+    }
+
+    /// A key and what it does; nothing where there is no room for both.
+    fn hint(&mut self, key: &str, name: &str) {
+        let needed = columns(key) + 1 + columns(name);
+        if needed > self.room() {
+            self.x = self.area.right();
+            return;
+        }
+        self.say(key, Part::Key);
+        self.gap(1);
+        self.say(name, Part::Quiet);
+        self.gap(2);
+    }
+}

@@ -1,0 +1,51 @@
+//! Figures in columns: beside or below the drawing, and as a view of their own.
+
+use super::{columns, print, print_right};
+use crate::tui::app::App;
+use crate::tui::sheet::Line;
+use crate::tui::stage::shown;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// The tables at this width, scrolled as the view is.
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let (sheet, glyphs) = (app.stage().sheet(), app.glyphs());
+    let lines = sheet.lines(area.width.into(), glyphs);
+    let most = lines.len().saturating_sub(area.height.into());
+    let seen = lines.iter().skip(app.scroll().min(most));
+    for (y, line) in (area.top()..area.bottom()).zip(seen) {
+        render_line(app, line, Rect { y, height: 1, ..area }, buffer);
+    }
+}
+
+/// All lines of the tables at this width, and how many are seen.
+pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
+    let lines = app.stage().sheet().lines(area.width.into(), app.glyphs());
+    (lines.len(), area.height.into())
+}
+
+fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
+    let stage = app.stage();
+    let width = usize::from(area.width);
+    let (name, cells) = stage.sheet().show(line, stage.tables(), width, app.glyphs());
+    let (of_name, of_cells) = match line {
+        Line::Names(..) | Line::Units(..) | Line::Blank => (Part::Quiet, Part::Quiet),
+        Line::Row(..) => (Part::Name, Part::Text),
+    };
+    let text = shown(&name.text, app.glyphs());
+    print(buffer, area.x, area.y, area.width, &text, theme::part(of_name));
+    let mut right = area.x.saturating_add(columns_of(name.width));
+    for cell in cells {
+        right = right.saturating_add(columns_of(cell.width));
+        if right > area.right() {
+            break;
+        }
+        debug_assert!(usize::from(columns(&cell.text)) < cell.width);
+        print_right(buffer, right, area.y, &cell.text, theme::part(of_cells));
+    }
+}
+
+fn columns_of(width: usize) -> u16 {
+    u16::try_from(width).unwrap_or(u16::MAX)
+}

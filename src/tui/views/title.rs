@@ -1,0 +1,72 @@
+//! The first line: what is open, and how it is stepped and played.
+//!
+//! ```text
+//!  Four-bar crank-rocker          step 5 deg   1 turn in 4 s   1/9.5 of real time
+//! ```
+
+use super::{columns, print, print_right};
+use crate::tui::app::App;
+use crate::tui::figures::coordinate;
+use crate::tui::stage::shown;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+const GAP: &str = "   ";
+/// The title keeps so many columns before the settings beside it are dropped one by one.
+const TITLE: u16 = 16;
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let title = shown(&app.stage().scene().name, app.glyphs());
+    let room = area.width.saturating_sub(2);
+    let wanted = columns(&title).min(TITLE) + columns(GAP);
+    let mut settings = settings(app);
+    let joined = loop {
+        let joined = settings.join(GAP);
+        if columns(&joined) + wanted <= room || settings.pop().is_none() {
+            break joined;
+        }
+    };
+    let left = room.saturating_sub(columns(&joined) + columns(GAP));
+    let style = theme::part(Part::Title);
+    print(buffer, area.x + 1, area.y, left, &title, style);
+    let style = theme::part(Part::Quiet);
+    print_right(buffer, area.right().saturating_sub(1), area.y, &joined, style);
+}
+
+/// The most important first.
+fn settings(app: &App) -> Vec<String> {
+    let (stage, playback) = (app.stage(), app.playback());
+    let sweep = if stage.course().turns() {
+        "1 turn"
+    } else {
+        "1 sweep"
+    };
+    let backwards = if playback.is_backwards() {
+        ", backwards"
+    } else {
+        ""
+    };
+    let step = coordinate(app.steps().size(), 0);
+    let mut settings = vec![
+        format!("step {step} {}", stage.unit()),
+        format!("{sweep} in {} s{backwards}", playback.seconds()),
+    ];
+    settings.push(match playback.ratio(stage.course()) {
+        None => "the driver stands still".into(),
+        Some(ratio) if ratio < 1.0 => format!("1/{} of real time", short(1.0 / ratio)),
+        Some(ratio) => format!("{} times real time", short(ratio)),
+    });
+    settings
+}
+
+/// Two or three digits.
+fn short(number: f64) -> String {
+    if number < 99.95 {
+        format!("{number:.1}")
+    } else if number < 1e6 {
+        format!("{number:.0}")
+    } else {
+        format!("{number:.0e}")
+    }
+}

@@ -1,0 +1,105 @@
+//! The workbench without its terminal: keys, time and sizes in, frames out.
+
+use super::app::{App, Effect};
+use super::key::Key;
+use super::terminal::{Capability, Painter};
+use super::views::{self, Sketch};
+use super::{Frames, Opened};
+use crate::drawing::Glyphs;
+use super::terminal::Colours;
+use ratatui::layout::Size;
+use std::time::Duration;
+
+/// A workbench that shows a scene and paints frames for a terminal that somebody else holds.
+///
+/// Time is given, not taken: [`Workbench::press`] and [`Workbench::pass`] say when they happen.
+#[derive(Debug)]
+pub struct Workbench {
+    app: App,
+    sketch: Sketch,
+    painter: Painter,
+    now: Duration,
+}
+
+impl Workbench {
+    /// Opens a scene on a screen of `cols` x `rows` characters of a terminal that knows synchronised
+    /// frames.
+    #[must_use]
+    pub fn new(opened: Opened, glyphs: Glyphs, colours: Colours, cols: u16, rows: u16) -> Self {
+        let capability = Capability {
+            glyphs,
+            colours,
+            modern: true,
+        };
+        Workbench::on(opened, None, capability, Size::new(cols, rows))
+    }
+
+    /// Opens a scene at `at`, or where it says.
+    pub(super) fn on(
+        opened: Opened,
+        at: Option<f64>,
+        capability: Capability,
+        size: Size,
+    ) -> Self {
+        Workbench {
+            app: App::new(opened, at, capability, size),
+            sketch: Sketch::default(),
+            painter: Painter::new(capability),
+            now: Duration::ZERO,
+        }
+    }
+
+    /// Presses keys, each written as the help shows it: `space`, `g`, `Enter`, `Ctrl-L`. Separated
+    /// by blanks; a word that names no key is nothing. False once the workbench was left.
+    pub fn press(&mut self, keys: &str) -> bool {
+        let keys = keys.split_whitespace().filter_map(|word| word.parse().ok());
+        keys.map(|key| self.key(key)).all(|effect| effect != Effect::Quit)
+    }
+
+    /// Lets time pass; what is played moves on.
+    pub fn pass(&mut self, time: Duration) {
+        self.move_to(self.now + time);
+    }
+
+    /// The screen has another size.
+    pub fn resize(&mut self, cols: u16, rows: u16) {
+        self.app.resize(Size::new(cols, rows), None);
+    }
+
+    /// The bytes that bring the terminal from the last frame to this one; none if nothing differs.
+    pub fn paint(&mut self) -> &[u8] {
+        views::prepare(&self.app, &mut self.sketch);
+        self.painter.frame(views::screen(&self.app, &self.sketch))
+    }
+
+    /// The frames painted so far, and their bytes.
+    #[must_use]
+    pub fn frames(&self) -> Frames {
+        self.painter.frames()
+    }
+
+    /// It is `now`: what is played moves on.
+    pub(super) fn move_to(&mut self, now: Duration) {
+        self.now = now;
+        self.app.tick(now);
+    }
+
+    /// It is `now`, but the time since has not been seen: what is played goes on from where it was.
+    pub(super) fn skip_to(&mut self, now: Duration) {
+        self.now = now;
+        self.app.wake(now);
+    }
+
+    pub(super) fn key(&mut self, key: Key) -> Effect {
+        self.app.key(key, self.now)
+    }
+
+    pub(super) fn app(&mut self) -> &mut App {
+        &mut self.app
+    }
+
+    /// The terminal shows something else: everything must be painted again.
+    pub(super) fn forget(&mut self) {
+        self.painter.forget();
+    }
+}
