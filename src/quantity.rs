@@ -183,7 +183,7 @@ fn value_of(subject: Subject, aspect: Aspect, state: &State) -> f64 {
         Subject::Driver => driver_value(aspect, state),
         Subject::Point(point) => point_value(point, aspect, state),
         Subject::Link(link) => match aspect.order() {
-            Order::Position => angle::degrees(state.direction(link)),
+            Order::Position => state.angle(link),
             Order::Velocity => state.omega(link),
             Order::Acceleration => state.alpha(link),
         },

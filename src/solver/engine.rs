@@ -6,7 +6,7 @@ use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, PointState, Rates, State, TravelState};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order};
-use crate::{Input, Mechanism, Vec2, angle};
+use crate::{Input, LinkId, Mechanism, Vec2, angle};
 
 /// A program, and what its driver's coordinate means.
 #[derive(Clone, Debug)]
@@ -14,13 +14,18 @@ pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
+    driven: Option<LinkId>,
     rates: Rates,
 }
 
 impl Engine {
     pub(super) fn new(mechanism: &Mechanism, frame: Frame, program: Program) -> Engine {
         let driver = mechanism.driver();
-        let turns = matches!(driver.input, Input::Turn(_));
+        let driven = match driver.input {
+            Input::Turn(link) => Some(link),
+            Input::Push(_) => None,
+        };
+        let turns = driven.is_some();
         let inner = |v: f64| if turns { v } else { frame.length(v) };
         let rates = Rates {
             speed: inner(driver.speed),
@@ -30,6 +35,7 @@ impl Engine {
             program,
             frame,
             turns,
+            driven,
             rates,
         };
         let mut offset = 0;
@@ -56,6 +62,7 @@ impl Engine {
             },
             frame: self.frame,
             rates: self.rates,
+            driven: self.driven,
             driver_scale: if self.turns { 1.0 } else { self.frame.scale },
         }
     }

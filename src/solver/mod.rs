@@ -57,7 +57,7 @@ pub struct Demand {
 const MOST_RIVALS: usize = 64;
 
 /// A mechanism made ready to be solved at any coordinate of its driver.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct Solver {
     engine: Engine,
     plan: Plan,
@@ -152,6 +152,16 @@ impl Solver {
         }
         self.motion.anchors.aim(&self.engine, at, state);
         self.engine.run(at, order, state)
+    }
+}
+
+/// The plan and the motion; the program behind them is long and says nothing to a reader.
+impl std::fmt::Debug for Solver {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Solver")
+            .field("plan", &self.plan)
+            .field("range", &self.motion.range)
+            .finish_non_exhaustive()
     }
 }
 

@@ -158,6 +158,8 @@ const TOUCH: f64 = 1e-14;
 const PUSH_STEP: f64 = 1.0 / 128.0;
 /// How many longest lengths a slide is followed.
 const PUSH_REACH: f64 = 64.0;
+/// Sections that narrow a minimum down to the square root of the rounding.
+const GOLDEN_SECTIONS: usize = 44;
 /// Steps into which one degree, or one push, may fall: a hundred halvings and as many doublings.
 const MOST_STEPS: usize = 400;
 /// Halvings between two doubles, at the most.
@@ -367,7 +369,7 @@ impl Walker<'_> {
     /// A limit that the last three samples have stepped over: the zero of a measure that has a
     /// minimum between them.
     fn limit_between(&mut self, seen: &[(f64, Vec<f64>)]) -> Option<f64> {
-        let [(a, first), (_, middle), (b, last)] = seen else {
+        let [(a, first), (m, middle), (b, last)] = seen else {
             return None;
         };
         let groups = 0..first.len();
@@ -376,8 +378,13 @@ impl Walker<'_> {
         let dips: Vec<usize> = dips.collect();
         let saved = self.state.clone();
         let limit = dips.into_iter().find_map(|group| {
-            let lowest = self.lowest(group, *a, *b);
-            (self.measure(group, lowest) < TOUCH).then(|| self.edge(group, *a, lowest))
+            let lowest = self.lowest(group, [*a, *m, *b]);
+            let measure = self.measure(group, lowest);
+            if measure < -TOUCH {
+                Some(self.edge(group, *a, lowest))
+            } else {
+                (measure < TOUCH).then_some(lowest)
+            }
         });
         self.state = saved;
         limit
@@ -394,13 +401,17 @@ impl Walker<'_> {
         }
     }
 
-    /// The coordinate of the smallest measure between two others, by golden section.
-    fn lowest(&mut self, group: usize, a: f64, b: f64) -> f64 {
+    /// The coordinate of the smallest measure between two samples, by golden section; at once the
+    /// sample between them if that touches zero.
+    fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        if self.measure(group, middle) < TOUCH {
+            return middle;
+        }
         let (mut a, mut b) = (a, b);
         let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
         let (mut at_c, mut at_d) = (self.measure(group, c), self.measure(group, d));
-        while (b - a).abs() > 1e-9 * (a.abs() + b.abs()) && at_c.min(at_d) > 0.0 {
+        for _ in 0..GOLDEN_SECTIONS {
             if at_c < at_d {
                 (b, d, at_d) = (d, c, at_c);
                 c = b - GOLDEN * (b - a);
@@ -414,7 +425,7 @@ impl Walker<'_> {
         if at_c < at_d { c } else { d }
     }
 
-    /// The last coordinate on the way from `good` to `bad` at which a measure does not touch zero.
+    /// The last coordinate on the way from `good` to `bad` at which a measure is positive.
     fn edge(&mut self, group: usize, good: f64, bad: f64) -> f64 {
         let (mut good, mut bad) = (good, bad);
         loop {
@@ -422,7 +433,7 @@ impl Walker<'_> {
             if middle == good || middle == bad {
                 return good;
             }
-            if self.measure(group, middle) > TOUCH {
+            if self.measure(group, middle) > 0.0 {
                 good = middle
             } else {
                 bad = middle

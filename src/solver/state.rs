@@ -2,7 +2,7 @@
 
 use super::coupled::Scratch;
 use super::frame::Frame;
-use crate::{LinkId, PointId, SlideId, Vec2};
+use crate::{LinkId, PointId, SlideId, Vec2, angle};
 
 /// What a state is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,6 +77,8 @@ pub struct State {
     pub(super) scratch: Scratch,
     pub(super) frame: Frame,
     pub(super) rates: Rates,
+    /// The driven link, whose angle is the driver's coordinate to the bit.
+    pub(super) driven: Option<LinkId>,
     /// The size of the driver's unit in the coordinate of the derivatives: 1 for radians.
     pub(super) driver_scale: f64,
 }
@@ -133,6 +135,16 @@ impl State {
     #[must_use]
     pub fn direction(&self, link: LinkId) -> Vec2 {
         self.links[link.index()].d
+    }
+
+    /// The angle of a link's x axis in degrees, from 0 to below 360.
+    #[must_use]
+    pub fn angle(&self, link: LinkId) -> f64 {
+        if self.driven == Some(link) {
+            angle::wrapped(self.at)
+        } else {
+            angle::degrees(self.direction(link))
+        }
     }
 
     /// Angular velocity in rad/s.

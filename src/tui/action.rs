@@ -168,7 +168,11 @@ mod tests {
     fn a_help_line_fits_the_smallest_screen() {
         for entry in &ACTIONS {
             assert!(entry.keys().len() <= 12, "{}", entry.keys());
-            assert!(entry.help.is_ascii() && entry.help.len() <= 43, "{}", entry.help);
+            assert!(
+                entry.help.is_ascii() && entry.help.len() <= 43,
+                "{}",
+                entry.help
+            );
         }
     }
 }

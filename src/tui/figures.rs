@@ -87,7 +87,11 @@ impl Format {
     /// A direction in degrees; one that rounds to 360 is 0.
     pub(crate) fn write_angle(self, value: Option<f64>) -> String {
         let text = self.write(value);
-        if text == "360.000" { "0.000".into() } else { text }
+        if text == "360.000" {
+            "0.000".into()
+        } else {
+            text
+        }
     }
 }
 

@@ -81,7 +81,9 @@ impl FromStr for Key {
         if let (Some(c), None) = (chars.next(), chars.next()) {
             return Ok(Key::Char(c));
         }
-        let control = text.strip_prefix("Ctrl-").and_then(|rest| rest.parse().ok());
+        let control = text
+            .strip_prefix("Ctrl-")
+            .and_then(|rest| rest.parse().ok());
         if let Some(c) = control.map(|c: char| c.to_ascii_lowercase()) {
             return Ok(Key::Ctrl(c));
         }

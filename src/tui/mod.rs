@@ -125,14 +125,19 @@ impl Error {
 /// an error too.
 pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     let env = |name: &str| std::env::var(name).ok();
-    let capability = Capability::detect(env, options.glyphs, options.colours)
-        .map_err(|Dumb| Error::Dumb)?;
+    let capability =
+        Capability::detect(env, options.glyphs, options.colours).map_err(|Dumb| Error::Dumb)?;
     let end = catching(|| {
         let gate = Gate::open(capability)?;
         let size = gate.size();
         let workbench = Workbench::on(opened, options.at, capability, size);
         let stopped = false;
-        Session { gate, workbench, stopped }.run()
+        Session {
+            gate,
+            workbench,
+            stopped,
+        }
+        .run()
     })?;
     if let Some(signal) = end {
         terminal::die_of(signal)?;

@@ -7,9 +7,7 @@ use super::course::Course;
 use std::time::Duration;
 
 /// Seconds that a sweep takes: a turn, or the travel of a slide. Slower to the left.
-const PACES: [f64; 11] = [
-    120.0, 60.0, 30.0, 20.0, 12.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25,
-];
+const PACES: [f64; 11] = [120.0, 60.0, 30.0, 20.0, 12.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25];
 /// One turn in 4 s, whatever the driver's speed.
 const OPENING_PACE: usize = 6;
 

@@ -104,8 +104,12 @@ impl Sheet {
     pub(crate) fn new(samples: &[Tables]) -> Self {
         let first = samples.first();
         let unit = first.map_or("", |t| t.unit);
-        let vector_names = first.into_iter().flat_map(|t| t.vectors.iter().map(|v| &v.name));
-        let point_names = first.into_iter().flat_map(|t| t.points.iter().map(|p| &p.name));
+        let vector_names = first
+            .into_iter()
+            .flat_map(|t| t.vectors.iter().map(|v| &v.name));
+        let point_names = first
+            .into_iter()
+            .flat_map(|t| t.points.iter().map(|p| &p.name));
         let names = vector_names.chain(point_names).map(|n| n.chars().count());
         let names = names.max().unwrap_or(0);
         let column = |part, (figure, opens): (Figure, bool)| Column {
@@ -164,7 +168,9 @@ impl Sheet {
             (0..count).map(move |i| (part, 2 * i..2 * i + 2))
         };
         let pairs = pairs(Part::Vectors).chain(pairs(Part::Points));
-        let narrow = pairs.map(|(part, pair)| self.needed(part, pair, glyphs)).max();
+        let narrow = pairs
+            .map(|(part, pair)| self.needed(part, pair, glyphs))
+            .max();
         let wide = self.needed(Part::Vectors, 0..self.vectors.len(), glyphs);
         (narrow.unwrap_or(0), wide)
     }
@@ -324,7 +330,10 @@ impl Figure {
                 Part::Points => tables.points.len(),
             };
             let entries = (0..rows).filter_map(|row| figure.entry(tables, part, row));
-            entries.filter_map(|e| e.value).map(f64::abs).collect::<Vec<_>>()
+            entries
+                .filter_map(|e| e.value)
+                .map(f64::abs)
+                .collect::<Vec<_>>()
         };
         // What never moves says nothing about the size of what does.
         let sizes = samples.iter().flat_map(of_sample).filter(|s| *s > 0.0);

@@ -160,5 +160,7 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
             ratatui::text::Span::raw(&*c.encode_utf8(&mut buffer)).width() == 1
         }
     };
-    text.chars().map(|c| if fits(c) { c } else { '?' }).collect()
+    text.chars()
+        .map(|c| if fits(c) { c } else { '?' })
+        .collect()
 }

@@ -2,11 +2,11 @@
 
 use super::app::{App, Effect};
 use super::key::Key;
+use super::terminal::Colours;
 use super::terminal::{Capability, Painter};
 use super::views::{self, Sketch};
 use super::{Frames, Opened};
 use crate::drawing::Glyphs;
-use super::terminal::Colours;
 use ratatui::layout::Size;
 use std::time::Duration;
 
@@ -35,12 +35,7 @@ impl Workbench {
     }
 
     /// Opens a scene at `at`, or where it says.
-    pub(super) fn on(
-        opened: Opened,
-        at: Option<f64>,
-        capability: Capability,
-        size: Size,
-    ) -> Self {
+    pub(super) fn on(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
         Workbench {
             app: App::new(opened, at, capability, size),
             sketch: Sketch::default(),
@@ -53,7 +48,8 @@ impl Workbench {
     /// by blanks; a word that names no key is nothing. False once the workbench was left.
     pub fn press(&mut self, keys: &str) -> bool {
         let keys = keys.split_whitespace().filter_map(|word| word.parse().ok());
-        keys.map(|key| self.key(key)).all(|effect| effect != Effect::Quit)
+        keys.map(|key| self.key(key))
+            .all(|effect| effect != Effect::Quit)
     }
 
     /// Lets time pass; what is played moves on.

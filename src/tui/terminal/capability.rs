@@ -113,8 +113,14 @@ mod tests {
         assert_eq!(found(&[xterm, ("NO_COLOR", "")]), (Braille, Indexed, true));
         assert_eq!(found(&[xterm, ("LC_ALL", "C")]), (Ascii, Indexed, true));
         assert_eq!(found(&[xterm, ("LC_ALL", "")]), (Braille, Indexed, true));
-        assert_eq!(found(&[xterm, ("LC_CTYPE", "POSIX")]), (Ascii, Indexed, true));
-        assert_eq!(found(&[xterm, ("LC_ALL", "C.utf8")]), (Braille, Indexed, true));
+        assert_eq!(
+            found(&[xterm, ("LC_CTYPE", "POSIX")]),
+            (Ascii, Indexed, true)
+        );
+        assert_eq!(
+            found(&[xterm, ("LC_ALL", "C.utf8")]),
+            (Braille, Indexed, true)
+        );
         assert_eq!(detect(&[("TERM", "dumb")]), Err(Dumb));
     }
 
@@ -122,7 +128,10 @@ mod tests {
     fn a_wish_overrides() {
         let env = |name: &str| (name == "NO_COLOR").then(|| "1".to_owned());
         let found = Capability::detect(env, Some(Glyphs::Braille), Some(Colours::True)).unwrap();
-        assert_eq!((found.glyphs, found.colours), (Glyphs::Braille, Colours::True));
+        assert_eq!(
+            (found.glyphs, found.colours),
+            (Glyphs::Braille, Colours::True)
+        );
         assert!(!found.modern, "no wish makes an unknown terminal modern");
     }
 }

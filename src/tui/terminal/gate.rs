@@ -1,17 +1,15 @@
 //! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
 
 use super::capability::Capability;
-use crate::tui::Error;
 use super::keyboard::{Input, Keyboard};
 use super::pace::{Pace, QUESTION};
 use super::signals::{self, Notice, Signals};
+use crate::tui::Error;
 use ratatui::layout::Size;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{Mode, OFlags, open};
 use rustix::io::{Errno, read, write};
-use rustix::termios::{
-    OptionalActions, Termios, isatty, tcgetattr, tcgetwinsize, tcsetattr,
-};
+use rustix::termios::{OptionalActions, Termios, isatty, tcgetattr, tcgetwinsize, tcsetattr};
 use std::io;
 use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
 use std::time::{Duration, Instant};
@@ -147,10 +145,7 @@ impl Gate {
         let told = tcgetwinsize(&self.screen).map_or((0, 0), |w| (w.ws_col, w.ws_row));
         match told {
             (0, _) | (_, 0) => USUAL_SIZE,
-            (cols, rows) => Size::new(
-                cols.min(LARGEST_SIZE.width),
-                rows.min(LARGEST_SIZE.height),
-            ),
+            (cols, rows) => Size::new(cols.min(LARGEST_SIZE.width), rows.min(LARGEST_SIZE.height)),
         }
     }
 
@@ -275,7 +270,8 @@ impl Gate {
             if !told.is_empty() {
                 self.read_keys(told, &mut inputs)?;
             }
-            if patience.is_some_and(|p| p <= Instant::now() && self.keyboard.deadline() == patience) {
+            if patience.is_some_and(|p| p <= Instant::now() && self.keyboard.deadline() == patience)
+            {
                 self.keyboard.give_up(&mut inputs);
             }
             for input in inputs {

@@ -285,7 +285,8 @@ mod tests {
 
     /// Random bytes, and pieces of sequences, which random bytes seldom make.
     fn noise() -> impl Strategy<Value = Vec<u8>> {
-        let alphabet = prop::sample::select(b"\x1b\x1b[[]OP<>?;:0123456789ABMRcmnuyq~ \x07\\".to_vec());
+        let alphabet =
+            prop::sample::select(b"\x1b\x1b[[]OP<>?;:0123456789ABMRcmnuyq~ \x07\\".to_vec());
         prop_oneof![
             prop::collection::vec(any::<u8>(), 0..60),
             prop::collection::vec(alphabet, 0..30),

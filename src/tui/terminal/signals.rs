@@ -11,9 +11,7 @@ use std::os::unix::net::UnixStream;
 
 /// Every signal that would end or stop the program with the terminal left raw, and the two that
 /// call for a new frame.
-const CAUGHT: [i32; 7] = [
-    SIGWINCH, SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGCONT, SIGTSTP,
-];
+const CAUGHT: [i32; 7] = [SIGWINCH, SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGCONT, SIGTSTP];
 
 /// The signal of a terminal that has gone.
 pub(crate) const HANG_UP: i32 = SIGHUP;

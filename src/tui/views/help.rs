@@ -76,7 +76,8 @@ fn border(glyphs: Glyphs, frame: Rect, buffer: &mut Buffer) {
         let at_end = position.y == frame.y || position.y == bottom;
         let glyph = match (at_side, at_end) {
             (true, true) => {
-                let corner = usize::from(position.x == right) + 2 * usize::from(position.y == bottom);
+                let corner =
+                    usize::from(position.x == right) + 2 * usize::from(position.y == bottom);
                 corners[corner]
             }
             (true, false) => upright,

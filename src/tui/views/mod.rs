@@ -38,7 +38,14 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
     if too_small(app.size()) {
         let Size { width, height } = SMALLEST;
         let text = format!("krank needs {width} x {height} characters");
-        print(&mut buffer, 0, 0, area.width, &text, theme::part(Part::Text));
+        print(
+            &mut buffer,
+            0,
+            0,
+            area.width,
+            &text,
+            theme::part(Part::Text),
+        );
         return buffer;
     }
     title::render(app, row(area, 0), &mut buffer);

@@ -6,6 +6,7 @@
 
 use super::{columns, print};
 use crate::solver::Condition;
+use crate::tui::Origin;
 use crate::tui::action::{Action, entry_of};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::figures::coordinate;
@@ -13,7 +14,6 @@ use crate::tui::key::Key;
 use crate::tui::line::Line;
 use crate::tui::stage::{Stage, shown};
 use crate::tui::theme::{self, Part};
-use crate::tui::Origin;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 

@@ -15,7 +15,16 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let most = lines.len().saturating_sub(area.height.into());
     let seen = lines.iter().skip(app.scroll().min(most));
     for (y, line) in (area.top()..area.bottom()).zip(seen) {
-        render_line(app, line, Rect { y, height: 1, ..area }, buffer);
+        render_line(
+            app,
+            line,
+            Rect {
+                y,
+                height: 1,
+                ..area
+            },
+            buffer,
+        );
     }
 }
 
@@ -28,13 +37,22 @@ pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
 fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
     let stage = app.stage();
     let width = usize::from(area.width);
-    let (name, cells) = stage.sheet().show(line, stage.tables(), width, app.glyphs());
+    let (name, cells) = stage
+        .sheet()
+        .show(line, stage.tables(), width, app.glyphs());
     let (of_name, of_cells) = match line {
         Line::Names(..) | Line::Units(..) | Line::Blank => (Part::Quiet, Part::Quiet),
         Line::Row(..) => (Part::Name, Part::Text),
     };
     let text = shown(&name.text, app.glyphs());
-    print(buffer, area.x, area.y, area.width, &text, theme::part(of_name));
+    print(
+        buffer,
+        area.x,
+        area.y,
+        area.width,
+        &text,
+        theme::part(of_name),
+    );
     let mut right = area.x.saturating_add(columns_of(name.width));
     for cell in cells {
         right = right.saturating_add(columns_of(cell.width));

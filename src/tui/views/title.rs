@@ -31,7 +31,13 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let style = theme::part(Part::Title);
     print(buffer, area.x + 1, area.y, left, &title, style);
     let style = theme::part(Part::Quiet);
-    print_right(buffer, area.right().saturating_sub(1), area.y, &joined, style);
+    print_right(
+        buffer,
+        area.right().saturating_sub(1),
+        area.y,
+        &joined,
+        style,
+    );
 }
 
 /// The most important first.
