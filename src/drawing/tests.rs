@@ -228,23 +228,3 @@ fn size_and_place_do_not_show() {
         assert_eq!(picture(&four_bar(scale, x, y)), plain, "{scale:e} at {x:e}");
     }
 }
-
-/// A frame with everything on it, against a millisecond: the best of many, as machines are busy.
-#[test]
-fn a_large_frame_takes_well_under_a_millisecond() {
-    for stage in Stage::presets() {
-        let view = View::fit(&stage.reach, 200, 60, 2.0);
-        let mut raster = Raster::new();
-        let mut labels = Labels::default();
-        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
-            let best = stage.motion().map(|state| {
-                let begin = std::time::Instant::now();
-                let figure = stage.figure(&state);
-                render_into(&figure, &view, glyphs, &mut labels, &mut raster);
-                begin.elapsed()
-            });
-            let best = best.min().expect("there are frames");
-            assert!(best.as_micros() < 500, "{}: {best:?}", stage.name);
-        }
-    }
-}
