@@ -12,7 +12,7 @@ use super::network::{ClassId, GROUND, Network, Row, Unknown};
 use super::order::{self, Block, Ordering};
 use super::plan::{Gauge, Group, GroupKind, Plan, Program, Watch};
 use super::state::{LinkState, PointState};
-use super::step::{Arm, CircleLine, Circles, Cylinder, Line, Step, Swing};
+use super::step::{Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Step, Swing};
 use crate::{Body, Element, Input, LinkId, PointId, SlideId, Vec2};
 
 /// A joint at a fixed place of a class whose direction is not known yet.
@@ -56,6 +56,8 @@ pub(super) struct Chain<'n> {
     listed: Vec<bool>,
     program: Program,
     groups: Vec<Group>,
+    /// Points of guides in the ground.
+    constants: Vec<PointId>,
     /// The point of a guide that goes with its body, once it was needed.
     guide_points: Vec<Option<PointId>>,
 }
@@ -120,6 +122,7 @@ impl<'n> Chain<'n> {
                 watches: Vec::new(),
             },
             groups: Vec::new(),
+            constants: Vec::new(),
             guide_points: vec![None; mechanism.slides().len()],
         }
     }
@@ -228,18 +231,38 @@ impl<'n> Chain<'n> {
             for member in &body.members {
                 if !self.point_known[member.point.index()] {
                     let local = self.frame.local(member.local) - at;
-                    self.push(Step::Ride {
-                        point: member.point,
-                        base,
-                        link,
-                        local,
-                    });
+                    self.push(self.ride_on(link, base, member.point, local));
                     self.learn_point(member.point);
                     any = true;
                 }
             }
         }
         any
+    }
+
+    /// How a point of a link follows from another one; on the driven link, from its pivot.
+    fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2) -> Step {
+        let is_driven = self.network.mechanism.driver().input == Input::Turn(link);
+        let on_ground = self
+            .network
+            .mechanism
+            .points()
+            .get(base.index())
+            .is_some_and(|p| p.ground.is_some());
+        if is_driven && on_ground {
+            Step::Spin {
+                point,
+                pivot: base,
+                local,
+            }
+        } else {
+            Step::Ride {
+                point,
+                base,
+                link,
+                local,
+            }
+        }
     }
 
     /// The directions of links with two known points.
@@ -309,7 +332,11 @@ impl<'n> Chain<'n> {
             });
         }
         let through = match given.on {
-            Body::Ground => self.new_point(self.frame.inner(given.through)),
+            Body::Ground => {
+                let constant = self.new_point(self.frame.inner(given.through));
+                self.constants.push(constant);
+                constant
+            }
             Body::Link(on) => {
                 let (base, at) = self.knows(on).then(|| self.footing(on)).flatten()?;
                 let local = self.frame.local(given.through) - at;
@@ -326,6 +353,14 @@ impl<'n> Chain<'n> {
             link,
             along,
         })
+    }
+
+    /// The place and the direction of a line that never moves: of the ground itself, through a point
+    /// that no step places.
+    fn rail(&self, line: &Line) -> Option<[Vec2; 2]> {
+        let is_constant = self.constants.contains(&line.through);
+        (line.link == self.network.ground() && is_constant)
+            .then(|| [self.program.points[line.through.index()].p, line.along])
     }
 
     /// A helping point that rides at `local` from `base` on a link.
@@ -500,13 +535,11 @@ impl<'n> Chain<'n> {
             let arm = self.arm(&anchor);
             let group = self.open_group(GroupKind::Rrp, Some(point));
             self.program.group_starts[group] = helpers;
-            self.push(Step::CircleLine(CircleLine {
-                point,
-                arm,
-                line,
-                sign: 1.0,
-                group,
-            }));
+            let rail = self.rail(&line);
+            self.push(match rail {
+                Some(rail) => Step::CircleRail(CircleRail::new(point, arm, rail, group)),
+                None => Step::CircleLine(CircleLine::new(point, arm, line, group)),
+            });
             self.learn_point(point);
             self.learn_class(anchor.link);
             return true;

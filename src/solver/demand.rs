@@ -68,6 +68,8 @@ fn is_needed(step: &Step, coupled: &[Coupled], needed: &Needed) -> bool {
         Step::Aim { arm, .. } => link(&arm.link),
         Step::Circles(c) => point(&c.point) || link(&c.near.link) || link(&c.far.link),
         Step::CircleLine(c) => point(&c.point) || link(&c.arm.link),
+        Step::CircleRail(c) => point(&c.point) || link(&c.arm.link),
+        Step::Spin { point: p, .. } => point(p),
         Step::Swing(s) => link(&s.link),
         Step::Cylinder(c) => point(&c.point) || link(&c.link) || link(&c.far.link),
         Step::Coupled { index } => {
@@ -81,6 +83,8 @@ fn is_needed(step: &Step, coupled: &[Coupled], needed: &Needed) -> bool {
 fn mark_inputs(step: &Step, coupled: &[Coupled], needed: &mut Needed) {
     match step {
         Step::Crank { .. } => {}
+        Step::Spin { pivot, .. } => needed.point(*pivot),
+        Step::CircleRail(c) => needed.point(c.arm.pivot),
         Step::Ride { base, link, .. } | Step::Push { base, link, .. } => {
             needed.point(*base);
             needed.link(*link);

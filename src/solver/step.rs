@@ -76,6 +76,9 @@ pub(super) struct Circles {
     sum: (f64, f64),
     /// (near - far)(near + far).
     squares: f64,
+    /// 1 / (2 near far)^2, which makes the product of the factors the square of a sine.
+    inverse_square: f64,
+    slack: f64,
     pub group: usize,
 }
 
@@ -87,6 +90,22 @@ pub(super) struct CircleLine {
     pub line: Line,
     /// The side along the line on which the point lies, seen from the foot of the pivot.
     pub sign: f64,
+    /// 1 / length^2, which makes the product of the distances the square of a sine.
+    inverse_square: f64,
+    pub group: usize,
+}
+
+/// A circle and a line that does not move, RRP: by far the most frequent kind of slide.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct CircleRail {
+    pub point: PointId,
+    pub arm: Arm,
+    /// A point of the rail and its direction, a unit vector.
+    pub through: Vec2,
+    pub along: Vec2,
+    /// As in [`CircleLine`].
+    pub sign: f64,
+    inverse_square: f64,
     pub group: usize,
 }
 
@@ -125,6 +144,12 @@ pub(super) struct Cylinder {
 pub(super) enum Step {
     /// The driven link takes the driver's direction.
     Crank { link: LinkId },
+    /// A point of the driven link, at `local` from the ground point about which it turns.
+    Spin {
+        point: PointId,
+        pivot: PointId,
+        local: Vec2,
+    },
     /// A point at `local` on a link, seen from another point of the same link.
     Ride {
         point: PointId,
@@ -152,6 +177,8 @@ pub(super) enum Step {
     Circles(Circles),
     /// RRP.
     CircleLine(CircleLine),
+    /// RRP on the ground.
+    CircleRail(CircleRail),
     /// RPR.
     Swing(Swing),
     /// RRR with a driven arm.
@@ -192,6 +219,8 @@ impl Circles {
             difference: two_diff(far.length, near.length),
             sum: two_diff(far.length, -near.length),
             squares: (near.length - far.length) * (near.length + far.length),
+            inverse_square: (2.0 * near.length * far.length).powi(-2),
+            slack: REACH_SLACK * (near.length + far.length),
             group,
         }
     }
@@ -213,9 +242,8 @@ impl Circles {
         let outer = (self.sum.0 - d) + self.sum.1;
         let product = (inner * ((d + self.difference.0) + self.difference.1))
             * (outer * ((self.sum.0 + d) + self.sum.1));
-        let arms = 2.0 * self.near.length * self.far.length;
-        state.measures[self.group] = product / (arms * arms);
-        let slack = REACH_SLACK * self.sum.0;
+        state.measures[self.group] = product * self.inverse_square;
+        let slack = self.slack;
         // Written so that NaN is open, too.
         if !(inner >= -slack && outer >= -slack) {
             return Outcome::Open;
@@ -224,7 +252,7 @@ impl Circles {
         let h = if stretched { 0.0 } else { 0.5 * product.sqrt() };
         let sh = self.sign * h;
         let x = 0.5 * (d2 + self.squares);
-        let e = (u * x + u.perp() * sh) / d2;
+        let e = (u * x + u.perp() * sh) * (1.0 / d2);
         let f = e - u;
         if stretched {
             self.place(state, p.p + e, e, f);
@@ -312,6 +340,17 @@ impl Guide {
 }
 
 impl CircleLine {
+    pub(super) fn new(point: PointId, arm: Arm, line: Line, group: usize) -> CircleLine {
+        CircleLine {
+            point,
+            arm,
+            line,
+            sign: 1.0,
+            inverse_square: arm.length.powi(-2),
+            group,
+        }
+    }
+
     /// h0 = n.(P - Q), root = s sqrt((b - h0)(b + h0)): X = Q + (t.(P - Q) + root) t, e = root t - h0 n.
     /// The constraint n.(V - V_line) = 0 gives w n.(k x e) = w root.
     #[inline]
@@ -324,7 +363,7 @@ impl CircleLine {
         let left = b - h0;
         let right = b + h0;
         let product = left * right;
-        state.measures[self.group] = product / (b * b);
+        state.measures[self.group] = product * self.inverse_square;
         let slack = REACH_SLACK * (b + from.x.abs() + from.y.abs());
         if !(left >= -slack && right >= -slack) {
             return Outcome::Open;
@@ -365,6 +404,75 @@ impl CircleLine {
     }
 }
 
+impl CircleRail {
+    pub(super) fn new(
+        point: PointId,
+        arm: Arm,
+        [through, along]: [Vec2; 2],
+        group: usize,
+    ) -> CircleRail {
+        CircleRail {
+            point,
+            arm,
+            through,
+            along,
+            sign: 1.0,
+            inverse_square: arm.length.powi(-2),
+            group,
+        }
+    }
+
+    /// As [`CircleLine`], with a line whose velocity and acceleration are zero.
+    #[inline]
+    fn run<const ORDER: u8>(&self, state: &mut State) -> Outcome {
+        let (t, n) = (self.along, self.along.perp());
+        let p = state.points[self.arm.pivot.index()];
+        let b = self.arm.length;
+        let from = p.p - self.through;
+        let h0 = n.dot(from);
+        let left = b - h0;
+        let right = b + h0;
+        let product = left * right;
+        state.measures[self.group] = product * self.inverse_square;
+        let slack = REACH_SLACK * (b + from.x.abs() + from.y.abs());
+        if !(left >= -slack && right >= -slack) {
+            return Outcome::Open;
+        }
+        let stretched = left <= slack || right <= slack;
+        let root = if stretched {
+            0.0
+        } else {
+            self.sign * product.sqrt()
+        };
+        let e = t * root - n * h0;
+        let mut link = LinkState {
+            d: e.turned(self.arm.factor),
+            ..LinkState::default()
+        };
+        let mut point = PointState {
+            p: self.through + t * (t.dot(from) + root),
+            ..PointState::default()
+        };
+        if ORDER >= VELOCITY && !stretched {
+            let scale = 1.0 / root;
+            link.w = -n.dot(p.v) * scale;
+            point.v = t * (link.w * h0 + t.dot(p.v));
+            if ORDER >= ACCELERATION {
+                let w2 = link.w * link.w;
+                link.a = -(n.dot(p.a) + w2 * h0) * scale;
+                point.a = t * (link.a * h0 - w2 * root + t.dot(p.a));
+            }
+        }
+        state.points[self.point.index()] = point;
+        state.links[self.arm.link.index()] = link;
+        if stretched {
+            Outcome::Stretched
+        } else {
+            Outcome::Done
+        }
+    }
+}
+
 impl Swing {
     /// w = B - O = s t + e n, hence s = +-sqrt((D - e)(D + e)) and t = w (s - i e) / D^2.
     #[inline]
@@ -391,7 +499,7 @@ impl Swing {
             // The pin stands on the pivot: no direction exists.
             return Outcome::Open;
         }
-        let t = w.turned(Vec2::new(s, -e)) / d2;
+        let t = w.turned(Vec2::new(s, -e)) * (1.0 / d2);
         let mut link = LinkState {
             d: t.turned(self.along.conj()),
             ..LinkState::default()
@@ -542,6 +650,18 @@ impl Step {
                     a: 0.0,
                 };
             }
+            Step::Spin {
+                point,
+                pivot,
+                local,
+            } => {
+                let r = local.turned(direction);
+                state.points[point.index()] = PointState {
+                    p: state.points[pivot.index()].p + r,
+                    v: r.perp(),
+                    a: -r,
+                };
+            }
             Step::Ride {
                 point,
                 base,
@@ -573,6 +693,7 @@ impl Step {
             }
             Step::Circles(circles) => return circles.run::<ORDER>(state),
             Step::CircleLine(circle_line) => return circle_line.run::<ORDER>(state),
+            Step::CircleRail(circle_rail) => return circle_rail.run::<ORDER>(state),
             Step::Swing(swing) => return swing.run::<ORDER>(state),
             Step::Cylinder(cylinder) => return cylinder.run::<ORDER>(q, state),
             Step::Lines {
@@ -601,9 +722,11 @@ impl Step {
         match self {
             Step::Circles(c) => Some(c.sign),
             Step::CircleLine(c) => Some(c.sign),
+            Step::CircleRail(c) => Some(c.sign),
             Step::Swing(s) => Some(s.sign),
             Step::Cylinder(c) => Some(c.sign),
             Step::Crank { .. }
+            | Step::Spin { .. }
             | Step::Ride { .. }
             | Step::Push { .. }
             | Step::Aim { .. }
@@ -618,9 +741,11 @@ impl Step {
         match self {
             Step::Circles(c) => c.sign = sign,
             Step::CircleLine(c) => c.sign = sign,
+            Step::CircleRail(c) => c.sign = sign,
             Step::Swing(s) => s.sign = sign,
             Step::Cylinder(c) => c.sign = sign,
             Step::Crank { .. }
+            | Step::Spin { .. }
             | Step::Ride { .. }
             | Step::Push { .. }
             | Step::Aim { .. }
@@ -650,8 +775,10 @@ impl Step {
                 let guide = c.line.at(state);
                 guide.n.dot(at(c.arm.pivot) - guide.q.p).abs() - c.arm.length
             }
+            Step::CircleRail(c) => c.along.cross(at(c.arm.pivot) - c.through).abs() - c.arm.length,
             Step::Swing(s) => s.offset.abs() - between(s.pivot, s.pin),
             Step::Crank { .. }
+            | Step::Spin { .. }
             | Step::Ride { .. }
             | Step::Push { .. }
             | Step::Aim { .. }
