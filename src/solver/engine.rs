@@ -27,10 +27,7 @@ impl Engine {
         };
         let turns = driven.is_some();
         let inner = |v: f64| if turns { v } else { frame.length(v) };
-        let rates = Rates {
-            speed: inner(driver.speed),
-            acceleration: inner(driver.acceleration),
-        };
+        let rates = Rates::new(inner(driver.speed), inner(driver.acceleration));
         let mut engine = Engine {
             program,
             frame,
@@ -62,6 +59,7 @@ impl Engine {
             },
             frame: self.frame,
             rates: self.rates,
+            length_rates: self.rates.times(self.frame.scale),
             driven: self.driven,
             driver_scale: if self.turns { 1.0 } else { self.frame.scale },
         }

@@ -51,11 +51,12 @@ pub(super) struct TravelState {
     pub guide: LinkState,
 }
 
-/// How the driver moves, in radians or scaled lengths.
+/// What turns coefficients into rates: q', q'^2 and q'' of the driver, in radians or scaled lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Rates {
-    pub speed: f64,
-    pub acceleration: f64,
+    speed: f64,
+    square: f64,
+    acceleration: f64,
 }
 
 /// Position, velocity and acceleration of every point and link, in the scene's units and frame.
@@ -76,7 +77,9 @@ pub struct State {
     /// Room for the coupled groups.
     pub(super) scratch: Scratch,
     pub(super) frame: Frame,
+    /// For angles, and for lengths in the scene's unit.
     pub(super) rates: Rates,
+    pub(super) length_rates: Rates,
     /// The driven link, whose angle is the driver's coordinate to the bit.
     pub(super) driven: Option<LinkId>,
     /// The size of the driver's unit in the coordinate of the derivatives: 1 for radians.
@@ -117,18 +120,15 @@ impl State {
     /// Its velocity, per second.
     #[must_use]
     pub fn velocity(&self, point: PointId) -> Vec2 {
-        self.points[point.index()].v * (self.rates.speed * self.frame.scale)
+        self.points[point.index()].v * self.length_rates.speed
     }
 
     /// Its acceleration, per second squared.
     #[must_use]
     pub fn acceleration(&self, point: PointId) -> Vec2 {
         let point = &self.points[point.index()];
-        let Rates {
-            speed,
-            acceleration,
-        } = self.rates;
-        (point.a * (speed * speed) + point.v * acceleration) * self.frame.scale
+        let rates = &self.length_rates;
+        point.a * rates.square + point.v * rates.acceleration
     }
 
     /// The direction of a link's x axis: a unit vector.
@@ -167,8 +167,8 @@ impl State {
         let TravelState { s, v, a, guide } = *travel;
         Travel {
             position: s * self.frame.scale,
-            rate: v * self.rates.speed * self.frame.scale,
-            accel: self.rates.second(v, a) * self.frame.scale,
+            rate: v * self.length_rates.speed,
+            accel: self.length_rates.second(v, a),
             guide: guide.d,
             omega: guide.w * self.rates.speed,
             alpha: self.rates.second(guide.w, guide.a),
@@ -177,9 +177,26 @@ impl State {
 }
 
 impl Rates {
+    pub(super) fn new(speed: f64, acceleration: f64) -> Rates {
+        Rates {
+            speed,
+            square: speed * speed,
+            acceleration,
+        }
+    }
+
+    /// The same for a coordinate counted in units of this size.
+    pub(super) fn times(self, unit: f64) -> Rates {
+        Rates {
+            speed: self.speed * unit,
+            square: self.square * unit,
+            acceleration: self.acceleration * unit,
+        }
+    }
+
     /// The second rate of a coordinate from its coefficients of first and second order.
     fn second(self, first: f64, second: f64) -> f64 {
-        second * (self.speed * self.speed) + first * self.acceleration
+        second * self.square + first * self.acceleration
     }
 }
 
