@@ -243,21 +243,16 @@ impl Circles {
         let product = (inner * ((d + self.difference.0) + self.difference.1))
             * (outer * ((self.sum.0 + d) + self.sum.1));
         state.measures[self.group] = product * self.inverse_square;
-        let slack = self.slack;
-        // Written so that NaN is open, too.
-        if !(inner >= -slack && outer >= -slack) {
-            return Outcome::Open;
-        }
-        let stretched = inner <= slack || outer <= slack;
-        let h = if stretched { 0.0 } else { 0.5 * product.sqrt() };
-        let sh = self.sign * h;
         let x = 0.5 * (d2 + self.squares);
-        let e = (u * x + u.perp() * sh) * (1.0 / d2);
-        let f = e - u;
-        if stretched {
-            self.place(state, p.p + e, e, f);
-            return Outcome::Stretched;
+        let inverse = 1.0 / d2;
+        let reach = inner.min(outer);
+        // Written so that NaN does not pass.
+        if !(reach > self.slack) {
+            return self.stretch(reach, p.p, u, x * inverse, state);
         }
+        let sh = self.sign * (0.5 * product.sqrt());
+        let e = (u * x + u.perp() * sh) * inverse;
+        let f = e - u;
         let mut point = PointState {
             p: p.p + e,
             ..PointState::default()
@@ -284,10 +279,17 @@ impl Circles {
         Outcome::Done
     }
 
-    fn place(&self, state: &mut State, at: Vec2, e: Vec2, f: Vec2) {
-        state.points[self.point.index()].p = at;
+    /// The arms in line, if within rounding they reach each other: positions alone.
+    #[cold]
+    fn stretch(&self, reach: f64, p: Vec2, u: Vec2, share: f64, state: &mut State) -> Outcome {
+        if !(reach >= -self.slack && share.is_finite()) {
+            return Outcome::Open;
+        }
+        let e = u * share;
+        state.points[self.point.index()].p = p + e;
         state.links[self.near.link.index()].d = e.turned(self.near.factor);
-        state.links[self.far.link.index()].d = f.turned(self.far.factor);
+        state.links[self.far.link.index()].d = (e - u).turned(self.far.factor);
+        Outcome::Stretched
     }
 }
 
