@@ -155,6 +155,8 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
         Glyphs::Ascii => c.is_ascii(),
         // Console fonts have Latin-1.
         Glyphs::Line => u32::from(c) < 0x100,
+        // What was harmful is `?` here as elsewhere.
+        Glyphs::Braille if c == char::REPLACEMENT_CHARACTER => false,
         Glyphs::Braille => {
             let mut buffer = [0; 4];
             ratatui::text::Span::raw(&*c.encode_utf8(&mut buffer)).width() == 1

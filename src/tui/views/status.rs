@@ -34,6 +34,13 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         prompt(app, typed, &mut line);
         return;
     }
+    if let Some(message) = app.message() {
+        line.gap(1);
+        line.say(&driver(app.stage()), Part::Text);
+        line.gap(2);
+        line.tell(message, app);
+        return;
+    }
     let gap = if area.width < ROOM_FOR_GAPS { 1 } else { 2 };
     line.gap(1);
     line.say(&scene(app.stage().origin(), app), Part::Text);
@@ -43,11 +50,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let (state, part) = state(app.condition());
     line.say(state, part);
     line.gap(gap);
-    if let Some(message) = app.message() {
-        line.say(&shown(message, app.glyphs()), Part::Warning);
-    } else {
-        hints(app, &mut line);
-    }
+    hints(app, &mut line);
 }
 
 fn mode(app: &App) -> &'static str {
@@ -112,7 +115,7 @@ fn prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" ", Part::Caret);
     line.gap(3);
     if let Some(message) = app.message() {
-        line.say(&shown(message, app.glyphs()), Part::Warning);
+        line.tell(message, app);
         return;
     }
     line.hint(&Key::Enter.to_string(), "go");
@@ -169,6 +172,14 @@ impl Writer<'_> {
 
     fn gap(&mut self, columns: u16) {
         self.x = self.x.saturating_add(columns);
+    }
+
+    /// A message, over what stands before it if there is no room behind.
+    fn tell(&mut self, message: &str, app: &App) {
+        let message = shown(message, app.glyphs());
+        let latest = self.area.right().saturating_sub(columns(&message));
+        self.x = self.x.min(latest.max(self.area.x));
+        self.say(&message, Part::Warning);
     }
 
     /// A key and what it does; nothing where there is no room for both.
