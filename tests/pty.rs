@@ -44,6 +44,8 @@ struct Session {
 enum Manner {
     Answers,
     Mute,
+    /// Takes nothing at all, as a line that hangs.
+    Stalled,
 }
 
 impl Session {
@@ -199,6 +201,9 @@ fn watch(
     cut: &AtomicBool,
 ) {
     let mut buffer = [0; 4096];
+    while manner == Manner::Stalled && !cut.load(Ordering::SeqCst) {
+        thread::sleep(Duration::from_millis(5));
+    }
     while let Ok(n @ 1..) = reader.read(&mut buffer) {
         if cut.load(Ordering::SeqCst) {
             return;
@@ -313,6 +318,23 @@ fn stopped_from_outside_it_paints_all_again_when_it_goes_on() {
     session.signal(Signal::CONT);
     session.wait_for("60.00 deg").wait_for("-3.9164").send("q");
     assert!(session.ended_as_found().success());
+}
+
+#[test]
+fn a_line_that_hangs_does_not_keep_it() {
+    let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_krank"));
+    command.arg("four-bar");
+    let mut session = Session::start(command, Manner::Stalled);
+    session.resize(240, 80);
+    // Whole screens until the kernel takes no more.
+    for _ in 0..12 {
+        thread::sleep(Duration::from_millis(250));
+        session.send("2\x0c1\x0c");
+    }
+    session.signal(Signal::TERM);
+    assert!(!session.ended().success());
+    assert_eq!(modes(session.master.as_deref().unwrap()), session.found);
+    session.cut.store(true, Ordering::SeqCst);
 }
 
 /// A shell with job control, as a person has.

@@ -17,8 +17,9 @@ use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Longer names of scenes are cut.
+/// Longer names of scenes are cut; on narrow lines sooner.
 const LONGEST_SCENE: usize = 20;
+const LONGEST_IN_NARROW: usize = 12;
 
 /// Narrower lines have single blanks between their parts.
 const ROOM_FOR_GAPS: u16 = 60;
@@ -41,9 +42,13 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         line.tell(message, app);
         return;
     }
-    let gap = if area.width < ROOM_FOR_GAPS { 1 } else { 2 };
+    let (gap, longest) = if area.width < ROOM_FOR_GAPS {
+        (1, LONGEST_IN_NARROW)
+    } else {
+        (2, LONGEST_SCENE)
+    };
     line.gap(1);
-    line.say(&scene(app.stage().origin(), app), Part::Text);
+    line.say(&scene(app, longest), Part::Text);
     line.gap(gap);
     line.say(&driver(app.stage()), Part::Text);
     line.gap(gap);
@@ -62,8 +67,8 @@ fn mode(app: &App) -> &'static str {
     }
 }
 
-fn scene(origin: &Origin, app: &App) -> String {
-    let name = match origin {
+fn scene(app: &App, longest: usize) -> String {
+    let name = match app.stage().origin() {
         Origin::Preset(name) => name.clone(),
         Origin::File(path) => {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -71,7 +76,7 @@ fn scene(origin: &Origin, app: &App) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    let name: String = name.chars().take(LONGEST_SCENE).collect();
+    let name: String = name.chars().take(longest).collect();
     shown(&name, app.glyphs())
 }
 
