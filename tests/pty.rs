@@ -44,6 +44,8 @@ struct Session {
 enum Manner {
     Answers,
     Mute,
+    /// Answers, and takes 960 bytes a second, as a line of 9,600 baud.
+    Slow,
     /// Takes nothing at all, as a line that hangs.
     Stalled,
 }
@@ -200,11 +202,15 @@ fn watch(
     manner: Manner,
     cut: &AtomicBool,
 ) {
-    let mut buffer = [0; 4096];
+    let mut whole = [0; 4096];
+    let buffer = match manner {
+        Manner::Slow => &mut whole[..32],
+        Manner::Answers | Manner::Mute | Manner::Stalled => &mut whole[..],
+    };
     while manner == Manner::Stalled && !cut.load(Ordering::SeqCst) {
         thread::sleep(Duration::from_millis(5));
     }
-    while let Ok(n @ 1..) = reader.read(&mut buffer) {
+    while let Ok(n @ 1..) = reader.read(buffer) {
         if cut.load(Ordering::SeqCst) {
             return;
         }
@@ -214,7 +220,11 @@ fn watch(
         seen.terminal.process(&buffer[..n]);
         let new = seen.bytes[from..].windows(QUESTION.len());
         let questions = new.filter(|bytes| *bytes == QUESTION).count();
-        if manner == Manner::Answers && questions > 0 {
+        drop(seen);
+        if manner == Manner::Slow {
+            thread::sleep(Duration::from_secs_f64(n as f64 / 960.0));
+        }
+        if matches!(manner, Manner::Answers | Manner::Slow) && questions > 0 {
             let _ = keys.lock().unwrap().write_all(&ANSWER.repeat(questions));
         }
     }
@@ -317,6 +327,23 @@ fn stopped_from_outside_it_paints_all_again_when_it_goes_on() {
     session.seen.lock().unwrap().terminal = anew;
     session.signal(Signal::CONT);
     session.wait_for("60.00 deg").wait_for("-3.9164").send("q");
+    assert!(session.ended_as_found().success());
+}
+
+#[test]
+fn on_a_slow_line_keys_still_show_soon() {
+    let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_krank"));
+    command.arg("four-bar");
+    let mut session = Session::start(command, Manner::Slow);
+    session.wait_for("q quit").send(" ");
+    // Long enough for 90 frames of 300 bytes, of which the line takes a tenth.
+    thread::sleep(Duration::from_secs(3));
+    let asked = Instant::now();
+    session.send("?");
+    session.wait_for("Help");
+    let waited = asked.elapsed();
+    assert!(waited < Duration::from_secs(2), "{waited:?}");
+    session.send("q");
     assert!(session.ended_as_found().success());
 }
 

@@ -7,6 +7,7 @@ use krank::drawing::Glyphs;
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
 use krank::tui::{Colours, Opened, Origin, Workbench};
+use proptest::prelude::*;
 use std::num::NonZeroU16;
 use std::time::Duration;
 
@@ -313,5 +314,83 @@ fn a_frame_costs_few_bytes_and_none_where_nothing_changes() {
         }
         costs.sort_unstable();
         assert!(costs[60] <= most, "{colours:?}: median {} bytes", costs[60]);
+    }
+}
+
+/// What a person, or a cat, may do.
+#[derive(Clone, Debug)]
+enum Deed {
+    Press(&'static str),
+    Pass(u16),
+    Resize(u16, u16),
+}
+
+fn deeds() -> impl Strategy<Value = Vec<Deed>> {
+    let keys = [
+        "space",
+        ",",
+        ".",
+        "[",
+        "]",
+        "-",
+        "+",
+        "r",
+        "g",
+        "Home",
+        "n",
+        "p",
+        "t",
+        "Tab",
+        "1",
+        "2",
+        "Up",
+        "Down",
+        "PgUp",
+        "PgDn",
+        "?",
+        "Esc",
+        "3",
+        "0",
+        "9",
+        "e",
+        "Enter",
+        "Backspace",
+        "Ctrl-U",
+    ];
+    let deed = prop_oneof![
+        8 => prop::sample::select(keys.to_vec()).prop_map(Deed::Press),
+        2 => (0_u16..9000).prop_map(Deed::Pass),
+        1 => (1_u16..140, 1_u16..50).prop_map(|(cols, rows)| Deed::Resize(cols, rows)),
+    ];
+    prop::collection::vec(deed, 1..60)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// Whatever is done, the workbench lives, and what frames add up to is what one frame shows.
+    #[test]
+    fn frames_add_up_to_the_screen_whatever_is_done(deeds in deeds(), preset in 0_usize..19) {
+        let preset = &presets::all()[preset % presets::all().len()];
+        let opened = open(preset.text, Origin::Preset(preset.name.into()));
+        let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+        for deed in deeds {
+            match deed {
+                Deed::Press(key) => {
+                    session.workbench.press(key);
+                }
+                Deed::Pass(ms) => session.workbench.pass(Duration::from_millis(ms.into())),
+                Deed::Resize(cols, rows) => {
+                    session.workbench.resize(cols, rows);
+                    session.terminal = emulator(cols, rows);
+                }
+            }
+            session.paint();
+        }
+        let shown = session.look();
+        session.workbench.press("Ctrl-L");
+        let size = session.terminal.screen().size();
+        session.terminal = emulator(size.1.get(), size.0.get());
+        prop_assert_eq!(shown, session.look());
     }
 }

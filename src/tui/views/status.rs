@@ -135,17 +135,17 @@ fn hints(app: &App, line: &mut Writer<'_>) {
             Action::Help,
             Action::Play,
             Action::StepForward,
+            Action::Quit,
             Action::GoTo,
             Action::NextPreset,
-            Action::Quit,
         ],
         (_, View::Tables) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,
+            Action::Quit,
             Action::Play,
             Action::StepForward,
-            Action::Quit,
         ],
     };
     for &action in actions {
