@@ -262,6 +262,18 @@ fn opens_steps_plays_and_quits() {
 }
 
 #[test]
+fn a_scene_from_standard_input_leaves_the_keys_to_the_terminal() {
+    let krank = env!("CARGO_BIN_EXE_krank");
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/presets/slider-crank.toml");
+    let mut command = CommandBuilder::new("/bin/sh");
+    command.args(["-c", &format!("exec {krank} - --at 45 < '{scene}'")]);
+    let mut session = Session::start(command, Manner::Answers);
+    session.wait_for("stdin").wait_for("45.00 deg").send(".");
+    session.wait_for("50.00 deg").send("q");
+    assert!(session.ended_as_found().success());
+}
+
+#[test]
 fn nothing_is_written_while_paused() {
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg");

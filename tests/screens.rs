@@ -388,7 +388,7 @@ proptest! {
             session.paint();
         }
         let shown = session.look();
-        session.workbench.press("Ctrl-L");
+        session.workbench.forget();
         let size = session.terminal.screen().size();
         session.terminal = emulator(size.1.get(), size.0.get());
         prop_assert_eq!(shown, session.look());

@@ -100,8 +100,8 @@ impl Workbench {
         &mut self.app
     }
 
-    /// The terminal shows something else: everything must be painted again.
-    pub(super) fn forget(&mut self) {
+    /// The terminal shows something else: the next frame paints everything.
+    pub fn forget(&mut self) {
         self.painter.forget();
     }
 }
