@@ -1,7 +1,7 @@
 //! The workbench: a scene on the screen, moved by keys.
 //!
-//! Keys become [`Action`](action::Action)s, actions change the [`App`](app::App), views show it: a view
-//! changes nothing. Time and the terminal come in from outside, so that the whole can be driven by a
+//! Keys become actions, actions change the state, views show it: a view changes nothing. Time and the
+//! terminal come in from outside, so that the whole can be driven, as a [`Workbench`], by a
 //! test. The timer follows the wall clock; while paused nothing wakes up and nothing is written.
 
 mod action;
