@@ -92,7 +92,7 @@ pub(crate) static ACTIONS: [Entry; 26] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     [
-        entry(A::Play, "play", "play in slow motion, or pause", &[Char(' ')]),
+        entry(A::Play, "play", "play or pause", &[Char(' ')]),
         entry(A::StepBack, "back", "one step back", &[Char(','), Key::Left, Char('h')]),
         entry(A::StepForward, "step", "one step on", &[Char('.'), Key::Right, Char('l')]),
         entry(A::SmallerStep, "smaller", "a smaller step", &[Char('[')]),
@@ -100,22 +100,22 @@ pub(crate) static ACTIONS: [Entry; 26] = {
         entry(A::Slower, "slower", "play more slowly", &[Char('-')]),
         entry(A::Faster, "faster", "play faster", &[Char('+'), Char('=')]),
         entry(A::Reverse, "reverse", "play the other way", &[Char('r')]),
-        entry(A::GoTo, "go to", "go to an angle, or a position of the slide", &[Char('g')]),
-        entry(A::Opening, "opening", "back to where the scene opens", &[Key::Home]),
-        entry(A::NextPreset, "next", "open the next preset", &[Char('n')]),
-        entry(A::PreviousPreset, "previous", "open the preset before", &[Char('p')]),
-        entry(A::Glyphs, "glyphs", "draw with ASCII, lines or Braille", &[Char('t')]),
+        entry(A::GoTo, "go to", "type where to go", &[Char('g')]),
+        entry(A::Opening, "opening", "where the scene opens", &[Key::Home]),
+        entry(A::NextPreset, "next", "the next preset", &[Char('n')]),
+        entry(A::PreviousPreset, "previous", "the preset before", &[Char('p')]),
+        entry(A::Glyphs, "glyphs", "ASCII, lines, Braille", &[Char('t')]),
         entry(A::NextView, "view", "the next view", &[Key::Tab]),
-        entry(A::MotionView, "motion", "the motion, with live tables", &[Char('1')]),
+        entry(A::MotionView, "motion", "motion and live tables", &[Char('1')]),
         entry(A::TablesView, "tables", "all tables", &[Char('2')]),
         entry(A::LineUp, "up", "scroll up", &[Key::Up, Char('k')]),
         entry(A::LineDown, "scroll", "scroll down", &[Key::Down, Char('j')]),
         entry(A::PageUp, "page up", "scroll a screen up", &[Key::PageUp]),
         entry(A::PageDown, "page down", "scroll a screen down", &[Key::PageDown]),
-        entry(A::Help, "help", "show or hide these keys", &[Char('?'), Function(1)]),
+        entry(A::Help, "help", "show or hide this help", &[Char('?'), Function(1)]),
         entry(A::Back, "back", "one level back", &[Key::Escape]),
         entry(A::Redraw, "redraw", "draw everything again", &[Ctrl('l')]),
-        entry(A::Suspend, "suspend", "back to the shell; `fg` returns", &[Ctrl('z')]),
+        entry(A::Suspend, "suspend", "stop; fg goes on", &[Ctrl('z')]),
         entry(A::Quit, "quit", "leave", &[Char('q')]),
         entry(A::Leave, "leave", "leave from anywhere", &[Ctrl('c')]),
     ]
@@ -169,7 +169,7 @@ mod tests {
         for entry in &ACTIONS {
             assert!(entry.keys().len() <= 12, "{}", entry.keys());
             assert!(
-                entry.help.is_ascii() && entry.help.len() <= 43,
+                entry.help.is_ascii() && entry.help.len() <= 23,
                 "{}",
                 entry.help
             );

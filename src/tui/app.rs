@@ -1,7 +1,7 @@
 //! The state of the workbench and how actions change it. Views read it and change nothing.
 
 use super::action::{self, Action};
-use super::course::rounded;
+use super::course::{OutOfRange, rounded};
 use super::figures::coordinate;
 use super::key::Key;
 use super::line::Line;
@@ -272,15 +272,13 @@ impl App {
                 self.arrive(at, now);
                 true
             }
-            Err(out) => {
-                let say = |x| coordinate(x, course.decimals());
-                self.message = Some(format!(
-                    "{} is out of reach: the motion is {} to {} {}",
-                    say(at),
-                    say(out.low),
-                    say(out.high),
-                    self.stage.unit()
-                ));
+            Err(OutOfRange { low, high }) => {
+                // Rounded inwards: what is said can be reached.
+                let scale = 10.0_f64.powi(i32::try_from(course.decimals()).unwrap_or(0));
+                let low = coordinate((low * scale).ceil() / scale, course.decimals());
+                let high = coordinate((high * scale).floor() / scale, course.decimals());
+                let unit = self.stage.unit();
+                self.message = Some(format!("out of reach: {low} to {high} {unit}"));
                 false
             }
         }

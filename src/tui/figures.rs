@@ -158,7 +158,7 @@ mod tests {
     fn near_a_dead_point_figures_take_an_exponent_rather_than_more_room() {
         let format = Format::of_sizes(vec![10.0, 12.0, 14.0, 20.0]);
         assert_eq!(format.write(Some(14.0)), "14.0000");
-        assert_eq!(format.write(Some(-123_456_789.0)), "-1.235e8");
+        assert_eq!(format.write(Some(-123_456_789.0)), "-1.2346e8");
     }
 
     #[test]

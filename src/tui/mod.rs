@@ -1,7 +1,7 @@
 //! The workbench: a scene on the screen, moved by keys.
 //!
-//! Keys become [`Action`](action::Action)s, actions change the [`App`](app::App), views show it: a view
-//! changes nothing. Time and the terminal come in from outside, so that the whole can be driven by a
+//! Keys become actions, actions change the state, views show it: a view changes nothing. Time and the
+//! terminal come in from outside, so that the whole can be driven, as a [`Workbench`], by a
 //! test. The timer follows the wall clock; while paused nothing wakes up and nothing is written.
 
 mod action;
@@ -33,7 +33,7 @@ use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
-use terminal::{Capability, Dumb, Gate, Input, Notice, Wake};
+use terminal::{Capability, Dumb, Gate, Notice, Wake};
 use thiserror::Error;
 
 /// Where a scene comes from.
@@ -131,13 +131,12 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         let gate = Gate::open(capability)?;
         let size = gate.size();
         let workbench = Workbench::on(opened, options.at, capability, size);
-        let stopped = false;
-        Session {
+        let session = Session {
             gate,
             workbench,
-            stopped,
-        }
-        .run()
+            begun: Instant::now(),
+        };
+        session.run()
     })?;
     if let Some(signal) = end {
         terminal::die_of(signal)?;
@@ -183,8 +182,8 @@ fn told_of(info: &PanicHookInfo<'_>) -> String {
 struct Session {
     gate: Gate,
     workbench: Workbench,
-    /// Whether the program was stopped since the last frame.
-    stopped: bool,
+    /// From when on its time counts.
+    begun: Instant,
 }
 
 /// By what signal the process is to end, if not by itself.
@@ -192,7 +191,6 @@ type End = Option<i32>;
 
 impl Session {
     fn run(mut self) -> Result<End, Error> {
-        let begun = Instant::now();
         // Whether something has happened that no frame has shown yet.
         let mut owed = true;
         loop {
@@ -202,30 +200,42 @@ impl Session {
                 owed = false;
                 fault_on_demand();
             }
-            let ready = self.gate.ready_at();
-            let next = self.workbench.app().next_frame().map(|next| begun + next);
-            let deadline = if owed {
-                ready
-            } else {
-                next.map(|next| ready.map_or(next, |ready| ready.max(next)))
-            };
-            // Everything that has come is taken in before one frame shows it.
+            let deadline = self.deadline(owed);
             let wakes = self.gate.wait(deadline)?;
-            let stopped = wakes.contains(&Wake::Notice(Notice::Continued));
-            self.stopped |= stopped;
-            if !stopped {
-                self.workbench.move_to(begun.elapsed());
-            }
-            for wake in wakes {
-                if let Some(end) = self.take(wake)? {
-                    return Ok(end);
-                }
-            }
-            if std::mem::take(&mut self.stopped) {
-                self.workbench.skip_to(begun.elapsed());
-            }
             owed = true;
+            // Everything that has come is taken in before one frame shows it.
+            if let Some(end) = self.take_all(wakes)? {
+                return Ok(end);
+            }
         }
+    }
+
+    /// Until when to wait, if nothing happens before.
+    fn deadline(&mut self, owed: bool) -> Option<Instant> {
+        let ready = self.gate.ready_at();
+        if owed {
+            return ready;
+        }
+        let next = self.begun + self.workbench.app().next_frame()?;
+        Some(ready.map_or(next, |ready| ready.max(next)))
+    }
+
+    fn take_all(&mut self, wakes: Vec<Wake>) -> Result<Option<End>, Error> {
+        // Time in which the program was stopped has not passed for what is played.
+        let mut stopped = wakes.contains(&Wake::Notice(Notice::Continued));
+        if !stopped {
+            self.workbench.move_to(self.begun.elapsed());
+        }
+        for wake in wakes {
+            stopped |= wake == Wake::Notice(Notice::Suspend);
+            if let Some(end) = self.take(wake)? {
+                return Ok(Some(end));
+            }
+        }
+        if stopped {
+            self.workbench.skip_to(self.begun.elapsed());
+        }
+        Ok(None)
     }
 
     /// Takes in what has happened; the end, if that was it.
@@ -235,7 +245,6 @@ impl Session {
             Wake::Notice(Notice::End(signal)) => return Ok(Some(Some(signal))),
             Wake::Notice(Notice::Suspend) => {
                 self.gate.suspend()?;
-                self.stopped = true;
                 self.start_over();
             }
             Wake::Notice(Notice::Continued) => {
@@ -243,9 +252,9 @@ impl Session {
                 self.start_over();
             }
             Wake::Notice(Notice::Resized) => self.resize(),
-            Wake::Room | Wake::Input(Input::Answer) => {}
-            Wake::Input(Input::Paste(text)) => self.workbench.app().paste(&text),
-            Wake::Input(Input::Key(key)) => match self.workbench.key(key) {
+            Wake::Room => {}
+            Wake::Paste(text) => self.workbench.app().paste(&text),
+            Wake::Key(key) => match self.workbench.key(key) {
                 Effect::Show => {}
                 Effect::Redraw => self.start_over(),
                 Effect::Suspend => terminal::ask_to_suspend()?,

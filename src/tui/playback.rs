@@ -112,3 +112,73 @@ impl Playback {
         Some(at)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Scene, presets};
+    use crate::solver::Solver;
+
+    fn course(preset: &str) -> Course {
+        let preset = presets::find(preset).unwrap();
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        Course::new(&scene, &Solver::new(&scene.mechanism).unwrap())
+    }
+
+    fn seconds(s: f64) -> Duration {
+        Duration::from_secs_f64(s)
+    }
+
+    #[test]
+    fn a_turn_takes_four_seconds_whatever_the_drivers_speed() {
+        let (course, mut playback) = (course("four-bar"), Playback::new());
+        assert_eq!(playback.position(seconds(9.0), &course), None);
+        playback.play(seconds(10.0), 60.0);
+        assert_eq!(playback.position(seconds(11.0), &course), Some(150.0));
+        assert_eq!(playback.position(seconds(22.0), &course), Some(1140.0));
+        // 15 rad/s is 859.4 deg/s; a turn in 4 s is 90 deg/s.
+        let ratio = playback.ratio(&course).unwrap();
+        assert!((1.0 / ratio - 9.549).abs() < 1e-3, "{ratio}");
+    }
+
+    #[test]
+    fn a_change_of_pace_or_direction_does_not_jump() {
+        let (course, mut playback) = (course("four-bar"), Playback::new());
+        playback.play(seconds(0.0), 60.0);
+        playback.faster(seconds(1.0), 150.0);
+        assert_eq!(playback.position(seconds(1.0), &course), Some(150.0));
+        assert_eq!(playback.position(seconds(2.0), &course), Some(330.0));
+        playback.reverse(seconds(2.0), 330.0);
+        assert_eq!(playback.position(seconds(2.5), &course), Some(240.0));
+        // Paused: nothing begins by itself.
+        playback.pause();
+        playback.slower(seconds(3.0), 240.0);
+        assert_eq!(playback.position(seconds(4.0), &course), None);
+    }
+
+    #[test]
+    fn a_slide_sweeps_its_travel_to_and_fro() {
+        let (course, mut playback) = (course("excavator-boom"), Playback::new());
+        let (low, high) = course.shuttle().unwrap();
+        let span = high - low;
+        playback.play(seconds(0.0), low);
+        for (time, share) in [
+            (1.0, 0.25),
+            (4.0, 1.0),
+            (5.0, 0.75),
+            (8.0, 0.0),
+            (41.0, 0.25),
+        ] {
+            let at = playback.position(seconds(time), &course).unwrap();
+            assert!(
+                (at - (low + share * span)).abs() < 1e-9 * span,
+                "{time} s: {at}"
+            );
+        }
+        // Begun at the end and backwards, as after a step to the limit.
+        playback.play(seconds(0.0), high);
+        playback.reverse(seconds(0.0), high);
+        let at = playback.position(seconds(1.0), &course).unwrap();
+        assert!((at - (low + 0.75 * span)).abs() < 1e-9 * span, "{at}");
+    }
+}

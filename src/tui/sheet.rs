@@ -368,3 +368,51 @@ impl Figure {
         Entry { value, given }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Scene, presets};
+    use crate::solver::{Order, Solver};
+
+    /// Every preset's tables at its opening.
+    fn tables() -> Vec<Tables> {
+        let all = presets::all().iter().map(|preset| {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let mut state = solver.state();
+            let start = scene.mechanism.driver().start;
+            solver.solve(start, Order::Acceleration, &mut state);
+            Tables::new(&scene, &state)
+        });
+        all.collect()
+    }
+
+    #[test]
+    fn every_figure_is_shown_once_and_fits() {
+        for tables in tables() {
+            let sheet = Sheet::new(std::slice::from_ref(&tables));
+            for glyphs in [Glyphs::Ascii, Glyphs::Braille] {
+                let (narrow, wide) = sheet.widths(glyphs);
+                assert!(narrow <= 36, "{}: {narrow}", tables.scene);
+                for width in narrow..=wide + 20 {
+                    let lines = sheet.lines(width, glyphs);
+                    let figures = |row: &Line| sheet.show(row, &tables, width, glyphs).1.len();
+                    let rows = lines.iter().filter(|l| matches!(l, Line::Row(..)));
+                    let shown: usize = rows.map(figures).sum();
+                    let (vectors, points) = (tables.vectors.len(), tables.points.len());
+                    assert_eq!(shown, 6 * vectors + 10 * points);
+                    for line in &lines {
+                        let (name, cells) = sheet.show(line, &tables, width, glyphs);
+                        let needed = name.width + cells.iter().map(|c| c.width).sum::<usize>();
+                        assert!(needed <= width, "{}: {needed} of {width}", tables.scene);
+                        for cell in cells {
+                            let columns = cell.text.chars().count();
+                            assert!(columns < cell.width, "{}: {}", tables.scene, cell.text);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}

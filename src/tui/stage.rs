@@ -9,8 +9,10 @@ use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, harmless};
 use crate::solver::{Condition, Order, Solver, State};
 
-/// States that the tables' columns are fitted to.
+/// States that the tables' columns are fitted to; fewer where a state has very many figures.
 const SAMPLES: u16 = 72;
+const FEWEST_SAMPLES: u16 = 6;
+const MOST_ROWS: usize = 20_000;
 
 /// An open scene at one coordinate of its driver.
 #[derive(Debug)]
@@ -134,8 +136,12 @@ fn samples(opened: &Opened, course: &Course, state: &mut State) -> Vec<Tables> {
     let (low, high) = course
         .shuttle()
         .unwrap_or((course.opening(), course.opening() + course.span()));
-    let share = |k: u16| f64::from(k) / f64::from(SAMPLES);
-    let spread = (0..=SAMPLES).map(|k| low + (high - low) * share(k));
+    let mechanism = &opened.scene.mechanism;
+    let rows = mechanism.points().len() + mechanism.links().len();
+    let count = u16::try_from(MOST_ROWS / rows.max(1)).unwrap_or(SAMPLES);
+    let count = count.clamp(FEWEST_SAMPLES, SAMPLES);
+    let share = |k: u16| f64::from(k) / f64::from(count);
+    let spread = (0..=count).map(|k| low + (high - low) * share(k));
     let places = std::iter::once(course.opening()).chain(spread);
     places
         .map(|at| {
@@ -155,6 +161,8 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
         Glyphs::Ascii => c.is_ascii(),
         // Console fonts have Latin-1.
         Glyphs::Line => u32::from(c) < 0x100,
+        // What was harmful is `?` here as elsewhere.
+        Glyphs::Braille if c == char::REPLACEMENT_CHARACTER => false,
         Glyphs::Braille => {
             let mut buffer = [0; 4];
             ratatui::text::Span::raw(&*c.encode_utf8(&mut buffer)).width() == 1

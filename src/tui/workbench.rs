@@ -48,8 +48,14 @@ impl Workbench {
     /// by blanks; a word that names no key is nothing. False once the workbench was left.
     pub fn press(&mut self, keys: &str) -> bool {
         let keys = keys.split_whitespace().filter_map(|word| word.parse().ok());
-        keys.map(|key| self.key(key))
-            .all(|effect| effect != Effect::Quit)
+        for key in keys {
+            match self.key(key) {
+                Effect::Show | Effect::Suspend => {}
+                Effect::Redraw => self.forget(),
+                Effect::Quit => return false,
+            }
+        }
+        true
     }
 
     /// Lets time pass; what is played moves on.
@@ -94,8 +100,8 @@ impl Workbench {
         &mut self.app
     }
 
-    /// The terminal shows something else: everything must be painted again.
-    pub(super) fn forget(&mut self) {
+    /// The terminal shows something else: the next frame paints everything.
+    pub fn forget(&mut self) {
         self.painter.forget();
     }
 }

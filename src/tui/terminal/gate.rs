@@ -5,6 +5,7 @@ use super::keyboard::{Input, Keyboard};
 use super::pace::{Pace, QUESTION};
 use super::signals::{self, Notice, Signals};
 use crate::tui::Error;
+use crate::tui::key::Key;
 use ratatui::layout::Size;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{Mode, OFlags, open};
@@ -38,8 +39,10 @@ const LARGEST_SIZE: Size = Size::new(1000, 400);
 /// Why the wait is over.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Wake {
-    /// The terminal sent something.
-    Input(Input),
+    /// A key was pressed.
+    Key(Key),
+    /// Text was pasted.
+    Paste(String),
     /// A signal came.
     Notice(Notice),
     /// The line has taken the last frame.
@@ -63,8 +66,8 @@ pub(crate) struct Gate {
     signals: Signals,
     keyboard: Keyboard,
     pace: Pace,
-    /// What came while a frame was being written.
-    early: Vec<Wake>,
+    /// What has come and was not asked for yet.
+    wakes: Vec<Wake>,
 }
 
 impl Gate {
@@ -90,7 +93,7 @@ impl Gate {
             signals: Signals::new()?,
             keyboard: Keyboard::default(),
             pace: Pace::new(),
-            early: Vec::new(),
+            wakes: Vec::new(),
         };
         gate.enter()?;
         Ok(gate)
@@ -135,7 +138,7 @@ impl Gate {
         signals::stop()?;
         let woken_by = |n: &Notice| matches!(n, Notice::Continued | Notice::Suspend);
         let others = self.signals.pending().into_iter().filter(|n| !woken_by(n));
-        self.early.extend(others.map(Wake::Notice));
+        self.wakes.extend(others.map(Wake::Notice));
         self.enter()
     }
 
@@ -164,8 +167,8 @@ impl Gate {
         self.pace.ready_at()
     }
 
-    /// Writes a frame; one without a byte is none. Signals that end the program, and a hang-up, end
-    /// the writing too; they are reported by the next [`Gate::wait`].
+    /// Writes a frame; one without a byte is none. On a line that hangs, what ends the program ends
+    /// the writing too; it is reported by the next [`Gate::wait`].
     pub(crate) fn send(&mut self, frame: &[u8]) -> io::Result<()> {
         if frame.is_empty() {
             return Ok(());
@@ -189,26 +192,14 @@ impl Gate {
         };
         while !self.hung_up && Instant::now() < until {
             let mut inputs = Vec::new();
-            let told = self.poll_keys(until);
-            if told.is_empty() || self.read_keys(told, &mut inputs).is_err() {
+            let read = self
+                .poll(Some(until), PollFlags::empty())
+                .and_then(|told| self.read_keys(told.keys, &mut inputs));
+            if read.is_err() || inputs.contains(&Input::Answer) {
                 return;
             }
-            if inputs.contains(&Input::Answer) {
-                return;
-            }
-        }
-    }
-
-    /// Waits for keys alone: we are leaving, and no signal changes that.
-    fn poll_keys(&self, until: Instant) -> PollFlags {
-        loop {
-            let timeout = timespec(until.saturating_duration_since(Instant::now()));
-            let mut fds = [PollFd::new(&self.keys, PollFlags::IN)];
-            match poll(&mut fds, Some(&timeout)) {
-                Ok(_) => return fds[0].revents(),
-                Err(Errno::INTR) => {}
-                Err(_) => return PollFlags::empty(),
-            }
+            // Another signal changes nothing: we are leaving.
+            self.signals.pending();
         }
     }
 
@@ -232,76 +223,75 @@ impl Gate {
 
     /// Waits until the line takes more; false if the rest is not worth waiting for.
     fn wait_for_room(&mut self, deadline: Option<Instant>) -> io::Result<bool> {
+        let told = self.poll(deadline, PollFlags::OUT)?;
+        if deadline.is_some_and(|deadline| deadline <= Instant::now()) {
+            return Ok(false);
+        }
+        self.collect(told)?;
         let leaving = deadline.is_some();
-        let timeout = deadline.map(|d| timespec(d.saturating_duration_since(Instant::now())));
-        let mut fds = vec![PollFd::new(&self.screen, PollFlags::OUT)];
-        if !leaving {
-            fds.push(PollFd::new(&self.signals, PollFlags::IN));
-        }
-        match poll(&mut fds, timeout.as_ref()) {
-            Err(Errno::INTR) => return Ok(true),
-            other => other?,
-        };
-        let room = fds[0].revents();
-        drop(fds);
-        if gone(room) {
-            self.hung_up = true;
-        }
-        if leaving {
-            return Ok(room.contains(PollFlags::OUT) && !self.hung_up);
-        }
-        let notices = self.signals.pending();
-        let ends = notices.iter().any(|n| matches!(n, Notice::End(_)));
-        self.early.extend(notices.into_iter().map(Wake::Notice));
-        Ok(!ends)
+        Ok(leaving || !self.wakes.iter().any(ends))
     }
 
     /// Waits for something to happen until `deadline`, or for ever. Everything that is there is taken
     /// at once, so that many keys cost one frame; keys are looked for even where time is up.
     pub(crate) fn wait(&mut self, deadline: Option<Instant>) -> io::Result<Vec<Wake>> {
-        let mut wakes = std::mem::take(&mut self.early);
         loop {
-            let patience = self.keyboard.deadline();
-            let at_once = (!wakes.is_empty()).then(Instant::now);
-            let until = [deadline, patience, at_once].into_iter().flatten().min();
-            let told = self.poll(until)?;
-            wakes.extend(self.signals.pending().into_iter().map(Wake::Notice));
-            let mut inputs = Vec::new();
-            if !told.is_empty() {
-                self.read_keys(told, &mut inputs)?;
-            }
-            if patience.is_some_and(|p| p <= Instant::now() && self.keyboard.deadline() == patience)
-            {
-                self.keyboard.give_up(&mut inputs);
-            }
-            for input in inputs {
-                match input {
-                    Input::Answer => {
-                        self.pace.answered();
-                        wakes.push(Wake::Room);
-                    }
-                    input => wakes.push(Wake::Input(input)),
-                }
-            }
+            let at_once = (!self.wakes.is_empty()).then(Instant::now);
+            let until = [deadline, self.keyboard.deadline(), at_once];
+            let until = until.into_iter().flatten().min();
+            let told = self.poll(until, PollFlags::empty())?;
+            self.collect(told)?;
             if self.hung_up {
-                wakes.push(Wake::HungUp);
+                self.wakes.push(Wake::HungUp);
             }
-            if !wakes.is_empty() || deadline.is_some_and(|d| d <= Instant::now()) {
-                return Ok(wakes);
+            if !self.wakes.is_empty() || deadline.is_some_and(|d| d <= Instant::now()) {
+                return Ok(std::mem::take(&mut self.wakes));
             }
         }
     }
 
-    /// Waits for keys and signals, and says what is told of the keys.
-    fn poll(&self, until: Option<Instant>) -> io::Result<PollFlags> {
+    /// Takes in what signals and keys have come.
+    fn collect(&mut self, told: Told) -> io::Result<()> {
+        self.hung_up |= gone(told.screen);
+        let notices = self.signals.pending().into_iter();
+        self.wakes.extend(notices.map(Wake::Notice));
+        let mut inputs = Vec::new();
+        self.read_keys(told.keys, &mut inputs)?;
+        let now = Instant::now();
+        if self
+            .keyboard
+            .deadline()
+            .is_some_and(|deadline| deadline <= now)
+        {
+            self.keyboard.give_up(&mut inputs);
+        }
+        for input in inputs {
+            self.wakes.push(match input {
+                Input::Key(key) => Wake::Key(key),
+                Input::Paste(text) => Wake::Paste(text),
+                Input::Answer => {
+                    self.pace.answered();
+                    Wake::Room
+                }
+            });
+        }
+        Ok(())
+    }
+
+    /// Waits for keys, signals, and what is asked of the screen.
+    fn poll(&self, until: Option<Instant>, screen: PollFlags) -> io::Result<Told> {
         let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
         let mut fds = [
             PollFd::new(&self.keys, PollFlags::IN),
             PollFd::new(&self.signals, PollFlags::IN),
+            PollFd::new(&self.screen, screen),
         ];
         match poll(&mut fds, timeout.as_ref()) {
-            Ok(_) => Ok(fds[0].revents()),
-            Err(Errno::INTR) => Ok(PollFlags::empty()),
+            Ok(_) => Ok(Told {
+                keys: fds[0].revents(),
+                screen: fds[2].revents(),
+            }),
+            Err(Errno::INTR) => Ok(Told::default()),
             Err(error) => Err(error.into()),
         }
     }
@@ -309,6 +299,9 @@ impl Gate {
     /// Reads once, which never blocks after a poll. The end of the file and an error of the device
     /// mean that the terminal is gone.
     fn read_keys(&mut self, told: PollFlags, inputs: &mut Vec<Input>) -> io::Result<()> {
+        if told.is_empty() {
+            return Ok(());
+        }
         let mut buffer = [0; MOST_AT_ONCE];
         match read(&self.keys, &mut buffer) {
             Ok(0) | Err(Errno::IO | Errno::NXIO) => self.hung_up = true,
@@ -326,6 +319,30 @@ impl Drop for Gate {
     fn drop(&mut self) {
         self.leave();
     }
+}
+
+/// What poll says of both directions.
+#[derive(Clone, Copy, Debug)]
+struct Told {
+    keys: PollFlags,
+    screen: PollFlags,
+}
+
+impl Default for Told {
+    fn default() -> Self {
+        Told {
+            keys: PollFlags::empty(),
+            screen: PollFlags::empty(),
+        }
+    }
+}
+
+/// What ends the program even where a line hangs.
+fn ends(wake: &Wake) -> bool {
+    matches!(
+        wake,
+        Wake::HungUp | Wake::Notice(Notice::End(_)) | Wake::Key(Key::Ctrl('c'))
+    )
 }
 
 /// Whether what poll says means that the terminal is gone.

@@ -14,6 +14,5 @@ mod signals;
 pub use capability::Colours;
 pub(crate) use capability::{Capability, Dumb};
 pub(crate) use gate::{Gate, Wake};
-pub(crate) use keyboard::Input;
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};

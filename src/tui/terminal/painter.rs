@@ -283,3 +283,125 @@ const ATTRIBUTES: [(Modifier, u8); 4] = [
 fn to_u16(n: usize) -> u16 {
     u16::try_from(n).unwrap_or(u16::MAX)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::Glyphs;
+    use proptest::prelude::*;
+    use ratatui::style::Style;
+    use std::num::NonZeroU16;
+
+    const WIDTH: u16 = 12;
+    const HEIGHT: u16 = 4;
+
+    fn painter(colours: Colours, modern: bool) -> Painter {
+        Painter::new(Capability {
+            glyphs: Glyphs::Ascii,
+            colours,
+            modern,
+        })
+    }
+
+    fn terminal() -> vt100::Parser {
+        let [rows, cols] = [HEIGHT, WIDTH].map(|n| NonZeroU16::new(n).unwrap());
+        vt100::Parser::new(rows, cols, 0)
+    }
+
+    fn text(lines: &[&str]) -> Buffer {
+        let mut buffer = Buffer::empty(Rect::new(0, 0, WIDTH, HEIGHT));
+        for (y, line) in (0..HEIGHT).zip(lines) {
+            buffer.set_string(0, y, line, Style::new());
+        }
+        buffer
+    }
+
+    #[test]
+    fn nothing_changed_is_no_byte() {
+        let mut painter = painter(Colours::Sixteen, true);
+        assert!(!painter.frame(text(&["hello"])).is_empty());
+        assert!(painter.frame(text(&["hello"])).is_empty());
+        assert_eq!(painter.frames().count, 1);
+        painter.forget();
+        assert!(!painter.frame(text(&["hello"])).is_empty());
+    }
+
+    #[test]
+    fn what_the_terminal_cannot_show_is_no_change() {
+        let mut painter = painter(Colours::None, true);
+        painter.frame(text(&["hello"]));
+        let mut red = text(&["hello"]);
+        red.set_style(Rect::new(0, 0, 3, 1), Style::new().fg(Color::Red));
+        assert!(painter.frame(red).is_empty());
+    }
+
+    #[test]
+    fn a_change_costs_what_it_must() {
+        let mut painter = painter(Colours::Sixteen, false);
+        painter.frame(text(&["omega 1.234", "alpha"]));
+        let frame = painter.frame(text(&["omega 1.235", "Alpha"])).to_vec();
+        assert_eq!(frame.escape_ascii().to_string(), r"\x1b[1;11H5\r\nA");
+        let erased = painter.frame(text(&["", "Alpha"])).to_vec();
+        assert_eq!(erased.escape_ascii().to_string(), r"\x1b[1H\x1b[K");
+    }
+
+    #[test]
+    fn colours_of_the_palette_have_their_short_form() {
+        let mut painter = painter(Colours::Sixteen, false);
+        painter.frame(text(&[]));
+        let mut wanted = text(&["ab"]);
+        let bold_red = Style::new().fg(Color::Red).add_modifier(Modifier::BOLD);
+        wanted.set_style(Rect::new(0, 0, 1, 1), bold_red);
+        let frame = painter.frame(wanted).to_vec();
+        assert_eq!(
+            frame.escape_ascii().to_string(),
+            r"\x1b[1H\x1b[1;31ma\x1b[0mb"
+        );
+    }
+
+    fn screens() -> impl Strategy<Value = Buffer> {
+        let styles = prop::sample::select(vec![
+            Style::new(),
+            Style::new().fg(Color::Red),
+            Style::new().fg(Color::Cyan).add_modifier(Modifier::BOLD),
+            Style::new().bg(Color::Blue),
+            Style::new().add_modifier(Modifier::REVERSED | Modifier::UNDERLINED),
+        ]);
+        // Mostly blank, as screens are.
+        let symbols = prop::sample::select("        abc|".chars().collect::<Vec<_>>());
+        let cells = usize::from(WIDTH * HEIGHT);
+        prop::collection::vec((symbols, styles), cells..=cells).prop_map(|cells| {
+            let mut buffer = text(&[]);
+            for (cell, (symbol, style)) in buffer.content.iter_mut().zip(cells) {
+                cell.set_char(symbol).set_style(style);
+            }
+            buffer
+        })
+    }
+
+    proptest! {
+        /// Frame by frame, the terminal shows what it would show if all were drawn anew.
+        #[test]
+        fn differences_add_up_to_the_screen(
+            screens in prop::collection::vec(screens(), 1..6),
+            modern: bool,
+        ) {
+            let mut painter_of_differences = painter(Colours::Sixteen, modern);
+            let mut shown = terminal();
+            for screen in screens {
+                shown.process(painter_of_differences.frame(screen.clone()));
+                let mut anew = terminal();
+                anew.process(painter(Colours::Sixteen, modern).frame(screen.clone()));
+                for (y, x) in (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (y, x))) {
+                    let cell = |t: &vt100::Parser| t.screen().cell(y, x).unwrap().clone();
+                    let (a, b) = (cell(&shown), cell(&anew));
+                    let blank = |c: &vt100::Cell| if c.has_contents() { c.contents().to_owned() } else { " ".to_owned() };
+                    prop_assert_eq!(blank(&a), blank(&b));
+                    prop_assert_eq!(blank(&a), screen[(x, y)].symbol());
+                    prop_assert_eq!((a.bold(), a.inverse(), a.underline()), (b.bold(), b.inverse(), b.underline()));
+                    prop_assert_eq!((a.fgcolor(), a.bgcolor()), (b.fgcolor(), b.bgcolor()));
+                }
+            }
+        }
+    }
+}

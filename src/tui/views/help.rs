@@ -1,11 +1,11 @@
 //! The help overlay: the table of actions, over the middle of the view.
 //!
 //! ```text
-//! +- Help ----------------------------------------+
-//! | space      play in slow motion, or pause      |
+//! +- Help ------------------------+
+//! | space        play or pause    |
 //! ```
 
-use super::{columns, print, print_right};
+use super::{print, print_right};
 use crate::drawing::Glyphs;
 use crate::tui::action::{ACTIONS, Action, entry_of};
 use crate::tui::app::App;
@@ -13,38 +13,62 @@ use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of the keys.
+/// Columns of the keys, and of what they do.
 const KEYS: u16 = 13;
+const HELP: u16 = 23;
+/// Border and blanks at both sides, and between two columns.
+const BORDER: u16 = 4;
+const GAP: u16 = 1;
 
 pub(super) fn render(app: &App, scroll: usize, area: Rect, buffer: &mut Buffer) {
     let frame = placed(area);
     border(app.glyphs(), frame, buffer);
     let inner = within(frame);
-    if scroll + usize::from(inner.height) < ACTIONS.len() {
+    let (lines, seen) = extent(area);
+    if scroll + seen < lines {
         let more = format!(" {} for more ", entry_of(Action::LineDown).keys[0]);
         let style = theme::part(Part::Quiet);
         print_right(buffer, frame.right() - 2, frame.bottom() - 1, &more, style);
     }
-    let seen = ACTIONS.iter().skip(scroll);
-    for (y, entry) in (inner.top()..inner.bottom()).zip(seen) {
-        let key = theme::part(Part::Key);
-        print(buffer, inner.x, y, KEYS, &entry.keys(), key);
-        let room = inner.width.saturating_sub(KEYS);
-        let text = theme::part(Part::Text);
-        print(buffer, inner.x + KEYS, y, room, entry.help, text);
+    for (x, column) in (inner.left()..)
+        .step_by((KEYS + HELP + GAP).into())
+        .zip(ACTIONS.chunks(lines))
+    {
+        for (y, entry) in (inner.top()..inner.bottom()).zip(column.iter().skip(scroll)) {
+            print(buffer, x, y, KEYS, &entry.keys(), theme::part(Part::Key));
+            print(
+                buffer,
+                x + KEYS,
+                y,
+                HELP,
+                entry.help,
+                theme::part(Part::Text),
+            );
+        }
     }
 }
 
 /// Lines of the help, and how many are seen.
 pub(super) fn extent(area: Rect) -> (usize, usize) {
-    (ACTIONS.len(), within(placed(area)).height.into())
+    let lines = ACTIONS.len().div_ceil(columns(area).into());
+    (lines, within(placed(area)).height.into())
+}
+
+/// Two columns where there is room.
+fn columns(area: Rect) -> u16 {
+    if area.width >= 2 * (KEYS + HELP) + GAP + BORDER {
+        2
+    } else {
+        1
+    }
 }
 
 /// The frame in the middle of `area`, as large as it needs to be.
 fn placed(area: Rect) -> Rect {
-    let longest = ACTIONS.iter().map(|e| columns(e.help)).max().unwrap_or(0);
-    let width = (KEYS + longest + 4).min(area.width);
-    let lines = u16::try_from(ACTIONS.len()).unwrap_or(u16::MAX);
+    let count = columns(area);
+    let width = (count * (KEYS + HELP) + (count - 1) * GAP + BORDER).min(area.width);
+    let lines = ACTIONS.len().div_ceil(count.into());
+    let lines = u16::try_from(lines).unwrap_or(u16::MAX);
     let height = lines.saturating_add(2).min(area.height);
     Rect {
         x: area.x + (area.width - width) / 2,

@@ -17,8 +17,9 @@ use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Longer names of scenes are cut.
+/// Longer names of scenes are cut; on narrow lines sooner.
 const LONGEST_SCENE: usize = 20;
+const LONGEST_IN_NARROW: usize = 12;
 
 /// Narrower lines have single blanks between their parts.
 const ROOM_FOR_GAPS: u16 = 60;
@@ -34,20 +35,27 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         prompt(app, typed, &mut line);
         return;
     }
-    let gap = if area.width < ROOM_FOR_GAPS { 1 } else { 2 };
+    if let Some(message) = app.message() {
+        line.gap(1);
+        line.say(&driver(app.stage()), Part::Text);
+        line.gap(2);
+        line.tell(message, app);
+        return;
+    }
+    let (gap, longest) = if area.width < ROOM_FOR_GAPS {
+        (1, LONGEST_IN_NARROW)
+    } else {
+        (2, LONGEST_SCENE)
+    };
     line.gap(1);
-    line.say(&scene(app.stage().origin(), app), Part::Text);
+    line.say(&scene(app, longest), Part::Text);
     line.gap(gap);
     line.say(&driver(app.stage()), Part::Text);
     line.gap(gap);
     let (state, part) = state(app.condition());
     line.say(state, part);
     line.gap(gap);
-    if let Some(message) = app.message() {
-        line.say(&shown(message, app.glyphs()), Part::Warning);
-    } else {
-        hints(app, &mut line);
-    }
+    hints(app, &mut line);
 }
 
 fn mode(app: &App) -> &'static str {
@@ -59,8 +67,8 @@ fn mode(app: &App) -> &'static str {
     }
 }
 
-fn scene(origin: &Origin, app: &App) -> String {
-    let name = match origin {
+fn scene(app: &App, longest: usize) -> String {
+    let name = match app.stage().origin() {
         Origin::Preset(name) => name.clone(),
         Origin::File(path) => {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -68,7 +76,7 @@ fn scene(origin: &Origin, app: &App) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    let name: String = name.chars().take(LONGEST_SCENE).collect();
+    let name: String = name.chars().take(longest).collect();
     shown(&name, app.glyphs())
 }
 
@@ -112,7 +120,7 @@ fn prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" ", Part::Caret);
     line.gap(3);
     if let Some(message) = app.message() {
-        line.say(&shown(message, app.glyphs()), Part::Warning);
+        line.tell(message, app);
         return;
     }
     line.hint(&Key::Enter.to_string(), "go");
@@ -127,17 +135,17 @@ fn hints(app: &App, line: &mut Writer<'_>) {
             Action::Help,
             Action::Play,
             Action::StepForward,
+            Action::Quit,
             Action::GoTo,
             Action::NextPreset,
-            Action::Quit,
         ],
         (_, View::Tables) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,
+            Action::Quit,
             Action::Play,
             Action::StepForward,
-            Action::Quit,
         ],
     };
     for &action in actions {
@@ -169,6 +177,14 @@ impl Writer<'_> {
 
     fn gap(&mut self, columns: u16) {
         self.x = self.x.saturating_add(columns);
+    }
+
+    /// A message, over what stands before it if there is no room behind.
+    fn tell(&mut self, message: &str, app: &App) {
+        let message = shown(message, app.glyphs());
+        let latest = self.area.right().saturating_sub(columns(&message));
+        self.x = self.x.min(latest.max(self.area.x));
+        self.say(&message, Part::Warning);
     }
 
     /// A key and what it does; nothing where there is no room for both.

@@ -13,7 +13,16 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let (sheet, glyphs) = (app.stage().sheet(), app.glyphs());
     let lines = sheet.lines(area.width.into(), glyphs);
     let most = lines.len().saturating_sub(area.height.into());
-    let seen = lines.iter().skip(app.scroll().min(most));
+    let scroll = app.scroll().min(most);
+    let seen = lines.iter().skip(scroll);
+    // In the free column at the right: there is more above, or below.
+    let ends = [
+        ("^", area.top(), scroll > 0),
+        ("v", area.bottom().saturating_sub(1), scroll < most),
+    ];
+    for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
+        print(buffer, area.right(), y, 1, glyph, theme::part(Part::Key));
+    }
     for (y, line) in (area.top()..area.bottom()).zip(seen) {
         render_line(
             app,

@@ -1,0 +1,396 @@
+//! The whole workbench, driven by key scripts, as a terminal shows it: only the terminal is an emulated
+//! one. Snapshots are in `tests/snapshots`; look at them before you accept new ones.
+#![cfg(feature = "tui")]
+#![allow(clippy::unwrap_used)]
+
+use krank::drawing::Glyphs;
+use krank::scene::{Scene, presets};
+use krank::solver::Solver;
+use krank::tui::{Colours, Opened, Origin, Workbench};
+use proptest::prelude::*;
+use std::num::NonZeroU16;
+use std::time::Duration;
+
+/// A crank that cannot turn fully: its limits are dead points.
+const SWINGING: &str = r#"
+name = "Swinging crank"
+unit = "mm"
+[ground]
+A = [0, 0]
+D = [100, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "1 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 60 }
+r3 = { from = "B", to = "C", length = 50 }
+r4 = { from = "C", to = "D", length = 60 }
+[start]
+C = [75, 55]
+"#;
+
+fn open(text: &str, origin: Origin) -> Opened {
+    let scene = Scene::parse(text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    Opened {
+        scene,
+        solver,
+        origin,
+    }
+}
+
+fn preset(name: &str) -> Opened {
+    let text = presets::find(name).unwrap().text;
+    open(text, Origin::Preset(name.into()))
+}
+
+/// A workbench and the screen that it paints on.
+struct Session {
+    workbench: Workbench,
+    terminal: vt100::Parser,
+}
+
+impl Session {
+    fn new(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
+        Session {
+            workbench: Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows),
+            terminal: emulator(cols, rows),
+        }
+    }
+
+    fn press(&mut self, keys: &str) -> &mut Self {
+        // Painted after every key, so that frames follow each other as they do for a person.
+        for key in keys.split_whitespace() {
+            self.workbench.press(key);
+            self.paint();
+        }
+        self
+    }
+
+    fn pass(&mut self, seconds: f64) -> &mut Self {
+        self.workbench.pass(Duration::from_secs_f64(seconds));
+        self
+    }
+
+    fn paint(&mut self) {
+        let frame = self.workbench.paint();
+        self.terminal.process(frame);
+    }
+
+    fn look(&mut self) -> String {
+        self.paint();
+        let width = self.terminal.screen().size().1.get();
+        let rows = self.terminal.screen().rows(0, width);
+        rows.map(|row| row.trim_end().to_owned() + "\n").collect()
+    }
+
+    fn last_line(&mut self) -> String {
+        self.look().lines().last().unwrap().to_owned()
+    }
+}
+
+fn emulator(cols: u16, rows: u16) -> vt100::Parser {
+    let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
+    vt100::Parser::new(rows, cols, 0)
+}
+
+fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    Session::new(preset("four-bar"), glyphs, cols, rows)
+}
+
+#[test]
+fn opens_on_the_lectures_four_bar() {
+    for (name, glyphs) in [("ascii", Glyphs::Ascii), ("braille", Glyphs::Braille)] {
+        for (cols, rows) in [(80, 24), (40, 12)] {
+            let screen = four_bar(glyphs, cols, rows).look();
+            insta::assert_snapshot!(format!("four-bar-{name}-{cols}x{rows}"), screen);
+        }
+    }
+}
+
+#[test]
+fn shows_a_slider_crank_above_its_tables() {
+    let mut session = Session::new(preset("slider-crank"), Glyphs::Line, 80, 24);
+    insta::assert_snapshot!("slider-crank-line-80x24", session.look());
+}
+
+#[test]
+fn shows_all_tables() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    insta::assert_snapshot!("tables-ascii-80x24", session.press("2").look());
+    let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
+    let scrolled = tiny.press("Tab Down Down").look();
+    insta::assert_snapshot!("tables-ascii-40x12-scrolled", scrolled);
+}
+
+#[test]
+fn shows_the_keys() {
+    let mut session = four_bar(Glyphs::Braille, 80, 24);
+    insta::assert_snapshot!("help-braille-80x24", session.press("?").look());
+    let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
+    insta::assert_snapshot!("help-ascii-40x12", tiny.press("F1 PgDn").look());
+    assert!(!tiny.press("Esc").look().contains("Help"));
+}
+
+#[test]
+fn says_what_is_missing_at_a_dead_point() {
+    let opened = open(SWINGING, Origin::File("bench/swinging.toml".into()));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    session.press("] ] ] ] ] .");
+    let screen = session.look();
+    insta::assert_snapshot!("dead-point-ascii-80x24", screen);
+    assert!(
+        session
+            .press(".")
+            .last_line()
+            .contains("the motion ends here")
+    );
+}
+
+#[test]
+fn goes_where_it_is_told_and_says_where_it_cannot() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let typed = session.press("g 1 2 3 . 5").last_line();
+    assert_eq!(typed, " go to  angle [deg]: 123.5    Enter go  Esc cancel");
+    assert!(
+        session
+            .press("Enter")
+            .last_line()
+            .contains("123.50 deg  ok")
+    );
+    assert!(
+        session
+            .press("g x Enter")
+            .last_line()
+            .contains("not a number of deg: x")
+    );
+    assert!(session.press("Esc").last_line().contains("123.50 deg"));
+
+    let opened = open(SWINGING, Origin::Stdin);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let refused = session.press("g 1 8 0 Enter").last_line();
+    assert!(
+        refused.ends_with("out of reach: -82.81 to 82.81 deg"),
+        "{refused}"
+    );
+    // The same direction a turn away is meant.
+    let reached = session.press("Ctrl-U 4 2 0 Enter").last_line();
+    assert!(reached.contains("stdin    60.00 deg  ok"), "{reached}");
+}
+
+#[test]
+fn steps_are_exact_decimals() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    session.press("[ [ [ [ [ [");
+    for _ in 0..7 {
+        session.press(".");
+    }
+    assert!(session.last_line().contains("   60.70 deg  ok"));
+    session.press("] ] ] ] ] ] ] ] ] ] ] , , ,");
+    assert!(session.last_line().contains("  150.70 deg -1 turn  ok"));
+    assert!(
+        session
+            .press("Home")
+            .last_line()
+            .contains("   60.00 deg  ok")
+    );
+}
+
+#[test]
+fn plays_a_turn_in_four_seconds_and_pauses_without_a_byte() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    session.press("space").pass(1.0);
+    assert!(session.last_line().contains("  150.00 deg  ok"));
+    // A line that hangs for a turn and more drops frames, not truth.
+    assert!(
+        session
+            .pass(5.0)
+            .last_line()
+            .contains("  240.00 deg +1 turn  ok")
+    );
+    session.press("r").pass(1.0);
+    assert!(session.last_line().contains("  150.00 deg +1 turn  ok"));
+    session.press("+").pass(0.5);
+    assert!(session.last_line().contains("   60.00 deg +1 turn  ok"));
+    session.press("space");
+    let before = session.workbench.frames();
+    session.pass(10.0).paint();
+    assert_eq!(session.workbench.frames(), before);
+}
+
+#[test]
+fn a_crank_that_cannot_turn_goes_to_and_fro() {
+    let opened = open(SWINGING, Origin::Stdin);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    session.press("space");
+    let mut angles = Vec::new();
+    for _ in 0..200 {
+        let line = session.pass(0.05).last_line();
+        let words: Vec<&str> = line.split_whitespace().collect();
+        let at = words.iter().position(|w| *w == "deg").unwrap();
+        angles.push(words[at - 1].parse::<f64>().unwrap());
+        assert!(!line.contains("no assembly"), "{line}");
+    }
+    let turns = angles
+        .windows(3)
+        .filter(|a| (a[1] - a[0]) * (a[2] - a[1]) < 0.0);
+    assert!(turns.count() >= 4, "{angles:?}");
+}
+
+#[test]
+fn presets_follow_each_other_in_a_ring() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    for preset in presets::all().iter().skip(1).chain(presets::all().first()) {
+        let line = session.press("n").last_line();
+        assert!(line.contains(preset.name), "{line}");
+    }
+    let last = presets::all().last().unwrap().name;
+    assert!(session.press("p").last_line().contains(last));
+}
+
+#[test]
+fn every_preset_is_shown_at_every_size_while_it_plays() {
+    let sizes = [
+        (40, 12),
+        (80, 24),
+        (200, 60),
+        (41, 30),
+        (300, 12),
+        (10, 3),
+        (1, 1),
+    ];
+    for preset in presets::all() {
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            let opened = open(preset.text, Origin::Preset(preset.name.into()));
+            let mut workbench = Workbench::new(opened, glyphs, Colours::None, 80, 24);
+            workbench.press("space");
+            for (cols, rows) in sizes {
+                workbench.resize(cols, rows);
+                for view in ["1", "2", "?", "PgDn", "Esc"] {
+                    workbench.press(view);
+                    workbench.pass(Duration::from_millis(130));
+                    let frame = workbench.paint();
+                    let seven_bits = frame.iter().all(|byte| *byte < 0x80);
+                    assert!(glyphs != Glyphs::Ascii || seven_bits, "{}", preset.name);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_smallest_screens_say_what_is_needed() {
+    let mut session = four_bar(Glyphs::Ascii, 39, 12);
+    assert_eq!(session.look().trim(), "krank needs 40 x 12 characters");
+    four_bar(Glyphs::Ascii, 1, 1).look();
+}
+
+#[test]
+fn titles_from_a_file_reach_the_terminal_harmless() {
+    let hostile = SWINGING.replace("Swinging crank", "A\\u001B[2J\\u202Eb\\u4E2D\\u00E9");
+    let title = |glyphs| {
+        let opened = open(&hostile, Origin::File("\u{1b}[2J.toml".into()));
+        let screen = Session::new(opened, glyphs, 80, 24).look();
+        let line = screen.lines().next().unwrap().to_owned();
+        line.split_whitespace().next().unwrap().to_owned()
+    };
+    assert_eq!(title(Glyphs::Ascii), "A?[2J?b??");
+    assert_eq!(title(Glyphs::Line), "A?[2J?b?\u{e9}");
+    assert_eq!(title(Glyphs::Braille), "A?[2J?b?\u{e9}");
+}
+
+#[test]
+fn a_frame_costs_few_bytes_and_none_where_nothing_changes() {
+    for (colours, most) in [(Colours::Sixteen, 900), (Colours::None, 700)] {
+        let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Braille, colours, 80, 24);
+        workbench.paint();
+        assert!(workbench.paint().is_empty());
+        workbench.press("space");
+        let mut costs = Vec::new();
+        for _ in 0..120 {
+            workbench.pass(Duration::from_secs_f64(4.0 / 120.0));
+            costs.push(workbench.paint().len());
+        }
+        costs.sort_unstable();
+        assert!(costs[60] <= most, "{colours:?}: median {} bytes", costs[60]);
+    }
+}
+
+/// What a person, or a cat, may do.
+#[derive(Clone, Debug)]
+enum Deed {
+    Press(&'static str),
+    Pass(u16),
+    Resize(u16, u16),
+}
+
+fn deeds() -> impl Strategy<Value = Vec<Deed>> {
+    let keys = [
+        "space",
+        ",",
+        ".",
+        "[",
+        "]",
+        "-",
+        "+",
+        "r",
+        "g",
+        "Home",
+        "n",
+        "p",
+        "t",
+        "Tab",
+        "1",
+        "2",
+        "Up",
+        "Down",
+        "PgUp",
+        "PgDn",
+        "?",
+        "Esc",
+        "3",
+        "0",
+        "9",
+        "e",
+        "Enter",
+        "Backspace",
+        "Ctrl-U",
+    ];
+    let deed = prop_oneof![
+        8 => prop::sample::select(keys.to_vec()).prop_map(Deed::Press),
+        2 => (0_u16..9000).prop_map(Deed::Pass),
+        1 => (1_u16..140, 1_u16..50).prop_map(|(cols, rows)| Deed::Resize(cols, rows)),
+    ];
+    prop::collection::vec(deed, 1..60)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+
+    /// Whatever is done, the workbench lives, and what frames add up to is what one frame shows.
+    #[test]
+    fn frames_add_up_to_the_screen_whatever_is_done(deeds in deeds(), preset in 0_usize..19) {
+        let preset = &presets::all()[preset % presets::all().len()];
+        let opened = open(preset.text, Origin::Preset(preset.name.into()));
+        let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+        for deed in deeds {
+            match deed {
+                Deed::Press(key) => {
+                    session.workbench.press(key);
+                }
+                Deed::Pass(ms) => session.workbench.pass(Duration::from_millis(ms.into())),
+                Deed::Resize(cols, rows) => {
+                    session.workbench.resize(cols, rows);
+                    session.terminal = emulator(cols, rows);
+                }
+            }
+            session.paint();
+        }
+        let shown = session.look();
+        session.workbench.forget();
+        let size = session.terminal.screen().size();
+        session.terminal = emulator(size.1.get(), size.0.get());
+        prop_assert_eq!(shown, session.look());
+    }
+}
