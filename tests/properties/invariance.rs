@@ -4,7 +4,7 @@ use crate::four_bar::{FourBar, crank_rocker, pose, round_pose};
 use crate::plant::*;
 use crate::support::U;
 use krank::solver::{Condition, Demand, Order, Range, Solver, State};
-use krank::{Mechanism, Vec2};
+use krank::{Body, Mechanism, Vec2};
 use proptest::prelude::*;
 
 /// Every figure of a state, in the order of the mechanism, as bits.
@@ -149,4 +149,30 @@ proptest! {
             prop_assert!(off <= 4.0 * U * expected.abs(), "{off:e}");
         }
     }
+}
+
+/// What is asked for may be a slide alone.
+#[test]
+fn a_slide_is_read_without_anything_else() {
+    let mut builder = Mechanism::builder();
+    let crank = Crank {
+        length: 1.0,
+        angle: 30.0,
+    };
+    let pin = crank.build(&mut builder);
+    let joint = builder.moving_point();
+    builder.link(pin, joint, 2.0);
+    let slide = builder.pin_in_slot(joint, Body::Ground, Vec2::ZERO, 0.0);
+    builder.start(joint, Vec2::new(2.8, 0.0));
+    let mechanism = builder.build().expect("a sound slider-crank");
+    let solver = Solver::new(&mechanism).expect("it closes");
+    let demand = Demand {
+        slides: vec![slide],
+        ..Demand::default()
+    };
+    let pruned = solver.only(&demand);
+    let mut state = pruned.state();
+    pruned.solve(30.0, Order::Position, &mut state);
+    let expected = 0.75_f64.sqrt() + 3.75_f64.sqrt();
+    assert!((state.travel(slide).position - expected).abs() <= 20.0 * U);
 }
