@@ -1,0 +1,139 @@
+//! A group that falls into no dyads: three legs carry one link (an Assur group of class III).
+
+use crate::invariance::bits;
+use crate::plant::*;
+use crate::support::U;
+use krank::solver::{Condition, GroupKind, Order, Solver};
+use krank::{Mechanism, PointId, Vec2};
+use proptest::prelude::*;
+
+/// A link on three legs, the third of which stands on the crank's pin.
+#[derive(Clone, Copy, Debug)]
+struct Triad {
+    crank: Crank,
+    /// The feet of the first two legs.
+    feet: [Vec2; 2],
+    /// The tops of the legs: joints of the link.
+    tops: [Vec2; 3],
+}
+
+impl Triad {
+    fn scale(self) -> f64 {
+        let reach = |p: Vec2| p.norm();
+        let points = self.feet.into_iter().chain(self.tops);
+        points.map(reach).fold(self.crank.length, f64::max)
+    }
+
+    fn measure(self) -> f64 {
+        self.measure_at(self.crank.pin(), self.tops)
+    }
+
+    /// The volume of the three legs as unit forces on the link, in another position of the mechanism:
+    /// zero where their lines meet in one point. A motion without a singularity keeps its sign.
+    fn measure_at(self, pin: Vec2, tops: [Vec2; 3]) -> f64 {
+        let feet = [self.feet[0], self.feet[1], pin];
+        let line = |i: usize| {
+            let leg = tops[i] - feet[i];
+            let unit = leg / leg.norm();
+            let arm = (tops[i] - tops[2]) / self.scale();
+            [unit.x, unit.y, arm.cross(unit)]
+        };
+        let [a, b, c] = [line(0), line(1), line(2)];
+        let minor = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
+        a[0] * minor(1, 2) - a[1] * minor(0, 2) + a[2] * minor(0, 1)
+    }
+
+    fn build(self) -> (Mechanism, [PointId; 3]) {
+        let mut builder = Mechanism::builder();
+        let pin = self.crank.build(&mut builder);
+        let feet = self.feet.map(|p| builder.ground_point(p.x, p.y));
+        let tops = self.tops.map(|_| builder.moving_point());
+        // The link's frame: from the first top to the second.
+        let base = self.tops[1] - self.tops[0];
+        let link = builder.link(tops[0], tops[1], base.norm());
+        let third = (self.tops[2] - self.tops[0]).turned((base / base.norm()).conj());
+        builder.carry(link, tops[2], third);
+        for i in 0..2 {
+            builder.link(feet[i], tops[i], (self.tops[i] - self.feet[i]).norm());
+        }
+        builder.link(pin, tops[2], (self.tops[2] - self.crank.pin()).norm());
+        for (point, place) in tops.into_iter().zip(self.tops) {
+            builder.start(point, place);
+        }
+        (builder.build().expect("a sound triad"), tops)
+    }
+}
+
+fn place(x: std::ops::Range<f64>, y: std::ops::Range<f64>) -> impl Strategy<Value = Vec2> {
+    (x, y).prop_map(|(x, y)| Vec2::new(x, y))
+}
+
+/// Feet to the left and to the right, the link above them, the crank in the middle.
+fn triad() -> impl Strategy<Value = Triad> {
+    let crank = (0.05..0.6_f64, angle()).prop_map(|(length, angle)| Crank { length, angle });
+    let feet = [place(-3.0..-1.0, -1.0..1.0), place(1.0..3.0, -1.0..1.0)];
+    let tops = [
+        place(-2.0..-0.3, 1.5..3.0),
+        place(0.3..2.0, 1.5..3.0),
+        place(-1.5..1.5, 0.8..4.0),
+    ];
+    (crank, feet, tops)
+        .prop_map(|(crank, feet, tops)| Triad { crank, feet, tops })
+        .prop_filter("the legs must not meet in one point", |t| {
+            t.measure() > 0.02
+        })
+}
+
+proptest! {
+    // A motion by Newton takes some milliseconds to follow.
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn a_planted_triad_is_recovered(triad in triad()) {
+        let (mechanism, tops) = triad.build();
+        let solver = Solver::new(&mechanism).expect("it closes as planted");
+        let coupled = |kind| matches!(kind, GroupKind::Coupled { .. });
+        prop_assert!(solver.plan().groups.iter().any(|g| coupled(g.kind)));
+        let state = at_start(&solver, &mechanism, Order::Position);
+        let allowed = 4.0 * ROUNDINGS * U * triad.scale() / triad.measure().abs();
+        for (point, planted) in tops.into_iter().zip(triad.tops) {
+            let off = (state.position(point) - planted).norm();
+            prop_assert!(off <= allowed, "{off:e} > {allowed:e}");
+        }
+        closes(&solver, &mechanism, triad.scale());
+    }
+
+    /// A motion that stays on its assembly never passes a singularity: the measure keeps its sign.
+    #[test]
+    fn a_triad_stays_on_its_assembly(triad in triad()) {
+        let (mechanism, tops) = triad.build();
+        let solver = Solver::new(&mechanism).expect("it closes as planted");
+        let mut state = solver.state();
+        let planted = triad.measure();
+        for k in 0..180 {
+            let at = triad.crank.angle + 2.0 * f64::from(k);
+            if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
+                continue;
+            }
+            let pin = Crank { angle: at, ..triad.crank }.pin();
+            let measure = triad.measure_at(pin, tops.map(|p| state.position(p)));
+            prop_assert!(measure * planted > 0.0, "at {at}: {measure}, planted {planted}");
+        }
+    }
+
+    /// A coupled group is solved from anchors of the motion, never from the last state.
+    #[test]
+    fn a_triad_remembers_nothing(triad in triad(), from in angle(), to in -360.0..720.0_f64) {
+        let (mechanism, _) = triad.build();
+        let solver = Solver::new(&mechanism).expect("it closes as planted");
+        let (mut fresh, mut used) = (solver.state(), solver.state());
+        let condition = solver.solve(to, Order::Acceleration, &mut fresh);
+        for k in 0..5 {
+            solver.solve(from + 77.0 * f64::from(k), Order::Acceleration, &mut used);
+        }
+        prop_assert_eq!(solver.solve(to, Order::Acceleration, &mut used), condition);
+        if condition == Condition::Ok {
+            prop_assert_eq!(bits(&mechanism, &fresh, 1.0), bits(&mechanism, &used, 1.0));
+        }
+    }
+}
