@@ -3,6 +3,8 @@
 //! One checker holds each state against the mechanism itself - lengths, guides, locked angles - and
 //! its rates against central differences, so that nothing here shares formulas with the solver.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop")]
+
 use krank::solver::{Condition, Demand, Fault, GroupKind, Order, Range, Solver, State};
 use krank::{
     Body, Builder, Driver, Element, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,

@@ -223,10 +223,9 @@ impl<'n> Chain<'n> {
             else {
                 continue;
             };
-            if !std::mem::replace(&mut self.listed[link.index()], true) {
-                if let Some(group) = self.groups.last_mut() {
-                    group.links.push(link);
-                }
+            let is_new = !std::mem::replace(&mut self.listed[link.index()], true);
+            if let (true, Some(group)) = (is_new, self.groups.last_mut()) {
+                group.links.push(link);
             }
             for member in &body.members {
                 if !self.point_known[member.point.index()] {

@@ -30,8 +30,8 @@ pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Opti
 
 /// Solves with what [`factor`] left; the answer takes the place of `right`.
 pub(super) fn solve(matrix: &[f64], pivots: &[usize], right: &mut [f64], n: usize) {
-    for k in 0..n {
-        right.swap(k, pivots[k]);
+    for (k, &pivot) in pivots.iter().enumerate() {
+        right.swap(k, pivot);
     }
     for i in 1..n {
         let (done, rest) = right.split_at_mut(i);

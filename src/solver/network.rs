@@ -203,10 +203,9 @@ impl<'m> Network<'m> {
         self.joint = meetings.iter().map(|&m| m >= 2).collect();
         for link in mechanism.links() {
             // A link that hangs on nothing still has a place to be found.
-            if !link.members.iter().any(|m| self.joint[m.point.index()]) {
-                if let Some(first) = link.members.first() {
-                    self.joint[first.point.index()] = true;
-                }
+            let hangs = link.members.iter().any(|m| self.joint[m.point.index()]);
+            if let (false, Some(first)) = (hangs, link.members.first()) {
+                self.joint[first.point.index()] = true;
             }
         }
         self.centre = mechanism
