@@ -7,6 +7,7 @@
 
 mod assemble;
 mod chain;
+mod classify;
 mod coupled;
 mod demand;
 mod engine;
@@ -20,6 +21,7 @@ mod plan;
 mod state;
 mod step;
 
+pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
 pub use motion::{Motion, Range};
 pub use plan::{Group, GroupKind, Plan};
@@ -62,6 +64,7 @@ pub struct Solver {
     engine: Engine,
     plan: Plan,
     motion: Motion,
+    first_loop: Option<Loop>,
     slides: usize,
 }
 
@@ -106,7 +109,9 @@ impl Solver {
         let mut state = engine.state(slides);
         assemble::assemble(&mut engine, network, &plan, &mut state)?;
         let motion = motion::explore(&engine, mechanism.driver().start, &state)?;
+        let first_loop = classify::classify(&engine, network);
         Ok(Solver {
+            first_loop,
             engine,
             plan,
             motion,
@@ -133,6 +138,12 @@ impl Solver {
             engine: self.engine.only(demand),
             ..self.clone()
         }
+    }
+
+    /// The loop of the driven link, a dyad and the ground, if the mechanism begins with one.
+    #[must_use]
+    pub fn first_loop(&self) -> Option<Loop> {
+        self.first_loop
     }
 
     /// An empty state with all the room that solving needs.
