@@ -28,7 +28,7 @@ const PLACES: [(&str, u8); 13] = [
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 18] = [
+const FOREIGN: [(&str, &[&str]); 17] = [
     ("ratatui", &["tui"]),
     ("termina", &["tui"]),
     ("rustix", &["tui"]),
@@ -41,7 +41,6 @@ const FOREIGN: [(&str, &[&str]); 18] = [
     ("csv", &["report"]),
     ("serde_json", &["report"]),
     ("serde", &["report"]),
-    ("nalgebra", &["solver"]),
     ("petgraph", &["solver"]),
     ("std::fs", &["cli", "tui"]),
     ("std::io", &["report", "cli", "tui"]),
