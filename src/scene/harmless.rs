@@ -36,8 +36,7 @@ pub fn harmless(text: &str, ascii: bool) -> String {
 /// ASCII too: for messages, where the reader wants to know which character it was.
 ///
 /// Line feeds and tabs become spaces.
-#[must_use]
-pub fn escaped(text: &str, ascii: bool) -> String {
+pub(super) fn escaped(text: &str, ascii: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         let plain = replacement(c, ascii);

@@ -105,7 +105,7 @@ mod syntax;
 mod unit;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub use harmless::{escaped, harmless, is_harmful};
+pub use harmless::{harmless, is_harmful};
 pub use unit::Unit;
 
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};
@@ -175,7 +175,7 @@ impl Scene {
     /// Everything found wrong, with its places.
     pub fn read(bytes: &[u8], origin: &str) -> Result<Scene, Diagnostics> {
         if bytes.len() > LARGEST_FILE {
-            return Err(too_large(bytes.len(), origin));
+            return Err(too_large(origin));
         }
         match std::str::from_utf8(bytes) {
             Ok(text) => Scene::parse(text, origin),
@@ -189,7 +189,7 @@ impl Scene {
     /// Everything found wrong, with its places.
     pub fn parse(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
         if text.len() > LARGEST_FILE {
-            return Err(too_large(text.len(), origin));
+            return Err(too_large(origin));
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = reader::Reader::new(text);
@@ -265,9 +265,10 @@ impl Scene {
     }
 }
 
-fn too_large(bytes: usize, origin: &str) -> Diagnostics {
+/// Whoever reads a file stops one byte behind the limit, so nobody knows how large it really is.
+fn too_large(origin: &str) -> Diagnostics {
     let fault = Diagnostic::new(format!(
-        "the file has {bytes} bytes; a scene may have at most {LARGEST_FILE} (1 MiB)"
+        "the file is too large: a scene may have at most {LARGEST_FILE} bytes (1 MiB)"
     ));
     Diagnostics {
         origin: origin.to_owned(),
