@@ -85,6 +85,7 @@ pub mod cli;
 pub mod drawing;
 mod explain;
 mod mechanism;
+mod nearest;
 pub mod quantity;
 pub mod report;
 pub mod scene;

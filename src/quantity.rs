@@ -2,6 +2,7 @@
 //!
 //! Tables, plots, CSV columns, JSON keys and the demand given to the solver all come from here.
 
+use crate::nearest::nearest;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Condition, Demand, Order, State};
 use crate::{Input, LinkId, PointId, SlideId, angle};
@@ -348,15 +349,10 @@ impl Catalogue {
     }
 
     fn unknown(&self, pattern: &str) -> UnknownColumn {
-        let distance = |q: &&Quantity| strsim::damerau_levenshtein(pattern, &q.name);
-        let nearest = self
-            .quantities
-            .iter()
-            .min_by_key(distance)
-            .filter(|q| distance(q) <= 2);
+        let names = self.quantities.iter().map(|q| q.name.as_str());
         UnknownColumn {
             pattern: pattern.into(),
-            nearest: nearest.map(|q| q.name.clone()),
+            nearest: nearest(pattern, names).map(str::to_owned),
         }
     }
 }

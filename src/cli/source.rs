@@ -1,15 +1,15 @@
 //! Which scene is meant, and opening it.
 
+use super::args::Cli;
 use super::failure::Failure;
+use crate::nearest::nearest;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::Solver;
+use clap::{Command, CommandFactory};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf, is_separator};
-
-/// A mistyped command is read as the name of a scene: these are offered for it.
-const COMMANDS: [&str; 4] = ["list", "check", "table", "sweep"];
 
 /// A scene and its solver.
 pub(super) struct Opened {
@@ -92,19 +92,24 @@ fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<Source, Failure
 }
 
 fn unknown(name: &str) -> Failure {
-    let scenes = presets::all().iter().map(|preset| ("preset", preset.name));
-    let commands = COMMANDS.iter().map(|command| ("command", *command));
-    let distance = |known: &str| strsim::damerau_levenshtein(name, known);
-    let nearest = scenes
-        .chain(commands)
-        .min_by_key(|(_, known)| distance(known));
-    // Half of the name may be wrong, but not more: otherwise it is another name.
-    let nearest = nearest.filter(|(_, known)| 2 * distance(known) <= known.len());
-    let mend = match nearest {
-        Some((what, known)) => format!("did you mean the {what} `{known}`?"),
-        None => "`krank list` names the presets".into(),
-    };
+    let mend = meant_command(name)
+        .map(|command| format!("did you mean the command `{command}`?"))
+        .or_else(|| meant_preset(name).map(|p| format!("did you mean the preset `{p}`?")))
+        .unwrap_or_else(|| "`krank list` names the presets".into());
     Failure::Usage(format!("there is no preset and no file `{name}`; {mend}"))
+}
+
+/// The command that was probably meant: a mistyped one is read as the name of a scene.
+pub(super) fn meant_command(name: &str) -> Option<String> {
+    let krank = Cli::command();
+    nearest(name, krank.get_subcommands().map(Command::get_name)).map(str::to_owned)
+}
+
+/// The preset that was probably meant: one that is written so, or one that begins so.
+fn meant_preset(name: &str) -> Option<&'static str> {
+    let names = || presets::all().iter().map(|preset| preset.name);
+    let begun = |preset: &&str| !name.is_empty() && preset.starts_with(name);
+    nearest(name, names()).or_else(|| names().find(begun))
 }
 
 #[cfg(test)]
@@ -137,6 +142,7 @@ mod tests {
             found("forbar", false),
             "there is no preset and no file `forbar`; did you mean the preset `four-bar`?"
         );
+        assert!(found("slider", false).ends_with("did you mean the preset `slider-crank`?"));
         assert!(found("chek", false).ends_with("did you mean the command `check`?"));
         assert!(found("zzzzzzzzzzzzzzzzzzz", false).contains("krank list"));
     }

@@ -2,9 +2,10 @@
 
 use super::Unit;
 use super::diagnostic::Diagnostic;
-use super::reader::{Name, Reader, Span, Value, did_you_mean, meant, quoted};
+use super::reader::{Name, Reader, Span, Value, meant, quoted};
 use super::{elements, input};
 use crate::Vec2;
+use crate::nearest::did_you_mean;
 use toml::de::DeTable;
 
 /// The most links that a scene may have.

@@ -4,7 +4,8 @@ use super::Unit;
 use super::diagnostic::Diagnostic;
 use super::draft::{Driver, Input, Load};
 use super::rate::{self, Degree, Kind, Misfit};
-use super::reader::{Reader, Span, Value, did_you_mean, meant};
+use super::reader::{Reader, Span, Value, meant};
+use crate::nearest::did_you_mean;
 use toml::de::DeTable;
 
 const LOAD: &str =

@@ -2,7 +2,8 @@
 
 use super::diagnostic::Diagnostic;
 use super::draft::{Draft, Slider};
-use super::reader::{Name, Reader, Span, did_you_mean, quoted};
+use super::reader::{Name, Reader, Span, quoted};
+use crate::nearest::did_you_mean;
 use std::collections::{HashMap, HashSet};
 
 /// Names with a meaning of their own in columns.

@@ -4,6 +4,7 @@ use super::diagnostic::{Diagnostic, Diagnostics};
 use super::harmless::escaped;
 use super::rate;
 use crate::Vec2;
+use crate::nearest::{did_you_mean, nearest};
 use std::fmt;
 use std::ops::Range;
 use toml::Spanned;
@@ -45,38 +46,6 @@ pub(super) fn quoted(text: &str) -> String {
         Some((end, _)) => format!("`{}...`", escaped(&text[..end], false)),
         None => format!("`{}`", escaped(text, false)),
     }
-}
-
-/// The known word nearest to a text, if it is near enough to have been meant.
-pub(super) fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
-    // Comparing costs the product of the lengths; a long text is no slip of the pen.
-    if text.len() > QUOTED {
-        return None;
-    }
-    let allowed = 1 + text.chars().count() / 4;
-    let distance = |word: &str| {
-        if word.eq_ignore_ascii_case(text) {
-            0
-        } else {
-            strsim::osa_distance(text, word)
-        }
-    };
-    known
-        .into_iter()
-        .filter(|word| word.len().abs_diff(text.len()) <= allowed)
-        .map(|word| (distance(word), word))
-        // In a name of one letter every other letter is one slip away.
-        .filter(|&(d, word)| d <= allowed && d < text.len().max(word.len()))
-        .min_by_key(|&(d, _)| d)
-        .map(|(_, word)| word)
-}
-
-/// "did you mean ...?", if something is near.
-pub(super) fn did_you_mean<'k>(
-    text: &str,
-    known: impl IntoIterator<Item = &'k str>,
-) -> Option<String> {
-    nearest(text, known).map(|word| format!("did you mean `{word}`?"))
 }
 
 /// Collects diagnostics while values are read.

@@ -3,8 +3,9 @@
 use super::diagnostic::Diagnostic;
 use super::draft::{self, Draft, Input, Slider};
 use super::names::{Names, Sort};
-use super::reader::{Name, Reader, Span, nearest};
+use super::reader::{Name, Reader, Span};
 use super::{Places, Vector, VectorKind, defect};
+use crate::nearest::nearest;
 use crate::{Builder, Driver, LinkId, Load, Mechanism, PointId, SlideId, mechanism};
 use std::collections::{HashMap, HashSet};
 
