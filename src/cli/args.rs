@@ -17,7 +17,6 @@ const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
     long_about = "A terminal workbench for planar linkages: position, velocity and acceleration \
                   of any mechanism with one input, drawn and in tables.",
     args_conflicts_with_subcommands = true,
-    disable_help_subcommand = true,
     after_help = "\
 Examples:
   krank                          open the four-bar of the lectures
@@ -79,15 +78,15 @@ pub(super) enum Colour {
     /// As the terminal and NO_COLOR allow
     #[default]
     Auto,
-    /// None
+    /// No colour, but bold and reversed
     None,
     /// The 16 of the terminal's palette
     #[value(name = "16")]
     Palette,
-    /// 256
+    /// The fixed palette of 256
     #[value(name = "256")]
     Indexed,
-    /// 24-bit
+    /// Any colour, in 24 bits
     True,
 }
 
@@ -120,31 +119,25 @@ Examples:
   krank sweep press-ram --step 0.1 -o press.csv
 
 Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
-krank sweep SCENE --from 0 --to 0 shows all of a scene's. The driver's coordinate
+krank sweep SCENE | head -n 1 shows all of a scene's. The driver's coordinate
 always comes first and the state last: ok, change-point, dead-point or
 no-assembly. A value that does not exist is an empty cell (null in JSON).
 Without --from and --to a sweep covers the motion range and ends on its limits,
 or after one period.")]
     Sweep(SweepArgs),
     /// Print a completion script for a shell
-    #[command(
-        hide = true,
-        after_help = "\
+    #[command(after_help = "\
 Example:
-  krank completions bash > ~/.local/share/bash-completion/completions/krank"
-    )]
+  krank completions bash > ~/.local/share/bash-completion/completions/krank")]
     Completions {
         /// The shell
         shell: Shell,
     },
     /// Print the manual page
-    #[command(
-        hide = true,
-        after_help = "\
+    #[command(after_help = "\
 Examples:
   krank man > krank.1
-  krank man sweep > krank-sweep.1"
-    )]
+  krank man sweep > krank-sweep.1")]
     Man {
         /// The command that the page is about; krank itself if left out
         command: Option<String>,

@@ -3,6 +3,7 @@
 mod args;
 mod commands;
 mod failure;
+mod misuse;
 mod output;
 mod screen;
 mod source;
@@ -27,12 +28,16 @@ use std::process::ExitCode;
 /// The exit code is 0 where it was done, 1 where the mechanism cannot do what was asked or the
 /// results cannot be written, 2 where the command line or the scene is wrong.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let cli = match Cli::try_parse_from(arguments) {
-        Ok(cli) => cli,
-        Err(error) => return refuse(&error),
-    };
+    let arguments: Vec<OsString> = arguments.into_iter().collect();
     let screen = Screen::detect();
-    match obey(&cli, screen) {
+    let done = match Cli::try_parse_from(&arguments) {
+        Ok(cli) => obey(&cli, screen),
+        Err(error) => match misuse::explained(error, &arguments) {
+            Ok(message) => Err(Failure::Usage(message)),
+            Err(error) => return refuse(&error, screen),
+        },
+    };
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
             failure.tell(screen);
@@ -42,10 +47,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 /// Help and version are asked for and go to standard output; everything else is an error.
-fn refuse(error: &clap::Error) -> ExitCode {
+fn refuse(error: &clap::Error, screen: Screen) -> ExitCode {
     let text = error.render().to_string();
     if error.use_stderr() {
-        failure::say(&lines_made_harmless(&text));
+        failure::say(&lines_made_harmless(&text, screen));
         return ExitCode::from(2);
     }
     match output::write_text(None, &text) {
@@ -55,9 +60,8 @@ fn refuse(error: &clap::Error) -> ExitCode {
 }
 
 /// An error quotes what was typed, or pasted.
-fn lines_made_harmless(text: &str) -> String {
-    let ascii = Screen::detect().ascii;
-    let lines = text.lines().map(|line| harmless(line, ascii) + "\n");
+fn lines_made_harmless(text: &str, screen: Screen) -> String {
+    let lines = text.lines().map(|line| harmless(line, screen.ascii) + "\n");
     lines.collect()
 }
 

@@ -164,6 +164,34 @@ fn unknown_options_and_values_are_refused() {
     }
 }
 
+/// `krank chek four-bar` is read as two scenes, and used to be refused for the wrong word.
+#[test]
+fn a_word_too_much_is_told_from_a_mistyped_command() {
+    for (args, message) in [
+        (
+            &["chek", "four-bar"][..],
+            "error: there is no command `chek`; did you mean the command `check`?\n",
+        ),
+        (
+            &["four-bar", "table"],
+            "error: the command comes first: `krank table SCENE`\n",
+        ),
+        (
+            &["four-bar", "press"],
+            "error: `press` is too much: krank opens one scene, and `krank --help` names its commands\n",
+        ),
+    ] {
+        assert_eq!(refused(2, args), message);
+    }
+    let message = refused(2, &["check", "four-bar", "--at", "3"]);
+    assert!(!message.contains("as a value"), "{message}");
+}
+
+#[test]
+fn help_is_a_command_too() {
+    assert_eq!(done(&["help", "sweep"]), done(&["sweep", "--help"]));
+}
+
 #[test]
 fn completions_and_the_manual_are_written() {
     for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
