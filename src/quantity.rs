@@ -5,7 +5,7 @@
 use crate::nearest::nearest;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Condition, Demand, Order, State};
-use crate::{Input, LinkId, PointId, SlideId, angle};
+use crate::{Input, LinkId, PointId, SlideId, Vec2, angle};
 use thiserror::Error;
 
 /// What a quantity is about.
@@ -71,8 +71,10 @@ impl Aspect {
         Aspect::Ax,
         Aspect::Ay,
     ];
-    const TURNING: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
-    const STRETCHING: [Aspect; 3] = [Aspect::Length, Aspect::Rate, Aspect::Accel];
+    /// Of what turns, by [`Order`].
+    pub(crate) const TURNING: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
+    /// Of what changes its length, by [`Order`].
+    pub(crate) const STRETCHING: [Aspect; 3] = [Aspect::Length, Aspect::Rate, Aspect::Accel];
 
     /// As in a column's name, behind the dot.
     #[must_use]
@@ -145,18 +147,24 @@ impl Quantity {
     }
 }
 
-/// The value of one figure in this state, or `None` where none exists.
+/// The value of one figure in this state, or `None` where none exists: at a dead point there are no
+/// rates, without an assembly there is nothing but the driver, and a subject has no figures that are
+/// not its own (a point does not turn, a link keeps its length).
 #[must_use]
 pub fn value(subject: Subject, aspect: Aspect, state: &State) -> Option<f64> {
-    if subject == Subject::Driver {
-        return Some(driver_value(aspect, state));
-    }
     let exists = match state.condition() {
         Condition::Ok | Condition::ChangePoint => true,
         Condition::DeadPoint => aspect.order() == Order::Position,
         Condition::NoAssembly => false,
     };
-    let value = exists.then(|| value_of(subject, aspect, state));
+    let value = match subject {
+        Subject::Driver => Some(driver_value(aspect, state)),
+        _ if !exists => None,
+        Subject::Point(point) => point_value(point, aspect, state),
+        Subject::Link(link) => link_value(link, aspect, state),
+        Subject::Slide(slide) => slide_value(slide, aspect, state),
+        Subject::Between(tail, head) => between_value(tail, head, aspect, state),
+    };
     value.filter(|v| v.is_finite())
 }
 
@@ -179,67 +187,77 @@ fn driver_value(aspect: Aspect, state: &State) -> f64 {
     }
 }
 
-fn value_of(subject: Subject, aspect: Aspect, state: &State) -> f64 {
-    match subject {
-        Subject::Driver => driver_value(aspect, state),
-        Subject::Point(point) => point_value(point, aspect, state),
-        Subject::Link(link) => match aspect.order() {
-            Order::Position => state.angle(link),
-            Order::Velocity => state.omega(link),
-            Order::Acceleration => state.alpha(link),
-        },
-        Subject::Slide(slide) => slide_value(slide, aspect, state),
-        Subject::Between(tail, head) => between_value(tail, head, aspect, state),
+fn point_value(point: PointId, aspect: Aspect, state: &State) -> Option<f64> {
+    match aspect {
+        Aspect::X => Some(state.position(point).x),
+        Aspect::Y => Some(state.position(point).y),
+        Aspect::Vx => Some(state.velocity(point).x),
+        Aspect::Vy => Some(state.velocity(point).y),
+        Aspect::Ax => Some(state.acceleration(point).x),
+        Aspect::Ay => Some(state.acceleration(point).y),
+        Aspect::Angle
+        | Aspect::Omega
+        | Aspect::Alpha
+        | Aspect::Length
+        | Aspect::Rate
+        | Aspect::Accel => None,
     }
 }
 
-fn point_value(point: PointId, aspect: Aspect, state: &State) -> f64 {
-    let vector = match aspect.order() {
-        Order::Position => state.position(point),
-        Order::Velocity => state.velocity(point),
-        Order::Acceleration => state.acceleration(point),
-    };
-    if matches!(aspect, Aspect::X | Aspect::Vx | Aspect::Ax) {
-        vector.x
-    } else {
-        vector.y
+fn link_value(link: LinkId, aspect: Aspect, state: &State) -> Option<f64> {
+    match aspect {
+        Aspect::Angle => Some(state.angle(link)),
+        Aspect::Omega => Some(state.omega(link)),
+        Aspect::Alpha => Some(state.alpha(link)),
+        Aspect::X
+        | Aspect::Y
+        | Aspect::Vx
+        | Aspect::Vy
+        | Aspect::Ax
+        | Aspect::Ay
+        | Aspect::Length
+        | Aspect::Rate
+        | Aspect::Accel => None,
     }
 }
 
-fn slide_value(slide: SlideId, aspect: Aspect, state: &State) -> f64 {
+fn slide_value(slide: SlideId, aspect: Aspect, state: &State) -> Option<f64> {
     let travel = state.travel(slide);
     match aspect {
-        Aspect::Length => travel.position,
-        Aspect::Rate => travel.rate,
-        Aspect::Accel => travel.accel,
+        Aspect::Length => Some(travel.position),
+        Aspect::Rate => Some(travel.rate),
+        Aspect::Accel => Some(travel.accel),
         // The vector runs from the sliding point back to `through`, against the guide.
-        Aspect::Angle => angle::degrees(-travel.guide),
-        Aspect::Omega => travel.omega,
-        _ => travel.alpha,
+        Aspect::Angle => Some(angle::degrees(-travel.guide)),
+        Aspect::Omega => Some(travel.omega),
+        Aspect::Alpha => Some(travel.alpha),
+        Aspect::X | Aspect::Y | Aspect::Vx | Aspect::Vy | Aspect::Ax | Aspect::Ay => None,
     }
 }
 
 /// Of r = head - tail: r' = r.v / |r|, omega = (r x v) / r.r, and once more for the second rates.
-fn between_value(tail: PointId, head: PointId, aspect: Aspect, state: &State) -> f64 {
+fn between_value(tail: PointId, head: PointId, aspect: Aspect, state: &State) -> Option<f64> {
     let r = state.position(head) - state.position(tail);
     let length = r.norm();
+    // Velocity and acceleration of the head as seen from the tail, along r and across it.
+    let split = |vector: Vec2| ((r / length).dot(vector), (r / length).cross(vector));
+    let first = || split(state.velocity(head) - state.velocity(tail));
+    let second = || split(state.acceleration(head) - state.acceleration(tail));
     match aspect {
-        Aspect::Length => return length,
-        Aspect::Angle => return angle::degrees(r),
-        _ => {}
-    }
-    let v = state.velocity(head) - state.velocity(tail);
-    let (along, across) = (r / length, (r / length).perp());
-    let (rate, omega) = (along.dot(v), across.dot(v) / length);
-    match aspect {
-        Aspect::Rate => return rate,
-        Aspect::Omega => return omega,
-        _ => {}
-    }
-    let a = state.acceleration(head) - state.acceleration(tail);
-    match aspect {
-        Aspect::Accel => along.dot(a) + length * omega * omega,
-        _ => (across.dot(a) - 2.0 * rate * omega) / length,
+        Aspect::Length => Some(length),
+        Aspect::Rate => Some(first().0),
+        Aspect::Accel => {
+            let omega = first().1 / length;
+            Some(second().0 + length * omega * omega)
+        }
+        Aspect::Angle => Some(angle::degrees(r)),
+        Aspect::Omega => Some(first().1 / length),
+        Aspect::Alpha => {
+            let (rate, across) = first();
+            let omega = across / length;
+            Some((second().1 - 2.0 * rate * omega) / length)
+        }
+        Aspect::X | Aspect::Y | Aspect::Vx | Aspect::Vy | Aspect::Ax | Aspect::Ay => None,
     }
 }
 

@@ -3,6 +3,7 @@
 use super::check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
 };
+use super::number::concise;
 use super::text::{WIDTH, wrapped};
 use crate::scene::harmless;
 use crate::solver::GroupKind;
@@ -11,6 +12,9 @@ use crate::solver::GroupKind;
 const FACTS: usize = 11;
 /// What stands before the rest of a fact that takes several lines.
 const FURTHER: &str = "  ";
+/// Significant digits of the driver's rates: as many as a table has where none are asked for.
+const DIGITS: usize = 6;
+
 impl Check {
     /// As text for a person; titles and notes in ASCII alone if asked, everything else always is.
     #[must_use]
@@ -64,6 +68,9 @@ impl Check {
             DriverKind::Slide => (self.unit, self.unit),
         };
         let driven = self.driven();
+        let start = concise(*start, usize::MAX);
+        // Rates may come from rpm or deg/s, with digits of no use.
+        let [speed, acceleration] = [speed, acceleration].map(|v| concise(*v, DIGITS));
         format!(
             "{driven}, opens at {start} {coordinate}, {speed} {rate}/s, \
              {acceleration} {rate}/s^2"

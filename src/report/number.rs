@@ -64,6 +64,23 @@ pub fn shortest(value: f64, to: &mut impl Write) -> fmt::Result {
     }
 }
 
+/// The shortest decimal that reads back to the same double, or the value to `digits` significant
+/// digits where that is shorter. For figures that somebody has given: `15` rather than `15.0000`.
+#[must_use]
+pub(super) fn concise(value: f64, digits: usize) -> String {
+    let mut exact = String::new();
+    // Writing to a string does not fail.
+    let written = shortest(value, &mut exact);
+    debug_assert!(written.is_ok());
+    // No double needs more than 17 digits.
+    let rounded = significant(value, digits.min(17));
+    if rounded.len() < exact.len() {
+        rounded
+    } else {
+        exact
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -110,6 +127,18 @@ mod tests {
         assert_eq!(written(-2.5e300), "-2.5e300");
         assert_eq!(written(1e16), "1e16");
         assert_eq!(written(0.000_01), "0.00001");
+    }
+
+    #[test]
+    fn a_given_figure_has_no_more_digits_than_it_needs() {
+        assert_eq!(concise(15.0, 6), "15");
+        assert_eq!(concise(-0.0, 6), "0");
+        assert_eq!(concise(0.523_598_775_598_298_8, 6), "0.523599");
+        assert_eq!(concise(20.943_951_023_931_955, 6), "20.9440");
+        assert_eq!(concise(77.7, usize::MAX), "77.7");
+        assert_eq!(concise(1e300, usize::MAX), "1e300");
+        let all = 36.869_897_645_844_02;
+        assert_eq!(concise(all, usize::MAX), all.to_string());
     }
 
     proptest! {

@@ -63,6 +63,17 @@ pub struct DriverLine {
     pub values: [f64; 3],
 }
 
+impl DriverLine {
+    /// What its values are.
+    pub(super) fn aspects(&self) -> [Aspect; 3] {
+        if self.turns {
+            Aspect::TURNING
+        } else {
+            Aspect::STRETCHING
+        }
+    }
+}
+
 /// Everything that the tables of one state say.
 #[derive(Clone, Debug)]
 pub struct Tables {
@@ -189,9 +200,6 @@ fn read(subject: Subject, aspects: [Aspect; 3], known: Known, state: &State) -> 
     [entry(position), rate, accel]
 }
 
-const TURNING: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
-const STRETCHING: [Aspect; 3] = [Aspect::Length, Aspect::Rate, Aspect::Accel];
-
 fn vector_column(mechanism: &Mechanism, vector: &Vector, state: &State) -> VectorColumn {
     let (length, direction) = match vector.kind {
         VectorKind::Link(link) => {
@@ -213,7 +221,7 @@ fn vector_column(mechanism: &Mechanism, vector: &Vector, state: &State) -> Vecto
 /// The direction of a link and its rates.
 fn turning(mechanism: &Mechanism, link: LinkId, state: &State) -> [Entry; 3] {
     let known = known_direction(mechanism, Body::Link(link));
-    let mut entries = read(Subject::Link(link), TURNING, known, state);
+    let mut entries = read(Subject::Link(link), Aspect::TURNING, known, state);
     if known == Known::Driven && entries[0].value.is_some() {
         // As it was asked, without the detour over the direction's components.
         entries[0].value = Some(angle::wrapped(state.at()));
@@ -251,8 +259,8 @@ fn slide_entries(mechanism: &Mechanism, slide: SlideId, state: &State) -> Pair {
     };
     let guide = known_direction(mechanism, mechanism.slide(slide).on);
     (
-        Some(read(subject, STRETCHING, position, state)),
-        read(subject, TURNING, guide, state),
+        Some(read(subject, Aspect::STRETCHING, position, state)),
+        read(subject, Aspect::TURNING, guide, state),
     )
 }
 
@@ -261,14 +269,14 @@ fn between_entries(mechanism: &Mechanism, tail: PointId, head: PointId, state: &
     let subject = Subject::Between(tail, head);
     match shared_body(mechanism, tail, head) {
         None => (
-            Some(read(subject, STRETCHING, Known::Nothing, state)),
-            read(subject, TURNING, Known::Nothing, state),
+            Some(read(subject, Aspect::STRETCHING, Known::Nothing, state)),
+            read(subject, Aspect::TURNING, Known::Nothing, state),
         ),
         Some((body, local)) => {
             let known = known_direction(mechanism, body);
             (
                 Some(rigid(local.norm())),
-                read(subject, TURNING, known, state),
+                read(subject, Aspect::TURNING, known, state),
             )
         }
     }

@@ -51,10 +51,9 @@ fn point_values(point: &PointRow, order: Order) -> [Option<f64>; 4] {
 
 /// A vector's figures in the order of the catalogue's columns.
 fn vector_figures(vector: &VectorColumn) -> impl Iterator<Item = (Aspect, Entry)> {
-    let lengths = [Aspect::Length, Aspect::Rate, Aspect::Accel];
-    let lengths = lengths.into_iter().zip(vector.length.into_iter().flatten());
-    let turning = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
-    lengths.chain(turning.into_iter().zip(vector.direction))
+    let lengths = vector.length.into_iter().flatten();
+    let lengths = Aspect::STRETCHING.into_iter().zip(lengths);
+    lengths.chain(Aspect::TURNING.into_iter().zip(vector.direction))
 }
 
 impl Tables {
@@ -91,11 +90,7 @@ impl Tables {
     }
 
     fn driver_figures(&self) -> [(String, f64, String); 3] {
-        let aspects = if self.driver.turns {
-            [Aspect::Angle, Aspect::Omega, Aspect::Alpha]
-        } else {
-            [Aspect::Length, Aspect::Rate, Aspect::Accel]
-        };
+        let aspects = self.driver.aspects();
         std::array::from_fn(|i| {
             let figure = match aspects[i] {
                 Aspect::Length => "position",

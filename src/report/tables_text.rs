@@ -1,6 +1,6 @@
 //! The tables as text.
 
-use super::number::{direction, significant};
+use super::number::{concise, direction, significant};
 use super::tables::{Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 use super::text::Grid;
 use crate::quantity::{Aspect, state_word};
@@ -56,18 +56,12 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn heading(&self) -> String {
         let driver = &self.tables.driver;
-        let units = if driver.turns {
-            [Aspect::Angle, Aspect::Omega, Aspect::Alpha]
-        } else {
-            [Aspect::Length, Aspect::Rate, Aspect::Accel]
-        };
+        let aspects = driver.aspects();
+        // The coordinate as it was asked; rates may come from rpm or deg/s, with digits of no use.
+        let digits = [usize::MAX, self.style.digits, self.style.digits];
         let [at, speed, acceleration]: [String; 3] = std::array::from_fn(|i| {
-            // As asked and as given: these are no results that would need rounding.
-            format!(
-                "{} {}",
-                driver.values[i] + 0.0,
-                units[i].unit(self.tables.unit)
-            )
+            let value = concise(driver.values[i], digits[i]);
+            format!("{value} {}", aspects[i].unit(self.tables.unit))
         });
         format!(
             "{}\ndriver {} at {at}, {speed}, {acceleration}\nstate {}\n",

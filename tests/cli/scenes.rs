@@ -100,10 +100,13 @@ fn a_scene_comes_from_standard_input() {
     assert!(
         heard
             .out
-            .contains("opens at 90 deg, 6.283185307179586 rad/s"),
+            .contains("opens at 90 deg, 6.28319 rad/s, 0 rad/s^2"),
         "{}",
         heard.out
     );
+    let mut exact = command(&["check", "-", "--format", "json"]);
+    let facts = json(&run(exact.write_stdin(MINE)).out);
+    assert_eq!(facts["driver"]["speed"], std::f64::consts::TAU);
     assert!(
         heard.out.starts_with("Mine ?[2J\n"),
         "a control character: {}",
