@@ -4,6 +4,7 @@
 //! `cargo bench` prints criterion's figures and, at the end, the medians side by side. Both sides
 //! give position, velocity and acceleration of the same points and the turning of the same links, and
 //! are held against each other first.
+#![allow(clippy::print_stdout, reason = "the medians are to be read")]
 
 mod handwritten;
 

@@ -363,6 +363,9 @@ pub enum Element {
 }
 
 /// Builds a [`Mechanism`]: see the crate's front page for an example.
+///
+/// Ids belong to the builder that gave them. Those of another name whatever stands at their place
+/// here, and a method given one that has no such place panics.
 #[derive(Clone, Debug, Default)]
 pub struct Builder {
     points: Vec<Point>,

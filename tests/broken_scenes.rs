@@ -1,7 +1,7 @@
 //! Every file of `tests/broken` is refused, with the phrases and at the places that its head names:
 //! `# expect: a phrase of the message` and `# at: LINE:COLUMN`, each as often as wanted.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use krank::scene::{Diagnostics, Scene};
 use krank::solver::Solver;

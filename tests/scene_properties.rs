@@ -1,7 +1,7 @@
 //! Whatever a file holds, reading it ends with a scene or with messages: never with a panic, never
 //! with a raw control character on the terminal.
 
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use krank::scene::{Scene, is_harmful, presets};
 use proptest::prelude::*;
