@@ -423,6 +423,8 @@ fn a_panic_is_told_after_the_terminal_was_put_back() {
     let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_krank"));
     command.arg("four-bar");
     command.env("KRANK_FAULT", "panic");
+    // A backtrace would push the message off the screen.
+    command.env("RUST_BACKTRACE", "0");
     let mut session = Session::start(command, Manner::Answers);
     assert!(!session.ended_as_found().success());
     session.wait_for("krank is broken: KRANK_FAULT=panic");
