@@ -4,8 +4,6 @@
 //! its rates against central differences, so that nothing here shares formulas with the solver.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#![allow(clippy::unwrap_used, reason = "a test may stop")]
-
 use krank::solver::{Condition, Demand, Fault, GroupKind, Order, Range, Solver, State};
 use krank::{
     Body, Builder, Driver, Element, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,

@@ -19,7 +19,6 @@ mod text;
 pub use check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
 };
-pub use number::{direction, shortest, significant};
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};

@@ -11,8 +11,7 @@ const LARGEST_FIXED: f64 = 1e16;
 ///
 /// Values that have more digits in front of the point than were asked for, and small ones, take an
 /// exponent: `2.40e4`.
-#[must_use]
-pub fn significant(value: f64, digits: usize) -> String {
+pub(super) fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".into();
     }
@@ -32,8 +31,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 }
 
 /// A direction in degrees to `digits` significant digits; one that rounds to 360 is written as 0.
-#[must_use]
-pub fn direction(degrees: f64, digits: usize) -> String {
+pub(super) fn direction(degrees: f64, digits: usize) -> String {
     let text = significant(degrees, digits);
     if text.parse() == Ok(crate::angle::TURN) {
         "0".into()
@@ -49,7 +47,7 @@ pub fn direction(degrees: f64, digits: usize) -> String {
 ///
 /// # Errors
 /// Those of the writer.
-pub fn shortest(value: f64, to: &mut impl Write) -> fmt::Result {
+pub(super) fn shortest(value: f64, to: &mut impl Write) -> fmt::Result {
     debug_assert!(
         value.is_finite(),
         "only values that exist are written: {value}"
@@ -66,7 +64,6 @@ pub fn shortest(value: f64, to: &mut impl Write) -> fmt::Result {
 
 /// The shortest decimal that reads back to the same double, or the value to `digits` significant
 /// digits where that is shorter. For figures that somebody has given: `15` rather than `15.0000`.
-#[must_use]
 pub(super) fn concise(value: f64, digits: usize) -> String {
     let mut exact = String::new();
     // Writing to a string does not fail.

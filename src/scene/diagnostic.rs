@@ -36,8 +36,7 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// A fault of the file as a whole.
-    #[must_use]
-    pub fn new(message: impl Into<String>) -> Self {
+    pub(crate) fn new(message: impl Into<String>) -> Self {
         Diagnostic {
             message: message.into(),
             ..Diagnostic::default()
@@ -45,8 +44,7 @@ impl Diagnostic {
     }
 
     /// Says where, and what about it.
-    #[must_use]
-    pub fn at(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
+    pub(crate) fn at(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
         self.primary = Some(Label {
             span,
             text: label.into(),
@@ -55,8 +53,7 @@ impl Diagnostic {
     }
 
     /// Points at another place.
-    #[must_use]
-    pub fn and(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
+    pub(crate) fn and(mut self, span: Range<usize>, label: impl Into<String>) -> Self {
         self.others.push(Label {
             span,
             text: label.into(),
@@ -65,22 +62,19 @@ impl Diagnostic {
     }
 
     /// Adds a fact.
-    #[must_use]
-    pub fn note(mut self, note: impl Into<String>) -> Self {
+    pub(crate) fn note(mut self, note: impl Into<String>) -> Self {
         self.notes.push(note.into());
         self
     }
 
     /// Adds a mend.
-    #[must_use]
-    pub fn help(mut self, help: impl Into<String>) -> Self {
+    pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.helps.push(help.into());
         self
     }
 
     /// Adds a mend if there is one.
-    #[must_use]
-    pub fn maybe_help(mut self, help: Option<String>) -> Self {
+    pub(crate) fn maybe_help(mut self, help: Option<String>) -> Self {
         self.helps.extend(help);
         self
     }

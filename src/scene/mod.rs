@@ -222,7 +222,7 @@ impl Scene {
 
     /// The text of the file, without a byte order mark: what [`Scene::place`] counts in.
     #[must_use]
-    pub fn text(&self) -> &Arc<str> {
+    pub fn text(&self) -> &str {
         &self.text
     }
 

@@ -29,17 +29,6 @@ impl Unit {
         }
     }
 
-    /// Its size in metres.
-    #[must_use]
-    pub fn metres(self) -> f64 {
-        match self {
-            Unit::Millimetre => 1e-3,
-            Unit::Centimetre => 1e-2,
-            Unit::Metre => 1.0,
-            Unit::Inch => 0.0254,
-        }
-    }
-
     /// Its size in tenths of a millimetre: whole numbers, so that a conversion rounds only once per
     /// operation.
     pub(super) fn tenths_of_mm(self) -> f64 {
