@@ -376,13 +376,24 @@ impl Catalogue {
 }
 
 /// Whether `name` fits `pattern`, where `*` stands for any run of characters.
+///
+/// Each piece between two stars takes the first place where it fits: if any choice fits, this one
+/// does, and many stars cost no more than a few.
 fn matches(pattern: &str, name: &str) -> bool {
-    match pattern.split_once('*') {
-        None => pattern == name,
-        Some((head, tail)) => name.strip_prefix(head).is_some_and(|rest| {
-            (0..=rest.len()).any(|i| rest.is_char_boundary(i) && matches(tail, &rest[i..]))
-        }),
+    let Some((head, rest)) = pattern.split_once('*') else {
+        return pattern == name;
+    };
+    let Some(mut left) = name.strip_prefix(head) else {
+        return false;
+    };
+    let (pieces, tail) = rest.rsplit_once('*').unwrap_or(("", rest));
+    for piece in pieces.split('*') {
+        let Some((_, behind)) = left.split_once(piece) else {
+            return false;
+        };
+        left = behind;
     }
+    left.ends_with(tail)
 }
 
 /// What the solver must do so that these can be read: the demand, and how far to solve.
@@ -403,4 +414,87 @@ pub fn demand<'a>(quantities: impl IntoIterator<Item = &'a Quantity>) -> (Demand
         }
     }
     (demand, order)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+    use crate::solver::Solver;
+    use proptest::prelude::*;
+
+    fn slider_crank() -> Scene {
+        let preset = presets::find("slider-crank").unwrap();
+        Scene::parse(preset.text, preset.name).unwrap()
+    }
+
+    #[test]
+    fn every_figure_of_the_catalogue_has_a_value_and_no_other_has() {
+        let scene = slider_crank();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let mut state = solver.state();
+        solver.solve(30.0, Order::Acceleration, &mut state);
+        let catalogue = Catalogue::new(&scene);
+        assert!(catalogue.all().iter().all(|q| q.value(&state).is_some()));
+        let point = |name| {
+            let mut ids = scene.mechanism.point_ids();
+            Subject::Point(ids.find(|&id| scene.point_name(id) == Some(name)).unwrap())
+        };
+        let link = Subject::Link(scene.mechanism.link_ids().next().unwrap());
+        assert_eq!(value(point("C"), Aspect::Y, &state), Some(0.0));
+        for (subject, aspect) in [
+            (point("B"), Aspect::Angle),
+            (point("B"), Aspect::Rate),
+            (link, Aspect::Vx),
+            (link, Aspect::Length),
+        ] {
+            assert_eq!(
+                value(subject, aspect, &state),
+                None,
+                "{subject:?} {aspect:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn patterns_select_in_their_own_order_and_each_figure_once() {
+        let scene = slider_crank();
+        let catalogue = Catalogue::new(&scene);
+        let names = |patterns: &[&str]| -> Vec<String> {
+            let selected = catalogue.select(patterns).unwrap();
+            selected.into_iter().map(|q| q.name).collect()
+        };
+        assert_eq!(
+            names(&["C.v*", "C.*y", "driver.*"]),
+            ["C.vx", "C.vy", "C.y", "C.ay"]
+        );
+        assert_eq!(
+            names(&["r3.com.*x"]),
+            ["r3.com.x", "r3.com.vx", "r3.com.ax"]
+        );
+        let unknown = catalogue.select(&["c.x"]).unwrap_err();
+        assert_eq!(unknown.nearest.as_deref(), Some("C.x"));
+    }
+
+    /// What a pattern means, tried out in full.
+    fn tried_out(pattern: &[u8], name: &[u8]) -> bool {
+        match pattern.split_first() {
+            None => name.is_empty(),
+            Some((b'*', rest)) => (0..=name.len()).any(|i| tried_out(rest, &name[i..])),
+            Some((c, rest)) => name.first() == Some(c) && tried_out(rest, &name[1..]),
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn stars_stand_for_any_run(pattern in "[ab*]{0,7}", name in "[ab]{0,9}") {
+            prop_assert_eq!(matches(&pattern, &name), tried_out(pattern.as_bytes(), name.as_bytes()));
+        }
+    }
+
+    #[test]
+    fn many_stars_cost_no_more_than_a_few() {
+        assert!(!matches(&"a*".repeat(40), &format!("{}b", "b".repeat(64))));
+        assert!(!matches(&format!("{}c", "*a".repeat(30)), &"a".repeat(64)));
+    }
 }
