@@ -5,11 +5,11 @@ use super::failure::{Failure, note};
 use super::output::write_to;
 use super::screen::Screen;
 use super::source::{Opened, open};
-use crate::quantity::Catalogue;
+use crate::Input;
+use crate::quantity::{Catalogue, Quantity, UnknownColumn};
 use crate::report::{Columns, Decimal, Outcome, RowFormat, Steps, range_text, write_sweep};
 use crate::scene::Scene;
 use crate::solver::Range;
-use crate::{Input, quantity::Quantity};
 
 /// A pushed slide takes the largest step of 1, 2 or 5 times a power of ten that gives at least so
 /// many steps over the sweep.
@@ -43,7 +43,7 @@ fn figures(catalogue: &Catalogue, patterns: &[String]) -> Result<Vec<Quantity>, 
     }
     let patterns = patterns.iter().map(|p| p.trim());
     let named: Vec<_> = patterns.filter(|p| *p != "state").collect();
-    let unknown = |e: crate::quantity::UnknownColumn| Failure::Usage(format!("--columns: {e}"));
+    let unknown = |e: UnknownColumn| Failure::Usage(format!("--columns: {e}"));
     catalogue.select(&named).map_err(unknown)
 }
 
@@ -120,7 +120,7 @@ fn last(range: Range, down: bool, from: f64) -> f64 {
 fn slide_step(from: f64, to: f64) -> f64 {
     let most = ((to - from) / STEPS_OF_A_SLIDE).abs();
     // One row, or ends that are no distance apart in doubles: any step will do.
-    if !(most.is_normal()) {
+    if !most.is_normal() {
         return 1.0;
     }
     let ten = most.log10().floor();
