@@ -1,0 +1,277 @@
+//! Builds a mechanism element by element, and checks each by itself.
+
+use super::{
+    Body, Defect, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Point, PointId,
+    Slide, SlideId, Slider,
+};
+use crate::{Vec2, angle};
+use std::collections::HashSet;
+
+/// Builds a [`Mechanism`]: see the crate's front page for an example.
+///
+/// Ids belong to the builder that gave them. Those of another name whatever stands at their place
+/// here, and a method given one that has no such place panics.
+#[derive(Clone, Debug, Default)]
+pub struct Builder {
+    points: Vec<Point>,
+    links: Vec<Link>,
+    slides: Vec<Slide>,
+    driver: Option<Driver>,
+    start: Vec<(PointId, Vec2)>,
+    loads: Vec<Load>,
+    gravity: Vec2,
+}
+
+impl Builder {
+    /// A point fixed in the ground at (x, y).
+    pub fn ground_point(&mut self, x: f64, y: f64) -> PointId {
+        self.push_point(Some(Vec2::new(x, y)))
+    }
+
+    /// A point that moves: links or slides that name it give it its place.
+    pub fn moving_point(&mut self) -> PointId {
+        self.push_point(None)
+    }
+
+    fn push_point(&mut self, ground: Option<Vec2>) -> PointId {
+        self.points.push(Point {
+            ground,
+            links: Vec::new(),
+        });
+        PointId::new(self.points.len() - 1)
+    }
+
+    /// A link that runs `from` one point `to` another.
+    pub fn link(&mut self, from: PointId, to: PointId, length: f64) -> LinkId {
+        let link = self.free_link();
+        self.links[link.index()].ends = Some((from, to));
+        self.carry(link, from, Vec2::ZERO);
+        self.carry(link, to, Vec2::new(length, 0.0));
+        link
+    }
+
+    /// A link that is given by its points alone: add them with [`Builder::carry`].
+    pub fn free_link(&mut self) -> LinkId {
+        self.links.push(Link {
+            members: Vec::new(),
+            ends: None,
+            com: None,
+            mass: 0.0,
+            inertia: 0.0,
+        });
+        LinkId::new(self.links.len() - 1)
+    }
+
+    /// Puts a point on a link, at `local` in the link's frame.
+    pub fn carry(&mut self, link: LinkId, point: PointId, local: Vec2) {
+        self.links[link.index()]
+            .members
+            .push(Member { point, local });
+        self.points[point.index()].links.push(link);
+    }
+
+    /// Gives a link its centre of mass; the returned point rides on the link.
+    pub fn centre_of_mass(&mut self, link: LinkId, local: Vec2) -> PointId {
+        let com = self.moving_point();
+        self.carry(link, com, local);
+        self.links[link.index()].com = Some(com);
+        com
+    }
+
+    /// Gives a link its mass in kg and its moment of inertia about the centre of mass in kg m^2.
+    pub fn mass(&mut self, link: LinkId, mass: f64, inertia: f64) {
+        self.links[link.index()].mass = mass;
+        self.links[link.index()].inertia = inertia;
+    }
+
+    /// A pin in a slot of `on`: the slot runs through `through` at `angle` degrees, both in the
+    /// frame of `on`.
+    pub fn pin_in_slot(&mut self, point: PointId, on: Body, through: Vec2, angle: f64) -> SlideId {
+        self.push_slide(Slider::Pin(point), on, through, angle)
+    }
+
+    /// A link that slides along a guide of `on` without turning: its origin on the guide, its x axis
+    /// at `turn` degrees to it.
+    pub fn sliding_link(
+        &mut self,
+        link: LinkId,
+        turn: f64,
+        on: Body,
+        through: Vec2,
+        angle: f64,
+    ) -> SlideId {
+        let at_origin = self.links[link.index()]
+            .members
+            .iter()
+            .find(|m| m.local == Vec2::ZERO)
+            .map(|m| m.point);
+        let origin = at_origin.unwrap_or_else(|| {
+            let hidden = self.moving_point();
+            self.carry(link, hidden, Vec2::ZERO);
+            hidden
+        });
+        let turn = angle::unit(turn);
+        self.push_slide(Slider::Link { link, origin, turn }, on, through, angle)
+    }
+
+    fn push_slide(&mut self, slider: Slider, on: Body, through: Vec2, angle: f64) -> SlideId {
+        self.slides.push(Slide {
+            slider,
+            on,
+            through,
+            direction: crate::angle::unit(angle),
+        });
+        SlideId::new(self.slides.len() - 1)
+    }
+
+    /// Sets the driver.
+    pub fn driver(&mut self, driver: Driver) {
+        self.driver = Some(driver);
+    }
+
+    /// A rough position of a moving point at the opening.
+    pub fn start(&mut self, point: PointId, near: Vec2) {
+        self.start.push((point, near));
+    }
+
+    /// Adds a load.
+    pub fn load(&mut self, load: Load) {
+        self.loads.push(load);
+    }
+
+    /// Sets the acceleration of free fall in m/s^2.
+    pub fn gravity(&mut self, gravity: Vec2) {
+        self.gravity = gravity;
+    }
+
+    /// Checks every element by itself.
+    ///
+    /// # Errors
+    /// All defects found, in the order of the elements.
+    pub fn build(self) -> Result<Mechanism, Vec<Defect>> {
+        let defects = self.defects();
+        match self.driver {
+            Some(driver) if defects.is_empty() => Ok(Mechanism {
+                points: self.points,
+                links: self.links,
+                slides: self.slides,
+                driver,
+                start: self.start,
+                loads: self.loads,
+                gravity: self.gravity,
+            }),
+            _ => Err(defects),
+        }
+    }
+
+    fn defects(&self) -> Vec<Defect> {
+        let mut found = Vec::new();
+        self.check_points(&mut found);
+        for (i, link) in self.links.iter().enumerate() {
+            check_link(LinkId::new(i), link, &mut found);
+        }
+        self.check_slides(&mut found);
+        self.check_driver(&mut found);
+        let loads_finite = self.loads.iter().all(|load| match *load {
+            Load::Force { force, .. } => force.is_finite(),
+            Load::Torque { torque, .. } => torque.is_finite(),
+        });
+        if !(loads_finite && self.gravity.is_finite()) {
+            found.push(Defect::Load);
+        }
+        found
+    }
+
+    fn check_points(&self, found: &mut Vec<Defect>) {
+        for (i, point) in self.points.iter().enumerate() {
+            let id = PointId::new(i);
+            if point.ground.is_some_and(|p| !p.is_finite()) {
+                let of = Element::Point(id);
+                found.push(Defect::Coordinates { of });
+            }
+            let slides = || self.slides.iter().any(|s| s.slider.point() == id);
+            if point.ground.is_none() && point.links.is_empty() && !slides() {
+                found.push(Defect::Stray { point: id });
+            }
+        }
+        for &(point, near) in &self.start {
+            if !near.is_finite() {
+                let of = Element::Point(point);
+                found.push(Defect::Coordinates { of });
+            }
+        }
+    }
+
+    fn check_slides(&self, found: &mut Vec<Defect>) {
+        for (i, slide) in self.slides.iter().enumerate() {
+            let id = SlideId::new(i);
+            if !(slide.through.is_finite() && slide.direction.is_finite()) {
+                let of = Element::Slide(id);
+                found.push(Defect::Coordinates { of });
+            }
+            let carried = match slide.on {
+                Body::Ground => self.points[slide.slider.point().index()].ground.is_some(),
+                Body::Link(on) => {
+                    let point = &self.points[slide.slider.point().index()];
+                    point.links.contains(&on)
+                }
+            };
+            if carried {
+                found.push(Defect::OnItself { slide: id });
+            }
+        }
+    }
+
+    fn check_driver(&self, found: &mut Vec<Defect>) {
+        let Some(driver) = self.driver else {
+            found.push(Defect::NoDriver);
+            return;
+        };
+        let rates = [driver.start, driver.speed, driver.acceleration];
+        if !rates.iter().all(|v| v.is_finite()) {
+            found.push(Defect::Driver);
+        }
+        if let Input::Turn(link) = driver.input {
+            let on_ground = |m: &Member| self.points[m.point.index()].ground.is_some();
+            if !self.links[link.index()].members.iter().any(on_ground) {
+                found.push(Defect::NoPivot { link });
+            }
+        }
+    }
+}
+
+fn check_link(id: LinkId, link: &Link, found: &mut Vec<Defect>) {
+    if link.members.is_empty() {
+        found.push(Defect::Empty { link: id });
+    }
+    if let (Some(_), [_, to, ..]) = (link.ends, link.members.as_slice()) {
+        let length = to.local.x;
+        // Written so that NaN is refused too.
+        if !(length > 0.0 && length.is_finite()) {
+            found.push(Defect::Length { link: id, length });
+        }
+    }
+    let further = if link.ends.is_some() { 2 } else { 0 };
+    if !link
+        .members
+        .iter()
+        .skip(further)
+        .all(|m| m.local.is_finite())
+    {
+        let of = Element::Link(id);
+        found.push(Defect::Coordinates { of });
+    }
+    let mut carried = HashSet::new();
+    for &Member { point, .. } in &link.members {
+        if !carried.insert(point) {
+            found.push(Defect::Twice { link: id, point });
+        }
+    }
+    // Written so that NaN is refused too.
+    let fits = |v: f64| v >= 0.0 && v.is_finite();
+    if !(fits(link.mass) && fits(link.inertia)) {
+        found.push(Defect::Mass { link: id });
+    } else if link.com.is_none() && (link.mass > 0.0 || link.inertia > 0.0) {
+        found.push(Defect::NoCentre { link: id });
+    }
+}
