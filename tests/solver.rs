@@ -735,6 +735,23 @@ fn a_start_too_large_for_a_step_of_a_degree_does_no_harm() {
 }
 
 #[test]
+fn a_body_of_a_coupled_group_may_carry_a_sliding_link_that_follows() {
+    // The slide locks the two directions together; the sliding link's own place comes later, and
+    // used to count among the group's unknowns.
+    let (mut b, [_, _, e]) = stephenson(true);
+    let ternary = *b.clone().build().unwrap().point(e).links.last().unwrap();
+    let (block, q) = (b.free_link(), b.moving_point());
+    b.carry(block, q, Vec2::new(0.2, 0.1));
+    b.sliding_link(block, 25.0, Body::Link(ternary), Vec2::new(0.4, 0.2), 10.0);
+    let g = b.ground_point(0.5, 4.0);
+    b.link(g, q, 2.6);
+    b.start(q, Vec2::new(1.0, 1.6));
+    let (m, s) = solver(b);
+    assert!(kinds(&s).contains(&GroupKind::Coupled { unknowns: 3 }));
+    check(&m, &s);
+}
+
+#[test]
 fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
     // The limits are those of two independent continuations in 60 digits. Within the last degree
     // the nearest state in steps of a degree leads to the other assembly: the states in between,

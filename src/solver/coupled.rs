@@ -692,8 +692,16 @@ impl<'a> Maker<'a> {
     fn frames(&self) -> Vec<LinkId> {
         let links = self.part.links.iter().copied();
         links
-            .filter(|&l| self.is_frame(l) && self.turning(l).is_some())
+            .filter(|&l| self.is_frame(l) && self.turning(l).is_some() && self.is_reached(l))
             .collect()
+    }
+
+    /// Whether a link has a joint in the group, or a known one. A link that is merely locked to one
+    /// of the group's has its place found later, and would bring unknowns without equations.
+    fn is_reached(&self, link: LinkId) -> bool {
+        let is_here =
+            |p: PointId| self.part.point_known[p.index()] || self.part.points.contains(&p);
+        self.part.network.joints(link).any(|m| is_here(m.point))
     }
 
     /// Gives every joint of the group a spot: on a frame where it can be, free otherwise.
