@@ -752,6 +752,32 @@ fn a_body_of_a_coupled_group_may_carry_a_sliding_link_that_follows() {
 }
 
 #[test]
+fn a_coupled_group_needs_no_ground_point() {
+    // A triangle on a bar from a driven slider and on two ground slots: nothing is pinned to the
+    // ground, and the guides used to find no point to be seen from.
+    let mut b = Builder::default();
+    let [p, q, r, s] = [(); 4].map(|()| b.moving_point());
+    let body = b.free_link();
+    b.carry(body, q, Vec2::ZERO);
+    b.carry(body, r, Vec2::new(2.0, 0.0));
+    b.carry(body, s, Vec2::new(1.0, 1.0));
+    b.link(p, s, 1.5);
+    let drive = b.pin_in_slot(p, GROUND, Vec2::new(0.0, 2.5), 0.0);
+    b.pin_in_slot(q, GROUND, Vec2::ZERO, 90.0);
+    b.pin_in_slot(r, GROUND, Vec2::ZERO, 10.0);
+    b.driver(push(drive, 2.2));
+    b.start(q, Vec2::new(0.0, 0.4));
+    b.start(r, Vec2::new(2.0, 0.35));
+    b.start(s, Vec2::new(1.0, 1.4));
+    let (m, s) = solver(b);
+    assert_eq!(
+        kinds(&s),
+        [GroupKind::Driver, GroupKind::Coupled { unknowns: 3 }]
+    );
+    check(&m, &s);
+}
+
+#[test]
 fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
     // The limits are those of two independent continuations in 60 digits. Within the last degree
     // the nearest state in steps of a degree leads to the other assembly: the states in between,

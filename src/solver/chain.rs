@@ -722,6 +722,11 @@ impl<'n> Chain<'n> {
             .copied()
             .filter(|c| !self.class_known[c.0])
             .collect();
+        for &slide in &scope.slides {
+            if self.network.mechanism.slide(slide).on == Body::Ground {
+                self.line(slide);
+            }
+        }
         let part = coupled::Part {
             network: self.network,
             frame: self.frame,
@@ -731,6 +736,7 @@ impl<'n> Chain<'n> {
             classes: &classes,
             links: &scope.links,
             slides: &scope.slides,
+            guide_points: &self.guide_points,
         };
         let singular = || Fault::Singular {
             elements: order::elements(&block.rows),
