@@ -726,6 +726,26 @@ fn small_angles_of_very_long_links_and_small_levers_are_no_limits() {
 }
 
 #[test]
+fn equal_arms_about_one_pivot_have_no_direction() {
+    // A kite folded so that crank pin and ground pivot are one point: used to open with NaN.
+    let b = four_bar([1.0, 2.0, 2.0, 1.0], 0.0, Vec2::new(2.0, 2.0));
+    let fault = Solver::new(&b.build().unwrap()).unwrap_err();
+    assert!(matches!(fault, Fault::Singular { .. }), "{fault:?}");
+}
+
+#[test]
+fn guides_that_are_parallel_by_sums_of_angles_are_refused() {
+    // 33.1 - 33.1 degrees leave 1e-17, by which the point used to be placed at 1e16.
+    let mut b = Builder::default();
+    let (_, pin, _) = crank(&mut b, 60.0);
+    let yoke = b.free_link();
+    b.sliding_link(yoke, 33.1, GROUND, Vec2::ZERO, 12.7);
+    b.pin_in_slot(pin, Body::Link(yoke), Vec2::ZERO, -33.1);
+    let fault = Solver::new(&b.build().unwrap()).unwrap_err();
+    assert!(matches!(fault, Fault::Singular { .. }), "{fault:?}");
+}
+
+#[test]
 fn a_start_too_large_for_a_step_of_a_degree_does_no_harm() {
     // start + 1 = start: there is no sample before the first.
     for start in [1e17, 1e300] {

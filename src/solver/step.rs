@@ -18,6 +18,10 @@ pub(super) const ACCELERATION: u8 = 2;
 /// clamp states that really are open.
 const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 
+/// Two directions whose sine is below this are parallel: the rounding of two products of unit
+/// vectors. Guides that differ by 2^-40 are told apart.
+const PARALLEL: f64 = 8.0 * 0.5 * f64::EPSILON;
+
 /// What became of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
@@ -221,6 +225,10 @@ impl Circles {
             return Outcome::Open;
         }
         let stretched = inner <= slack || outer <= slack;
+        if stretched && d2 == 0.0 {
+            // Equal arms about one pivot: the point could be anywhere around it.
+            return Outcome::Open;
+        }
         let h = if stretched { 0.0 } else { 0.5 * product.sqrt() };
         let sh = self.sign * h;
         let x = 0.5 * (d2 + self.squares);
@@ -437,6 +445,9 @@ impl Cylinder {
             return Outcome::Open;
         }
         let stretched = inner <= slack || outer <= slack;
+        if stretched && d2 == 0.0 {
+            return Outcome::Open;
+        }
         let sh = if stretched {
             0.0
         } else {
@@ -506,7 +517,7 @@ fn carried<const ORDER: u8>(base: &PointState, link: &LinkState, local: Vec2) ->
 fn meet<const ORDER: u8>(one: &Guide, two: &Guide) -> Option<PointState> {
     let det = two.n.dot(one.t);
     let l = two.n.dot(two.q.p - one.q.p) / det;
-    if !l.is_finite() {
+    if det.abs() <= PARALLEL || !l.is_finite() {
         return None;
     }
     let m = two.t.dot(one.q.p + one.t * l - two.q.p);
