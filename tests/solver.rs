@@ -755,6 +755,17 @@ fn a_start_too_large_for_a_step_of_a_degree_does_no_harm() {
 }
 
 #[test]
+fn a_crank_pinned_to_the_ground_twice_does_not_turn() {
+    // Both equations of the second pin are set aside, and the one across the crank tells.
+    let mut b = Builder::default();
+    let (_, _, link) = crank(&mut b, 60.0);
+    let h = b.ground_point(0.5, 0.0);
+    b.carry(link, h, Vec2::new(0.25, -0.75_f64.sqrt() / 2.0));
+    let fault = Solver::new(&b.build().unwrap()).unwrap_err();
+    assert!(matches!(fault, Fault::OverConstrained { .. }), "{fault:?}");
+}
+
+#[test]
 fn a_body_of_a_coupled_group_may_carry_a_sliding_link_that_follows() {
     // The slide locks the two directions together; the sliding link's own place comes later, and
     // used to count among the group's unknowns.
@@ -768,6 +779,31 @@ fn a_body_of_a_coupled_group_may_carry_a_sliding_link_that_follows() {
     b.start(q, Vec2::new(1.0, 1.6));
     let (m, s) = solver(b);
     assert!(kinds(&s).contains(&GroupKind::Coupled { unknowns: 3 }));
+    check(&m, &s);
+}
+
+#[test]
+fn a_strut_inside_a_link_of_a_coupled_group_is_what_is_set_aside() {
+    // By their number alone any bar around the ternary link could be given up, and the last one
+    // drawn used to be; only the strut between two points of that link repeats something.
+    let mut b = Builder::default();
+    let (_, pin, _) = crank(&mut b, 60.0);
+    let [p, q, r] = [(); 3].map(|()| b.moving_point());
+    let ternary = b.free_link();
+    let corners = [Vec2::ZERO, Vec2::new(2.0, 0.0), Vec2::new(1.0, 1.0)];
+    for (point, local) in [p, q, r].into_iter().zip(corners) {
+        b.carry(ternary, point, local);
+    }
+    let strut = b.link(q, r, 2.0_f64.sqrt());
+    let (d, g) = (b.ground_point(3.0, -2.0), b.ground_point(6.0, -1.0));
+    b.link(pin, p, 2.5);
+    b.link(d, q, 3.0);
+    b.link(g, r, 4.0);
+    b.start(p, Vec2::new(2.5, 1.8));
+    b.start(q, Vec2::new(4.2, 0.8));
+    b.start(r, Vec2::new(3.9, 2.2));
+    let (m, s) = solver(b);
+    assert_eq!(s.plan().redundant, [Element::Link(strut)]);
     check(&m, &s);
 }
 
