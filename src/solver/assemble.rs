@@ -18,6 +18,9 @@ const SAME: f64 = 1e-6;
 const TRIED_DIRECTIONS: usize = 12;
 /// Combinations of such directions at the most.
 const MOST_TRIALS: usize = 1728;
+/// Less for large groups: a trial costs up to the cube of the unknowns, and all of them together no
+/// more than about half a second.
+const TRIAL_WORK: usize = 5_000_000;
 
 /// Settles the signs of all dyads and a solution of every coupled group at the driver's start.
 ///
@@ -103,7 +106,14 @@ impl Assembler<'_> {
         let (q, direction) = engine.coordinate(self.at);
         let step = engine.program.steps[key];
         if step.run::<{ super::step::POSITION }>(q, direction, state) == Outcome::Open {
-            return Err(self.open(engine, step.gap(q, state)));
+            let gap = step.gap(q, state);
+            return Err(if gap > 0.0 {
+                self.open(engine, gap)
+            } else {
+                // It closes, in any direction.
+                let elements = self.elements();
+                Fault::Singular { elements }
+            });
         }
         let wanted = self.wanted(engine);
         let subject = self.subject(engine, key);
@@ -255,12 +265,13 @@ impl Assembler<'_> {
     /// The directions to try: read off two start positions of a link where there are two.
     fn guesses(&self, group: &Coupled, engine: &Engine, state: &State) -> Vec<Vec<Vec2>> {
         let wanted = self.wanted(engine);
+        let most = (TRIAL_WORK / group.unknowns().pow(3)).min(MOST_TRIALS);
         let mut guesses = vec![Vec::new()];
         for &link in group.turning() {
             let read = self.read_direction(link, &wanted, state);
             let fan = (0..TRIED_DIRECTIONS).map(|i| crate::angle::unit(7.0 + 30.0 * i as f64));
             let options: Vec<Vec2> = read.map_or_else(|| fan.collect(), |d| vec![d]);
-            if guesses.len() * options.len() > MOST_TRIALS {
+            if guesses.len() * options.len() > most {
                 guesses.iter_mut().for_each(|g| g.push(options[0]));
                 continue;
             }

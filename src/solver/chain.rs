@@ -754,6 +754,11 @@ impl<'n> Chain<'n> {
             .copied()
             .filter(|c| !self.class_known[c.0])
             .collect();
+        for &slide in &scope.slides {
+            if self.network.mechanism.slide(slide).on == Body::Ground {
+                self.line(slide);
+            }
+        }
         let part = coupled::Part {
             network: self.network,
             frame: self.frame,
@@ -763,6 +768,7 @@ impl<'n> Chain<'n> {
             classes: &classes,
             links: &scope.links,
             slides: &scope.slides,
+            guide_points: &self.guide_points,
         };
         let singular = || Fault::Singular {
             elements: order::elements(&block.rows),
@@ -792,16 +798,17 @@ impl<'n> Chain<'n> {
 
     // ---- what stands beside the groups
 
+    /// Where constraints were set aside, all are watched, those first. Which of them the steps then
+    /// leave out is theirs to choose: a link's joints may all ride on it although one of its
+    /// equations was set aside, and another constraint is lost for it.
     fn watch(&mut self, set_aside: &[Row]) {
-        for &row in set_aside {
-            let gauge = match row {
-                Row::Along { link, end } | Row::Across { link, end } => self.distance(link, end),
-                Row::Slot(slide) | Row::Push(slide) => {
-                    let point = self.network.mechanism.slide(slide).slider.point();
-                    self.line(slide).map(|line| Gauge::OnLine { point, line })
-                }
-            };
-            if let Some(gauge) = gauge {
+        if set_aside.is_empty() {
+            return;
+        }
+        let network = self.network;
+        let others = network.rows.iter().filter(|r| !set_aside.contains(r));
+        for &row in set_aside.iter().chain(others) {
+            if let Some(gauge) = self.gauge(row) {
                 self.program.watches.push(Watch {
                     element: row.element(),
                     gauge,
@@ -810,15 +817,45 @@ impl<'n> Chain<'n> {
         }
     }
 
-    fn distance(&self, link: LinkId, end: PointId) -> Option<Gauge> {
+    fn gauge(&mut self, row: Row) -> Option<Gauge> {
+        match row {
+            Row::Along { link, end } => {
+                let (from, arm) = self.seen_from(link, end)?;
+                let length = arm.norm();
+                Some(Gauge::Distance {
+                    from,
+                    to: end,
+                    length,
+                })
+            }
+            Row::Across { link, end } => {
+                let (from, arm) = self.seen_from(link, end)?;
+                let along = arm / arm.norm();
+                Some(Gauge::Direction {
+                    from,
+                    to: end,
+                    link,
+                    along,
+                })
+            }
+            Row::Slot(slide) => {
+                let point = self.network.mechanism.slide(slide).slider.point();
+                let line = self.line(slide)?;
+                Some(Gauge::OnLine { point, line })
+            }
+            Row::Push(slide) => {
+                let point = self.network.mechanism.slide(slide).slider.point();
+                let line = self.line(slide)?;
+                Some(Gauge::Pushed { point, line })
+            }
+        }
+    }
+
+    /// Another joint of a link, and `end` as seen from there in the link's frame.
+    fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2)> {
         let to = self.local(link, end)?;
         let other = self.network.joints(link).find(|m| m.point != end)?;
-        let length = (to - self.frame.local(other.local)).norm();
-        Some(Gauge::Distance {
-            from: other.point,
-            to: end,
-            length,
-        })
+        Some((other.point, to - self.frame.local(other.local)))
     }
 
     fn travels(&mut self) {

@@ -83,6 +83,8 @@ pub(super) struct Part<'a> {
     pub classes: &'a [ClassId],
     pub links: &'a [LinkId],
     pub slides: &'a [SlideId],
+    /// The point of every guide on the ground, and of some others.
+    pub guide_points: &'a [Option<PointId>],
 }
 
 /// A coupled group.
@@ -692,8 +694,16 @@ impl<'a> Maker<'a> {
     fn frames(&self) -> Vec<LinkId> {
         let links = self.part.links.iter().copied();
         links
-            .filter(|&l| self.is_frame(l) && self.turning(l).is_some())
+            .filter(|&l| self.is_frame(l) && self.turning(l).is_some() && self.is_reached(l))
             .collect()
+    }
+
+    /// Whether a link has a joint in the group, or a known one. A link that is merely locked to one
+    /// of the group's has its place found later, and would bring unknowns without equations.
+    fn is_reached(&self, link: LinkId) -> bool {
+        let is_here =
+            |p: PointId| self.part.point_known[p.index()] || self.part.points.contains(&p);
+        self.part.network.joints(link).any(|m| is_here(m.point))
     }
 
     /// Gives every joint of the group a spot: on a frame where it can be, free otherwise.
@@ -783,16 +793,13 @@ impl<'a> Maker<'a> {
         let given = network.mechanism.slide(slide);
         let through = self.part.frame.local(given.through);
         let guide = match given.on {
-            Body::Ground => None,
+            Body::Ground => self.on_ground(slide),
             Body::Link(on) => {
                 let mut joints = network.joints(on).map(|m| m.point);
                 joints.find_map(|foot| self.on_link(on, foot, through))
             }
         };
-        let (Some(x), Some(q)) = (
-            self.spot(given.slider.point()),
-            guide.or_else(|| self.on_ground(slide)),
-        ) else {
+        let (Some(x), Some(q)) = (self.spot(given.slider.point()), guide) else {
             return;
         };
         let Some((turning, turn)) = self.turning(network.body(given.on)) else {
@@ -814,17 +821,13 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// A place of the ground, seen from a ground point.
+    /// The point of a guide on the ground.
     fn on_ground(&self, slide: SlideId) -> Option<Spot> {
-        let network = self.part.network;
-        let mechanism = network.mechanism;
-        let given = mechanism.slide(slide);
-        let base = mechanism.point_ids().find(|&p| network.is_ground(p))?;
-        let from = mechanism.point(base).ground?;
-        let arm = (given.through - from) / self.part.frame.scale;
-        (given.on == Body::Ground).then_some(Spot {
-            base: Base::Known(base),
-            arm: Some((Turning::Known(network.ground()), arm)),
+        let base = Base::Known(self.part.guide_points[slide.index()]?);
+        let ground = Turning::Known(self.part.network.ground());
+        Some(Spot {
+            base,
+            arm: Some((ground, Vec2::ZERO)),
             along: Vec2::ZERO,
         })
     }

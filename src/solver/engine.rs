@@ -3,7 +3,7 @@
 use super::coupled::Scratch;
 use super::frame::Frame;
 use super::plan::{Gauge, Program, Watch};
-use super::state::{Condition, PointState, Rates, State, TravelState};
+use super::state::{Condition, Rates, State, TravelState};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order};
 use crate::{Input, LinkId, Mechanism, Vec2, angle};
@@ -161,14 +161,30 @@ impl Engine {
 }
 
 impl Gauge {
+    /// By how much the constraint misses, in parts of the solver's unit or, where the mechanism
+    /// reaches further than that, of the distance from its origin: the rounding grows with it.
     fn misfit(&self, state: &State) -> f64 {
-        let at = |p: crate::PointId| -> PointState { state.points[p.index()] };
-        match self {
-            Gauge::Distance { from, to, length } => (at(*to).p - at(*from).p).norm() - length,
+        let at = |p: crate::PointId| state.points[p.index()].p;
+        let turned = |link: LinkId, along: Vec2| along.turned(state.links[link.index()].d);
+        let (miss, place) = match *self {
+            Gauge::Distance { from, to, length } => ((at(to) - at(from)).norm() - length, at(to)),
+            Gauge::Direction {
+                from,
+                to,
+                link,
+                along,
+            } if along.is_finite() => (turned(link, along).cross(at(to) - at(from)), at(to)),
+            Gauge::Direction { .. } => (0.0, Vec2::ZERO),
             Gauge::OnLine { point, line } => {
-                let t = line.along.turned(state.links[line.link.index()].d);
-                t.cross(at(*point).p - at(line.through).p)
+                let t = turned(line.link, line.along);
+                (t.cross(at(point) - at(line.through)), at(point))
             }
-        }
+            Gauge::Pushed { point, line } => {
+                let t = turned(line.link, line.along);
+                let travel = t.dot(at(point) - at(line.through));
+                (travel - state.frame.length(state.at), at(point))
+            }
+        };
+        miss / place.norm().max(1.0)
     }
 }

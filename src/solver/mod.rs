@@ -57,6 +57,8 @@ pub struct Demand {
 
 /// How many constraints are tried in the place of the one that was set aside first.
 const MOST_RIVALS: usize = 64;
+/// The same where each trial costs a search for assemblies or a walk.
+const FEW_RIVALS: usize = 8;
 
 /// A mechanism made ready to be solved at any coordinate of its driver.
 #[derive(Clone)]
@@ -88,16 +90,18 @@ impl Solver {
         let ordering = order::ordering(&network, None)?;
         let first = Solver::with(&network, &ordering);
         // Only numbers tell which of several constraints repeats the others: where the one that was
-        // set aside leaves a group singular, another is tried in its stead.
-        let mut rivals = ordering.rivals.iter().rev().take(MOST_RIVALS);
-        match first {
-            Err(Fault::Singular { .. }) => rivals
-                .find_map(|&row| {
-                    Solver::with(&network, &order::ordering(&network, Some(row)).ok()?).ok()
-                })
-                .map_or(first, Ok),
-            _ => first,
-        }
+        // set aside leaves a group that cannot be solved, another is tried in its stead.
+        let tries = match first {
+            Err(Fault::Singular { .. }) => MOST_RIVALS,
+            Err(Fault::NotAssembled { .. } | Fault::OverConstrained { .. }) => FEW_RIVALS,
+            Ok(_) | Err(Fault::Mobility { .. } | Fault::Open { .. } | Fault::Vague { .. }) => 0,
+        };
+        let mut rivals = ordering.rivals.iter().rev().take(tries);
+        rivals
+            .find_map(|&row| {
+                Solver::with(&network, &order::ordering(&network, Some(row)).ok()?).ok()
+            })
+            .map_or(first, Ok)
     }
 
     fn with(network: &Network<'_>, ordering: &Ordering) -> Result<Solver, Fault> {

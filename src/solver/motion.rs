@@ -86,8 +86,21 @@ impl Anchors {
         } else {
             above
         };
-        let dq = engine.difference(self.at[nearest], reduced);
-        let mut from = nearest * Anchors::stride(engine);
+        self.aim_from(nearest, engine, reduced, state);
+    }
+
+    /// As [`Anchors::aim`], from the nearest of the anchors that were pushed last.
+    fn aim_from_latest(&self, engine: &Engine, at: f64, state: &mut State) {
+        let latest = self.at.len().saturating_sub(SAMPLES)..self.at.len();
+        let far = |&i: &usize| (self.at[i] - at).abs();
+        if let Some(nearest) = latest.min_by(|i, j| far(i).total_cmp(&far(j))) {
+            self.aim_from(nearest, engine, at, state);
+        }
+    }
+
+    fn aim_from(&self, anchor: usize, engine: &Engine, at: f64, state: &mut State) {
+        let dq = engine.difference(self.at[anchor], at);
+        let mut from = anchor * Anchors::stride(engine);
         for group in &engine.program.coupled {
             let mut room = group.open(&mut state.scratch);
             for part in [&mut *room.z, &mut *room.first, &mut *room.second] {
@@ -123,6 +136,12 @@ impl Anchors {
         let mut order: Vec<(f64, usize)> = self.at.iter().map(|&a| reduce(a)).zip(0..).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         order.dedup_by(|a, b| a.0 == b.0);
+        // Across the end of the period, too, the nearest anchor is the nearest.
+        if let ([first, ..], [.., last], true) = (&order[..], &order[..], period > 0.0) {
+            let (before, after) = ((last.0 - period, last.1), (first.0 + period, first.1));
+            order.insert(0, before);
+            order.push(after);
+        }
         let stride = Anchors::stride(engine);
         let numbers = order
             .iter()
@@ -152,7 +171,7 @@ const STRAIN: f64 = 0.05;
 const STRAIN_FLOOR: f64 = 1e-9;
 /// A measure whose smallest sample is below this is searched for a zero between the samples.
 const SUSPICIOUS: f64 = 0.05;
-/// A measure below this, some u, touches zero.
+/// A measure below this part of its largest, some u, touches zero.
 const TOUCH: f64 = 1e-14;
 /// A turning driver steps by a degree, a pushed one by this part of the solver's unit length.
 const PUSH_STEP: f64 = 1.0 / 128.0;
@@ -164,8 +183,12 @@ const GOLDEN_SECTIONS: usize = 44;
 const MOST_STEPS: usize = 400;
 /// Halvings between two doubles, at the most.
 const MOST_HALVINGS: usize = 1100;
+/// Doublings from one ulp by which the end of a range is drawn back, at the most.
+const MOST_DRAWS: i32 = 24;
 /// Turns after which a motion must have closed.
 const MOST_TURNS: usize = 16;
+/// Samples that must have been seen before a minimum of a measure shows.
+const SAMPLES: usize = 3;
 /// How near z must come to its start for the motion to have closed.
 const CLOSED: f64 = 1e-7;
 
@@ -178,10 +201,13 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         engine,
         state: state.clone(),
         anchors: Anchors::default(),
+        seen: Vec::new(),
+        peaks: state.measures.clone(),
+        start,
+        sense: 1.0,
     };
-    walker.anchors.push(engine, start, &mut walker.state);
     walker.check_fit()?;
-    let up = walker.walk(start, 1.0)?;
+    let up = walker.walk()?;
     let (range, period) = match up {
         End::Closed(turns) => {
             let period = angle_turn(turns);
@@ -189,7 +215,8 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         }
         End::Limit(high) => {
             walker.state = state.clone();
-            let low = match walker.walk(start, -1.0)? {
+            walker.sense = -1.0;
+            let low = match walker.walk()? {
                 End::Limit(low) => low,
                 End::Closed(turns) => start - angle_turn(turns),
             };
@@ -197,7 +224,31 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         }
     };
     let anchors = walker.anchors.sorted(engine, period);
+    let range = match range {
+        Range::Full { .. } => range,
+        Range::Limited { low, high } => {
+            let mut settle = |end| settled_end(end, start, engine, &anchors, &mut walker.state);
+            Range::Limited {
+                low: settle(low),
+                high: settle(high),
+            }
+        }
+    };
     Ok(Motion { range, anchors })
+}
+
+/// The end of a range, drawn back by the few ulps by which a state that is predicted from another
+/// anchor than in the walk may miss it.
+fn settled_end(end: f64, start: f64, engine: &Engine, anchors: &Anchors, state: &mut State) -> f64 {
+    let ulp = f64::EPSILON * end.abs().max(start.abs());
+    let back = |k: i32| end - (end - start).signum() * ulp * (f64::from(k).exp2() - 1.0);
+    let mut exists = |&at: &f64| {
+        anchors.aim(engine, at, state);
+        engine.run(at, Order::Position, state) != Condition::NoAssembly
+    };
+    let candidates = (0..MOST_DRAWS).map(back);
+    let mut inside = candidates.take_while(|at| (at - start) * (end - start) > 0.0);
+    inside.find(|at| exists(at)).unwrap_or(end)
 }
 
 enum End {
@@ -209,17 +260,26 @@ struct Walker<'e> {
     engine: &'e Engine,
     state: State,
     anchors: Anchors,
+    /// The last few states, by coordinate and measures.
+    seen: Vec<(f64, Vec<f64>)>,
+    /// The largest value of every measure so far, at most 1: what is small is small against this.
+    peaks: Vec<f64>,
+    start: f64,
+    sense: f64,
 }
 
-/// The last coordinate that was reached, and one that was not.
+/// Why the motion goes no further.
 #[derive(Clone, Copy, Debug)]
-struct Barrier {
-    good: f64,
-    bad: f64,
+enum Stop {
+    /// Somewhere between the last coordinate that was reached, and one that was not.
+    Barrier { good: f64, bad: f64 },
+    /// At a limit that is known already.
+    Limit(f64),
 }
 
 impl Walker<'_> {
-    fn walk(&mut self, start: f64, sense: f64) -> Result<End, Fault> {
+    fn walk(&mut self) -> Result<End, Fault> {
+        let (start, sense) = (self.start, self.sense);
         let step = if self.engine.turns {
             1.0
         } else {
@@ -232,28 +292,55 @@ impl Walker<'_> {
             (PUSH_REACH / PUSH_STEP) as usize
         };
         let first_z = self.state.scratch.numbers.clone();
-        let mut seen = vec![(start, self.state.measures.clone())];
-        let mut from = start;
+        self.look_behind(step);
+        let (mut from, mut closed) = (start, None);
         for k in 1..=most {
             let to = start + sense * step * k as f64;
-            if let Err(barrier) = self.advance(from, to) {
-                return Ok(End::Limit(self.bisect(barrier)));
+            match self.advance(from, to) {
+                Ok(()) => {}
+                Err(Stop::Limit(limit)) => return Ok(End::Limit(limit)),
+                Err(Stop::Barrier { good, bad }) => {
+                    return Ok(End::Limit(self.bisect(good, bad)));
+                }
             }
             self.check_fit()?;
-            self.anchors.push(self.engine, to, &mut self.state);
-            seen.push((to, self.state.measures.clone()));
-            if let Some(limit) = self.limit_between(&seen) {
-                return Ok(End::Limit(limit));
+            // A turn ends a step after it has closed: only then has its last minimum been seen.
+            if let Some(turns) = closed {
+                return Ok(End::Closed(turns));
             }
-            if seen.len() == 3 {
-                seen.remove(0);
+            if k % per_turn == 0 && self.has_closed(&first_z) {
+                closed = Some(k / per_turn);
             }
             from = to;
-            if k % per_turn == 0 && self.has_closed(&first_z) {
-                return Ok(End::Closed(k / per_turn));
-            }
         }
         Ok(End::Limit(from))
+    }
+
+    /// Notes a state on the other side of the start, so that a minimum at the start shows.
+    fn look_behind(&mut self, step: f64) {
+        let at_start = self.state.clone();
+        let behind = self.start - self.sense * step;
+        self.seen.clear();
+        if self.advance(self.start, behind).is_ok() {
+            self.seen.drain(..self.seen.len().saturating_sub(1));
+        } else {
+            self.seen.clear();
+        }
+        self.state = at_start;
+        self.note(self.start);
+    }
+
+    /// Keeps the state that was reached as a sample and as an anchor.
+    fn note(&mut self, at: f64) {
+        self.anchors.push(self.engine, at, &mut self.state);
+        if self.seen.len() == SAMPLES {
+            self.seen.rotate_left(1);
+            self.seen.pop();
+        }
+        self.seen.push((at, self.state.measures.clone()));
+        for (peak, measure) in self.peaks.iter_mut().zip(&self.state.measures) {
+            *peak = peak.max(*measure).min(1.0);
+        }
     }
 
     /// Whether every coupled group is where it was at the start.
@@ -280,9 +367,9 @@ impl Walker<'_> {
     }
 
     /// Goes from one coordinate, at which the state is, to another by as many steps as the motion
-    /// needs; stopped by a barrier, the state is the last good one.
-    fn advance(&mut self, from: f64, to: f64) -> Result<(), Barrier> {
-        let (mut good, mut step) = (from, to - from);
+    /// needs, and notes each; stopped, the state is the last good one.
+    fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
+        let (mut good, mut bad, mut step) = (from, to, to - from);
         let mut saved = self.state.clone();
         for _ in 0..MOST_STEPS {
             if good == to {
@@ -293,22 +380,28 @@ impl Walker<'_> {
             } else {
                 good + step
             };
-            if next != good && self.try_step(good, next, &saved) {
+            if next == good {
+                break;
+            }
+            if self.try_step(good, next, &saved) {
+                self.note(next);
+                if let Some(limit) = self.limit_passed() {
+                    return Err(Stop::Limit(limit));
+                }
                 saved.clone_from(&self.state);
                 good = next;
                 step *= 2.0;
                 continue;
             }
-            let ends = next == good || (!self.has_path() && self.fails_at(next));
+            bad = next;
+            let ends = !self.has_path() && self.fails_at(next);
             self.state.clone_from(&saved);
             if ends {
-                let bad = if next == good { to } else { next };
-                return Err(Barrier { good, bad });
+                break;
             }
             step = 0.5 * (next - good);
         }
-        self.state.clone_from(&saved);
-        Err(Barrier { good, bad: to })
+        Err(Stop::Barrier { good, bad })
     }
 
     /// Whether states depend on the path to them: a mechanism of dyads alone needs none.
@@ -339,65 +432,86 @@ impl Walker<'_> {
     }
 
     /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
-    /// the dead point itself included. The state must be the one at `barrier.good`.
-    fn bisect(&mut self, barrier: Barrier) -> f64 {
-        let Barrier { mut good, mut bad } = barrier;
-        let mut middle = bad;
+    /// the dead point itself included. The state must be the one at `good`.
+    fn bisect(&mut self, mut good: f64, mut bad: f64) -> f64 {
         for _ in 0..MOST_HALVINGS {
+            let middle = good + 0.5 * (bad - good);
+            if middle == good || middle == bad {
+                break;
+            }
             match self.reach(good, middle) {
                 Ok(()) => good = middle,
-                Err(barrier) => Barrier { good, bad } = barrier,
-            }
-            middle = good + 0.5 * (bad - good);
-            if good == bad || middle == good || middle == bad {
-                break;
+                Err(Stop::Barrier { good: g, bad: b }) => (good, bad) = (g, b),
+                Err(Stop::Limit(limit)) => return limit,
             }
         }
         good
     }
 
-    fn reach(&mut self, good: f64, to: f64) -> Result<(), Barrier> {
+    fn reach(&mut self, good: f64, to: f64) -> Result<(), Stop> {
         if self.has_path() {
             return self.advance(good, to);
         }
         match self.engine.run(to, Order::Position, &mut self.state) {
-            Condition::NoAssembly => Err(Barrier { good, bad: to }),
+            Condition::NoAssembly => Err(Stop::Barrier { good, bad: to }),
             Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => Ok(()),
         }
     }
 
     /// A limit that the last three samples have stepped over: the zero of a measure that has a
-    /// minimum between them.
-    fn limit_between(&mut self, seen: &[(f64, Vec<f64>)]) -> Option<f64> {
-        let [(a, first), (m, middle), (b, last)] = seen else {
+    /// minimum between them. What lies behind the start is for the walk the other way.
+    fn limit_passed(&mut self) -> Option<f64> {
+        let [(a, first), (m, middle), (b, last)] = &self.seen[..] else {
             return None;
         };
-        let groups = 0..first.len();
-        let dips = groups
-            .filter(|&g| middle[g] < first[g] && middle[g] <= last[g] && middle[g] < SUSPICIOUS);
-        let dips: Vec<usize> = dips.collect();
-        let saved = self.state.clone();
-        let limit = dips.into_iter().find_map(|group| {
-            let lowest = self.lowest(group, [*a, *m, *b]);
-            let measure = self.measure(group, lowest);
-            if measure < -TOUCH {
-                Some(self.edge(group, *a, lowest))
-            } else {
-                (measure < TOUCH).then_some(lowest)
-            }
+        let (a, m, b) = (*a, *m, *b);
+        let dips = (0..first.len()).filter(|&g| {
+            let is_lowest = middle[g] < first[g] && middle[g] <= last[g];
+            is_lowest && middle[g] < SUSPICIOUS
         });
+        let dips: Vec<usize> = dips.collect();
+        if dips.is_empty() {
+            return None;
+        }
+        let saved = self.state.clone();
+        let limits: Vec<f64> = dips
+            .into_iter()
+            .filter_map(|group| self.limit_of(group, [a, m, b]))
+            .collect();
         self.state = saved;
-        limit
+        let ahead = |limit: f64| (limit - self.start) * self.sense;
+        limits
+            .into_iter()
+            .filter(|&limit| ahead(limit) > 0.0)
+            .min_by(|&x, &y| ahead(x).total_cmp(&ahead(y)))
     }
 
+    /// The zero of one group's measure that a minimum between three samples touches or crosses.
+    fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
+        let touch = TOUCH * self.peaks[group];
+        let lowest = self.lowest(group, samples);
+        let measure = self.measure(group, lowest);
+        if measure >= -touch {
+            return (measure < touch).then_some(lowest);
+        }
+        let [before, middle, _] = samples;
+        let is_past_middle = (lowest - middle) * self.sense > 0.0;
+        let good = if is_past_middle { middle } else { before };
+        Some(self.edge(group, good, lowest))
+    }
+
+    /// A group's measure between the last samples, negative where the mechanism does not exist.
     fn measure(&mut self, group: usize, at: f64) -> f64 {
-        let anchors = self.anchors.sorted(self.engine, 0.0);
-        anchors.aim(self.engine, at, &mut self.state);
-        match self.engine.run(at, Order::Position, &mut self.state) {
-            Condition::Ok => self.state.measures[group],
-            Condition::DeadPoint | Condition::ChangePoint | Condition::NoAssembly => {
-                self.state.measures[group].min(0.0)
-            }
+        self.anchors
+            .aim_from_latest(self.engine, at, &mut self.state);
+        let condition = self.engine.run(at, Order::Position, &mut self.state);
+        let measure = self.state.measures[group];
+        match condition {
+            Condition::Ok => measure,
+            Condition::DeadPoint | Condition::ChangePoint => measure.min(0.0),
+            Condition::NoAssembly if measure < 0.0 => measure,
+            // Another group is open: this one's measure may be that of another coordinate.
+            Condition::NoAssembly => -1.0,
         }
     }
 
@@ -405,7 +519,7 @@ impl Walker<'_> {
     /// sample between them if that touches zero.
     fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
-        if self.measure(group, middle) < TOUCH {
+        if self.measure(group, middle) < TOUCH * self.peaks[group] {
             return middle;
         }
         let (mut a, mut b) = (a, b);

@@ -273,15 +273,27 @@ impl<'m> Network<'m> {
         unknowns
     }
 
-    /// How readily an equation is set aside where there are too many: the length of a plain bar
-    /// first, then a slot, since what is left of the element can then still be placed.
+    /// How readily an equation is set aside where there are too many: the length of a bar inside
+    /// another body first, since it cannot but repeat that body's; then that of any bar, then a slot, since what is left of the element can then still be placed.
     pub(super) fn readiness(&self, row: Row) -> u8 {
         match row {
+            Row::Along { link, .. } if self.is_strut(link) => 4,
             Row::Along { link, .. } if self.is_bar(link) => 3,
             Row::Slot(_) => 2,
             Row::Along { .. } => 1,
             Row::Across { .. } | Row::Push(_) => 0,
         }
+    }
+
+    /// Whether a bar's two joints belong to one other body.
+    fn is_strut(&self, link: LinkId) -> bool {
+        let ends: Vec<PointId> = self.joints(link).map(|m| m.point).collect();
+        let [a, b] = ends[..] else { return false };
+        let points = [a, b].map(|p| self.mechanism.point(p));
+        let share = |l: &LinkId| *l != link && points[1].links.contains(l);
+        let is_inner =
+            points.iter().all(|p| p.ground.is_some()) || points[0].links.iter().any(share);
+        is_inner && self.is_bar(link)
     }
 
     /// Whether a link is nothing but a distance between two joints.

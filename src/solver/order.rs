@@ -5,7 +5,7 @@ use super::network::{Network, Row, Unknown};
 use crate::{Element, LinkId};
 use petgraph::algo::{kosaraju_scc, maximum_matching};
 use petgraph::graph::{DiGraph, NodeIndex, UnGraph};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// A smallest set of unknowns that must be settled at once, with its equations.
 #[derive(Clone, Debug, Default)]
@@ -93,11 +93,34 @@ struct Matching {
     scalar_of: Vec<Option<usize>>,
 }
 
-fn matching(scalars: &Scalars, kept: &[bool]) -> Matching {
+impl Matching {
+    /// Gives each equation on the path to `gone` the scalar of the next: the free one at its
+    /// beginning is settled, the one at its end is free.
+    fn hand_on(&mut self, part: &[Reached], gone: usize) {
+        self.scalar_of[part[gone].row] = None;
+        let mut taken = part[gone];
+        while let Some((from, scalar)) = taken.by {
+            let giver = part[from];
+            self.row_of[scalar] = Some(giver.row);
+            self.scalar_of[giver.row] = Some(scalar);
+            taken = giver;
+        }
+    }
+}
+
+/// An equation on an alternating path from a free one.
+#[derive(Clone, Copy, Debug)]
+struct Reached {
+    row: usize,
+    /// The place in the list of the equation before it, and the scalar between them.
+    by: Option<(usize, usize)>,
+}
+
+fn matching(scalars: &Scalars) -> Matching {
     let mut graph = UnGraph::<(), ()>::default();
     let columns: Vec<NodeIndex> = scalars.list.iter().map(|_| graph.add_node(())).collect();
     let rows: Vec<NodeIndex> = scalars.of_row.iter().map(|_| graph.add_node(())).collect();
-    for (r, of_row) in scalars.of_row.iter().enumerate().filter(|&(r, _)| kept[r]) {
+    for (r, of_row) in scalars.of_row.iter().enumerate() {
         for &s in of_row {
             graph.add_edge(rows[r], columns[s], ());
         }
@@ -126,27 +149,23 @@ fn matching(scalars: &Scalars, kept: &[bool]) -> Matching {
 /// [`Fault::Mobility`] where unknowns remain that no equation settles.
 pub(super) fn ordering(network: &Network<'_>, preferred: Option<Row>) -> Result<Ordering, Fault> {
     let scalars = Scalars::of(network);
-    let mut kept = vec![true; network.rows.len()];
+    let mut matched = matching(&scalars);
     let (mut set_aside, mut rivals) = (Vec::new(), Vec::new());
     let readiness = |row: Row| (Some(row) == preferred, network.readiness(row));
-    let matched = loop {
-        let matched = matching(&scalars, &kept);
-        let free = (0..kept.len()).find(|&r| kept[r] && matched.scalar_of[r].is_none());
-        let Some(free) = free else { break matched };
+    for free in 0..network.rows.len() {
+        if matched.scalar_of[free].is_some() {
+            continue;
+        }
         let part = over_determined(&scalars, &matched, free);
-        let gone = part
-            .iter()
-            .copied()
-            .max_by_key(|&r| (readiness(network.rows[r]), r))
-            .unwrap_or(free);
-        rivals.extend(
-            part.iter()
-                .filter(|&&r| r != gone)
-                .map(|&r| network.rows[r]),
-        );
-        kept[gone] = false;
-        set_aside.push(network.rows[gone]);
-    };
+        let rows = || part.iter().map(|reached| network.rows[reached.row]);
+        let gone = (0..part.len())
+            .max_by_key(|&i| (readiness(network.rows[part[i].row]), part[i].row))
+            .unwrap_or(0);
+        let gone_row = network.rows[part[gone].row];
+        rivals.extend(rows().filter(|&r| r != gone_row));
+        set_aside.push(gone_row);
+        matched.hand_on(&part, gone);
+    }
     let loose: Vec<usize> = (0..scalars.list.len())
         .filter(|&s| matched.row_of[s].is_none())
         .collect();
@@ -166,15 +185,18 @@ pub(super) fn ordering(network: &Network<'_>, preferred: Option<Row>) -> Result<
 }
 
 /// The equations that compete with a free one: those on alternating paths from it.
-fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<usize> {
-    let mut seen = vec![false; scalars.of_row.len()];
-    seen[free] = true;
-    let mut part = vec![free];
+fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<Reached> {
+    let mut seen = HashSet::from([free]);
+    let mut part = vec![Reached {
+        row: free,
+        by: None,
+    }];
     let mut next = 0;
     while next < part.len() {
-        for &s in &scalars.of_row[part[next]] {
-            if let Some(r) = matched.row_of[s].filter(|&r| !std::mem::replace(&mut seen[r], true)) {
-                part.push(r);
+        for &s in &scalars.of_row[part[next].row] {
+            if let Some(row) = matched.row_of[s].filter(|&r| seen.insert(r)) {
+                let by = Some((next, s));
+                part.push(Reached { row, by });
             }
         }
         next += 1;

@@ -3,7 +3,7 @@
 use super::coupled::Coupled;
 use super::state::{LinkState, PointState};
 use super::step::Step;
-use crate::{Element, LinkId, PointId};
+use crate::{Element, LinkId, PointId, Vec2};
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +51,7 @@ pub struct Plan {
     pub redundant: Vec<Element>,
 }
 
-/// A constraint that was set aside and must hold all the same.
+/// A constraint that must hold whether or not the steps are built on it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Watch {
     pub element: Element,
@@ -67,8 +67,21 @@ pub(super) enum Gauge {
         to: PointId,
         length: f64,
     },
+    /// The direction in which a link sees one of its points from another.
+    Direction {
+        from: PointId,
+        to: PointId,
+        link: LinkId,
+        /// A unit vector in the link's frame; not finite where the points are one.
+        along: Vec2,
+    },
     /// A point on a line of a body.
     OnLine {
+        point: PointId,
+        line: super::step::Line,
+    },
+    /// A driven point at the driver's coordinate along a line of a body.
+    Pushed {
         point: PointId,
         line: super::step::Line,
     },

@@ -18,6 +18,10 @@ pub(super) const ACCELERATION: u8 = 2;
 /// clamp states that really are open.
 const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 
+/// Two directions whose sine is below this are parallel: the rounding of two products of unit
+/// vectors. Guides that differ by 2^-40 are told apart.
+const PARALLEL: f64 = 8.0 * 0.5 * f64::EPSILON;
+
 /// What became of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Outcome {
@@ -547,6 +551,9 @@ impl Cylinder {
             return Outcome::Open;
         }
         let stretched = inner <= slack || outer <= slack;
+        if stretched && d2 == 0.0 {
+            return Outcome::Open;
+        }
         let sh = if stretched {
             0.0
         } else {
@@ -616,7 +623,7 @@ fn carried<const ORDER: u8>(base: &PointState, link: &LinkState, local: Vec2) ->
 fn meet<const ORDER: u8>(one: &Guide, two: &Guide) -> Option<PointState> {
     let det = two.n.dot(one.t);
     let l = two.n.dot(two.q.p - one.q.p) / det;
-    if !l.is_finite() {
+    if det.abs() <= PARALLEL || !l.is_finite() {
         return None;
     }
     let m = two.t.dot(one.q.p + one.t * l - two.q.p);
