@@ -59,7 +59,7 @@ impl Assembler<'_> {
         let steps = starts[self.number]..starts[self.number + 1];
         let key = steps
             .clone()
-            .find(|&i| engine.program.steps[i].sign().is_some());
+            .find(|&i| engine.program.steps[i].choice().is_some());
         let coupled = steps.clone().find_map(|i| match engine.program.steps[i] {
             Step::Coupled { index } => Some((i, index)),
             _ => None,
@@ -119,7 +119,7 @@ impl Assembler<'_> {
         let subject = self.subject(engine, key);
         let mut found = [(0.0, Vec2::ZERO); 2];
         for (found, sign) in found.iter_mut().zip([1.0, -1.0]) {
-            engine.program.steps[key].set_sign(sign);
+            state.signs[self.number] = sign;
             engine.run_steps(steps.clone(), self.at, Order::Position, state);
             let miss = |&(p, near): &(PointId, Vec2)| (state.points[p.index()].p - near).norm2();
             *found = (
@@ -137,7 +137,8 @@ impl Assembler<'_> {
             });
         }
         let sign = if undecided || plus < minus { 1.0 } else { -1.0 };
-        engine.program.steps[key].set_sign(sign);
+        state.signs[self.number] = sign;
+        engine.signs[self.number] = sign;
         engine.run_steps(steps, self.at, Order::Acceleration, state);
         Ok(())
     }

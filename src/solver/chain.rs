@@ -589,7 +589,6 @@ impl<'n> Chain<'n> {
                 link,
                 along,
                 offset,
-                sign: 1.0,
                 group,
             }));
             self.learn_class(link);
@@ -633,7 +632,6 @@ impl<'n> Chain<'n> {
             through,
             along,
             far,
-            sign: 1.0,
             group,
         }));
         self.learn_point(point);

@@ -2,6 +2,7 @@
 
 use super::coupled::Scratch;
 use super::frame::Frame;
+use super::passage::Passages;
 use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, Rates, State, TravelState};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
@@ -14,6 +15,8 @@ pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
+    /// For every group the sign that its assembly has at the start.
+    pub signs: Vec<f64>,
     driven: Option<LinkId>,
     rates: Rates,
 }
@@ -29,6 +32,7 @@ impl Engine {
         let inner = |v: f64| if turns { v } else { frame.length(v) };
         let rates = Rates::new(inner(driver.speed), inner(driver.acceleration));
         let mut engine = Engine {
+            signs: vec![1.0; program.group_starts.len()],
             program,
             frame,
             turns,
@@ -52,6 +56,7 @@ impl Engine {
             links: self.program.links.clone(),
             travels: vec![TravelState::default(); slides],
             measures: vec![1.0; self.program.group_starts.len()],
+            signs: self.signs.clone(),
             scratch: Scratch {
                 numbers: vec![0.0; coupled.iter().map(|c| c.room()).sum()],
                 pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
@@ -71,6 +76,15 @@ impl Engine {
             angle::radians(to - from)
         } else {
             self.frame.length(to - from)
+        }
+    }
+
+    /// The driver's coordinate at a difference from another one, as [`Engine::difference`] counts it.
+    pub(super) fn moved(&self, from: f64, by: f64) -> f64 {
+        from + if self.turns {
+            by.to_degrees()
+        } else {
+            by * self.frame.scale
         }
     }
 
@@ -112,6 +126,35 @@ impl Engine {
             }
         }
         condition
+    }
+
+    /// As [`Engine::run`] close to a change point: there a dyad is placed by its passage.
+    pub(super) fn run_near(
+        &self,
+        at: f64,
+        order: Order,
+        passages: &Passages,
+        state: &mut State,
+    ) -> Condition {
+        state.at = at;
+        state.condition = Condition::Ok;
+        for i in 0..self.program.steps.len() {
+            let condition = self.run_steps(i..i + 1, at, order, state);
+            let choice = self.program.steps[i].choice();
+            let near = choice.and_then(|group| passages.near(self, at, group));
+            if let Some((passage, dq)) = near {
+                passage.write(dq, state);
+                if dq == 0.0 && state.condition == Condition::Ok {
+                    state.condition = Condition::ChangePoint;
+                }
+            } else if condition != Condition::Ok {
+                state.condition = condition;
+            }
+            if state.condition == Condition::NoAssembly {
+                break;
+            }
+        }
+        state.condition
     }
 
     /// The driver's coordinate for the steps: a length, or a direction.

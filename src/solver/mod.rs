@@ -17,6 +17,7 @@ mod lu;
 mod motion;
 mod network;
 mod order;
+mod passage;
 mod plan;
 mod state;
 mod step;
@@ -166,7 +167,16 @@ impl Solver {
             return Condition::NoAssembly;
         }
         self.motion.anchors.aim(&self.engine, at, state);
-        self.engine.run(at, order, state)
+        let passages = &self.motion.passages;
+        if passages.is_empty() {
+            return self.engine.run(at, order, state);
+        }
+        passages.choose(&self.engine, at, &mut state.signs);
+        if passages.is_near(&self.engine, at) {
+            self.engine.run_near(at, order, passages, state)
+        } else {
+            self.engine.run(at, order, state)
+        }
     }
 }
 

@@ -7,6 +7,7 @@
 
 use super::engine::Engine;
 use super::fault::Fault;
+use super::passage::{Passage, Passages};
 use super::state::{Condition, State};
 use super::{Order, angle_turn};
 
@@ -33,7 +34,13 @@ pub enum Range {
 pub struct Motion {
     /// The driver's range.
     pub range: Range,
+    /// The ends of the range at which the mechanism cannot go on, in degrees or in the scene's length
+    /// unit: there are two, or none.
+    pub dead_points: Vec<f64>,
+    /// Where two assemblies meet and the motion passes smoothly, within one period.
+    pub change_points: Vec<f64>,
     pub(super) anchors: Anchors,
+    pub(super) passages: Passages,
 }
 
 impl Motion {
@@ -111,6 +118,19 @@ impl Anchors {
         }
     }
 
+    /// Forgets the latest anchors as far as they lie beyond a limit.
+    fn forget_beyond(&mut self, engine: &Engine, limit: f64, sense: f64) {
+        while self
+            .at
+            .last()
+            .is_some_and(|&at| (at - limit) * sense >= 0.0)
+        {
+            self.at.pop();
+            self.numbers
+                .truncate(self.at.len() * Anchors::stride(engine));
+        }
+    }
+
     fn push(&mut self, engine: &Engine, at: f64, state: &mut State) {
         if engine.program.coupled.is_empty() {
             return;
@@ -154,7 +174,7 @@ impl Anchors {
     }
 }
 
-fn positive_remainder(at: f64, period: f64) -> f64 {
+pub(super) fn positive_remainder(at: f64, period: f64) -> f64 {
     let rest = at % period;
     if rest < 0.0 { rest + period } else { rest }
 }
@@ -189,6 +209,11 @@ const MOST_DRAWS: i32 = 24;
 const MOST_TURNS: usize = 16;
 /// Samples that must have been seen before a minimum of a measure shows.
 const SAMPLES: usize = 3;
+/// A change point is passed in one step from this much before it to this much beyond, in radians or
+/// scaled lengths: far enough for the dyad to have digits on both sides.
+const PASSING: f64 = 1e-3;
+/// An extreme of a dyad's stretch belongs to a limit if it is this close to it.
+const EXTREME: f64 = 1e-3;
 /// How near z must come to its start for the motion to have closed.
 const CLOSED: f64 = 1e-7;
 
@@ -205,6 +230,7 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         peaks: state.measures.clone(),
         start,
         sense: 1.0,
+        passages: Vec::new(),
     };
     walker.check_fit()?;
     let up = walker.walk()?;
@@ -213,11 +239,11 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
             let period = angle_turn(turns);
             (Range::Full { period }, period)
         }
-        End::Limit(high) => {
+        End::Limit(high) | End::Cut(high) => {
             walker.state = state.clone();
             walker.sense = -1.0;
             let low = match walker.walk()? {
-                End::Limit(low) => low,
+                End::Limit(low) | End::Cut(low) => low,
                 End::Closed(turns) => start - angle_turn(turns),
             };
             (Range::Limited { low, high }, 0.0)
@@ -234,7 +260,14 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
             }
         }
     };
-    Ok(Motion { range, anchors })
+    let passages = Passages::new(walker.passages, start, period);
+    Ok(Motion {
+        range,
+        dead_points: dead_points(range, engine, start),
+        change_points: passages.coordinates(),
+        anchors,
+        passages,
+    })
 }
 
 /// The end of a range, drawn back by the few ulps by which a state that is predicted from another
@@ -251,9 +284,26 @@ fn settled_end(end: f64, start: f64, engine: &Engine, anchors: &Anchors, state: 
     inside.find(|at| exists(at)).unwrap_or(end)
 }
 
+/// The ends of a range, but for those at which a slide was merely followed no further.
+fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
+    match range {
+        Range::Full { .. } => Vec::new(),
+        Range::Limited { low, high } => {
+            let reach = PUSH_REACH * engine.frame.scale;
+            let is_cut = |end: f64| !engine.turns && (end - start).abs() >= reach;
+            [low, high]
+                .into_iter()
+                .filter(|&end| !is_cut(end))
+                .collect()
+        }
+    }
+}
+
 enum End {
     Closed(usize),
     Limit(f64),
+    /// Followed no further.
+    Cut(f64),
 }
 
 struct Walker<'e> {
@@ -266,6 +316,7 @@ struct Walker<'e> {
     peaks: Vec<f64>,
     start: f64,
     sense: f64,
+    passages: Vec<Passage>,
 }
 
 /// Why the motion goes no further.
@@ -293,15 +344,22 @@ impl Walker<'_> {
         };
         let first_z = self.state.scratch.numbers.clone();
         self.look_behind(step);
-        let (mut from, mut closed) = (start, None);
-        for k in 1..=most {
+        let (mut from, mut closed, mut k) = (start, None, 1);
+        while k <= most {
             let to = start + sense * step * k as f64;
-            match self.advance(from, to) {
-                Ok(()) => {}
-                Err(Stop::Limit(limit)) => return Ok(End::Limit(limit)),
-                Err(Stop::Barrier { good, bad }) => {
-                    return Ok(End::Limit(self.bisect(good, bad)));
+            let stop = self.advance(from, to);
+            if let Err(stop) = stop {
+                let limit = match stop {
+                    Stop::Limit(limit) => limit,
+                    Stop::Barrier { good, bad } => self.bisect(good, bad),
+                };
+                match self.pass(limit) {
+                    // A change point at a whole step may be passed a little beyond it.
+                    Some(beyond) if (beyond - to) * sense < 0.0 => from = beyond,
+                    Some(beyond) => (from, k) = (beyond, k + 1),
+                    None => return Ok(End::Limit(limit)),
                 }
+                continue;
             }
             self.check_fit()?;
             // A turn ends a step after it has closed: only then has its last minimum been seen.
@@ -311,9 +369,9 @@ impl Walker<'_> {
             if k % per_turn == 0 && self.has_closed(&first_z) {
                 closed = Some(k / per_turn);
             }
-            from = to;
+            (from, k) = (to, k + 1);
         }
-        Ok(End::Limit(from))
+        Ok(End::Cut(from))
     }
 
     /// Notes a state on the other side of the start, so that a minimum at the start shows.
@@ -343,16 +401,17 @@ impl Walker<'_> {
         }
     }
 
-    /// Whether every coupled group is where it was at the start.
+    /// Whether every group is where it was at the start.
     fn has_closed(&self, first: &[f64]) -> bool {
         let now = &self.state.scratch.numbers;
-        self.engine.program.coupled.iter().all(|group| {
-            let z = group.offset..group.offset + group.width();
-            now[z.clone()]
-                .iter()
-                .zip(&first[z])
-                .all(|(a, b)| (a - b).abs() < CLOSED)
-        })
+        self.state.signs == self.engine.signs
+            && self.engine.program.coupled.iter().all(|group| {
+                let z = group.offset..group.offset + group.width();
+                now[z.clone()]
+                    .iter()
+                    .zip(&first[z])
+                    .all(|(a, b)| (a - b).abs() < CLOSED)
+            })
     }
 
     fn check_fit(&self) -> Result<(), Fault> {
@@ -455,6 +514,153 @@ impl Walker<'_> {
         match self.engine.run(to, Order::Position, &mut self.state) {
             Condition::NoAssembly => Err(Stop::Barrier { good, bad: to }),
             Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => Ok(()),
+        }
+    }
+
+    // ---- change points
+
+    /// Goes on beyond a limit, if it is a change point of dyads: the coordinate that was reached.
+    fn pass(&mut self, limit: f64) -> Option<f64> {
+        self.anchors.forget_beyond(self.engine, limit, self.sense);
+        let changes = self.changes(limit);
+        let first = changes
+            .iter()
+            .map(|c| c.1)
+            .min_by(|x, y| self.ahead(*x).total_cmp(&self.ahead(*y)))?;
+        let last = changes
+            .iter()
+            .map(|c| c.1)
+            .max_by(|x, y| self.ahead(*x).total_cmp(&self.ahead(*y)))?;
+        let before = self.engine.moved(first, -self.sense * PASSING);
+        let beyond = self.engine.moved(last, self.sense * PASSING);
+        self.aim_at(before);
+        if self
+            .engine
+            .run(before, Order::Acceleration, &mut self.state)
+            != Condition::Ok
+        {
+            return None;
+        }
+        let saved = self.state.clone();
+        self.flip(&changes);
+        if !self.try_step(before, beyond, &saved) {
+            return None;
+        }
+        let reached = self.state.clone();
+        self.record(&changes, &saved.signs, &reached.signs);
+        self.state = reached;
+        self.seen.clear();
+        self.note(beyond);
+        Some(beyond)
+    }
+
+    fn ahead(&self, at: f64) -> f64 {
+        (at - self.start) * self.sense
+    }
+
+    fn flip(&mut self, changes: &[(usize, f64)]) {
+        for &(step, _) in changes {
+            if let Some(group) = self.engine.program.steps[step].choice() {
+                self.state.signs[group] = -self.state.signs[group];
+            }
+        }
+    }
+
+    fn aim_at(&mut self, at: f64) {
+        self.anchors
+            .aim_from_latest(self.engine, at, &mut self.state);
+    }
+
+    /// The dyads that are stretched to an extreme of their reach at a limit, and where exactly: by
+    /// step and coordinate.
+    fn changes(&mut self, limit: f64) -> Vec<(usize, f64)> {
+        let choices = (0..self.engine.program.steps.len())
+            .filter(|&i| self.engine.program.steps[i].choice().is_some());
+        let choices: Vec<usize> = choices.collect();
+        choices
+            .into_iter()
+            .filter_map(|i| Some((i, self.extreme(i, limit)?)))
+            .collect()
+    }
+
+    /// Where a dyad's stretch is extreme close to a limit, if its arms are in line there.
+    fn extreme(&mut self, step: usize, limit: f64) -> Option<f64> {
+        let group = self.engine.program.steps[step].choice()?;
+        let (mut a, mut b) = (
+            self.engine.moved(limit, -EXTREME),
+            self.engine.moved(limit, EXTREME),
+        );
+        let rate_a = self.stretch_rate(step, a)?;
+        if !(rate_a * self.stretch_rate(step, b)? < 0.0) {
+            return None;
+        }
+        loop {
+            let middle = a + 0.5 * (b - a);
+            if middle == a || middle == b {
+                break;
+            }
+            let rate = self.stretch_rate(step, middle)?;
+            if rate == 0.0 {
+                (a, b) = (middle, middle);
+                break;
+            }
+            if rate * rate_a > 0.0 {
+                a = middle
+            } else {
+                b = middle
+            }
+        }
+        let nearer = if self.stretch_rate(step, a)?.abs() < self.stretch_rate(step, b)?.abs() {
+            a
+        } else {
+            b
+        };
+        self.stretch_rate(step, nearer);
+        let measure = self.state.measures[group];
+        (measure.abs() <= TOUCH * self.peaks[group]).then_some(nearer)
+    }
+
+    /// A dyad's rate of stretch, from its inputs: it may be open itself.
+    fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
+        self.aim_at(at);
+        let inputs = self
+            .engine
+            .run_steps(0..step, at, Order::Velocity, &mut self.state);
+        if inputs == Condition::NoAssembly {
+            return None;
+        }
+        self.engine
+            .run_steps(step..step + 1, at, Order::Position, &mut self.state);
+        self.engine.program.steps[step].stretch_rate(&self.state)
+    }
+
+    /// Keeps the passages of dyads through a change point, each in the order of the plan, since later
+    /// ones are built on earlier ones.
+    fn record(&mut self, changes: &[(usize, f64)], before: &[f64], beyond: &[f64]) {
+        for &(step, at) in changes {
+            let (engine, sense) = (self.engine, self.sense);
+            let Some(group) = engine.program.steps[step].choice() else {
+                continue;
+            };
+            let known = self.passages.iter().any(|p| p.group == group && p.at == at);
+            let sample = |dq: f64| {
+                let there = engine.moved(at, dq);
+                self.aim_at(there);
+                let signs = if dq * sense < 0.0 { before } else { beyond };
+                self.state.signs.copy_from_slice(signs);
+                let condition = engine.run(there, Order::Acceleration, &mut self.state);
+                (condition == Condition::Ok).then(|| self.state.clone())
+            };
+            let through = Passage::through(at, &engine.program.steps[step], group, sample);
+            let Some(mut passage) = through.filter(|_| !known) else {
+                continue;
+            };
+            let so_far = Passages::new(self.passages.clone(), self.start, 0.0);
+            let end = engine.run_near(at, Order::Position, &so_far, &mut self.state);
+            if end != Condition::NoAssembly {
+                passage.take_positions(&self.state);
+            }
+            self.passages.push(passage);
         }
     }
 

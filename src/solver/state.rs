@@ -74,6 +74,8 @@ pub struct State {
     /// One signed measure a group: the square of the sine of its transmission angle, or what
     /// plays that part; zero at a singularity, negative where the group cannot close.
     pub(super) measures: Vec<f64>,
+    /// For every group the sign that chooses its assembly, where it has two.
+    pub(super) signs: Vec<f64>,
     /// Room for the coupled groups.
     pub(super) scratch: Scratch,
     pub(super) frame: Frame,

@@ -66,14 +66,13 @@ pub(super) struct Line {
     pub along: Vec2,
 }
 
-/// Two circles, RRR. The shorter arm comes first: the point is measured from its pivot.
+/// Two circles, RRR. The shorter arm comes first: the point is measured from its pivot. The sign of
+/// the group is +1 where the point lies on the left of near.pivot -> far.pivot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Circles {
     pub point: PointId,
     pub near: Arm,
     pub far: Arm,
-    /// +1 where the point lies on the left of near.pivot -> far.pivot.
-    pub sign: f64,
     /// far - near and near + far, each as a sum of two doubles: the factors of Kahan's product
     /// for a triangle keep their digits without sorting.
     difference: (f64, f64),
@@ -86,14 +85,13 @@ pub(super) struct Circles {
     pub group: usize,
 }
 
-/// A circle and a line, RRP.
+/// A circle and a line, RRP. The sign is the side along the line on which the point lies, seen from
+/// the foot of the pivot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CircleLine {
     pub point: PointId,
     pub arm: Arm,
     pub line: Line,
-    /// The side along the line on which the point lies, seen from the foot of the pivot.
-    pub sign: f64,
     /// 1 / length^2, which makes the product of the distances the square of a sine.
     inverse_square: f64,
     pub group: usize,
@@ -107,13 +105,12 @@ pub(super) struct CircleRail {
     /// A point of the rail and its direction, a unit vector.
     pub through: Vec2,
     pub along: Vec2,
-    /// As in [`CircleLine`].
-    pub sign: f64,
     inverse_square: f64,
     pub group: usize,
 }
 
-/// An arm that turns about a pivot and slides through a pin, RPR.
+/// An arm that turns about a pivot and slides through a pin, RPR. The sign is that of
+/// t.(pin - pivot).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Swing {
     pub pivot: PointId,
@@ -123,12 +120,11 @@ pub(super) struct Swing {
     pub along: Vec2,
     /// n.(pin - pivot): how far the guide passes the pivot.
     pub offset: f64,
-    /// The sign of t.(pin - pivot).
-    pub sign: f64,
     pub group: usize,
 }
 
-/// An arm whose end is pushed along a guide of its own link, and a circle: a cylinder.
+/// An arm whose end is pushed along a guide of its own link, and a circle: a cylinder. The sign is +1
+/// where the point lies on the left of pivot -> far.pivot.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cylinder {
     pub point: PointId,
@@ -138,8 +134,6 @@ pub(super) struct Cylinder {
     pub through: Vec2,
     pub along: Vec2,
     pub far: Arm,
-    /// +1 where the point lies on the left of pivot -> far.pivot.
-    pub sign: f64,
     pub group: usize,
 }
 
@@ -219,7 +213,6 @@ impl Circles {
             point,
             near,
             far,
-            sign: 1.0,
             difference: two_diff(far.length, near.length),
             sum: two_diff(far.length, -near.length),
             squares: (near.length - far.length) * (near.length + far.length),
@@ -254,7 +247,7 @@ impl Circles {
         if !(reach > self.slack) {
             return self.stretch(reach, p.p, u, x * inverse, state);
         }
-        let sh = self.sign * (0.5 * product.sqrt());
+        let sh = state.signs[self.group] * (0.5 * product.sqrt());
         let e = (u * x + u.perp() * sh) * inverse;
         let f = e - u;
         let mut point = PointState {
@@ -351,7 +344,6 @@ impl CircleLine {
             point,
             arm,
             line,
-            sign: 1.0,
             inverse_square: arm.length.powi(-2),
             group,
         }
@@ -378,7 +370,7 @@ impl CircleLine {
         let root = if stretched {
             0.0
         } else {
-            self.sign * product.sqrt()
+            state.signs[self.group] * product.sqrt()
         };
         let s = guide.t.dot(from) + root;
         let e = guide.t * root - guide.n * h0;
@@ -422,7 +414,6 @@ impl CircleRail {
             arm,
             through,
             along,
-            sign: 1.0,
             inverse_square: arm.length.powi(-2),
             group,
         }
@@ -448,7 +439,7 @@ impl CircleRail {
         let root = if stretched {
             0.0
         } else {
-            self.sign * product.sqrt()
+            state.signs[self.group] * product.sqrt()
         };
         let e = t * root - n * h0;
         let mut link = LinkState {
@@ -499,7 +490,7 @@ impl Swing {
         let s = if stretched {
             0.0
         } else {
-            self.sign * (inner * (d + e.abs())).sqrt()
+            state.signs[self.group] * (inner * (d + e.abs())).sqrt()
         };
         if d2 == 0.0 {
             // The pin stands on the pivot: no direction exists.
@@ -557,7 +548,7 @@ impl Cylinder {
         let sh = if stretched {
             0.0
         } else {
-            self.sign * 0.5 * product.sqrt()
+            state.signs[self.group] * 0.5 * product.sqrt()
         };
         let x = 0.5 * (d2 + (rho - c) * (rho + c));
         let e = (u * x + u.perp() * sh) / d2;
@@ -726,14 +717,14 @@ impl Step {
         Outcome::Done
     }
 
-    /// The sign that chooses between the two assemblies of a dyad.
-    pub(super) fn sign(&self) -> Option<f64> {
+    /// The group whose sign chooses between the two assemblies of this step, if it has two.
+    pub(super) fn choice(&self) -> Option<usize> {
         match self {
-            Step::Circles(c) => Some(c.sign),
-            Step::CircleLine(c) => Some(c.sign),
-            Step::CircleRail(c) => Some(c.sign),
-            Step::Swing(s) => Some(s.sign),
-            Step::Cylinder(c) => Some(c.sign),
+            Step::Circles(c) => Some(c.group),
+            Step::CircleLine(c) => Some(c.group),
+            Step::CircleRail(c) => Some(c.group),
+            Step::Swing(s) => Some(s.group),
+            Step::Cylinder(c) => Some(c.group),
             Step::Crank { .. }
             | Step::Spin { .. }
             | Step::Ride { .. }
@@ -746,13 +737,14 @@ impl Step {
         }
     }
 
-    pub(super) fn set_sign(&mut self, sign: f64) {
+    /// What a step with two assemblies places.
+    pub(super) fn outputs(&self) -> (Option<PointId>, [Option<LinkId>; 2]) {
         match self {
-            Step::Circles(c) => c.sign = sign,
-            Step::CircleLine(c) => c.sign = sign,
-            Step::CircleRail(c) => c.sign = sign,
-            Step::Swing(s) => s.sign = sign,
-            Step::Cylinder(c) => c.sign = sign,
+            Step::Circles(c) => (Some(c.point), [Some(c.near.link), Some(c.far.link)]),
+            Step::CircleLine(c) => (Some(c.point), [Some(c.arm.link), None]),
+            Step::CircleRail(c) => (Some(c.point), [Some(c.arm.link), None]),
+            Step::Swing(s) => (None, [Some(s.link), None]),
+            Step::Cylinder(c) => (Some(c.point), [Some(c.link), Some(c.far.link)]),
             Step::Crank { .. }
             | Step::Spin { .. }
             | Step::Ride { .. }
@@ -761,7 +753,35 @@ impl Step {
             | Step::Lock { .. }
             | Step::Lines { .. }
             | Step::Coupled { .. }
-            | Step::Travel { .. } => {}
+            | Step::Travel { .. } => (None, [None, None]),
+        }
+    }
+
+    /// The rate of what a dyad is stretched by - the distance of its pivots, or of pivot and guide -
+    /// up to a positive factor: zero where the stretch is extreme. From the state of its inputs.
+    pub(super) fn stretch_rate(&self, state: &State) -> Option<f64> {
+        let at = |point: PointId| state.points[point.index()];
+        let growth = |a: PointId, b: PointId| (at(b).p - at(a).p).dot(at(b).v - at(a).v);
+        match self {
+            Step::Circles(c) => Some(growth(c.near.pivot, c.far.pivot)),
+            Step::Swing(s) => Some(growth(s.pivot, s.pin)),
+            Step::CircleRail(c) => Some(c.along.cross(at(c.arm.pivot).v)),
+            Step::CircleLine(c) => {
+                let guide = c.line.at(state);
+                let pivot = at(c.arm.pivot);
+                let turning = guide.w * guide.t.dot(pivot.p - guide.q.p);
+                Some(guide.n.dot(pivot.v - guide.q.v) - turning)
+            }
+            Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Cylinder { .. }
+            | Step::Lines { .. }
+            | Step::Coupled { .. }
+            | Step::Travel { .. } => None,
         }
     }
 

@@ -1,0 +1,276 @@
+//! Motions that pass through exact change points, where the two assemblies of a dyad meet.
+//!
+//! Exact values: hard cases H01, H02, H03, H13 and H21.
+
+#![allow(clippy::unwrap_used, reason = "a test may stop")]
+
+use krank::solver::{Condition, Order, Range, Solver, State};
+use krank::{Body, Builder, Driver, Input, LinkId, PointId, Vec2};
+
+struct FourBar {
+    solver: Solver,
+    joint: PointId,
+    coupler: LinkId,
+    follower: LinkId,
+}
+
+/// A = (0, 0), D = (d, 0), driven at 1 rad/s; the follower runs from D to C.
+fn four_bar([a, b, c, d]: [f64; 4], start: f64, near: Vec2) -> FourBar {
+    let mut m = Builder::default();
+    let (pivot, far) = (m.ground_point(0.0, 0.0), m.ground_point(d, 0.0));
+    let (pin, joint) = (m.moving_point(), m.moving_point());
+    let crank = m.link(pivot, pin, a);
+    let (coupler, follower) = (m.link(pin, joint, b), m.link(far, joint, c));
+    m.driver(Driver {
+        input: Input::Turn(crank),
+        start,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    m.start(joint, near);
+    let solver = Solver::new(&m.build().unwrap()).unwrap();
+    FourBar {
+        solver,
+        joint,
+        coupler,
+        follower,
+    }
+}
+
+impl FourBar {
+    fn at(&self, angle: f64) -> State {
+        let mut state = self.solver.state();
+        let condition = self.solver.solve(angle, Order::Acceleration, &mut state);
+        assert!(
+            matches!(condition, Condition::Ok | Condition::ChangePoint),
+            "{condition:?} at {angle}"
+        );
+        state
+    }
+
+    fn place(&self, angle: f64) -> Vec2 {
+        self.at(angle).position(self.joint)
+    }
+}
+
+fn close(seen: f64, expected: f64, tolerance: f64, what: &str) {
+    assert!(
+        (seen - expected).abs() < tolerance,
+        "{what}: {seen:e} is not {expected:e}"
+    );
+}
+
+#[test]
+fn h01_a_parallelogram_stays_one_through_0_and_180_degrees() {
+    let bar = four_bar([1.0, 3.0, 1.0, 3.0], 60.0, Vec2::new(3.5, 0.87));
+    assert_eq!(bar.solver.motion().range, Range::Full { period: 360.0 });
+    assert_eq!(bar.solver.motion().change_points, [0.0, 180.0]);
+    for k in -720..=720 {
+        let angle = 0.5 * f64::from(k);
+        let state = bar.at(angle);
+        let b = krank::angle::unit(angle);
+        // What is known of a dyad close to its change point (u / sine for places, u / sine^2 for rates,
+        // and the ratio of the lengths, 3): the sine of the transmission angle is that of the crank's.
+        let u = 0.5 * f64::EPSILON;
+        let sine = b.y.abs().max(0.008);
+        let slack = 3.6 * 3.0 * u / sine + 2.0 * f64::EPSILON;
+        let c = state.position(bar.joint);
+        close(c.x, b.x + 3.0, slack, "C.x");
+        close(c.y, b.y, slack, "C.y");
+        let first = 7.0 * 3.0 * u / (sine * sine);
+        close(state.omega(bar.coupler), 0.0, first, "omega3");
+        close(state.omega(bar.follower), 1.0, first, "omega4");
+        let second = 40.0 * 9.0 * u / (sine * sine);
+        close(state.alpha(bar.coupler), 0.0, second, "alpha3");
+        close(state.alpha(bar.follower), 0.0, second, "alpha4");
+    }
+}
+
+#[test]
+fn h01_at_the_change_points_themselves_values_are_limits() {
+    let bar = four_bar([1.0, 3.0, 1.0, 3.0], 60.0, Vec2::new(3.5, 0.87));
+    for (angle, x) in [(0.0, 4.0), (180.0, 2.0), (360.0, 4.0), (-180.0, 2.0)] {
+        let state = bar.at(angle);
+        assert_eq!(state.condition(), Condition::ChangePoint);
+        assert_eq!(state.position(bar.joint), Vec2::new(x, 0.0));
+        close(state.omega(bar.coupler), 0.0, 1e-12, "omega3");
+        close(state.omega(bar.follower), 1.0, 1e-12, "omega4");
+        close(state.alpha(bar.coupler), 0.0, 1e-10, "alpha3");
+        close(state.alpha(bar.follower), 0.0, 1e-10, "alpha4");
+    }
+}
+
+#[test]
+fn h02_an_antiparallelogram_stays_crossed() {
+    let bar = four_bar([1.0, 3.0, 1.0, 3.0], 90.0, Vec2::new(2.4, -0.8));
+    assert_eq!(bar.solver.motion().range, Range::Full { period: 360.0 });
+    let state = bar.at(90.0);
+    close(state.position(bar.joint).x, 2.4, 4e-15, "C.x");
+    close(state.omega(bar.follower), -0.8, 1e-14, "omega4");
+    for (angle, omega) in [(0.0, -2.0), (180.0, -0.5)] {
+        let state = bar.at(angle);
+        assert_eq!(state.condition(), Condition::ChangePoint);
+        close(state.omega(bar.follower), omega, 1e-11, "omega4");
+    }
+    // theta4 = 2 atan(-2 tan(theta2 / 2)), all the way round.
+    for k in 1..720 {
+        let angle = 0.5 * f64::from(k);
+        let half = (-2.0 * (angle.to_radians() / 2.0).tan()).atan();
+        let expected = Vec2::new((2.0 * half).cos(), (2.0 * half).sin());
+        let seen = bar.at(angle).direction(bar.follower);
+        assert!(
+            (seen - expected).norm() < 1e-12,
+            "at {angle}: {seen:?} {expected:?}"
+        );
+    }
+}
+
+#[test]
+fn h03_a_kite_gallops_through_two_turns() {
+    let root = 7.0_f64.sqrt();
+    let far = Vec2::new((1.0 + root) / 2.0, (1.0 + root) / 2.0);
+    let bar = four_bar([1.0, 2.0, 2.0, 1.0], 90.0, far);
+    assert_eq!(bar.solver.motion().range, Range::Full { period: 720.0 });
+    for k in 0..1440 {
+        let angle = 0.5 * f64::from(k);
+        let half = krank::angle::unit(angle / 2.0);
+        let rho = half.x + (4.0 - half.y * half.y).sqrt();
+        let expected = Vec2::new(rho * half.x, rho * half.y);
+        let seen = bar.place(angle);
+        assert!(
+            (seen - expected).norm() < 1e-12,
+            "at {angle}: {seen:?} {expected:?}"
+        );
+    }
+    let at_start = bar.at(0.0);
+    assert_eq!(at_start.condition(), Condition::ChangePoint);
+    close(at_start.omega(bar.follower), 0.75, 1e-11, "omega4");
+    close(at_start.velocity(bar.joint).y, 1.5, 1e-11, "dC/dtheta");
+    close(
+        bar.place(359.0).x,
+        -0.999_980_961_078_998_8,
+        1e-13,
+        "C.x(359)",
+    );
+    close(
+        bar.place(450.0).y,
+        -0.822_875_655_532_295_3,
+        1e-14,
+        "C.y(450)",
+    );
+    assert_eq!(bar.place(90.0), bar.place(90.0 + 720.0));
+}
+
+#[test]
+fn h13_a_rod_as_long_as_its_crank_passes_the_crank() {
+    let mut m = Builder::default();
+    let (pivot, pin, slider) = (m.ground_point(0.0, 0.0), m.moving_point(), m.moving_point());
+    let crank = m.link(pivot, pin, 1.0);
+    m.link(pin, slider, 1.0);
+    m.pin_in_slot(slider, Body::Ground, Vec2::ZERO, 0.0);
+    m.driver(Driver {
+        input: Input::Turn(crank),
+        start: 30.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    m.start(slider, Vec2::new(1.7, 0.0));
+    let solver = Solver::new(&m.build().unwrap()).unwrap();
+    assert_eq!(solver.motion().change_points, [90.0, 270.0]);
+    let mut state = solver.state();
+    for k in 0..1440 {
+        let angle = 0.25 * f64::from(k);
+        solver.solve(angle, Order::Acceleration, &mut state);
+        let b = krank::angle::unit(angle);
+        let slack = 1e-14 / b.x.abs().max(0.004);
+        close(state.position(slider).x, 2.0 * b.x, slack, "x");
+        close(
+            state.velocity(slider).x,
+            -2.0 * b.y,
+            10.0 * slack / b.x.abs().max(0.004),
+            "v",
+        );
+    }
+    solver.solve(90.0, Order::Acceleration, &mut state);
+    assert_eq!(state.condition(), Condition::ChangePoint);
+    assert_eq!(state.position(slider), Vec2::ZERO);
+    close(state.velocity(slider).x, -2.0, 1e-11, "v");
+    close(state.acceleration(slider).x, 0.0, 1e-10, "a");
+}
+
+#[test]
+fn h21_a_near_miss_keeps_its_sign() {
+    let bar = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, Vec2::new(3.5, 0.87));
+    assert_eq!(bar.solver.motion().range, Range::Full { period: 360.0 });
+    assert!(bar.solver.motion().change_points.is_empty());
+    // Beyond 0 deg the true motion is the crossed shape.
+    let c = bar.place(-10.0);
+    close(c.x, 3.940_584_982_472_821_4, 1e-12, "C.x");
+    close(c.y, 0.339_558_378_996_311_1, 1e-12, "C.y");
+}
+
+#[test]
+fn a_turned_parallelogram_far_away_is_one_still() {
+    let turn = krank::angle::unit(23.456);
+    let mut m = Builder::default();
+    let (a, d) = (Vec2::new(12.3, -7.1), Vec2::new(12.3, -7.1) + turn * 3.7);
+    let (pivot, far) = (m.ground_point(a.x, a.y), m.ground_point(d.x, d.y));
+    let (pin, joint) = (m.moving_point(), m.moving_point());
+    let crank = m.link(pivot, pin, 1.3);
+    m.link(pin, joint, 3.7);
+    let follower = m.link(far, joint, 1.3);
+    m.driver(Driver {
+        input: Input::Turn(crank),
+        start: 90.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    m.start(joint, d + Vec2::new(0.0, 1.3));
+    let solver = Solver::new(&m.build().unwrap()).unwrap();
+    let motion = solver.motion();
+    assert_eq!(motion.range, Range::Full { period: 360.0 });
+    assert_eq!(motion.change_points.len(), 2, "{:?}", motion.change_points);
+    close(motion.change_points[0], 23.456, 1e-7, "first change point");
+    let mut state = solver.state();
+    for k in 0..360 {
+        solver.solve(f64::from(k), Order::Acceleration, &mut state);
+        close(state.omega(follower), 1.0, 1e-9, "omega4");
+    }
+}
+
+#[test]
+fn a_second_loop_hangs_on_a_parallelogram_and_follows_it_through() {
+    let mut m = Builder::default();
+    let (a, d, g) = (
+        m.ground_point(0.0, 0.0),
+        m.ground_point(3.0, 0.0),
+        m.ground_point(7.0, 0.5),
+    );
+    let [b, c, e] = [(); 3].map(|()| m.moving_point());
+    let crank = m.link(a, b, 1.0);
+    m.link(b, c, 3.0);
+    m.link(d, c, 1.0);
+    m.link(c, e, 3.5);
+    let last = m.link(g, e, 2.5);
+    m.driver(Driver {
+        input: Input::Turn(crank),
+        start: 60.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    m.start(c, Vec2::new(3.5, 0.87));
+    m.start(e, Vec2::new(6.5, 3.0));
+    let solver = Solver::new(&m.build().unwrap()).unwrap();
+    assert_eq!(solver.motion().range, Range::Full { period: 360.0 });
+    let mut omega = |angle: f64| {
+        let mut state = solver.state();
+        solver.solve(angle, Order::Acceleration, &mut state);
+        (state.omega(last), state.alpha(last))
+    };
+    // Smooth across the change points: what lies between is the mean of what lies beside.
+    for at in [0.0, 180.0] {
+        let [(w0, a0), (w, a), (w1, a1)] = [at - 0.01, at, at + 0.01].map(&mut omega);
+        close(w, 0.5 * (w0 + w1), 1e-6, "omega");
+        close(a, 0.5 * (a0 + a1), 1e-5, "alpha");
+    }
+}
