@@ -834,11 +834,8 @@ fn a_coupled_group_needs_no_ground_point() {
     check(&m, &s);
 }
 
-#[test]
-fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
-    // The limits are those of two independent continuations in 60 digits. Within the last degree
-    // the nearest state in steps of a degree leads to the other assembly: the states in between,
-    // which the walk needs all the same, must be kept.
+/// Stephenson III with a longer crank, which stops at two dead points.
+fn limited_triad(start: f64, places: [Vec2; 3]) -> (Mechanism, Solver, [PointId; 3]) {
     let mut b = Builder::default();
     let (a, d, g) = (
         b.ground_point(0.0, 0.0),
@@ -847,16 +844,32 @@ fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
     );
     let [bb, c, e, f] = [(); 4].map(|()| b.moving_point());
     let link = b.link(g, f, 0.9);
-    b.driver(turn(link, 60.0));
+    b.driver(turn(link, start));
     b.link(f, e, 2.3);
     let ternary = b.link(bb, c, 2.0);
     b.carry(ternary, e, Vec2::new(0.9, 1.0));
     b.link(a, bb, 1.5);
     b.link(d, c, 1.8);
-    b.start(bb, Vec2::new(0.4, 1.45));
-    b.start(c, Vec2::new(2.4, 1.7));
-    b.start(e, Vec2::new(1.33, 2.513));
+    for (point, place) in [bb, c, e].into_iter().zip(places) {
+        b.start(point, place);
+    }
     let (m, s) = solver(b);
+    (m, s, [bb, c, e])
+}
+
+/// Its places at 60 degrees.
+const TRIAD_AT_60: [Vec2; 3] = [
+    Vec2::new(0.4, 1.45),
+    Vec2::new(2.4, 1.7),
+    Vec2::new(1.33, 2.513),
+];
+
+#[test]
+fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
+    // The limits are those of two independent continuations in 60 digits. Within the last degree
+    // the nearest state in steps of a degree leads to the other assembly: the states in between,
+    // which the walk needs all the same, must be kept.
+    let (m, s, [.., e]) = limited_triad(60.0, TRIAD_AT_60);
     let Range::Limited { low, high } = s.motion().range else {
         panic!()
     };
@@ -872,6 +885,27 @@ fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
             let moved = (state.position(e) - last).norm();
             assert!(moved < 2e-3, "{moved} at {x} from {end}");
             last = state.position(e);
+        }
+    }
+}
+
+#[test]
+fn a_walk_from_beside_a_dead_point_does_not_reach_across_it() {
+    // There the motion bends so sharply that one step ended in the other assembly, whose joints
+    // were just where the step's own parabola led.
+    let (_, s, points) = limited_triad(60.0, TRIAD_AT_60);
+    let Range::Limited { low, high } = s.motion().range else {
+        panic!()
+    };
+    for start in (0..120).map(|k| low + 3.0 * 0.85_f64.powi(k)) {
+        let state = at(&s, start);
+        let (_, beside, _) = limited_triad(start, points.map(|p| state.position(p)));
+        for q in [low + 0.5, low + 1.0, 60.0, 200.0, high - 0.1] {
+            let (one, other) = (at(&s, q), at(&beside, q));
+            for p in points {
+                let apart = (one.position(p) - other.position(p)).norm();
+                assert!(apart < 1e-11, "{apart} at {q} from {start}");
+            }
         }
     }
 }

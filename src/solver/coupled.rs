@@ -122,8 +122,8 @@ struct Moving {
 pub(super) struct Scratch {
     pub numbers: Vec<f64>,
     pub pivots: Vec<usize>,
-    /// The largest first correction since it was last cleared.
-    pub first: f64,
+    /// The first correction of every group when it was last solved.
+    pub first: Vec<f64>,
 }
 
 /// z, z' and z'' of a group: free joints as they are, angles as unit vectors with rates.
@@ -211,11 +211,10 @@ impl Coupled {
         self.shift(room.z, room.right);
     }
 
-    /// The largest component of z' dq.
-    pub(super) fn move_size(&self, room: &Room<'_>, dq: f64) -> f64 {
-        room.first
-            .iter()
-            .fold(0.0, |m: f64, v| m.max((v * dq).abs()))
+    /// The largest components of z' dq and of z'' dq^2 / 2.
+    pub(super) fn move_sizes(&self, room: &Room<'_>, dq: f64) -> [f64; 2] {
+        let largest = |v: &[f64], by: f64| v.iter().fold(0.0, |m: f64, v| m.max((v * by).abs()));
+        [largest(room.first, dq), largest(room.second, 0.5 * dq * dq)]
     }
 
     /// Adds a change of the unknowns to z.

@@ -60,7 +60,7 @@ impl Engine {
             scratch: Scratch {
                 numbers: vec![0.0; coupled.iter().map(|c| c.room()).sum()],
                 pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
-                first: 0.0,
+                first: vec![0.0; coupled.len()],
             },
             frame: self.frame,
             rates: self.rates,
@@ -171,13 +171,14 @@ impl Engine {
         // Taken out for the while, so that the group can read the state; moves no memory.
         let mut scratch = std::mem::take(&mut state.scratch);
         let corrected = group.correct(q, state, &mut scratch);
-        scratch.first = scratch.first.max(corrected.first);
+        scratch.first[index] = corrected.first;
         let solved = corrected.settled && group.finish(q, order, state, &mut scratch);
         state.scratch = scratch;
         if solved { Outcome::Done } else { Outcome::Open }
     }
 
-    /// The first watched constraint that misses by more than `tolerance`, and by how much.
+    /// The first watched constraint that misses by more than `tolerance`, in parts of the solver's
+    /// unit or, where the mechanism reaches further, of the distance; and by how much.
     pub(super) fn misfit(&self, state: &State, tolerance: f64) -> Option<(Watch, f64)> {
         let misses = self
             .program
@@ -187,7 +188,8 @@ impl Engine {
         // Written so that NaN counts as a misfit.
         misses
             .into_iter()
-            .find(|(_, miss)| !(miss.abs() <= tolerance))
+            .find(|(_, (miss, reach))| !(miss.abs() <= tolerance * reach))
+            .map(|(watch, (miss, _))| (watch, miss))
     }
 
     /// The same engine without the steps that `demand` does not need.
@@ -204,9 +206,8 @@ impl Engine {
 }
 
 impl Gauge {
-    /// By how much the constraint misses, in parts of the solver's unit or, where the mechanism
-    /// reaches further than that, of the distance from its origin: the rounding grows with it.
-    fn misfit(&self, state: &State) -> f64 {
+    /// By how much the constraint misses, and how far out: the rounding grows with the distance.
+    fn misfit(&self, state: &State) -> (f64, f64) {
         let at = |p: crate::PointId| state.points[p.index()].p;
         let turned = |link: LinkId, along: Vec2| along.turned(state.links[link.index()].d);
         let (miss, place) = match *self {
@@ -228,6 +229,6 @@ impl Gauge {
                 (travel - state.frame.length(state.at), at(point))
             }
         };
-        miss / place.norm().max(1.0)
+        (miss, place.norm().max(1.0))
     }
 }

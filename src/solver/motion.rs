@@ -189,6 +189,11 @@ const TURN_STEP: f64 = 0.2;
 const STRAIN: f64 = 0.05;
 /// Below this correction, in units of about the longest link, no strain is counted: rounding.
 const STRAIN_FLOOR: f64 = 1e-9;
+/// The second-order part of a coupled group's move may be this part of the first-order one: at a
+/// distance D from a dead point it is h / 4 D for a step h, so that no step reaches across it.
+const BEND: f64 = 0.125;
+/// Below this, in units of about the longest link, no bend is counted: the group stands still.
+const BEND_FLOOR: f64 = 1e-6;
 /// A measure whose smallest sample is below this is searched for a zero between the samples.
 const SUSPICIOUS: f64 = 0.05;
 /// A measure below this part of its largest, some u, touches zero.
@@ -475,17 +480,22 @@ impl Walker<'_> {
 
     fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
         let dq = self.engine.difference(from, to);
-        let mut planned = 0.0_f64;
+        let mut planned = Vec::new();
         for group in &self.engine.program.coupled {
             let mut room = group.open(&mut self.state.scratch);
-            planned = planned.max(group.move_size(&room, dq));
+            let [first, second] = group.move_sizes(&room, dq);
+            if second > BEND * first + BEND_FLOOR {
+                return false;
+            }
+            planned.push(first);
             group.predict(&mut room, dq);
         }
-        self.state.scratch.first = 0.0;
         if self.engine.run(to, Order::Acceleration, &mut self.state) != Condition::Ok {
             return false;
         }
-        let strained = self.state.scratch.first > STRAIN * planned + STRAIN_FLOOR;
+        let corrections = &self.state.scratch.first;
+        let mut strains = corrections.iter().zip(&planned);
+        let strained = strains.any(|(c, planned)| *c > STRAIN * planned + STRAIN_FLOOR);
         let mut turns = self.state.links.iter().zip(&before.links);
         !strained && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP)
     }
