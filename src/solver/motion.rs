@@ -358,12 +358,16 @@ impl Walker<'_> {
                     Stop::Limit(limit) => limit,
                     Stop::Barrier { good, bad } => self.bisect(good, bad),
                 };
-                match self.pass(limit) {
-                    // A change point at a whole step may be passed a little beyond it.
-                    Some(beyond) if (beyond - to) * sense < 0.0 => from = beyond,
-                    Some(beyond) => (from, k) = (beyond, k + 1),
-                    None => return Ok(End::Limit(limit)),
+                // What lies beyond a closed turn has been met at its beginning.
+                if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
+                    return Ok(End::Closed(turns));
                 }
+                let Some(beyond) = self.pass(limit) else {
+                    return Ok(End::Limit(limit));
+                };
+                // The steps between have been taken on the wrong side.
+                (from, closed) = (beyond, None);
+                k = (self.ahead(beyond) / step) as usize + 1;
                 continue;
             }
             self.check_fit()?;

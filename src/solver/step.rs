@@ -279,7 +279,9 @@ impl Circles {
     /// The arms in line, if within rounding they reach each other: positions alone.
     #[cold]
     fn stretch(&self, reach: f64, p: Vec2, u: Vec2, share: f64, state: &mut State) -> Outcome {
-        if !(reach >= -self.slack && share.is_finite()) {
+        // Equal arms about one pivot: the point could be anywhere around it.
+        let is_undetermined = u.norm2() <= self.slack * self.slack;
+        if is_undetermined || !(reach >= -self.slack) {
             return Outcome::Open;
         }
         let e = u * share;
@@ -542,7 +544,8 @@ impl Cylinder {
             return Outcome::Open;
         }
         let stretched = inner <= slack || outer <= slack;
-        if stretched && d2 == 0.0 {
+        if stretched && d <= slack {
+            // Equal arms about one pivot, as above.
             return Outcome::Open;
         }
         let sh = if stretched {
