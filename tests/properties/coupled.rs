@@ -3,7 +3,7 @@
 use crate::invariance::bits;
 use crate::plant::*;
 use crate::support::U;
-use krank::solver::{Condition, GroupKind, Order, Solver};
+use krank::solver::{Condition, GroupKind, Order, Range, Solver};
 use krank::{Mechanism, PointId, Vec2};
 use proptest::prelude::*;
 
@@ -110,8 +110,16 @@ proptest! {
         let solver = Solver::new(&mechanism).expect("it closes as planted");
         let mut state = solver.state();
         let planted = triad.measure();
-        for k in 0..180 {
-            let at = triad.crank.angle + 2.0 * f64::from(k);
+        let around = (0..180).map(|k| triad.crank.angle + 2.0 * f64::from(k));
+        // Two solutions meet at a limit: beside it they are easily mistaken for each other.
+        let beside = match solver.motion().range {
+            Range::Full { .. } => Vec::new(),
+            Range::Limited { low, high } => (1..10)
+                .map(|k| 10.0_f64.powi(-k))
+                .flat_map(|off| [low + off * (high - low), high - off * (high - low)])
+                .collect(),
+        };
+        for at in around.chain(beside) {
             if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
                 continue;
             }
