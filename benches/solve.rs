@@ -6,8 +6,6 @@
 //! are held against each other first.
 #![allow(clippy::print_stdout, reason = "the medians are to be read")]
 
-#![expect(clippy::print_stdout, reason = "a benchmark reports what it measures")]
-
 mod handwritten;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group};
