@@ -66,7 +66,12 @@ impl Assembler<'_> {
         });
         if let Some((i, index)) = coupled {
             engine.run_steps(steps.start..i, self.at, Order::Position, state);
-            self.settle_coupled(&engine.program.coupled[index].clone(), engine, state)?;
+            let group = engine.program.coupled[index].clone();
+            self.settle_coupled(&group, engine, state)?;
+            let (q, _) = engine.coordinate(self.at);
+            let mut scratch = std::mem::take(&mut state.scratch);
+            engine.program.coupled[index].side = group.correct(q, state, &mut scratch).side;
+            state.scratch = scratch;
         }
         if let Some(key) = key {
             return self.choose_sign(key, steps, engine, state);

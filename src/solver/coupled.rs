@@ -99,6 +99,9 @@ pub(super) struct Coupled {
     equations: Vec<Equation>,
     /// Where its room in the state's scratch begins.
     pub offset: usize,
+    /// The sign of the determinant of its matrix, which a motion without a singularity keeps: of two
+    /// solutions that meet at a limit it tells which one is meant. 0 before the group is assembled.
+    pub side: f64,
 }
 
 /// The outcome of the corrections.
@@ -106,6 +109,8 @@ pub(super) struct Coupled {
 pub(super) struct Corrected {
     /// The largest component of the first correction.
     pub first: f64,
+    /// The sign of the determinant where the last correction began.
+    pub side: f64,
     pub settled: bool,
 }
 
@@ -157,6 +162,7 @@ impl Coupled {
             free,
             equations,
             offset: 0,
+            side: 0.0,
         };
         let count: usize = group.equations.iter().map(Equation::count).sum();
         (count == group.unknowns()).then_some(group)
@@ -238,15 +244,17 @@ impl Coupled {
         let n = self.unknowns();
         let mut outcome = Corrected {
             first: f64::INFINITY,
+            side: 0.0,
             settled: false,
         };
         let mut last = f64::INFINITY;
         for i in 0..CORRECTIONS {
             self.residuals(q, state, &mut room);
             self.jacobian(q, state, &mut room);
-            if lu::factor(room.matrix, room.pivots, n).is_none() {
+            let Some(side) = lu::factor(room.matrix, room.pivots, n) else {
                 return outcome;
-            }
+            };
+            outcome.side = side;
             lu::solve(room.matrix, room.pivots, room.right, n);
             let size = room.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             if i == 0 {

@@ -172,7 +172,8 @@ impl Engine {
         let mut scratch = std::mem::take(&mut state.scratch);
         let corrected = group.correct(q, state, &mut scratch);
         scratch.first[index] = corrected.first;
-        let solved = corrected.settled && group.finish(q, order, state, &mut scratch);
+        let kept = corrected.side * group.side >= 0.0;
+        let solved = corrected.settled && kept && group.finish(q, order, state, &mut scratch);
         state.scratch = scratch;
         if solved { Outcome::Done } else { Outcome::Open }
     }

@@ -1,9 +1,10 @@
 //! Gauss' elimination with partial pivoting, in place: the few lines that a coupled group needs,
 //! since solving must not allocate.
 
-/// Factors the n x n `matrix` (by rows) into L U; `pivots[k]` is the row that came to place k.
-/// `None` where a column has no pivot: the matrix is singular, or not finite.
-pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Option<()> {
+/// Factors the n x n `matrix` (by rows) into L U; `pivots[k]` is the row that came to place k. Gives
+/// the sign of the determinant, 1 or -1. `None` where a column has no pivot: the matrix is singular, or not finite.
+pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Option<f64> {
+    let mut sign = 1.0;
     for k in 0..n {
         let size = |row: usize, m: &[f64]| m[row * n + k].abs();
         let pivot = (k..n).max_by(|&i, &j| size(i, matrix).total_cmp(&size(j, matrix)))?;
@@ -13,9 +14,11 @@ pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Opti
         }
         pivots[k] = pivot;
         if pivot != k {
+            sign = -sign;
             let (upper, lower) = matrix.split_at_mut(pivot * n);
             upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
         }
+        sign *= matrix[k * n + k].signum();
         let inverse = 1.0 / matrix[k * n + k];
         for i in k + 1..n {
             let factor = matrix[i * n + k] * inverse;
@@ -25,7 +28,7 @@ pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Opti
             }
         }
     }
-    Some(())
+    Some(sign)
 }
 
 /// Solves with what [`factor`] left; the answer takes the place of `right`.
@@ -63,6 +66,14 @@ mod tests {
         for (got, want) in right.iter().zip(x) {
             assert!((got - want).abs() < 1e-15, "{got} {want}");
         }
+    }
+
+    #[test]
+    fn the_sign_is_that_of_the_determinant() {
+        let mut matrix = [0.0, 2.0, 3.0, 0.0];
+        assert_eq!(factor(&mut matrix, &mut [0; 2], 2), Some(-1.0));
+        let mut matrix = [-1.0, 0.0, 5.0, -4.0];
+        assert_eq!(factor(&mut matrix, &mut [0; 2], 2), Some(1.0));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use crate::invariance::bits;
 use crate::plant::*;
 use crate::support::U;
-use krank::solver::{Condition, GroupKind, Order, Solver};
+use krank::solver::{Condition, GroupKind, Order, Range, Solver};
 use krank::{Mechanism, PointId, Vec2};
 use proptest::prelude::*;
 
@@ -110,8 +110,16 @@ proptest! {
         let solver = Solver::new(&mechanism).expect("it closes as planted");
         let mut state = solver.state();
         let planted = triad.measure();
-        for k in 0..180 {
-            let at = triad.crank.angle + 2.0 * f64::from(k);
+        let around = (0..180).map(|k| triad.crank.angle + 2.0 * f64::from(k));
+        // Two solutions meet at a limit: beside it they are easily mistaken for each other.
+        let beside = match solver.motion().range {
+            Range::Full { .. } => Vec::new(),
+            Range::Limited { low, high } => (1..10)
+                .map(|k| 10.0_f64.powi(-k))
+                .flat_map(|off| [low + off * (high - low), high - off * (high - low)])
+                .collect(),
+        };
+        for at in around.chain(beside) {
             if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
                 continue;
             }
@@ -135,5 +143,41 @@ proptest! {
         if condition == Condition::Ok {
             prop_assert_eq!(bits(&mechanism, &fresh, 1.0), bits(&mechanism, &used, 1.0));
         }
+    }
+}
+
+/// Used to open on one assembly and be followed on the other: the start lies 0.12 degrees from a limit,
+/// where the two meet, and the first step of a degree led across.
+#[test]
+fn a_triad_that_opens_beside_its_limit_stays_on_its_assembly() {
+    let triad = Triad {
+        crank: Crank {
+            length: 0.289_294_023_799_230_97,
+            angle: 343.685_877_583_152_15,
+        },
+        feet: [
+            Vec2::new(-2.031_770_287_252_695_3, 0.810_390_277_855_008_7),
+            Vec2::new(1.902_427_704_931_307, -0.243_128_687_870_715_15),
+        ],
+        tops: [
+            Vec2::new(-1.188_290_961_126_343_2, 2.721_179_432_286_871),
+            Vec2::new(1.608_952_336_562_112_6, 2.890_241_466_082_91),
+            Vec2::new(0.421_432_338_588_963_95, 1.008_776_195_049_483_3),
+        ],
+    };
+    let (mechanism, tops) = triad.build();
+    let solver = Solver::new(&mechanism).expect("it closes as planted");
+    let mut state = solver.state();
+    for k in 0..100 {
+        let at = triad.crank.angle + 0.05 * f64::from(k);
+        let condition = solver.solve(at, Order::Position, &mut state);
+        assert_eq!(condition, Condition::Ok, "at {at}");
+        let pin = Crank {
+            angle: at,
+            ..triad.crank
+        }
+        .pin();
+        let measure = triad.measure_at(pin, tops.map(|p| state.position(p)));
+        assert!(measure * triad.measure() > 0.0, "at {at}: {measure}");
     }
 }
