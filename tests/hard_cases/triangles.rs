@@ -3,7 +3,7 @@
 use crate::exact::DoubleDouble;
 use crate::rig::{Triangle, U, condition, exact, solved};
 use krank::Vec2;
-use krank::solver::Condition;
+use krank::solver::{Condition, Order};
 
 /// The needles of Kahan's paper with their exact areas. A sixth, of sides 1, 1 and 2^-52, lies within
 /// the rounding that a computed distance is allowed: it counts as stretched.
@@ -61,10 +61,23 @@ fn h07_a_triangle_without_an_area_is_a_line() {
     let triangle = Triangle::open(0.5, left, right, near).expect("a triangle");
     assert_eq!(condition(&triangle.solver, base), Condition::DeadPoint);
     let mut state = triangle.solver.state();
-    triangle
-        .solver
-        .solve(base, krank::solver::Order::Position, &mut state);
+    triangle.solver.solve(base, Order::Position, &mut state);
     assert_eq!(state.position(triangle.apex), Vec2::new(1.0, 0.0));
+}
+
+/// The sixth needle counts as stretched, but is no shorter for it.
+#[test]
+fn h07_a_triangle_on_a_base_below_rounding_keeps_its_sides() {
+    let triangle = Triangle::open(1.0, 1.0, 1.0, Vec2::new(0.5, 0.8)).expect("a triangle");
+    let mut state = triangle.solver.state();
+    for base in [f64::EPSILON, 1e-17, 1e-100, 1e-160, 1e-300] {
+        let condition = triangle.solver.solve(base, Order::Position, &mut state);
+        assert_ne!(condition, Condition::NoAssembly, "{base:e}");
+        let c = state.position(triangle.apex);
+        let sides = [c.norm(), (c - Vec2::new(base, 0.0)).norm()];
+        let off = sides.map(|side| (side - 1.0).abs());
+        assert!(off[0].max(off[1]) <= 4.0 * U, "{base:e}: {sides:?}");
+    }
 }
 
 #[test]
