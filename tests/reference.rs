@@ -2,10 +2,9 @@
 //!
 //! `cargo test --test reference -- --nocapture` prints the largest errors found.
 
-#[path = "reference/double_double.rs"]
-mod double_double;
+mod exact;
 
-use double_double::{DoubleDouble, PI};
+use exact::{DoubleDouble, PI};
 use krank::scene::Scene;
 use krank::solver::{Condition, Order, Solver, State};
 use krank::{LinkId, Mechanism, PointId, SlideId, Vec2, angle};

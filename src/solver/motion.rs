@@ -507,6 +507,10 @@ impl Walker<'_> {
     /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
     /// the dead point itself included. The state must be the one at `good`.
     fn bisect(&mut self, mut good: f64, mut bad: f64) -> f64 {
+        // A step may have met the dead point itself, which belongs to the range.
+        if !self.has_path() && self.reach(good, bad).is_ok() {
+            return bad;
+        }
         for _ in 0..MOST_HALVINGS {
             let middle = good + 0.5 * (bad - good);
             if middle == good || middle == bad {

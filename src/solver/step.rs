@@ -245,7 +245,7 @@ impl Circles {
         let reach = inner.min(outer);
         // Written so that NaN does not pass.
         if !(reach > self.slack) {
-            return self.stretch(reach, p.p, u, x * inverse, state);
+            return self.stretch(reach, p.p, u, x, state);
         }
         let sh = state.signs[self.group] * (0.5 * product.sqrt());
         let e = (u * x + u.perp() * sh) * inverse;
@@ -276,15 +276,16 @@ impl Circles {
         Outcome::Done
     }
 
-    /// The arms in line, if within rounding they reach each other: positions alone.
+    /// The arms in line, if within rounding they reach each other: positions alone. The nearer arm
+    /// keeps its length also where the pivots all but coincide.
     #[cold]
-    fn stretch(&self, reach: f64, p: Vec2, u: Vec2, share: f64, state: &mut State) -> Outcome {
+    fn stretch(&self, reach: f64, p: Vec2, u: Vec2, x: f64, state: &mut State) -> Outcome {
+        let distance = u.norm();
         // Equal arms about one pivot: the point could be anywhere around it.
-        let is_undetermined = u.norm2() <= self.slack * self.slack;
-        if is_undetermined || !(reach >= -self.slack) {
+        if distance <= self.slack || !(reach >= -self.slack) {
             return Outcome::Open;
         }
-        let e = u * share;
+        let e = u * (self.near.length.copysign(x) / distance);
         state.points[self.point.index()].p = p + e;
         state.links[self.near.link.index()].d = e.turned(self.near.factor);
         state.links[self.far.link.index()].d = (e - u).turned(self.far.factor);

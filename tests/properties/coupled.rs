@@ -1,6 +1,6 @@
 //! A group that falls into no dyads: three legs carry one link (an Assur group of class III).
 
-use crate::invariance::bits;
+use crate::bits::bits;
 use crate::plant::*;
 use crate::support::U;
 use krank::solver::{Condition, GroupKind, Order, Range, Solver};

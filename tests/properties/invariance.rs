@@ -1,29 +1,12 @@
 //! What must not change a state: its size, its place, its history, what else is asked for.
 
+use crate::bits::bits;
 use crate::four_bar::{FourBar, crank_rocker, pose, round_pose};
 use crate::plant::*;
 use crate::support::U;
-use krank::solver::{Condition, Demand, Order, Range, Solver, State};
+use krank::solver::{Condition, Demand, Order, Range, Solver};
 use krank::{Body, Mechanism, Vec2};
 use proptest::prelude::*;
-
-/// Every figure of a state, in the order of the mechanism, as bits.
-pub(crate) fn bits(mechanism: &Mechanism, state: &State, length: f64) -> Vec<u64> {
-    let mut figures = Vec::new();
-    for id in mechanism.point_ids() {
-        let vectors = [
-            state.position(id),
-            state.velocity(id),
-            state.acceleration(id),
-        ];
-        figures.extend(vectors.iter().flat_map(|v| [v.x / length, v.y / length]));
-    }
-    for id in mechanism.link_ids() {
-        let direction = state.direction(id);
-        figures.extend([direction.x, direction.y, state.omega(id), state.alpha(id)]);
-    }
-    figures.iter().map(|v| v.to_bits()).collect()
-}
 
 /// The places at which two solvers or histories are compared.
 pub(crate) fn places() -> impl Strategy<Value = Vec<f64>> {

@@ -1,0 +1,315 @@
+//! Ends of the motion: dead points of a dyad, of a slide and of a coupled group.
+
+use crate::exact::{DoubleDouble, PI};
+use crate::rig::{U, assert_near, condition, exact, note, push, solved, turn};
+use krank::scene::Scene;
+use krank::solver::{Condition, Order, Range, Solver, State};
+use krank::{Body, LinkId, Mechanism, PointId, SlideId, Vec2};
+
+fn limits(solver: &Solver) -> (f64, f64) {
+    match solver.motion().range {
+        Range::Limited { low, high } => (low, high),
+        full @ Range::Full { .. } => panic!("{full:?}"),
+    }
+}
+
+/// The lecture's four-bar driven at its rocker, from D to C; the crank AB follows.
+struct Backwards {
+    solver: Solver,
+    crank: LinkId,
+    coupler: LinkId,
+}
+
+impl Backwards {
+    /// Opens at 120 degrees with B near the given place.
+    fn open(near: Vec2) -> Backwards {
+        let mut builder = Mechanism::builder();
+        let (a, d) = (
+            builder.ground_point(0.0, 0.0),
+            builder.ground_point(400.0, 0.0),
+        );
+        let (b, c) = (builder.moving_point(), builder.moving_point());
+        let crank = builder.link(a, b, 100.0);
+        let coupler = builder.link(b, c, 300.0);
+        let rocker = builder.link(d, c, 250.0);
+        builder.driver(turn(rocker, 120.0));
+        builder.start(b, near);
+        let mechanism = builder.build().expect("every element is sound");
+        let solver = Solver::new(&mechanism).expect("it closes");
+        Backwards {
+            solver,
+            crank,
+            coupler,
+        }
+    }
+
+    fn sin_mu(&self, state: &State) -> f64 {
+        state
+            .direction(self.crank)
+            .cross(state.direction(self.coupler))
+    }
+}
+
+/// Angles of the rocker at which A, B and C are in line, in degrees.
+const LIMITS: [&str; 2] = ["108.2099568642830112137", "155.853152003497613375"];
+
+/// The two assemblies: the crank is before or after its dead point.
+const BEFORE: Vec2 = Vec2::new(100.0, -20.0);
+const AFTER: Vec2 = Vec2::new(-20.0, 90.0);
+
+#[test]
+fn h04_a_rocker_drives_from_dead_point_to_dead_point() {
+    for near in [BEFORE, AFTER] {
+        let solver = Backwards::open(near).solver;
+        let (low, high) = limits(&solver);
+        for (found, decimal) in [(low, LIMITS[0]), (high, LIMITS[1])] {
+            let off = exact(decimal).minus(found).abs();
+            note(&format!("H04: limit {found} off by {off:e} deg"));
+            // The angle is rounded to half an ulp, AC to some u of 400.
+            assert_near("limit", found, decimal, 4.0 * U * 180.0);
+        }
+        for beyond in [low.next_down(), high.next_up(), 0.0, 480.0, -240.0] {
+            assert_eq!(
+                condition(&solver, beyond),
+                Condition::NoAssembly,
+                "{beyond}"
+            );
+        }
+        for limit in [low, high] {
+            assert_ne!(condition(&solver, limit), Condition::NoAssembly, "{limit}");
+        }
+    }
+}
+
+#[test]
+fn h04_no_state_lies_on_the_mirrored_branch() {
+    for near in [BEFORE, AFTER] {
+        let backwards = Backwards::open(near);
+        let (low, high) = limits(&backwards.solver);
+        let start = solved(&backwards.solver, 120.0);
+        let side = backwards.sin_mu(&start).signum();
+        for k in 1..1000 {
+            let at = low + (high - low) * f64::from(k) / 1000.0;
+            let state = solved(&backwards.solver, at);
+            assert!(side * backwards.sin_mu(&state) > 0.0, "at {at}");
+            assert!(state.omega(backwards.crank).is_finite());
+        }
+    }
+}
+
+/// Near its dead point the crank moves with the square root of the rocker's way.
+#[test]
+fn h04_the_crank_leaves_its_dead_point_as_a_square_root() {
+    let backwards = Backwards::open(BEFORE);
+    let radian = PI / DoubleDouble::from(180.0);
+    let limit = exact(LIMITS[0]) * radian;
+    let dead = exact("36.41991372856602242746") * radian;
+    // K = (theta2 - theta2*) / sqrt(theta4 - limit) at a distance in rad; 1e-20 and 1e-28 of the case
+    // are finer than degrees.
+    for (distance, k) in [
+        (1e-2, "-1.873976249806765060702"),
+        (1e-6, "-1.887182188972389759146"),
+        (1e-12, "-1.887376714182622062243"),
+    ] {
+        let at = ((limit + DoubleDouble::from(distance)) / radian).hi;
+        let way = (DoubleDouble::from(at) * radian - limit).minus(0.0);
+        let state = solved(&backwards.solver, at);
+        // The double nearest to the distance is another one: K changes by 0.2 sqrt(way).
+        let nearby = 0.2 * (way.sqrt() - distance.sqrt()).abs();
+        let theta2 = dead.minus(state.direction(backwards.crank).angle());
+        let slack = 3.6 * U * 4.0 / backwards.sin_mu(&state).abs() + 2.0 * U;
+        let off = (exact(k).minus(-theta2 / way.sqrt())).abs();
+        note(&format!("H04: K at {distance:e} off by {off:e}"));
+        assert!(
+            off <= slack / way.sqrt() + nearby,
+            "K at {distance:e}: {off:e}"
+        );
+    }
+}
+
+/// Two links of length 1 from the origin to a ram that moves along y.
+struct Toggle {
+    crank: LinkId,
+    knuckle: PointId,
+    ram: PointId,
+    slide: SlideId,
+    builder: krank::Builder,
+}
+
+impl Toggle {
+    fn new() -> Toggle {
+        let mut builder = Mechanism::builder();
+        let origin = builder.ground_point(0.0, 0.0);
+        let (knuckle, ram) = (builder.moving_point(), builder.moving_point());
+        let crank = builder.link(origin, knuckle, 1.0);
+        builder.link(knuckle, ram, 1.0);
+        let slide = builder.pin_in_slot(ram, Body::Ground, Vec2::ZERO, 90.0);
+        Toggle {
+            crank,
+            knuckle,
+            ram,
+            slide,
+            builder,
+        }
+    }
+
+    fn open(self) -> Solver {
+        let mechanism = self.builder.build().expect("every element is sound");
+        Solver::new(&mechanism).expect("it closes")
+    }
+
+    /// Driven at the ram, which starts at `y` with the knuckle on one side.
+    fn pushed(y: f64, side: f64) -> (Solver, LinkId, PointId) {
+        let mut toggle = Toggle::new();
+        let (crank, knuckle) = (toggle.crank, toggle.knuckle);
+        toggle.builder.driver(push(toggle.slide, y));
+        toggle.builder.start(knuckle, Vec2::new(side, 0.5 * y));
+        (toggle.open(), crank, knuckle)
+    }
+}
+
+#[test]
+fn h06_toggle_press_at_full_extension() {
+    let mut toggle = Toggle::new();
+    // The angle p of the case counts from y, clockwise.
+    toggle.builder.driver(turn(toggle.crank, 100.0));
+    toggle.builder.start(toggle.ram, Vec2::new(0.0, 2.0));
+    let (knuckle, slide) = (toggle.knuckle, toggle.slide);
+    let solver = toggle.open();
+    let top = solved(&solver, 90.0);
+    let travel = top.travel(slide);
+    assert_eq!(
+        (travel.position, travel.rate, travel.accel),
+        (2.0, 0.0, -2.0)
+    );
+    assert_eq!(top.position(knuckle), Vec2::new(0.0, 1.0));
+    for p in -10..=10_i32 {
+        let state = solved(&solver, f64::from(90 - p));
+        let y = state.travel(slide).position;
+        let arm = state.position(knuckle);
+        assert!((y - 2.0 * arm.y).abs() <= 4.0 * U * 2.0, "y at {p}: {y}");
+        assert_eq!(arm.x.partial_cmp(&0.0), p.partial_cmp(&0), "knuckle at {p}");
+    }
+}
+
+#[test]
+fn h06_toggle_press_driven_by_its_ram() {
+    // 2 - 2^-51 of the case lies within the rounding that a computed distance is allowed, and counts
+    // as the limit; 2^-49 does not.
+    for (power, p) in [
+        (-4, "0.2506556623361307937491"),
+        (-20, "0.0009765625388051114389819"),
+        (-49, "4.214684851089403490646241e-8"),
+    ] {
+        for side in [1.0, -1.0] {
+            let (solver, crank, _) = Toggle::pushed(1.5, side);
+            let state = solved(&solver, 2.0 - 2.0_f64.powi(power));
+            let direction = state.direction(crank);
+            let found = side * direction.x.atan2(direction.y);
+            assert_near("p", found, p, 4.0 * U * exact(p).hi);
+        }
+    }
+}
+
+#[test]
+fn h06_toggle_press_goes_no_further_than_straight() {
+    for start in [1.5, 1.3, 0.7, 1.999] {
+        let (solver, _, knuckle) = Toggle::pushed(start, 1.0);
+        let high = limits(&solver).1;
+        note(&format!(
+            "H06: limit from {start} off by {} u",
+            (high - 2.0) / U
+        ));
+        // 4 u of both lengths are allowed to a computed distance.
+        assert!((high - 2.0).abs() <= 4.0 * U * 2.0, "{high}");
+        for beyond in [high.next_up(), 2.0 + 8.0 * f64::EPSILON, 3.0] {
+            assert_eq!(
+                condition(&solver, beyond),
+                Condition::NoAssembly,
+                "{beyond}"
+            );
+        }
+        let mut state = solver.state();
+        assert_eq!(
+            solver.solve(2.0, Order::Position, &mut state),
+            Condition::DeadPoint
+        );
+        assert_eq!(state.position(knuckle), Vec2::new(0.0, 1.0));
+    }
+}
+
+/// Stephenson III driven where its loops couple, with a crank that does not turn fully.
+const STEPHENSON: &str = r#"
+unit = "mm"
+
+[ground]
+A = [0, 0]
+D = [300, 0]
+G = [280, 300]
+
+[driver]
+link = "2"
+angle = 60
+speed = "10 rad/s"
+
+[links]
+2 = { from = "G", to = "F", length = 90 }
+3 = { from = "F", to = "E", length = 230 }
+4 = { from = "B", to = "C", length = 200, points = { E = [90, 100] } }
+5 = { from = "A", to = "B", length = 150 }
+6 = { from = "D", to = "C", length = 180 }
+
+[start]
+B = [20, 150]
+C = [230, 170]
+E = [120, 260]
+"#;
+
+#[test]
+fn h18_a_coupled_triad_stops_at_its_dead_points() {
+    let scene = Scene::parse(STEPHENSON, "stephenson").expect("a sound scene");
+    let solver = Solver::new(&scene.mechanism).expect("it closes");
+    let mut points = scene.mechanism.point_ids();
+    let e = points
+        .find(|&p| scene.point_name(p) == Some("E"))
+        .expect("E");
+    for (at, x, y, cond) in [
+        (
+            60.0,
+            "133.0158062345832856161",
+            "251.2849954164567418503",
+            38.66,
+        ),
+        (
+            90.0,
+            "95.93144581870992019686",
+            "252.0914529058859300778",
+            19.64,
+        ),
+    ] {
+        let state = solved(&solver, at);
+        // As measured for the triad of the references: 4.1 u of the longest link at a condition of 23.5.
+        let slack = 4.1 * cond / 23.5 * U * 300.0;
+        assert_near("E.x", state.position(e).x, x, slack);
+        assert_near("E.y", state.position(e).y, y, slack);
+    }
+    let (low, high) = limits(&solver);
+    for (name, found, decimal) in [
+        ("lower", low, "47.937702396774274189"),
+        ("upper", high, "322.49726942233316812"),
+    ] {
+        let off = -exact(decimal).minus(found);
+        note(&format!("H18: {name} limit {found} off by {off:e} deg"));
+        assert!(
+            off.abs() <= 8.0 * U * 360.0,
+            "{name} limit {found}: {off:e}"
+        );
+    }
+    for beyond in [low - 1e-9, high + 1e-9] {
+        assert_eq!(
+            condition(&solver, beyond),
+            Condition::NoAssembly,
+            "{beyond}"
+        );
+    }
+}

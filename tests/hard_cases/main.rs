@@ -1,0 +1,20 @@
+//! Hard cases: inputs that break the usual ways of computing a linkage, with exact values from
+//! 60-digit arithmetic.
+//!
+//! A test bears the number of its case. The last module draws further cases of the same kinds.
+//! `cargo test --test hard_cases -- --nocapture` prints how near the limits come.
+
+#[path = "../support/bits.rs"]
+mod bits;
+#[path = "../exact/mod.rs"]
+mod exact;
+
+mod closed_form;
+mod driver;
+mod limits;
+mod many_links;
+mod others;
+mod refusals;
+mod rig;
+mod sizes;
+mod triangles;

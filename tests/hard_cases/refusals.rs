@@ -1,0 +1,184 @@
+//! What must be refused, and by name: links of no length, figures that are no numbers.
+
+use crate::rig::{FourBar, LECTURE};
+use krank::report::{Decimal, DecimalError, Steps, StepsError};
+use krank::scene::Scene;
+use krank::solver::Fault;
+use krank::{Defect, Driver, Element, Input, Mechanism, Vec2};
+
+/// The lecture's four-bar with other figures, as a scene.
+fn scene(lengths: [&str; 3], angle: &str, speed: &str) -> String {
+    let [crank, coupler, rocker] = lengths;
+    format!(
+        "unit = \"mm\"\n\
+         [ground]\nA = [0, 0]\nD = [400, 0]\n\
+         [driver]\nlink = \"r2\"\nangle = {angle}\nspeed = {speed}\n\
+         [links]\n\
+         r2 = {{ from = \"A\", to = \"B\", length = {crank} }}\n\
+         r3 = {{ from = \"B\", to = \"C\", length = {coupler} }}\n\
+         r4 = {{ from = \"C\", to = \"D\", length = {rocker} }}\n\
+         [start]\nC = [310, 230]\n"
+    )
+}
+
+/// What is said about a scene that must be refused.
+fn refusal(text: &str) -> String {
+    match Scene::parse(text, "hard.toml") {
+        Err(faults) => faults.render(true, false),
+        Ok(_) => panic!("accepted:\n{text}"),
+    }
+}
+
+const SPEED: &str = "\"15 rad/s\"";
+const LENGTHS: [&str; 3] = ["100", "300", "250"];
+const NAMES: [&str; 3] = ["r2", "r3", "r4"];
+
+/// The lecture's lengths with one in the place of another.
+fn with<T: Copy>(mut lengths: [T; 3], place: usize, length: T) -> [T; 3] {
+    lengths[place] = length;
+    lengths
+}
+
+/// The defects of the lecture's four-bar with these lengths, speed and start.
+fn defects(lengths: [f64; 3], speed: f64, start: f64) -> Vec<Defect> {
+    let mut builder = Mechanism::builder();
+    let (a, d) = (
+        builder.ground_point(0.0, 0.0),
+        builder.ground_point(400.0, 0.0),
+    );
+    let (b, c) = (builder.moving_point(), builder.moving_point());
+    let crank = builder.link(a, b, lengths[0]);
+    builder.link(b, c, lengths[1]);
+    builder.link(c, d, lengths[2]);
+    builder.driver(Driver {
+        input: Input::Turn(crank),
+        start,
+        speed,
+        acceleration: 0.0,
+    });
+    builder.start(c, Vec2::new(310.0, 230.0));
+    builder.build().err().unwrap_or_default()
+}
+
+#[test]
+fn the_four_bar_itself_is_accepted() {
+    assert!(Scene::parse(&scene(LENGTHS, "60", SPEED), "hard.toml").is_ok());
+    assert_eq!(defects([100.0, 300.0, 250.0], 15.0, 60.0), []);
+}
+
+#[test]
+fn h14_a_link_of_no_length_is_named_with_it() {
+    for (place, name) in NAMES.iter().enumerate() {
+        let said = refusal(&scene(with(LENGTHS, place, "0"), "60", SPEED));
+        let names = said.contains(&format!("`length` of link `{name}`"));
+        assert!(names && said.contains("not `0`"), "{said}");
+        let found = defects(with([100.0, 300.0, 250.0], place, 0.0), 15.0, 60.0);
+        let [Defect::Length { link, length: 0.0 }] = found[..] else {
+            panic!("{found:?}");
+        };
+        assert_eq!(link.index(), place);
+    }
+}
+
+#[test]
+fn h14_two_ground_points_at_one_place_are_legal() {
+    // Crank and rocker turn together about one point.
+    let triangle = FourBar {
+        ground: 0.0,
+        coupler: 100.0,
+        rocker: 100.0,
+        ..LECTURE
+    };
+    let opened = triangle.open();
+    let state = opened.at(75.0);
+    assert!((state.omega(opened.rocker) - 15.0).abs() <= 1e-14 * 15.0);
+    // B and C opposite: the coupler is stretched everywhere, no start tells its assemblies apart.
+    let opposite = FourBar {
+        ground: 0.0,
+        coupler: 200.0,
+        rocker: 100.0,
+        ..LECTURE
+    };
+    let Err(Fault::Vague { choices, .. }) = opposite.try_open() else {
+        panic!("neither assembly is the one that was meant");
+    };
+    let c = krank::angle::unit(60.0) * -100.0;
+    assert!(
+        choices.iter().all(|p| (*p - c).norm() <= 1e-13 * 100.0),
+        "{choices:?}"
+    );
+}
+
+#[test]
+fn h19_a_length_that_is_no_positive_number_is_refused_in_a_file() {
+    for (place, name) in NAMES.iter().enumerate() {
+        for length in [
+            "nan", "inf", "-inf", "-1", "-0.0", "1e400", "5e-324", "\"100\"",
+        ] {
+            let said = refusal(&scene(with(LENGTHS, place, length), "60", SPEED));
+            assert!(
+                said.contains(&format!("`length` of link `{name}`")),
+                "{said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn h19_a_length_that_is_no_positive_number_is_refused_in_code() {
+    for place in 0..3 {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -0.0] {
+            let found = defects(with([100.0, 300.0, 250.0], place, bad), 15.0, 60.0);
+            let [Defect::Length { link, length }] = found[..] else {
+                panic!("{bad}: {found:?}");
+            };
+            assert_eq!((link.index(), length.to_bits()), (place, bad.to_bits()));
+        }
+    }
+}
+
+#[test]
+fn h19_rates_and_angles_that_are_no_numbers_are_refused() {
+    for bad in ["nan", "inf", "-inf", "1e400"] {
+        let said = refusal(&scene(LENGTHS, bad, SPEED));
+        assert!(said.contains("`angle`"), "{said}");
+        let said = refusal(&scene(LENGTHS, "60", bad));
+        assert!(said.contains("`speed`"), "{said}");
+    }
+    let lengths = [100.0, 300.0, 250.0];
+    for bad in [f64::NAN, f64::INFINITY] {
+        assert_eq!(defects(lengths, bad, 60.0), [Defect::Driver]);
+        assert_eq!(defects(lengths, 15.0, bad), [Defect::Driver]);
+    }
+    let mut builder = Mechanism::builder();
+    let point = builder.ground_point(f64::NAN, 0.0);
+    let found = builder.build().expect_err("a coordinate is no number");
+    let of = Element::Point(point);
+    assert!(found.contains(&Defect::Coordinates { of }), "{found:?}");
+}
+
+#[test]
+fn h19_coordinates_that_are_no_numbers_have_no_state() {
+    let opened = LECTURE.open();
+    for at in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let condition = crate::rig::condition(&opened.solver, at);
+        assert_eq!(condition, krank::solver::Condition::NoAssembly, "at {at}");
+    }
+}
+
+#[test]
+fn h19_a_sweep_has_a_step_and_an_end() {
+    let decimal = |text: &str| text.parse::<Decimal>();
+    for text in ["nan", "inf", "1e400"] {
+        assert_eq!(decimal(text), Err(DecimalError::NotFinite), "{text}");
+    }
+    let steps = |to: &str, step: &str| {
+        let [from, to, step] = ["0", to, step].map(|t| decimal(t).expect("a number"));
+        Steps::new(from, to, step).map(|steps| steps.count())
+    };
+    assert_eq!(steps("360", "0"), Err(StepsError::Zero));
+    assert_eq!(steps("360", "-0.0"), Err(StepsError::Zero));
+    assert_eq!(steps("0", "1"), Ok(1));
+    assert_eq!(steps("999999999", "1"), Ok(1_000_000_000));
+    assert!(matches!(steps("1e9", "1"), Err(StepsError::TooMany { .. })));
+}

@@ -1,0 +1,204 @@
+//! Sizes: links of very different lengths, everything tiny or huge, a ground far away.
+
+use crate::bits::bits;
+use crate::exact::{DoubleDouble, PI};
+use crate::rig::{FourBar, LECTURE, Opened, U, assert_near, exact};
+use krank::Vec2;
+use krank::solver::{Range, State};
+
+const ONE_RADIAN: f64 = 57.295_779_513_082_32;
+
+/// The lecture's four-bar at 60 degrees: theta3, theta4, omega3, omega4 and C.
+const THETA3: &str = "0.5127680962439173386614";
+const THETA4: &str = "1.932996150262127931469";
+const OMEGA3: &str = "-3.916412730164438530885";
+const OMEGA4: &str = "3.091073219520966523067";
+const C: [&str; 2] = ["311.416953239068390194", "233.7799046679389075852"];
+
+#[test]
+fn h08_a_crank_of_a_millionth_has_accurate_rates() {
+    let rows = [
+        (
+            1e-6,
+            ["0.5625006664309789275817", "0.8267980403687718943009"],
+            "2.418857599737597979994",
+            ["-9.962937709612298816777e-7", "2.145395227343129564641e-8"],
+        ),
+        (
+            1e-9,
+            ["0.5625000006664306486308", "0.8267972854633458856387"],
+            "2.41885840497033887915",
+            [
+                "-9.962938118554356725116e-10",
+                "2.145382766986793644759e-11",
+            ],
+        ),
+        (
+            1e-12,
+            ["0.5625000000006664306483", "0.8267972847084402208581"],
+            "2.418858405775571588536",
+            [
+                "-9.962938118963296299475e-13",
+                "2.145382754526471326626e-14",
+            ],
+        ),
+    ];
+    for (crank, [x, y], theta4, [omega3, omega4]) in rows {
+        let tiny = FourBar {
+            crank,
+            coupler: 1.0,
+            rocker: 1.25,
+            ground: 1.5,
+            start: ONE_RADIAN,
+            speed: 1.0,
+            ..LECTURE
+        };
+        let opened = tiny.open();
+        let state = opened.at(ONE_RADIAN);
+        let c = state.position(opened.joint);
+        let slack = opened.position_slack(&state);
+        assert_near("C.x", c.x, x, slack);
+        assert_near("C.y", c.y, y, slack);
+        let direction = state.direction(opened.rocker).angle();
+        assert_near("theta4", direction, theta4, slack / 1.25 + 2.0 * U);
+        // 10 u / sin^2(mu) of the rates' size, that of the larger one: omega4 is near its zero, where
+        // a rounding of the crank's angle alone moves it by 38 u of its own.
+        let slack = 10.0 * U / opened.sin_mu(&state).powi(2) * exact(omega3).hi.abs();
+        for (link, omega) in [(opened.coupler, omega3), (opened.rocker, omega4)] {
+            assert_near("omega", state.omega(link), omega, slack);
+        }
+    }
+}
+
+#[test]
+fn h08_a_crank_of_a_million_keeps_what_its_coordinates_leave() {
+    let huge = FourBar {
+        crank: 1e6,
+        coupler: 1.0,
+        rocker: 1.0,
+        ground: 1e6 + 1.0,
+        start: 1e-7 * ONE_RADIAN,
+        speed: 1.0,
+        ..LECTURE
+    };
+    let opened = huge.open();
+    let state = opened.at(huge.start);
+    let c = state.position(opened.joint);
+    let slack = opened.position_slack(&state);
+    assert_near("C.x", c.x, "1000000.586029004241798", slack);
+    assert_near("C.y", c.y, "0.9102900717194285895416", slack);
+    // B is rounded to 1e6 u: so is the coupler, of length 1.
+    for (link, omega) in [
+        (opened.coupler, "-1047643.53899938738528"),
+        (opened.rocker, "-932554.4512956721330874"),
+    ] {
+        assert_near("omega", state.omega(link), omega, 1e6 * U * 1e6);
+    }
+}
+
+/// The angles and rates of the lecture's four-bar in another size or place.
+fn assert_turns_like_the_lecture_s(opened: &Opened, state: &State) {
+    let angle_slack = opened.position_slack(state) / opened.of.rocker + 2.0 * U;
+    let angle = |link| state.direction(link).angle();
+    assert_near("theta3", angle(opened.coupler), THETA3, angle_slack);
+    assert_near("theta4", angle(opened.rocker), THETA4, angle_slack);
+    for (link, omega) in [(opened.coupler, OMEGA3), (opened.rocker, OMEGA4)] {
+        let slack = opened.omega_slack(state, exact(omega).hi);
+        assert_near("omega", state.omega(link), omega, slack);
+    }
+}
+
+#[test]
+fn h09_the_size_does_not_matter() {
+    let plain = LECTURE.open();
+    let lecture = plain.at(60.0);
+    for size in [1e-9, 1e-12, 1e9, 1e150, 1e-150, 1.0] {
+        let opened = LECTURE.scaled(size).open();
+        assert_eq!(opened.solver.motion().range, Range::Full { period: 360.0 });
+        let state = opened.at(60.0);
+        assert_turns_like_the_lecture_s(&opened, &state);
+        for link in [plain.coupler, plain.rocker] {
+            let alpha = lecture.alpha(link);
+            let off = (state.alpha(link) - alpha).abs();
+            assert!(
+                off <= plain.alpha_slack(&lecture, alpha),
+                "alpha at {size:e}: {off:e}"
+            );
+        }
+        let c = state.position(opened.joint);
+        for (found, decimal) in [(c.x, C[0]), (c.y, C[1])] {
+            let expected = exact(decimal) * DoubleDouble::from(size);
+            let off = expected.minus(found).abs();
+            assert!(
+                off <= opened.position_slack(&state),
+                "C at {size:e}: {off:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn h09_powers_of_two_change_no_bit() {
+    let plain = LECTURE.open();
+    for power in [-900, -500, -40, -1, 1, 30, 500, 900] {
+        let size = 2.0_f64.powi(power);
+        let scaled = LECTURE.scaled(size).open();
+        for degrees in [60.0, 0.0, 123.456, 359.0] {
+            let one = bits(&plain.mechanism, &plain.at(degrees), 1.0);
+            let other = bits(&scaled.mechanism, &scaled.at(degrees), size);
+            assert_eq!(one, other, "2^{power} at {degrees}");
+        }
+    }
+}
+
+/// Lengths below the normal doubles, as H19 wants them: scaled first.
+#[test]
+fn h09_lengths_of_a_few_smallest_doubles_move_alike() {
+    const SMALLEST: f64 = 5e-324;
+    let (plain, tiny) = (LECTURE.open(), LECTURE.scaled(SMALLEST).open());
+    assert_eq!(plain.solver.motion().range, tiny.solver.motion().range);
+    let (one, other) = (plain.at(60.0), tiny.at(60.0));
+    for link in [plain.coupler, plain.rocker] {
+        assert_eq!(one.direction(link), other.direction(link));
+        assert_eq!(one.omega(link), other.omega(link));
+        assert_eq!(one.alpha(link), other.alpha(link));
+    }
+    let c = Vec2::new(311.0, 234.0) * SMALLEST;
+    assert_eq!(other.position(tiny.joint), c);
+}
+
+#[test]
+fn h10_a_far_ground_costs_nothing() {
+    let origin = Vec2::new(1e8, -3e8);
+    let far = FourBar { origin, ..LECTURE }.open();
+    let plain = LECTURE.open();
+    let (there, here) = (far.at(60.0), plain.at(60.0));
+    assert_turns_like_the_lecture_s(&far, &there);
+    for link in [far.coupler, far.rocker] {
+        assert_eq!(there.direction(link), here.direction(link));
+        assert_eq!(there.omega(link), here.omega(link));
+        assert_eq!(there.alpha(link), here.alpha(link));
+    }
+    assert_eq!(there.velocity(far.joint), here.velocity(plain.joint));
+    assert_eq!(
+        there.acceleration(far.joint),
+        here.acceleration(plain.joint)
+    );
+    let c = there.position(far.joint);
+    // Half an ulp of the coordinate, and what C itself may be off by.
+    let own = plain.position_slack(&here);
+    for (found, decimal, shift, half_ulp) in [
+        (c.x, C[0], origin.x, 2.0_f64.powi(-27)),
+        (c.y, C[1], origin.y, 2.0_f64.powi(-25)),
+    ] {
+        let expected = exact(decimal) + DoubleDouble::from(shift);
+        let off = expected.minus(found).abs();
+        assert!(off <= half_ulp + own, "{found}: {off:e}");
+    }
+}
+
+#[test]
+fn one_radian_is_the_nearest_double() {
+    let degrees = DoubleDouble::from(180.0) / PI;
+    assert_eq!(degrees.hi, ONE_RADIAN);
+}

@@ -1,0 +1,94 @@
+//! Triangles of two links and the line between their feet: needles, and those of whole numbers.
+
+use crate::exact::DoubleDouble;
+use crate::rig::{Triangle, U, condition, exact, solved};
+use krank::Vec2;
+use krank::solver::{Condition, Order};
+
+/// The needles of Kahan's paper with their exact areas. A sixth, of sides 1, 1 and 2^-52, lies within
+/// the rounding that a computed distance is allowed: it counts as stretched.
+const NEEDLES: [([f64; 3], &str); 4] = [
+    (
+        [100_000.0, 99_999.999_79, 0.000_29],
+        "10.0000000770210383233",
+    ),
+    ([100_000.0, 100_000.0, 1.000_05], "50002.49999937491152109"),
+    (
+        [99_999.999_96, 99_999.999_94, 3e-5],
+        "1.118033685395200594927",
+    ),
+    (
+        [10_000.0, 5_000.000_001, 15_000.0],
+        "612.3725393762839798798",
+    ),
+];
+
+/// Where the apex is, roughly: enough to tell the sides apart.
+fn apex(base: f64, left: f64, right: f64, height: f64) -> Vec2 {
+    let along = 0.5 * (base + (left - right) * (left + right) / base);
+    Vec2::new(along, height)
+}
+
+#[test]
+fn h07_needle_triangles_are_as_high_as_their_area_says() {
+    for ([p, q, r], area) in NEEDLES {
+        for [base, left, right] in [
+            [p, q, r],
+            [p, r, q],
+            [q, p, r],
+            [q, r, p],
+            [r, p, q],
+            [r, q, p],
+        ] {
+            let height = exact(area) * DoubleDouble::from(2.0) / DoubleDouble::from(base);
+            for side in [1.0, -1.0] {
+                let near = apex(base, left, right, side * height.hi);
+                let triangle = Triangle::open(base, left, right, near).expect("a triangle");
+                let found = side * solved(&triangle.solver, base).position(triangle.apex).y;
+                // 4 ulp of the area; 1 ulp is at most 2 u.
+                let off = height.minus(found).abs() / (2.0 * U * height.hi);
+                assert!(off <= 4.0, "{base} {left} {right}: {found:e}, {off} ulp");
+            }
+        }
+    }
+}
+
+#[test]
+fn h07_a_triangle_without_an_area_is_a_line() {
+    // 1 = 0.9999999999999999 + 1.1102230246251565e-16 exactly.
+    let (left, right, base) = (1.0, 0.999_999_999_999_999_9, 1.110_223_024_625_156_5e-16);
+    let near = apex(0.5, left, right, 1.0);
+    let triangle = Triangle::open(0.5, left, right, near).expect("a triangle");
+    assert_eq!(condition(&triangle.solver, base), Condition::DeadPoint);
+    let mut state = triangle.solver.state();
+    triangle.solver.solve(base, Order::Position, &mut state);
+    assert_eq!(state.position(triangle.apex), Vec2::new(1.0, 0.0));
+}
+
+/// The sixth needle counts as stretched, but is no shorter for it.
+#[test]
+fn h07_a_triangle_on_a_base_below_rounding_keeps_its_sides() {
+    let triangle = Triangle::open(1.0, 1.0, 1.0, Vec2::new(0.5, 0.8)).expect("a triangle");
+    let mut state = triangle.solver.state();
+    for base in [f64::EPSILON, 1e-17, 1e-100, 1e-160, 1e-300] {
+        let condition = triangle.solver.solve(base, Order::Position, &mut state);
+        assert_ne!(condition, Condition::NoAssembly, "{base:e}");
+        let c = state.position(triangle.apex);
+        let sides = [c.norm(), (c - Vec2::new(base, 0.0)).norm()];
+        let off = sides.map(|side| (side - 1.0).abs());
+        assert!(off[0].max(off[1]) <= 4.0 * U, "{base:e}: {sides:?}");
+    }
+}
+
+#[test]
+fn h25_triangles_of_whole_numbers_are_exact() {
+    for (base, side, apex) in [(8.0, 5.0, (4.0, 3.0)), (10.0, 13.0, (5.0, 12.0))] {
+        for sign in [1.0, -1.0] {
+            let expected = Vec2::new(apex.0, sign * apex.1);
+            let near = Vec2::new(1.0, sign);
+            let triangle = Triangle::open(base, side, side, near).expect("a triangle");
+            let found = solved(&triangle.solver, base).position(triangle.apex);
+            assert_eq!(found, expected);
+        }
+    }
+}
