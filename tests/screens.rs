@@ -11,6 +11,8 @@ use proptest::prelude::*;
 use std::num::NonZeroU16;
 use std::time::Duration;
 
+const README: &str = include_str!("../README.md");
+
 /// A crank that cannot turn fully: its limits are dead points.
 const SWINGING: &str = r#"
 name = "Swinging crank"
@@ -43,6 +45,38 @@ fn open(text: &str, origin: Origin) -> Opened {
 fn preset(name: &str) -> Opened {
     let text = presets::find(name).unwrap().text;
     open(text, Origin::Preset(name.into()))
+}
+
+/// The keys of the workbench are the same wherever they are written down.
+#[test]
+fn readme_and_command_line_name_the_keys() {
+    for (keys, help) in krank::tui::key_list() {
+        let keys: Vec<_> = keys.split(' ').map(|key| format!("`{key}`")).collect();
+        let row = format!("| {} | {help} |", keys.join(" "));
+        assert!(README.contains(&row), "the README lacks {row}");
+    }
+    let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_krank"));
+    let output = program.arg("--help").output().unwrap();
+    let help = String::from_utf8(output.stdout).unwrap();
+    let keys = help.split("Keys of the workbench:").nth(1).unwrap();
+    let keys = keys.split("Examples:").next().unwrap();
+    let known: Vec<_> = krank::tui::key_list().collect();
+    let named = ["space", ".", ",", "r", "g", "2", "n", "t", "?", "q"];
+    for key in named {
+        assert!(keys.split_whitespace().any(|word| word == key), "{keys}");
+        let mut all = known.iter().flat_map(|(keys, _)| keys.split(' '));
+        assert!(all.any(|known| known == key), "{key}");
+    }
+}
+
+/// The picture at the top of the README is the screen that opens.
+#[test]
+fn the_frame_of_the_readme_is_the_one_that_opens() {
+    let screen = four_bar(Glyphs::Ascii, 80, 24).look();
+    assert!(
+        README.contains(&format!("```txt\n{screen}```")),
+        "the README should show\n{screen}"
+    );
 }
 
 /// A workbench and the screen that it paints on.
