@@ -64,6 +64,8 @@ impl Session {
             }
         }
         command.env_remove("NO_COLOR");
+        // A backtrace would push what is told off the screen.
+        command.env_remove("RUST_BACKTRACE");
         let pair = native_pty_system().openpty(size(80, 24)).unwrap();
         let found = modes(&*pair.master);
         let child = pair.slave.spawn_command(command).unwrap();

@@ -11,6 +11,8 @@ use proptest::prelude::*;
 use std::num::NonZeroU16;
 use std::time::Duration;
 
+const README: &str = include_str!("../README.md");
+
 /// A crank that cannot turn fully: its limits are dead points.
 const SWINGING: &str = r#"
 name = "Swinging crank"
@@ -43,6 +45,38 @@ fn open(text: &str, origin: Origin) -> Opened {
 fn preset(name: &str) -> Opened {
     let text = presets::find(name).unwrap().text;
     open(text, Origin::Preset(name.into()))
+}
+
+/// The keys of the workbench are the same wherever they are written down.
+#[test]
+fn readme_and_command_line_name_the_keys() {
+    for (keys, help) in krank::tui::key_list() {
+        let keys: Vec<_> = keys.split(' ').map(|key| format!("`{key}`")).collect();
+        let row = format!("| {} | {help} |", keys.join(" "));
+        assert!(README.contains(&row), "the README lacks {row}");
+    }
+    let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_krank"));
+    let output = program.arg("--help").output().unwrap();
+    let help = String::from_utf8(output.stdout).unwrap();
+    let keys = help.split("Keys of the workbench:").nth(1).unwrap();
+    let keys = keys.split("Examples:").next().unwrap();
+    let known: Vec<_> = krank::tui::key_list().collect();
+    let named = ["space", ".", ",", "r", "g", "2", "n", "t", "?", "q"];
+    for key in named {
+        assert!(keys.split_whitespace().any(|word| word == key), "{keys}");
+        let mut all = known.iter().flat_map(|(keys, _)| keys.split(' '));
+        assert!(all.any(|known| known == key), "{key}");
+    }
+}
+
+/// The picture at the top of the README is the screen that opens.
+#[test]
+fn the_frame_of_the_readme_is_the_one_that_opens() {
+    let screen = four_bar(Glyphs::Ascii, 80, 24).look();
+    assert!(
+        README.contains(&format!("```txt\n{screen}```")),
+        "the README should show\n{screen}"
+    );
 }
 
 /// A workbench and the screen that it paints on.
@@ -140,12 +174,55 @@ fn says_what_is_missing_at_a_dead_point() {
     session.press("] ] ] ] ] .");
     let screen = session.look();
     insta::assert_snapshot!("dead-point-ascii-80x24", screen);
+    let line = session.press(".").last_line();
+    assert!(line.contains("the motion ends here"), "{line}");
+    assert!(line.contains("dead point: no rates"), "{line}");
+    session.workbench.resize(40, 12);
+    session.terminal = emulator(40, 12);
+    let line = session.press(".").last_line();
+    assert!(line.ends_with("82.81924422 deg  dead point"), "{line}");
+}
+
+/// Whoever does not know the keys finds the one that shows them, on every screen.
+#[test]
+fn the_key_of_the_help_is_always_named() {
+    for preset in presets::all() {
+        for (cols, rows) in [(40, 12), (60, 16), (80, 24)] {
+            let opened = open(preset.text, Origin::Preset(preset.name.into()));
+            let mut session = Session::new(opened, Glyphs::Ascii, cols, rows);
+            for view in ["1", "2"] {
+                let line = session.press(view).last_line();
+                assert!(line.contains("? help"), "{}: {line}", preset.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_cut_shows_that_it_is() {
+    let mut session = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
+    let screen = session.look();
+    let title = screen.lines().next().unwrap();
     assert!(
-        session
-            .press(".")
-            .last_line()
-            .contains("the motion ends here")
+        title.starts_with(" Stephenson's six-bar, driv.. "),
+        "{title}"
     );
+    let mut narrow = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 40, 12);
+    let line = narrow.last_line();
+    assert!(
+        line.starts_with(" motion  offset-..  60.00 deg ok"),
+        "{line}"
+    );
+}
+
+/// A mechanism that is wide and low leaves its room to the tables.
+#[test]
+fn a_flat_drawing_leaves_room_for_the_points() {
+    let mut session = Session::new(preset("slider-crank"), Glyphs::Ascii, 80, 40);
+    let screen = session.look();
+    for row in [" r3.com ", " C "] {
+        assert!(screen.lines().any(|line| line.starts_with(row)), "{screen}");
+    }
 }
 
 #[test]

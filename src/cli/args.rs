@@ -5,6 +5,26 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
 
+/// The keys that one cannot do without, where there is a workbench.
+#[cfg(feature = "tui")]
+macro_rules! keys_help {
+    () => {
+        "\
+Keys of the workbench:
+  space play or pause   . one step on   , one step back   r the other way
+  g type where to go    2 all tables    n the next preset t other characters
+  ? all keys            q leave
+
+"
+    };
+}
+#[cfg(not(feature = "tui"))]
+macro_rules! keys_help {
+    () => {
+        ""
+    };
+}
+
 /// What stands for a scene on the command line.
 const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
 
@@ -17,7 +37,9 @@ const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
     long_about = "A terminal workbench for planar linkages: position, velocity and acceleration \
                   of any mechanism with one input, drawn and in tables.",
     args_conflicts_with_subcommands = true,
-    after_help = "\
+    after_help = concat!(
+        keys_help!(),
+        "\
 Examples:
   krank                          open the four-bar of the lectures
   krank slider-crank --at 30     open a preset at 30 degrees
@@ -29,6 +51,7 @@ with a slash or ending in .toml is always a file: ./four-bar.
 
 Exit codes: 0 done; 1 the mechanism cannot do what was asked, or the output
 cannot be written; 2 the command line or the scene is wrong."
+    )
 )]
 pub(super) struct Cli {
     #[command(subcommand)]

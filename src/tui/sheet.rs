@@ -4,6 +4,7 @@ use super::figures::Format;
 use crate::drawing::Glyphs;
 use crate::quantity::Aspect;
 use crate::report::{Entry, PointRow, Tables, VectorColumn};
+use std::collections::HashMap;
 use std::ops::Range;
 
 /// The two parts of the tables.
@@ -40,6 +41,9 @@ struct Column {
     format: Format,
     /// Whether a chunk may begin with it: what belongs together is kept together.
     opens: bool,
+    /// Whether some of its figures are found and others given: found ones then have a star behind
+    /// them, in a place of its own.
+    starred: bool,
 }
 
 /// A line of the tables at some width.
@@ -47,7 +51,7 @@ struct Column {
 pub(crate) enum Line {
     /// Between two chunks of columns.
     Blank,
-    /// The names of columns.
+    /// The names of columns, with their units where all of them fit into one line.
     Names(Part, Range<usize>),
     /// Their units.
     Units(Part, Range<usize>),
@@ -55,27 +59,33 @@ pub(crate) enum Line {
     Row(Part, usize, Range<usize>),
 }
 
-/// A cell as it is shown, right-aligned in its width.
+/// A cell as it is shown: right-aligned in its width, with room for a star behind the figures.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Shown {
     pub(crate) text: String,
     pub(crate) width: usize,
-    /// Whether the scene gives the figure; otherwise it was found.
-    pub(crate) given: bool,
 }
+
+/// Stands behind a figure that was found; the others are given by the scene.
+pub(crate) const FOUND: char = '*';
 
 /// The columns of a scene's tables.
 #[derive(Clone, Debug)]
 pub(crate) struct Sheet {
     vectors: Vec<Column>,
     points: Vec<Column>,
-    rows: [usize; 2],
+    /// The names of the rows, as short as they are shown.
+    rows: [Vec<String>; 2],
+    /// Which points never move: their rates are not worth a row.
+    fixed: Vec<bool>,
     /// The width of the names.
     names: usize,
 }
 
 /// Longer names are cut: they would push the figures from a small screen.
-const LONGEST_NAME: usize = 8;
+const LONGEST_NAME: usize = 9;
+/// Stands where a name was cut.
+const CUT: char = '~';
 
 const VECTOR_FIGURES: [(Figure, bool); 6] = [
     (Figure::Length(0), true),
@@ -104,25 +114,28 @@ impl Sheet {
     pub(crate) fn new(samples: &[Tables]) -> Self {
         let first = samples.first();
         let unit = first.map_or("", |t| t.unit);
-        let vector_names = first
-            .into_iter()
-            .flat_map(|t| t.vectors.iter().map(|v| &v.name));
-        let point_names = first
-            .into_iter()
-            .flat_map(|t| t.points.iter().map(|p| &p.name));
-        let names = vector_names.chain(point_names).map(|n| n.chars().count());
-        let names = names.max().unwrap_or(0);
+        let vectors = first.map_or(&[][..], |t| &t.vectors);
+        let points = first.map_or(&[][..], |t| &t.points);
+        let rows = [
+            short_names(&vectors.iter().map(|v| v.name.as_str()).collect::<Vec<_>>()),
+            short_names(&points.iter().map(|p| p.name.as_str()).collect::<Vec<_>>()),
+        ];
+        let names = rows.iter().flatten().map(|name| name.chars().count());
+        let names = names.chain([Part::Vectors.title().len()]).max();
         let column = |part, (figure, opens): (Figure, bool)| Column {
             figure,
             unit: figure.unit(unit),
             format: figure.format(samples, part),
             opens,
+            starred: part == Part::Vectors
+                && first.is_some_and(|t| figure.entries(t, part).any(|entry| !entry.given)),
         };
         Sheet {
             vectors: VECTOR_FIGURES.map(|f| column(Part::Vectors, f)).into(),
             points: POINT_FIGURES.map(|f| column(Part::Points, f)).into(),
-            rows: first.map_or([0, 0], |t| [t.vectors.len(), t.points.len()]),
-            names: names.clamp(Part::Vectors.title().len(), LONGEST_NAME),
+            rows,
+            fixed: points.iter().map(|point| point.fixed).collect(),
+            names: names.unwrap_or(0),
         }
     }
 
@@ -139,20 +152,44 @@ impl Sheet {
 
     /// The lines of one part: chunk by chunk of the columns that fit side by side.
     fn part(&self, part: Part, width: usize, glyphs: Glyphs) -> Vec<Line> {
-        let rows = self.rows[part as usize];
         let mut lines = Vec::new();
-        if rows == 0 {
-            return lines;
-        }
+        let heading = self.heading(part, width, glyphs);
         for chunk in self.chunks(part, width, glyphs) {
+            let rows = self.rows_of(part, &chunk);
+            if rows.is_empty() {
+                continue;
+            }
             if !lines.is_empty() {
                 lines.push(Line::Blank);
             }
             lines.push(Line::Names(part, chunk.clone()));
-            lines.push(Line::Units(part, chunk.clone()));
-            lines.extend((0..rows).map(|row| Line::Row(part, row, chunk.clone())));
+            if heading == Heading::Two {
+                lines.push(Line::Units(part, chunk.clone()));
+            }
+            lines.extend(
+                rows.into_iter()
+                    .map(|row| Line::Row(part, row, chunk.clone())),
+            );
         }
         lines
+    }
+
+    /// The rows that these columns have something to say about: what never moves has positions alone.
+    fn rows_of(&self, part: Part, chunk: &Range<usize>) -> Vec<usize> {
+        let rows = 0..self.rows[part as usize].len();
+        let positions = chunk.start == 0;
+        rows.filter(|&row| part == Part::Vectors || positions || !self.fixed[row])
+            .collect()
+    }
+
+    /// Whether all columns of a part have their units behind their names or below them.
+    fn heading(&self, part: Part, width: usize, glyphs: Glyphs) -> Heading {
+        let mut chunks = self.chunks(part, width, glyphs).into_iter();
+        if chunks.all(|chunk| self.needed(part, chunk, glyphs, Heading::One) <= width) {
+            Heading::One
+        } else {
+            Heading::Two
+        }
     }
 
     /// How many lines the vectors take at this width.
@@ -169,9 +206,10 @@ impl Sheet {
         };
         let pairs = pairs(Part::Vectors).chain(pairs(Part::Points));
         let narrow = pairs
-            .map(|(part, pair)| self.needed(part, pair, glyphs))
+            .map(|(part, pair)| self.needed(part, pair, glyphs, Heading::Two))
             .max();
-        let wide = self.needed(Part::Vectors, 0..self.vectors.len(), glyphs);
+        let all = 0..self.vectors.len();
+        let wide = self.needed(Part::Vectors, all, glyphs, Heading::Two);
         (narrow.unwrap_or(0), wide)
     }
 
@@ -181,7 +219,7 @@ impl Sheet {
         let mut chunks = Vec::new();
         let mut start = 0;
         while start < columns.len() {
-            let fits = |end: &usize| self.needed(part, start..*end, glyphs) <= width;
+            let fits = |end: &usize| self.needed(part, start..*end, glyphs, Heading::Two) <= width;
             let longest = (start + 1..=columns.len()).take_while(fits).last();
             // One column is shown even where it does not fit.
             let longest = longest.unwrap_or(start + 1);
@@ -203,9 +241,9 @@ impl Sheet {
     }
 
     /// The width that the names and these columns need.
-    fn needed(&self, part: Part, chunk: Range<usize>, glyphs: Glyphs) -> usize {
+    fn needed(&self, part: Part, chunk: Range<usize>, glyphs: Glyphs, heading: Heading) -> usize {
         let columns = self.columns(part)[chunk].iter();
-        self.names + columns.map(|c| 1 + c.width(glyphs)).sum::<usize>()
+        self.names + columns.map(|c| 1 + c.width(glyphs, heading)).sum::<usize>()
     }
 
     /// What a line shows: the name, and the cells behind it.
@@ -222,21 +260,24 @@ impl Sheet {
                 (*part, chunk.clone())
             }
         };
-        let needed = self.needed(part, chunk.clone(), glyphs);
+        let heading = self.heading(part, width, glyphs);
+        let needed = self.needed(part, chunk.clone(), glyphs, heading);
         // Room to spare widens the gaps between columns, but not so far that rows fall apart.
         let gap = 1 + (width.saturating_sub(needed) / chunk.len().max(1)).min(WIDEST_GAP);
         let cells = self.columns(part)[chunk].iter().map(|column| {
-            let (text, given) = match line {
+            let (text, mark) = match line {
                 Line::Row(_, row, _) => column.cell(tables, part, *row),
-                Line::Units(..) => (column.unit(glyphs), false),
-                Line::Names(..) | Line::Blank => (column.figure.symbol(glyphs).into(), false),
+                Line::Units(..) => (column.unit(glyphs), None),
+                Line::Names(..) | Line::Blank => (column.title(glyphs, heading), None),
             };
-            let width = gap + column.width(glyphs);
-            Shown { text, width, given }
+            let mark = column.starred.then_some(mark.unwrap_or(' '));
+            Shown {
+                text: text.chars().chain(mark).collect(),
+                width: gap + column.width(glyphs, heading),
+            }
         });
         let name = match line {
-            Line::Row(Part::Vectors, row, _) => tables.vectors.get(*row).map(|v| v.name.as_str()),
-            Line::Row(Part::Points, row, _) => tables.points.get(*row).map(|p| p.name.as_str()),
+            Line::Row(part, row, _) => self.rows[*part as usize].get(*row).map(String::as_str),
             Line::Names(part, _) => Some(part.title()),
             Line::Units(..) | Line::Blank => None,
         };
@@ -245,11 +286,52 @@ impl Sheet {
 
     fn name(&self, name: &str) -> Shown {
         Shown {
-            text: name.chars().take(self.names).collect(),
+            text: name.to_owned(),
             width: self.names,
-            given: false,
         }
     }
+}
+
+/// Where the units of columns stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Heading {
+    /// Behind the names: `r [mm]`.
+    One,
+    /// In a line of their own.
+    Two,
+}
+
+/// The names, none longer than may be, and those that differ still different: a name is cut behind its
+/// beginning, or where others begin alike, around the first part that it shares with no other.
+fn short_names(names: &[&str]) -> Vec<String> {
+    const HEAD: usize = LONGEST_NAME - 1;
+    const INNER: usize = LONGEST_NAME - 2;
+    let mut heads = HashMap::new();
+    let mut parts = HashMap::new();
+    for name in names {
+        *heads.entry(name.get(..HEAD)).or_insert(0) += 1;
+        for at in 0..name.len() {
+            *parts.entry(name.get(at..at + INNER)).or_insert(0) += 1;
+        }
+    }
+    let short = |name: &&str| -> String {
+        // Names of scenes are ASCII: a byte is a character.
+        if name.len() <= LONGEST_NAME || !name.is_ascii() {
+            return name.chars().take(LONGEST_NAME).collect();
+        }
+        let last = name.len() - INNER;
+        if heads[&name.get(..HEAD)] == 1 {
+            return format!("{}{CUT}", &name[..HEAD]);
+        }
+        let different = |at: &usize| parts[&name.get(*at..at + INNER)] == 1;
+        // Whole words are known again most easily.
+        let words = (1..=last).filter(|&at| !name.as_bytes()[at - 1].is_ascii_alphanumeric());
+        match words.chain(1..=last).find(different) {
+            Some(at) if at < last => format!("{CUT}{}{CUT}", &name[at..at + INNER]),
+            _ => format!("{CUT}{}", &name[name.len() - HEAD..]),
+        }
+    };
+    names.iter().map(short).collect()
 }
 
 /// Beyond one column, and beyond this, room to spare stays at the right.
@@ -272,21 +354,31 @@ impl Column {
         }
     }
 
-    fn width(&self, glyphs: Glyphs) -> usize {
-        let symbol = self.figure.symbol(glyphs).chars().count();
-        let unit = self.unit(glyphs).chars().count();
-        symbol.max(unit).max(self.format.width())
+    fn title(&self, glyphs: Glyphs, heading: Heading) -> String {
+        let symbol = self.figure.symbol(glyphs);
+        match heading {
+            Heading::One => format!("{symbol} [{}]", self.unit(glyphs)),
+            Heading::Two => symbol.to_owned(),
+        }
     }
 
-    fn cell(&self, tables: &Tables, part: Part, row: usize) -> (String, bool) {
+    fn width(&self, glyphs: Glyphs, heading: Heading) -> usize {
+        let title = self.title(glyphs, heading).chars().count();
+        let unit = self.unit(glyphs).chars().count();
+        title.max(unit).max(self.format.width()) + usize::from(self.starred)
+    }
+
+    /// The figure, and the mark of one that was found.
+    fn cell(&self, tables: &Tables, part: Part, row: usize) -> (String, Option<char>) {
         let Some(entry) = self.figure.entry(tables, part, row) else {
-            return (String::new(), false);
+            return (String::new(), None);
         };
         let text = match self.figure {
             Figure::Turning(0) | Figure::Bearing(_) => self.format.write_angle(entry.value),
             _ => self.format.write(entry.value),
         };
-        (text, entry.given)
+        let found = entry.value.is_some() && !entry.given;
+        (text, found.then_some(FOUND))
     }
 }
 
@@ -325,11 +417,7 @@ impl Figure {
             other => other,
         };
         let of_sample = |tables: &Tables| {
-            let rows = match part {
-                Part::Vectors => tables.vectors.len(),
-                Part::Points => tables.points.len(),
-            };
-            let entries = (0..rows).filter_map(|row| figure.entry(tables, part, row));
+            let entries = figure.entries(tables, part);
             entries
                 .filter_map(|e| e.value)
                 .map(f64::abs)
@@ -338,6 +426,15 @@ impl Figure {
         // What never moves says nothing about the size of what does.
         let sizes = samples.iter().flat_map(of_sample).filter(|s| *s > 0.0);
         Format::of_sizes(sizes.collect())
+    }
+
+    /// The entries of all rows that have such a figure.
+    fn entries(self, tables: &Tables, part: Part) -> impl Iterator<Item = Entry> {
+        let rows = match part {
+            Part::Vectors => tables.vectors.len(),
+            Part::Points => tables.points.len(),
+        };
+        (0..rows).filter_map(move |row| self.entry(tables, part, row))
     }
 
     fn entry(self, tables: &Tables, part: Part, row: usize) -> Option<Entry> {
@@ -375,6 +472,32 @@ mod tests {
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
 
+    #[test]
+    fn names_are_cut_so_that_they_still_differ() {
+        let short = short_names(&[
+            "r2",
+            "upper_rod",
+            "connecting_rod",
+            "crank_pin_upper",
+            "crank_pin_lower",
+            "driving_crank_of_the_press",
+            "driving_rod_of_the_press",
+        ]);
+        let expected = [
+            "r2",
+            "upper_rod",
+            "connecti~",
+            "~pin_upp~",
+            "~pin_low~",
+            "~crank_o~",
+            "~rod_of_~",
+        ];
+        assert_eq!(short, expected);
+        // Nothing tells a name from a longer one that begins with it; the longer one is told apart.
+        let nested = short_names(&["crank_pin_upper", "crank_pin_upper_2"]);
+        assert_eq!(nested, ["~in_upper", "~_upper_2"]);
+    }
+
     /// Every preset's tables at its opening.
     fn tables() -> Vec<Tables> {
         let all = presets::all().iter().map(|preset| {
@@ -401,7 +524,10 @@ mod tests {
                     let rows = lines.iter().filter(|l| matches!(l, Line::Row(..)));
                     let shown: usize = rows.map(figures).sum();
                     let (vectors, points) = (tables.vectors.len(), tables.points.len());
-                    assert_eq!(shown, 6 * vectors + 10 * points);
+                    let fixed = tables.points.iter().filter(|p| p.fixed).count();
+                    // What never moves may be left out where there are rates alone.
+                    let all = 6 * vectors + 10 * points;
+                    assert!((all - 8 * fixed..=all).contains(&shown), "{}", tables.scene);
                     for line in &lines {
                         let (name, cells) = sheet.show(line, &tables, width, glyphs);
                         let needed = name.width + cells.iter().map(|c| c.width).sum::<usize>();

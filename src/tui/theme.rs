@@ -1,5 +1,6 @@
-//! What each part of the screen looks like. Colours are names of the terminal's own palette, of those
-//! that can be read on dark and on light ground; none carries a meaning alone.
+//! What each part of the screen looks like. Colours are names of the terminal's own palette, and only
+//! the two that most palettes keep legible on dark and on light ground: red and magenta. None carries a
+//! meaning alone.
 
 use crate::drawing::Role;
 use ratatui::style::{Color, Modifier, Style};
@@ -31,7 +32,7 @@ pub(crate) fn part(part: Part) -> Style {
     match part {
         Part::Text => style,
         Part::Title | Part::Key => style.add_modifier(Modifier::BOLD),
-        Part::Quiet => style.fg(Color::Cyan),
+        Part::Quiet => style.add_modifier(Modifier::DIM),
         Part::Name => style.add_modifier(Modifier::BOLD),
         Part::Mode | Part::Caret => style.add_modifier(Modifier::REVERSED),
         Part::Warning => style.fg(Color::Red).add_modifier(Modifier::BOLD),
@@ -42,11 +43,10 @@ pub(crate) fn part(part: Part) -> Style {
 pub(crate) fn role(role: Role) -> Style {
     let style = Style::new();
     match role {
-        Role::Empty | Role::Link | Role::Guide => style,
-        Role::Ground | Role::GroundPin => style.fg(Color::Green),
+        Role::Empty | Role::Link | Role::Guide | Role::Label => style,
+        Role::Ground => style.add_modifier(Modifier::DIM),
         Role::Driver => style.fg(Color::Red),
-        Role::Joint | Role::Slider => style.add_modifier(Modifier::BOLD),
+        Role::Joint | Role::GroundPin | Role::Slider => style.add_modifier(Modifier::BOLD),
         Role::Rider | Role::CentreOfMass => style.fg(Color::Magenta),
-        Role::Label => style.fg(Color::Cyan),
     }
 }

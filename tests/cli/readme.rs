@@ -27,7 +27,7 @@ fn the_scene_of_the_readme_opens() {
 
 #[test]
 fn what_is_shown_is_what_is_printed() {
-    let [fault, table, check] = blocks("text")[..] else {
+    let [table, check, fault] = blocks("text")[..] else {
         panic!("the README has other blocks of output than this test knows");
     };
     assert!(done(&["table", "four-bar"]).starts_with(table));
@@ -38,6 +38,24 @@ fn what_is_shown_is_what_is_printed() {
     std::fs::write(here.join("my.toml"), broken).unwrap();
     let mut command = command(&["check", "my.toml"]);
     assert_eq!(run(command.current_dir(&here)).err, fault);
+}
+
+/// The table of keys stands in the documentation of the scene file, and here again.
+#[test]
+fn every_key_of_a_scene_is_told() {
+    let documentation = include_str!("../../src/scene/mod.rs");
+    let rows = documentation
+        .lines()
+        .filter_map(|line| line.strip_prefix("//! |"));
+    let mut found = 0;
+    for row in rows {
+        assert!(
+            README.contains(&format!("|{row}\n")),
+            "the README lacks |{row}"
+        );
+        found += 1;
+    }
+    assert!(found > 30, "{found}");
 }
 
 /// The commands stand indented by four, each with a word about it.

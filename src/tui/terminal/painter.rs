@@ -198,10 +198,16 @@ impl Painter {
             Colours::None => Color::Reset,
             Colours::Sixteen | Colours::Indexed | Colours::True => colour,
         };
+        // The Linux console shows faint text in a grey that is hard to read; a VT100 has none.
+        let faint = if self.capability.modern {
+            Modifier::empty()
+        } else {
+            Modifier::DIM
+        };
         Pen {
             fg: shown(cell.fg),
             bg: shown(cell.bg),
-            modifier: cell.modifier,
+            modifier: cell.modifier - faint,
         }
     }
 
@@ -333,6 +339,21 @@ mod tests {
         let mut red = text(&["hello"]);
         red.set_style(Rect::new(0, 0, 3, 1), Style::new().fg(Color::Red));
         assert!(painter.frame(red).is_empty());
+    }
+
+    #[test]
+    fn faint_text_is_plain_on_a_console() {
+        let mut faint = text(&["unit"]);
+        faint.set_style(
+            Rect::new(0, 0, 4, 1),
+            Style::new().add_modifier(Modifier::DIM),
+        );
+        let bytes = |modern| {
+            let mut painter = painter(Colours::Sixteen, modern);
+            painter.frame(faint.clone()).escape_ascii().to_string()
+        };
+        assert!(bytes(true).contains(r"\x1b[2munit"), "{}", bytes(true));
+        assert!(!bytes(false).contains("[2m"), "{}", bytes(false));
     }
 
     #[test]

@@ -9,6 +9,7 @@ use super::{print, print_right};
 use crate::drawing::Glyphs;
 use crate::tui::action::{ACTIONS, Action, entry_of};
 use crate::tui::app::App;
+use crate::tui::sheet::FOUND;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -30,6 +31,16 @@ pub(super) fn render(app: &App, scroll: usize, area: Rect, buffer: &mut Buffer) 
         let style = theme::part(Part::Quiet);
         print_right(buffer, frame.right() - 2, frame.bottom() - 1, &more, style);
     }
+    let style = theme::part(Part::Quiet);
+    let legend = format!(" {FOUND} found, rest given ");
+    print(
+        buffer,
+        frame.x + 2,
+        frame.bottom() - 1,
+        frame.width - 4,
+        &legend,
+        style,
+    );
     for (x, column) in (inner.left()..)
         .step_by((KEYS + HELP + GAP).into())
         .zip(ACTIONS.chunks(lines))

@@ -102,11 +102,11 @@ fn body(area: Rect) -> Rect {
     }
 }
 
-/// Without a column at either side.
+/// Where tables stand in an area: a blank to their left, their margin to their right.
 fn inset(area: Rect) -> Rect {
     Rect {
         x: area.x + 1,
-        width: area.width.saturating_sub(2),
+        width: area.width.saturating_sub(1 + table::MARGIN),
         ..area
     }
 }
@@ -139,6 +139,15 @@ fn print_right(buffer: &mut Buffer, right: u16, y: u16, text: &str, style: Style
     let length = columns(text);
     let x = right.saturating_sub(length);
     print(buffer, x, y, length, text, style);
+}
+
+/// The text, or where it is longer than `most` characters, its beginning and two points.
+fn cut(text: &str, most: usize) -> String {
+    if text.chars().count() <= most {
+        return text.to_owned();
+    }
+    let beginning: String = text.chars().take(most.saturating_sub(2)).collect();
+    format!("{}..", beginning.trim_end())
 }
 
 /// Columns of text of one column to a character.

@@ -1,6 +1,7 @@
 //! The linkage, and its tables live beside or below it: wherever it is drawn larger.
 
 use super::{inset, table};
+use crate::Vec2;
 use crate::drawing::{self, Glyphs, Labels, Layers, Raster};
 use crate::tui::app::App;
 use crate::tui::theme::{self, Part};
@@ -26,6 +27,9 @@ const LOWEST_TABLE: u16 = 4;
 /// On lower screens the rule's line goes to the drawing.
 const ROOM_FOR_RULE: u16 = 14;
 
+/// A drawing below this height is no drawing.
+const LOWEST_DRAWING: u16 = 4;
+
 /// Puts the tables where they leave the linkage the larger scale.
 pub(super) fn arrange(app: &App, area: Rect) -> Arrangement {
     let below = below(app, area);
@@ -38,8 +42,9 @@ pub(super) fn arrange(app: &App, area: Rect) -> Arrangement {
 fn beside(app: &App, area: Rect) -> Option<Arrangement> {
     let (narrow, wide) = app.stage().sheet().widths(app.glyphs());
     let [narrow, wide] = [narrow, wide].map(|w| u16::try_from(w).unwrap_or(u16::MAX));
-    // A blank at either side, and the rule.
-    let most = area.width.checked_sub(narrow.checked_add(3)?)?;
+    // The blanks beside the tables, and the rule.
+    let sides = 1 + 1 + table::MARGIN;
+    let most = area.width.checked_sub(narrow.checked_add(sides)?)?;
     if most < NARROWEST_DRAWING {
         return None;
     }
@@ -79,11 +84,24 @@ fn columns_used(app: &App, area: Rect) -> u16 {
 
 fn below(app: &App, area: Rect) -> Arrangement {
     let width = usize::from(inset(area).width);
-    let lines = app.stage().sheet().vector_lines(width, app.glyphs());
-    let most = (area.height / TABLE_SHARE).max(LOWEST_TABLE);
-    let table = u16::try_from(lines).unwrap_or(u16::MAX).min(most);
+    let sheet = app.stage().sheet();
+    let [vectors, all] = [
+        sheet.vector_lines(width, app.glyphs()),
+        sheet.lines(width, app.glyphs()).len(),
+    ]
+    .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX));
+    let share = (area.height / TABLE_SHARE).max(LOWEST_TABLE);
     let rule = u16::from(area.height >= ROOM_FOR_RULE);
-    let drawing = area.height.saturating_sub(table + rule);
+    let drawing = area.height.saturating_sub(vectors.min(share) + rule);
+    // What the width keeps the drawing from using shows more of the tables.
+    let lowest = area.height.saturating_sub(all.saturating_add(rule));
+    let scale_at = |height| scale(app, Rect { height, ..area });
+    // A rounding error makes no drawing smaller.
+    let least = scale_at(drawing) * (1.0 - 1e-9);
+    let drawing = (lowest.max(LOWEST_DRAWING)..drawing)
+        .find(|&lower| scale_at(lower) >= least)
+        .unwrap_or(drawing);
+    let table = area.height.saturating_sub(drawing + rule);
     let rows = [(0, drawing), (drawing, rule), (drawing + rule, table)];
     let [drawing, rule, table] = rows.map(|(y, h)| Rect {
         y: area.y + y,
@@ -97,13 +115,11 @@ fn below(app: &App, area: Rect) -> Arrangement {
     }
 }
 
-/// Cells along x for a unit of length, as far as the area limits it.
+/// Cells along x for a unit of length in a drawing of this size.
 fn scale(app: &App, area: Rect) -> f64 {
-    let size = app.stage().reach().bounds().size();
-    let across = f64::from(area.width) / size.x;
-    let along = f64::from(area.height) * app.aspect() / size.y;
-    // A motion along a line has no extent across it.
-    across.min(along)
+    let reach = app.stage().reach();
+    let view = drawing::View::fit(reach, area.width, area.height, app.aspect());
+    (view.cell(Vec2::new(1.0, 0.0)) - view.cell(Vec2::ZERO)).x
 }
 
 /// The drawing as it was made last: names keep their sides from frame to frame.

@@ -1,10 +1,10 @@
 //! The last line: mode, scene, driver, state; then the keys that matter now, as far as there is room.
 //!
 //! ```text
-//!  motion  four-bar  r2 60.00 deg  ok  paused     space play  , back  . step  ? help  q quit
+//!  motion  four-bar   60.00 deg  ok  ? help  space play  . step  q quit  g go to
 //! ```
 
-use super::{columns, print};
+use super::{columns, cut, most_scroll, print};
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::action::{Action, entry_of};
@@ -12,14 +12,15 @@ use crate::tui::app::{App, Mode, View};
 use crate::tui::figures::coordinate;
 use crate::tui::key::Key;
 use crate::tui::line::Line;
+use crate::tui::sheet::FOUND;
 use crate::tui::stage::{Stage, shown};
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Longer names of scenes are cut; on narrow lines sooner.
+/// Longer names of scenes are cut; on short lines sooner, and left out where they would say nothing.
 const LONGEST_SCENE: usize = 20;
-const LONGEST_IN_NARROW: usize = 12;
+const SHORTEST_SCENE: u16 = 6;
 
 /// Narrower lines have single blanks between their parts.
 const ROOM_FOR_GAPS: u16 = 60;
@@ -35,24 +36,42 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         prompt(app, typed, &mut line);
         return;
     }
+    let driver = driver(app.stage());
+    let narrow = area.width < ROOM_FOR_GAPS;
+    let (state, part) = state(app.condition(), narrow);
     if let Some(message) = app.message() {
         line.gap(1);
-        line.say(&driver(app.stage()), Part::Text);
+        line.say(&driver, Part::Text);
         line.gap(2);
+        // Why figures are missing stays to be read, whatever else there is to say.
+        if app.condition() != Condition::Ok {
+            line.say(state, part);
+            line.gap(2);
+            if line.room() < columns(message) {
+                return;
+            }
+        }
         line.tell(message, app);
         return;
     }
-    let (gap, longest) = if area.width < ROOM_FOR_GAPS {
-        (1, LONGEST_IN_NARROW)
-    } else {
-        (2, LONGEST_SCENE)
-    };
+    let gap = if narrow { 1 } else { 2 };
     line.gap(1);
-    line.say(&scene(app, longest), Part::Text);
+    // A short line keeps its room for the key that leads on.
+    let (key, name) = hint_of(app, Action::Help);
+    let behind = [&driver, state, &key, name]
+        .map(columns)
+        .iter()
+        .sum::<u16>()
+        + 3 * gap
+        + 1;
+    let room = line.room().saturating_sub(behind);
+    if room >= SHORTEST_SCENE {
+        let longest = usize::from(room - gap).min(LONGEST_SCENE);
+        line.say(&cut(&scene(app), longest), Part::Text);
+        line.gap(gap);
+    }
+    line.say(&driver, Part::Text);
     line.gap(gap);
-    line.say(&driver(app.stage()), Part::Text);
-    line.gap(gap);
-    let (state, part) = state(app.condition());
     line.say(state, part);
     line.gap(gap);
     hints(app, &mut line);
@@ -67,7 +86,7 @@ fn mode(app: &App) -> &'static str {
     }
 }
 
-fn scene(app: &App, longest: usize) -> String {
+fn scene(app: &App) -> String {
     let name = match app.stage().origin() {
         Origin::Preset(name) => name.clone(),
         Origin::File(path) => {
@@ -76,7 +95,6 @@ fn scene(app: &App, longest: usize) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    let name: String = name.chars().take(longest).collect();
     shown(&name, app.glyphs())
 }
 
@@ -100,11 +118,14 @@ fn driver(stage: &Stage) -> String {
     }
 }
 
-fn state(condition: Condition) -> (&'static str, Part) {
+/// In one word, and with what follows from it where there is room.
+fn state(condition: Condition, narrow: bool) -> (&'static str, Part) {
     match condition {
         Condition::Ok => ("ok", Part::Text),
         Condition::ChangePoint => ("change point", Part::Warning),
+        Condition::DeadPoint if narrow => ("dead point", Part::Warning),
         Condition::DeadPoint => ("dead point: no rates", Part::Warning),
+        Condition::NoAssembly if narrow => ("no assembly", Part::Warning),
         Condition::NoAssembly => ("no assembly here", Part::Warning),
     }
 }
@@ -148,14 +169,27 @@ fn hints(app: &App, line: &mut Writer<'_>) {
             Action::StepForward,
         ],
     };
+    let can_scroll = most_scroll(app) > 0;
     for &action in actions {
-        let entry = entry_of(action);
-        let name = match action {
-            Action::Play if app.playback().is_playing() => "pause",
-            _ => entry.name,
-        };
-        line.hint(&entry.keys[0].to_string(), name);
+        if action == Action::LineDown && !can_scroll {
+            continue;
+        }
+        let (key, name) = hint_of(app, action);
+        line.hint(&key, name);
+        if action == Action::Help && app.view() == View::Tables {
+            line.hint(&FOUND.to_string(), "found");
+        }
     }
+}
+
+/// The first key of an action, and what it does now.
+fn hint_of(app: &App, action: Action) -> (String, &'static str) {
+    let entry = entry_of(action);
+    let name = match action {
+        Action::Play if app.playback().is_playing() => "pause",
+        _ => entry.name,
+    };
+    (entry.keys[0].to_string(), name)
 }
 
 /// Writes along the line.

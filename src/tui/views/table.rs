@@ -8,6 +8,10 @@ use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+/// Columns at the right of the tables that are kept free: one blank, and one for a mark where there is
+/// more to see.
+pub(super) const MARGIN: u16 = 2;
+
 /// The tables at this width, scrolled as the view is.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let (sheet, glyphs) = (app.stage().sheet(), app.glyphs());
@@ -15,13 +19,14 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let most = lines.len().saturating_sub(area.height.into());
     let scroll = app.scroll().min(most);
     let seen = lines.iter().skip(scroll);
-    // In the free column at the right: there is more above, or below.
+    // In the margin at the right: there is more above, or below.
     let ends = [
         ("^", area.top(), scroll > 0),
         ("v", area.bottom().saturating_sub(1), scroll < most),
     ];
     for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
-        print(buffer, area.right(), y, 1, glyph, theme::part(Part::Key));
+        let x = area.right() + MARGIN - 1;
+        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
     }
     for (y, line) in (area.top()..area.bottom()).zip(seen) {
         render_line(

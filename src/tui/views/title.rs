@@ -4,7 +4,7 @@
 //!  Four-bar crank-rocker          step 5 deg   1 turn in 4 s   1/9.5 of real time
 //! ```
 
-use super::{columns, print, print_right};
+use super::{columns, cut, print, print_right};
 use crate::tui::app::App;
 use crate::tui::figures::coordinate;
 use crate::tui::stage::shown;
@@ -29,7 +29,14 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let left = room.saturating_sub(columns(&joined) + columns(GAP));
     let style = theme::part(Part::Title);
-    print(buffer, area.x + 1, area.y, left, &title, style);
+    print(
+        buffer,
+        area.x + 1,
+        area.y,
+        left,
+        &cut(&title, left.into()),
+        style,
+    );
     let style = theme::part(Part::Quiet);
     print_right(
         buffer,
