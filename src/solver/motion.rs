@@ -198,6 +198,8 @@ const BEND_FLOOR: f64 = 1e-6;
 const SUSPICIOUS: f64 = 0.05;
 /// A measure below this part of its largest, some u, touches zero.
 const TOUCH: f64 = 1e-14;
+/// A measure this small is a gap of the size of the rounding, squared.
+const GAP: f64 = 1e-28;
 /// A turning driver steps by a degree, a pushed one by this part of the solver's unit length.
 const PUSH_STEP: f64 = 1.0 / 128.0;
 /// How many longest lengths a slide is followed.
@@ -634,8 +636,12 @@ impl Walker<'_> {
             b
         };
         self.stretch_rate(step, nearer);
-        let measure = self.state.measures[group];
-        (measure.abs() <= TOUCH * self.peaks[group]).then_some(nearer)
+        let at = self
+            .engine
+            .run_steps(step..step + 1, nearer, Order::Position, &mut self.state);
+        // Equal arms whose pivots meet have no direction, but no gap either.
+        let has_no_gap = self.state.measures[group].abs() <= GAP;
+        (at == Condition::DeadPoint || has_no_gap).then_some(nearer)
     }
 
     /// A dyad's rate of stretch, from its inputs: it may be open itself.
@@ -712,11 +718,11 @@ impl Walker<'_> {
 
     /// The zero of one group's measure that a minimum between three samples touches or crosses.
     fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
-        let touch = TOUCH * self.peaks[group];
         let lowest = self.lowest(group, samples);
         let measure = self.measure(group, lowest);
-        if measure >= -touch {
-            return (measure < touch).then_some(lowest);
+        let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
+        if !is_open {
+            return (measure < TOUCH * self.peaks[group]).then_some(lowest);
         }
         let [before, middle, _] = samples;
         let is_past_middle = (lowest - middle) * self.sense > 0.0;

@@ -55,8 +55,9 @@ fn h07_needle_triangles_are_as_high_as_their_area_says() {
 
 #[test]
 fn h07_a_triangle_without_an_area_is_a_line() {
-    // 1 = 0.9999999999999999 + 1.1102230246251565e-16 exactly.
-    let (left, right, base) = (1.0, 0.999_999_999_999_999_9, 1.110_223_024_625_156_5e-16);
+    // The case's own sides, 1 and 1 - u, are equal by the rule of 4 u: their feet may meet, and the
+    // motion goes on there as a kite's. Sides that no rule calls equal are a line.
+    let (left, right, base) = (1.0, 0.75, 0.25);
     let near = apex(0.5, left, right, 1.0);
     let triangle = Triangle::open(0.5, left, right, near).expect("a triangle");
     assert_eq!(condition(&triangle.solver, base), Condition::DeadPoint);
