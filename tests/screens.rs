@@ -194,6 +194,8 @@ fn the_key_of_the_help_is_always_named() {
                 let line = session.press(view).last_line();
                 assert!(line.contains("? help"), "{}: {line}", preset.name);
             }
+            let line = session.press("?").last_line();
+            assert!(line.contains("Esc back"), "{}: {line}", preset.name);
         }
     }
 }
@@ -243,6 +245,9 @@ fn goes_where_it_is_told_and_says_where_it_cannot() {
             .contains("not a number of deg: x")
     );
     assert!(session.press("Esc").last_line().contains("123.50 deg"));
+
+    let far = session.press("g Ctrl-U 1 e 3 0 0 Enter").last_line();
+    assert!(far.contains("turns  ok  ? help"), "{far}");
 
     let opened = open(SWINGING, Origin::Stdin);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);

@@ -22,6 +22,9 @@ use ratatui::layout::Rect;
 const LONGEST_SCENE: usize = 20;
 const SHORTEST_SCENE: u16 = 6;
 
+/// More turns than this are told with an exponent.
+const MANY_TURNS: f64 = 1e7;
+
 /// Narrower lines have single blanks between their parts.
 const ROOM_FOR_GAPS: u16 = 60;
 
@@ -57,7 +60,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let gap = if narrow { 1 } else { 2 };
     line.gap(1);
     // A short line keeps its room for the key that leads on.
-    let (key, name) = hint_of(app, Action::Help);
+    let (key, name) = hint_of(app, offered(app)[0]);
     let behind = [&driver, state, &key, name]
         .map(columns)
         .iter()
@@ -114,7 +117,12 @@ fn driver(stage: &Stage) -> String {
         format!("{text:>6} {unit}")
     } else {
         let plural = if turns.abs() == 1.0 { "" } else { "s" };
-        format!("{text:>6} {unit} {turns:+} turn{plural}")
+        let turns = if turns.abs() < MANY_TURNS {
+            format!("{turns:+}")
+        } else {
+            format!("{turns:+.3e}")
+        };
+        format!("{text:>6} {unit} {turns} turn{plural}")
     }
 }
 
@@ -148,9 +156,9 @@ fn prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
-/// The most important first: the last ones are dropped where there is no room.
-fn hints(app: &App, line: &mut Writer<'_>) {
-    let actions: &[Action] = match (app.mode(), app.view()) {
+/// What to offer now, the most important first: the last ones are dropped where there is no room.
+fn offered(app: &App) -> &'static [Action] {
+    match (app.mode(), app.view()) {
         (Mode::Help(_), _) => &[Action::Back, Action::LineDown, Action::Quit],
         (_, View::Motion) => &[
             Action::Help,
@@ -168,9 +176,12 @@ fn hints(app: &App, line: &mut Writer<'_>) {
             Action::Play,
             Action::StepForward,
         ],
-    };
+    }
+}
+
+fn hints(app: &App, line: &mut Writer<'_>) {
     let can_scroll = most_scroll(app) > 0;
-    for &action in actions {
+    for &action in offered(app) {
         if action == Action::LineDown && !can_scroll {
             continue;
         }
