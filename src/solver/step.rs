@@ -252,7 +252,7 @@ impl Circles {
         let reach = inner.min(outer);
         // Written so that NaN does not pass.
         if !(reach > self.slack) {
-            return self.stretch(reach, p.p, u, x * inverse, state);
+            return self.stretch(reach, p.p, u, x, state);
         }
         let sh = self.sign * (0.5 * product.sqrt());
         let e = (u * x + u.perp() * sh) * inverse;
@@ -283,13 +283,15 @@ impl Circles {
         Outcome::Done
     }
 
-    /// The arms in line, if within rounding they reach each other: positions alone.
+    /// The arms in line, if within rounding they reach each other: positions alone. Pivots that
+    /// within rounding are one give the line no direction.
     #[cold]
-    fn stretch(&self, reach: f64, p: Vec2, u: Vec2, share: f64, state: &mut State) -> Outcome {
-        if !(reach >= -self.slack && share.is_finite()) {
+    fn stretch(&self, reach: f64, p: Vec2, u: Vec2, x: f64, state: &mut State) -> Outcome {
+        let d = u.norm();
+        if !(reach >= -self.slack && d > self.slack) {
             return Outcome::Open;
         }
-        let e = u * share;
+        let e = u * (self.near.length.copysign(x) / d);
         state.points[self.point.index()].p = p + e;
         state.links[self.near.link.index()].d = e.turned(self.near.factor);
         state.links[self.far.link.index()].d = (e - u).turned(self.far.factor);
