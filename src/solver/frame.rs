@@ -82,11 +82,16 @@ fn origin(mechanism: &Mechanism) -> Vec2 {
 
 /// The largest power of two not above `length`; 1 where there is no length to go by.
 fn power_of_two_below(length: f64) -> f64 {
-    if !(length.is_normal() && length > 0.0) {
+    if !(length.is_finite() && length > 0.0) {
         return 1.0;
     }
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
-    f64::from_bits(length.to_bits() & EXPONENT)
+    let bits = length.to_bits();
+    if length.is_normal() {
+        f64::from_bits(bits & EXPONENT)
+    } else {
+        f64::from_bits(1 << bits.ilog2())
+    }
 }
 
 #[cfg(test)]
@@ -101,6 +106,7 @@ mod tests {
             (0.7, 0.5),
             (2.0, 2.0),
             (0.0, 1.0),
+            (11.0 * 5e-324, 8.0 * 5e-324),
         ] {
             assert_eq!(power_of_two_below(length), expected);
         }

@@ -151,6 +151,22 @@ fn h09_powers_of_two_change_no_bit() {
     }
 }
 
+/// Lengths below the normal doubles, as H19 wants them: scaled first.
+#[test]
+fn h09_lengths_of_a_few_smallest_doubles_move_alike() {
+    const SMALLEST: f64 = 5e-324;
+    let (plain, tiny) = (LECTURE.open(), LECTURE.scaled(SMALLEST).open());
+    assert_eq!(plain.solver.motion().range, tiny.solver.motion().range);
+    let (one, other) = (plain.at(60.0), tiny.at(60.0));
+    for link in [plain.coupler, plain.rocker] {
+        assert_eq!(one.direction(link), other.direction(link));
+        assert_eq!(one.omega(link), other.omega(link));
+        assert_eq!(one.alpha(link), other.alpha(link));
+    }
+    let c = Vec2::new(311.0, 234.0) * SMALLEST;
+    assert_eq!(other.position(tiny.joint), c);
+}
+
 #[test]
 fn h10_a_far_ground_costs_nothing() {
     let origin = Vec2::new(1e8, -3e8);
