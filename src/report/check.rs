@@ -1,5 +1,6 @@
 //! What krank understood of a scene: its parts, its mobility, its groups and its range.
 
+use super::loop_facts::LoopFacts;
 use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Group, GroupKind, Range, Solver};
@@ -8,7 +9,7 @@ use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 /// Decimals of limits: as many as a double has at some hundred degrees.
-const DECIMALS: usize = 12;
+pub(super) const DECIMALS: usize = 12;
 
 /// What is driven.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -115,7 +116,14 @@ pub struct Check {
     pub range: [f64; 2],
     /// The degrees after which the motion repeats; `None` if the driver cannot turn fully.
     pub period: Option<f64>,
-    /// The same in words.
+    /// Ends of the range at which the mechanism cannot go on, in deg or the scene's unit.
+    pub dead_points: Vec<f64>,
+    /// Where two assemblies meet and the motion passes, within one period.
+    pub change_points: Vec<f64>,
+    /// The loop of the driven link, a dyad and the ground, where there is one.
+    #[serde(rename = "loop")]
+    pub first_loop: Option<LoopFacts>,
+    /// The range in words.
     #[serde(skip)]
     pub range_text: String,
 }
@@ -163,6 +171,9 @@ impl Check {
             groups: plan.groups.iter().map(|g| names.group(g)).collect(),
             range,
             period,
+            dead_points: solver.motion().dead_points.clone(),
+            change_points: solver.motion().change_points.clone(),
+            first_loop: solver.first_loop().map(LoopFacts::new),
             range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),
         }
     }

@@ -1,6 +1,6 @@
 //! The facts of `check` as text.
 
-use super::check::{
+use super::check::{DECIMALS, 
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
 };
 use super::number::concise;
@@ -37,8 +37,27 @@ impl Check {
         let groups = self.groups.iter().enumerate();
         let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, self.group_text(group)));
         out.facts("groups", groups);
+        if let Some(first) = &self.first_loop {
+            out.facts("loop", first.lines(self.unit));
+        }
         out.facts("range", [self.range_text.clone()]);
+        if !self.change_points.is_empty() {
+            out.facts("change", [self.change_points_text()]);
+        }
         out.text
+    }
+
+    fn change_points_text(&self) -> String {
+        let unit = match self.driver.kind {
+            DriverKind::Link => "deg",
+            DriverKind::Slide => self.unit,
+        };
+        let at = self
+            .change_points
+            .iter()
+            .map(|at| format!("{at:.DECIMALS$}"));
+        let at: Vec<String> = at.collect();
+        format!("points at {} {unit}, passed smoothly", at.join(", "))
     }
 
     fn counts(&self) -> String {

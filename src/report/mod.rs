@@ -8,6 +8,7 @@
 
 mod check;
 mod check_text;
+mod loop_facts;
 mod number;
 mod steps;
 mod sweep;
