@@ -3,7 +3,7 @@
 use crate::exact::DoubleDouble;
 use crate::rig::{Triangle, U, condition, exact, solved};
 use krank::Vec2;
-use krank::solver::{Condition, Order};
+use krank::solver::{Condition, Fault, Order};
 
 /// The needles of Kahan's paper with their exact areas. A sixth, of sides 1, 1 and 2^-52, lies within
 /// the rounding that a computed distance is allowed: it counts as stretched.
@@ -64,6 +64,26 @@ fn h07_a_triangle_without_an_area_is_a_line() {
     let mut state = triangle.solver.state();
     triangle.solver.solve(base, Order::Position, &mut state);
     assert_eq!(state.position(triangle.apex), Vec2::new(1.0, 0.0));
+}
+
+/// The case's own: 1 = 0.9999999999999999 + 1.1102230246251565e-16 exactly. Its two assemblies are one,
+/// of height 0, and no start tells them apart.
+#[test]
+fn h07_the_needle_without_an_area_has_no_height() {
+    let (long, less, sliver) = (1.0, 1.0 - U, U);
+    for [base, left, right] in [
+        [long, less, sliver],
+        [long, sliver, less],
+        [less, long, sliver],
+        [less, sliver, long],
+    ] {
+        match Triangle::open(base, left, right, apex(base, left, right, 1.0)).err() {
+            Some(Fault::Vague { choices, .. }) => {
+                assert!(choices.iter().all(|c| c.y == 0.0), "{choices:?}");
+            }
+            other => panic!("{base} {left} {right}: {other:?}"),
+        }
+    }
 }
 
 /// The sixth needle counts as stretched, but is no shorter for it.
