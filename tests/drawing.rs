@@ -57,7 +57,7 @@ pictures! {
     jansen_small: "jansen-leg" at 60.0 in (40, 12), Ascii;
     excavator: "excavator-boom" at 2.0 in (80, 24), Ascii;
     excavator_dots: "excavator-boom" at 2.0 in (80, 24), Braille;
-    scissor: "scissor-lift" at 30.0 in (100, 40), Ascii;
+    scissor: "scissor-lift" at 1.7 in (100, 40), Ascii;
 }
 
 #[test]

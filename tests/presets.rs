@@ -14,6 +14,8 @@ use support::{U, closure_error, longest_link};
 enum Reach {
     /// Full turns; the motion repeats after one.
     Turn,
+    /// Full turns; the motion repeats after two.
+    TurnTwice,
     /// From a lower to an upper limit, in degrees or the scene's length unit.
     Within(f64, f64),
 }
@@ -34,6 +36,15 @@ const fn turning(name: &'static str, groups: &'static [GroupKind]) -> Expected {
     }
 }
 
+const fn turning_twice(name: &'static str, groups: &'static [GroupKind]) -> Expected {
+    let reach = Reach::TurnTwice;
+    Expected {
+        name,
+        reach,
+        groups,
+    }
+}
+
 const fn within(name: &'static str, low: f64, high: f64, groups: &'static [GroupKind]) -> Expected {
     let reach = Reach::Within(low, high);
     Expected {
@@ -45,7 +56,7 @@ const fn within(name: &'static str, low: f64, high: f64, groups: &'static [Group
 
 use GroupKind::{Coupled, Rpp, Rpr, Rrp, Rrr};
 
-const EXPECTED: [Expected; 19] = [
+const EXPECTED: [Expected; 23] = [
     turning("four-bar", &[Rrr]),
     turning("slider-crank", &[Rrp]),
     turning("press", &[Rrr, Rrr]),
@@ -84,6 +95,10 @@ const EXPECTED: [Expected; 19] = [
         3.038_230_528_524_083,
         &[Rrr],
     ),
+    turning("parallelogram", &[Rrr]),
+    turning("antiparallelogram", &[Rrr]),
+    turning_twice("kite", &[Rrr]),
+    turning("triple-parallelogram", &[Rrr]),
 ];
 
 /// So many places over the range; none of them a limit or a multiple of 90 degrees.
@@ -148,6 +163,7 @@ fn every_preset_covers_the_range_of_its_geometry() {
         let scene = open(name);
         match (reach, solver(&scene).motion().range) {
             (Reach::Turn, Range::Full { period }) => assert_eq!(period, 360.0, "{name}"),
+            (Reach::TurnTwice, Range::Full { period }) => assert_eq!(period, 720.0, "{name}"),
             (Reach::Within(low, high), Range::Limited { low: l, high: h }) => {
                 let near = |a: f64, b: f64| (a - b).abs() <= 1e-13 * high.abs();
                 assert!(near(*low, l) && near(*high, h), "{name}: {l} to {h}");

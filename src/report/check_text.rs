@@ -1,7 +1,7 @@
 //! The facts of `check` as text.
 
-use super::check::{DECIMALS, 
-    Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
+use super::check::{
+    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
 };
 use super::number::concise;
 use super::text::{WIDTH, wrapped};

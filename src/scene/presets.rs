@@ -38,6 +38,10 @@ static PRESETS: &[Preset] = presets! {
     "toggle-press"
     "scissor-lift"
     "excavator-boom"
+    "parallelogram"
+    "antiparallelogram"
+    "kite"
+    "triple-parallelogram"
 };
 
 /// All presets, in the order in which they are listed.
