@@ -1,0 +1,131 @@
+//! States of the coupled groups along the motion, from which any angle is solved without a history.
+
+use super::walk::SAMPLES;
+use crate::solver::engine::Engine;
+use crate::solver::state::State;
+
+/// States of the coupled groups along the motion, by the driver's coordinate.
+#[derive(Clone, Debug, Default)]
+pub(in crate::solver) struct Anchors {
+    at: Vec<f64>,
+    /// z, z' and z'' of every group, anchor by anchor.
+    numbers: Vec<f64>,
+    /// The period by which coordinates are reduced; 0 where they are not.
+    period: f64,
+}
+
+impl Anchors {
+    pub(super) fn stride(engine: &Engine) -> usize {
+        engine
+            .program
+            .coupled
+            .iter()
+            .map(|c| c.width() + 2 * c.unknowns())
+            .sum()
+    }
+
+    /// Puts into the scratch what the nearest anchor predicts for `at`.
+    pub(in crate::solver) fn aim(&self, engine: &Engine, at: f64, state: &mut State) {
+        if self.at.is_empty() {
+            return;
+        }
+        let reduced = if self.period > 0.0 {
+            positive_remainder(at, self.period)
+        } else {
+            at
+        };
+        let above = self
+            .at
+            .partition_point(|&a| a < reduced)
+            .min(self.at.len() - 1);
+        let below = above.saturating_sub(1);
+        let nearest = if reduced - self.at[below] <= self.at[above] - reduced {
+            below
+        } else {
+            above
+        };
+        self.aim_from(nearest, engine, reduced, state);
+    }
+
+    /// As [`Anchors::aim`], from the nearest of the anchors that were pushed last.
+    pub(super) fn aim_from_latest(&self, engine: &Engine, at: f64, state: &mut State) {
+        let latest = self.at.len().saturating_sub(SAMPLES)..self.at.len();
+        let far = |&i: &usize| (self.at[i] - at).abs();
+        if let Some(nearest) = latest.min_by(|i, j| far(i).total_cmp(&far(j))) {
+            self.aim_from(nearest, engine, at, state);
+        }
+    }
+
+    pub(super) fn aim_from(&self, anchor: usize, engine: &Engine, at: f64, state: &mut State) {
+        let dq = engine.difference(self.at[anchor], at);
+        let mut from = anchor * Anchors::stride(engine);
+        for group in &engine.program.coupled {
+            let mut room = group.open(&mut state.scratch);
+            for part in [&mut *room.z, &mut *room.first, &mut *room.second] {
+                part.copy_from_slice(&self.numbers[from..from + part.len()]);
+                from += part.len();
+            }
+            group.predict(&mut room, dq);
+        }
+    }
+
+    /// Forgets the latest anchors as far as they lie beyond a limit.
+    pub(super) fn forget_beyond(&mut self, engine: &Engine, limit: f64, sense: f64) {
+        while self
+            .at
+            .last()
+            .is_some_and(|&at| (at - limit) * sense >= 0.0)
+        {
+            self.at.pop();
+            self.numbers
+                .truncate(self.at.len() * Anchors::stride(engine));
+        }
+    }
+
+    pub(super) fn push(&mut self, engine: &Engine, at: f64, state: &mut State) {
+        if engine.program.coupled.is_empty() {
+            return;
+        }
+        self.at.push(at);
+        for group in &engine.program.coupled {
+            let room = group.open(&mut state.scratch);
+            for part in [&*room.z, &*room.first, &*room.second] {
+                self.numbers.extend_from_slice(part);
+            }
+        }
+    }
+
+    /// Sorted by coordinate, each reduced to one period.
+    pub(super) fn sorted(&self, engine: &Engine, period: f64) -> Anchors {
+        let reduce = |at: f64| {
+            if period > 0.0 {
+                positive_remainder(at, period)
+            } else {
+                at
+            }
+        };
+        let mut order: Vec<(f64, usize)> = self.at.iter().map(|&a| reduce(a)).zip(0..).collect();
+        order.sort_by(|a, b| a.0.total_cmp(&b.0));
+        order.dedup_by(|a, b| a.0 == b.0);
+        // Across the end of the period, too, the nearest anchor is the nearest.
+        if let ([first, ..], [.., last], true) = (&order[..], &order[..], period > 0.0) {
+            let (before, after) = ((last.0 - period, last.1), (first.0 + period, first.1));
+            order.insert(0, before);
+            order.push(after);
+        }
+        let stride = Anchors::stride(engine);
+        let numbers = order
+            .iter()
+            .flat_map(|&(_, i)| &self.numbers[i * stride..(i + 1) * stride]);
+        Anchors {
+            at: order.iter().map(|&(a, _)| a).collect(),
+            numbers: numbers.copied().collect(),
+            period,
+        }
+    }
+}
+
+pub(in crate::solver) fn positive_remainder(at: f64, period: f64) -> f64 {
+    let rest = at % period;
+    if rest < 0.0 { rest + period } else { rest }
+}

@@ -1,0 +1,111 @@
+//! Limits between the samples of a walk: the zeros of a group's measure.
+
+use super::walk::{SAMPLES, Walker};
+use crate::solver::Order;
+use crate::solver::state::Condition;
+
+/// A measure whose smallest sample is below this is searched for a zero between the samples.
+const SUSPICIOUS: f64 = 0.05;
+/// A measure below this part of its largest, some u, touches zero.
+const TOUCH: f64 = 1e-14;
+/// Sections that narrow a minimum down to the square root of the rounding.
+const GOLDEN_SECTIONS: usize = 44;
+
+impl Walker<'_> {
+    /// A limit that the last three samples have stepped over: the zero of a measure that has a
+    /// minimum between them. What lies behind the start is for the walk the other way.
+    pub(super) fn limit_passed(&mut self) -> Option<f64> {
+        let [(a, first), (m, middle), (b, last)] = &self.seen[..] else {
+            return None;
+        };
+        let (a, m, b) = (*a, *m, *b);
+        let dips = (0..first.len()).filter(|&g| {
+            let is_lowest = middle[g] < first[g] && middle[g] <= last[g];
+            is_lowest && middle[g] < SUSPICIOUS
+        });
+        let dips: Vec<usize> = dips.collect();
+        if dips.is_empty() {
+            return None;
+        }
+        let saved = self.state.clone();
+        let limits: Vec<f64> = dips
+            .into_iter()
+            .filter_map(|group| self.limit_of(group, [a, m, b]))
+            .collect();
+        self.state = saved;
+        let ahead = |limit: f64| (limit - self.start) * self.sense;
+        limits
+            .into_iter()
+            .filter(|&limit| ahead(limit) > 0.0)
+            .min_by(|&x, &y| ahead(x).total_cmp(&ahead(y)))
+    }
+
+    /// The zero of one group's measure that a minimum between three samples touches or crosses.
+    pub(super) fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
+        let lowest = self.lowest(group, samples);
+        let measure = self.measure(group, lowest);
+        let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
+        if !is_open {
+            return (measure < TOUCH * self.peaks[group]).then_some(lowest);
+        }
+        let [before, middle, _] = samples;
+        let is_past_middle = (lowest - middle) * self.sense > 0.0;
+        let good = if is_past_middle { middle } else { before };
+        Some(self.edge(group, good, lowest))
+    }
+
+    /// A group's measure between the last samples, negative where the mechanism does not exist.
+    pub(super) fn measure(&mut self, group: usize, at: f64) -> f64 {
+        self.anchors
+            .aim_from_latest(self.engine, at, &mut self.state);
+        let condition = self.engine.run(at, Order::Position, &mut self.state);
+        let measure = self.state.measures[group];
+        match condition {
+            Condition::Ok => measure,
+            Condition::DeadPoint | Condition::ChangePoint => measure.min(0.0),
+            Condition::NoAssembly if measure < 0.0 => measure,
+            // Another group is open: this one's measure may be that of another coordinate.
+            Condition::NoAssembly => -1.0,
+        }
+    }
+
+    /// The coordinate of the smallest measure between two samples, by golden section; at once the
+    /// sample between them if that touches zero.
+    pub(super) fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
+        const GOLDEN: f64 = 0.618_033_988_749_894_9;
+        if self.measure(group, middle) < TOUCH * self.peaks[group] {
+            return middle;
+        }
+        let (mut a, mut b) = (a, b);
+        let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+        let (mut at_c, mut at_d) = (self.measure(group, c), self.measure(group, d));
+        for _ in 0..GOLDEN_SECTIONS {
+            if at_c < at_d {
+                (b, d, at_d) = (d, c, at_c);
+                c = b - GOLDEN * (b - a);
+                at_c = self.measure(group, c);
+            } else {
+                (a, c, at_c) = (c, d, at_d);
+                d = a + GOLDEN * (b - a);
+                at_d = self.measure(group, d);
+            }
+        }
+        if at_c < at_d { c } else { d }
+    }
+
+    /// The last coordinate on the way from `good` to `bad` at which a measure is positive.
+    pub(super) fn edge(&mut self, group: usize, good: f64, bad: f64) -> f64 {
+        let (mut good, mut bad) = (good, bad);
+        loop {
+            let middle = good + 0.5 * (bad - good);
+            if middle == good || middle == bad {
+                return good;
+            }
+            if self.measure(group, middle) > 0.0 {
+                good = middle
+            } else {
+                bad = middle
+            }
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! The whole motion, followed once when a mechanism is opened.
+//!
+//! The walk goes from the start in both directions until the motion closes or ends. It looks for
+//! the end on each group's own measure (the square of the sine of its transmission angle, negative
+//! where the group is open), also between its steps, and keeps anchor states of coupled groups, from
+//! which any angle is solved later without any history.
+
+mod anchors;
+mod change;
+mod limits;
+mod walk;
+
+pub(super) use anchors::{Anchors, positive_remainder};
+
+use super::engine::Engine;
+use super::fault::Fault;
+use super::passage::Passages;
+use super::state::{Condition, State};
+use super::{Order, angle_turn};
+use walk::{End, PUSH_REACH, Walker};
+
+/// The range that the driver can cover from the scene's assembly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Range {
+    /// Full turns; the motion repeats after `period` degrees (360 or a multiple).
+    Full {
+        /// In degrees.
+        period: f64,
+    },
+    /// Between two limits, in degrees or in the scene's length unit. A slide that could be pushed
+    /// without end is cut off at 64 times the longest length of the scene.
+    Limited {
+        /// The lower limit.
+        low: f64,
+        /// The upper limit.
+        high: f64,
+    },
+}
+
+/// The whole motion of a mechanism, found once.
+#[derive(Clone, Debug)]
+pub struct Motion {
+    /// The driver's range.
+    pub range: Range,
+    /// The ends of the range at which the mechanism cannot go on, in degrees or in the scene's length
+    /// unit: there are two, or none.
+    pub dead_points: Vec<f64>,
+    /// Where two assemblies meet and the motion passes smoothly, within one period.
+    pub change_points: Vec<f64>,
+    pub(super) anchors: Anchors,
+    pub(super) passages: Passages,
+}
+
+impl Motion {
+    /// Whether the motion from the scene's assembly comes to this coordinate.
+    pub(super) fn covers(&self, at: f64) -> bool {
+        match self.range {
+            Range::Full { .. } => at.is_finite(),
+            Range::Limited { low, high } => low <= at && at <= high,
+        }
+    }
+}
+
+/// Doublings from one ulp by which the end of a range is drawn back, at the most.
+const MOST_DRAWS: i32 = 24;
+
+/// Follows the motion from a solved state at `start`.
+///
+/// # Errors
+/// [`Fault::OverConstrained`] where a constraint that was set aside stops holding.
+pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Motion, Fault> {
+    let mut walker = Walker {
+        engine,
+        state: state.clone(),
+        anchors: Anchors::default(),
+        seen: Vec::new(),
+        peaks: state.measures.clone(),
+        start,
+        sense: 1.0,
+        passages: Vec::new(),
+    };
+    walker.check_fit()?;
+    let up = walker.walk()?;
+    let (range, period) = match up {
+        End::Closed(turns) => {
+            let period = angle_turn(turns);
+            (Range::Full { period }, period)
+        }
+        End::Limit(high) | End::Cut(high) => {
+            walker.state = state.clone();
+            walker.sense = -1.0;
+            let low = match walker.walk()? {
+                End::Limit(low) | End::Cut(low) => low,
+                End::Closed(turns) => start - angle_turn(turns),
+            };
+            (Range::Limited { low, high }, 0.0)
+        }
+    };
+    let anchors = walker.anchors.sorted(engine, period);
+    let range = match range {
+        Range::Full { .. } => range,
+        Range::Limited { low, high } => {
+            let mut settle = |end| settled_end(end, start, engine, &anchors, &mut walker.state);
+            Range::Limited {
+                low: settle(low),
+                high: settle(high),
+            }
+        }
+    };
+    let passages = Passages::new(walker.passages, start, period);
+    Ok(Motion {
+        range,
+        dead_points: dead_points(range, engine, start),
+        change_points: passages.coordinates(),
+        anchors,
+        passages,
+    })
+}
+
+/// The end of a range, drawn back by the few ulps by which a state that is predicted from another
+/// anchor than in the walk may miss it.
+fn settled_end(end: f64, start: f64, engine: &Engine, anchors: &Anchors, state: &mut State) -> f64 {
+    let ulp = f64::EPSILON * end.abs().max(start.abs());
+    let back = |k: i32| end - (end - start).signum() * ulp * (f64::from(k).exp2() - 1.0);
+    let mut exists = |&at: &f64| {
+        anchors.aim(engine, at, state);
+        engine.run(at, Order::Position, state) != Condition::NoAssembly
+    };
+    let candidates = (0..MOST_DRAWS).map(back);
+    let mut inside = candidates.take_while(|at| (at - start) * (end - start) > 0.0);
+    inside.find(|at| exists(at)).unwrap_or(end)
+}
+
+/// The ends of a range, but for those at which a slide was merely followed no further.
+fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
+    match range {
+        Range::Full { .. } => Vec::new(),
+        Range::Limited { low, high } => {
+            let reach = PUSH_REACH * engine.frame.scale;
+            let is_cut = |end: f64| !engine.turns && (end - start).abs() >= reach;
+            [low, high]
+                .into_iter()
+                .filter(|&end| !is_cut(end))
+                .collect()
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! The walk along the motion: steps, barriers, and when a turn has closed.
+
+use super::anchors::Anchors;
+use crate::solver::engine::Engine;
+use crate::solver::fault::Fault;
+use crate::solver::passage::Passage;
+use crate::solver::state::{Condition, State};
+use crate::solver::{Order, angle_turn};
+
+/// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
+/// in units of about the longest link.
+const MISFIT: f64 = 1e-11;
+/// No link turns more than this (as the length of the change of its unit vector) in one step.
+const TURN_STEP: f64 = 0.2;
+/// A coupled group's first correction may be this part of the predicted move: else the step could
+/// land on another assembly.
+const STRAIN: f64 = 0.05;
+/// Below this correction, in units of about the longest link, no strain is counted: rounding.
+const STRAIN_FLOOR: f64 = 1e-9;
+/// The second-order part of a coupled group's move may be this part of the first-order one: at a
+/// distance D from a dead point it is h / 4 D for a step h, so that no step reaches across it.
+const BEND: f64 = 0.125;
+/// Below this, in units of about the longest link, no bend is counted: the group stands still.
+const BEND_FLOOR: f64 = 1e-6;
+/// A turning driver steps by a degree, a pushed one by this part of the solver's unit length.
+const PUSH_STEP: f64 = 1.0 / 128.0;
+/// How many longest lengths a slide is followed.
+pub(super) const PUSH_REACH: f64 = 64.0;
+/// Steps into which one degree, or one push, may fall: a hundred halvings and as many doublings.
+const MOST_STEPS: usize = 400;
+/// Halvings between two doubles, at the most.
+const MOST_HALVINGS: usize = 1100;
+/// Turns after which a motion must have closed.
+const MOST_TURNS: usize = 16;
+/// Samples that must have been seen before a minimum of a measure shows.
+pub(super) const SAMPLES: usize = 3;
+/// How near z must come to its start for the motion to have closed.
+const CLOSED: f64 = 1e-7;
+
+/// How a walk ended.
+pub(super) enum End {
+    Closed(usize),
+    Limit(f64),
+    /// Followed no further.
+    Cut(f64),
+}
+
+/// Someone who follows the motion from its start, in one direction.
+pub(super) struct Walker<'e> {
+    pub(super) engine: &'e Engine,
+    pub(super) state: State,
+    pub(super) anchors: Anchors,
+    /// The last few states, by coordinate and measures.
+    pub(super) seen: Vec<(f64, Vec<f64>)>,
+    /// The largest value of every measure so far, at most 1: what is small is small against this.
+    pub(super) peaks: Vec<f64>,
+    pub(super) start: f64,
+    pub(super) sense: f64,
+    pub(super) passages: Vec<Passage>,
+}
+
+/// Why the motion goes no further.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Stop {
+    /// Somewhere between the last coordinate that was reached, and one that was not.
+    Barrier { good: f64, bad: f64 },
+    /// At a limit that is known already.
+    Limit(f64),
+}
+
+impl Walker<'_> {
+    pub(super) fn walk(&mut self) -> Result<End, Fault> {
+        let (start, sense) = (self.start, self.sense);
+        let step = if self.engine.turns {
+            1.0
+        } else {
+            PUSH_STEP * self.engine.frame.scale
+        };
+        let per_turn = if self.engine.turns { 360 } else { usize::MAX };
+        let most = if self.engine.turns {
+            360 * MOST_TURNS
+        } else {
+            (PUSH_REACH / PUSH_STEP) as usize
+        };
+        let first_z = self.state.scratch.numbers.clone();
+        self.look_behind(step);
+        let (mut from, mut closed, mut k) = (start, None, 1);
+        while k <= most {
+            let to = start + sense * step * k as f64;
+            let stop = self.advance(from, to);
+            if let Err(stop) = stop {
+                let limit = match stop {
+                    Stop::Limit(limit) => limit,
+                    Stop::Barrier { good, bad } => self.bisect(good, bad),
+                };
+                // What lies beyond a closed turn has been met at its beginning.
+                if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
+                    return Ok(End::Closed(turns));
+                }
+                let Some(beyond) = self.pass(limit) else {
+                    return Ok(End::Limit(limit));
+                };
+                // The steps between have been taken on the wrong side.
+                (from, closed) = (beyond, None);
+                k = (self.ahead(beyond) / step) as usize + 1;
+                continue;
+            }
+            self.check_fit()?;
+            // A turn ends a step after it has closed: only then has its last minimum been seen.
+            if let Some(turns) = closed {
+                return Ok(End::Closed(turns));
+            }
+            if k % per_turn == 0 && self.has_closed(&first_z) {
+                closed = Some(k / per_turn);
+            }
+            (from, k) = (to, k + 1);
+        }
+        Ok(End::Cut(from))
+    }
+
+    /// Notes a state on the other side of the start, so that a minimum at the start shows.
+    pub(super) fn look_behind(&mut self, step: f64) {
+        let at_start = self.state.clone();
+        let behind = self.start - self.sense * step;
+        self.seen.clear();
+        if self.advance(self.start, behind).is_ok() {
+            self.seen.drain(..self.seen.len().saturating_sub(1));
+        } else {
+            self.seen.clear();
+        }
+        self.state = at_start;
+        self.note(self.start);
+    }
+
+    /// Keeps the state that was reached as a sample and as an anchor.
+    pub(super) fn note(&mut self, at: f64) {
+        self.anchors.push(self.engine, at, &mut self.state);
+        if self.seen.len() == SAMPLES {
+            self.seen.rotate_left(1);
+            self.seen.pop();
+        }
+        self.seen.push((at, self.state.measures.clone()));
+        for (peak, measure) in self.peaks.iter_mut().zip(&self.state.measures) {
+            *peak = peak.max(*measure).min(1.0);
+        }
+    }
+
+    /// Whether every group is where it was at the start.
+    pub(super) fn has_closed(&self, first: &[f64]) -> bool {
+        let now = &self.state.scratch.numbers;
+        self.state.signs == self.engine.signs
+            && self.engine.program.coupled.iter().all(|group| {
+                let z = group.offset..group.offset + group.width();
+                now[z.clone()]
+                    .iter()
+                    .zip(&first[z])
+                    .all(|(a, b)| (a - b).abs() < CLOSED)
+            })
+    }
+
+    pub(super) fn check_fit(&self) -> Result<(), Fault> {
+        match self.engine.misfit(&self.state, MISFIT) {
+            None => Ok(()),
+            Some((watch, miss)) => Err(Fault::OverConstrained {
+                element: watch.element,
+                misfit: miss.abs() * self.engine.frame.scale,
+                at: self.state.at,
+            }),
+        }
+    }
+
+    /// Goes from one coordinate, at which the state is, to another by as many steps as the motion
+    /// needs, and notes each; stopped, the state is the last good one.
+    pub(super) fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
+        let (mut good, mut bad, mut step) = (from, to, to - from);
+        let mut saved = self.state.clone();
+        for _ in 0..MOST_STEPS {
+            if good == to {
+                return Ok(());
+            }
+            let next = if (to - good).abs() <= step.abs() {
+                to
+            } else {
+                good + step
+            };
+            if next == good {
+                break;
+            }
+            if self.try_step(good, next, &saved) {
+                self.note(next);
+                if let Some(limit) = self.limit_passed() {
+                    return Err(Stop::Limit(limit));
+                }
+                saved.clone_from(&self.state);
+                good = next;
+                step *= 2.0;
+                continue;
+            }
+            bad = next;
+            let ends = !self.has_path() && self.fails_at(next);
+            self.state.clone_from(&saved);
+            if ends {
+                break;
+            }
+            step = 0.5 * (next - good);
+        }
+        Err(Stop::Barrier { good, bad })
+    }
+
+    /// Whether states depend on the path to them: a mechanism of dyads alone needs none.
+    pub(super) fn has_path(&self) -> bool {
+        !self.engine.program.coupled.is_empty()
+    }
+
+    /// Whether a mechanism of dyads alone does not exist at a coordinate.
+    pub(super) fn fails_at(&mut self, at: f64) -> bool {
+        self.engine.run(at, Order::Position, &mut self.state) != Condition::Ok
+    }
+
+    pub(super) fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
+        let dq = self.engine.difference(from, to);
+        let mut planned = Vec::new();
+        for group in &self.engine.program.coupled {
+            let mut room = group.open(&mut self.state.scratch);
+            let [first, second] = group.move_sizes(&room, dq);
+            if second > BEND * first + BEND_FLOOR {
+                return false;
+            }
+            planned.push(first);
+            group.predict(&mut room, dq);
+        }
+        if self.engine.run(to, Order::Acceleration, &mut self.state) != Condition::Ok {
+            return false;
+        }
+        let corrections = &self.state.scratch.first;
+        let mut strains = corrections.iter().zip(&planned);
+        let strained = strains.any(|(c, planned)| *c > STRAIN * planned + STRAIN_FLOOR);
+        let mut turns = self.state.links.iter().zip(&before.links);
+        !strained && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP)
+    }
+
+    /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
+    /// the dead point itself included. The state must be the one at `good`.
+    pub(super) fn bisect(&mut self, mut good: f64, mut bad: f64) -> f64 {
+        // A step may have met the dead point itself, which belongs to the range.
+        if !self.has_path() && self.reach(good, bad).is_ok() {
+            return bad;
+        }
+        for _ in 0..MOST_HALVINGS {
+            let middle = good + 0.5 * (bad - good);
+            if middle == good || middle == bad {
+                break;
+            }
+            match self.reach(good, middle) {
+                Ok(()) => good = middle,
+                Err(Stop::Barrier { good: g, bad: b }) => (good, bad) = (g, b),
+                Err(Stop::Limit(limit)) => return limit,
+            }
+        }
+        good
+    }
+
+    pub(super) fn reach(&mut self, good: f64, to: f64) -> Result<(), Stop> {
+        if self.has_path() {
+            return self.advance(good, to);
+        }
+        match self.engine.run(to, Order::Position, &mut self.state) {
+            Condition::NoAssembly => Err(Stop::Barrier { good, bad: to }),
+            Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => Ok(()),
+        }
+    }
+}

@@ -1,0 +1,363 @@
+//! The elementary steps of a plan, in closed form.
+//!
+//! A step reads points and links that earlier steps have placed and places a few more, with the
+//! first and second derivatives by the driver's coordinate. Notation: P, Q known points, X the point
+//! sought; e = X - P; t the direction of a guide and n = k x t its normal; (V, w) and (A, alpha)
+//! first and second derivatives of points and angles.
+
+mod circles;
+mod lines;
+mod swing;
+
+pub(super) use circles::{Circles, Cylinder};
+pub(super) use lines::{CircleLine, CircleRail, Line};
+pub(super) use swing::Swing;
+
+use super::state::{LinkState, PointState, State};
+use crate::{LinkId, PointId, SlideId, Vec2};
+use lines::meet;
+
+/// How many derivatives a solve carries, as a constant of the compiled code.
+pub(super) const POSITION: u8 = 0;
+pub(super) const VELOCITY: u8 = 1;
+pub(super) const ACCELERATION: u8 = 2;
+
+/// How far beyond its reach a group still counts as just stretched: 4 u of the lengths, the
+/// rounding of a computed distance. Less would refuse limits that were typed in exactly; more would
+/// clamp states that really are open.
+const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
+
+/// What became of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// Solved.
+    Done,
+    /// Stretched to its limit: positions are given, derivatives do not exist.
+    Stretched,
+    /// Cannot close.
+    Open,
+}
+
+/// The end of an arm in the frame of its link, as a complex factor: direction = arm * factor.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Arm {
+    /// The known end.
+    pub pivot: PointId,
+    /// Its length.
+    pub length: f64,
+    /// The link whose direction it tells.
+    pub link: LinkId,
+    /// The conjugate of the arm in the link's frame over the square of its length.
+    pub factor: Vec2,
+}
+
+impl Arm {
+    pub(super) fn new(pivot: PointId, link: LinkId, local: Vec2) -> Arm {
+        Arm {
+            pivot,
+            length: local.norm(),
+            link,
+            factor: local.conj() / local.norm2(),
+        }
+    }
+}
+
+/// One elementary step.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Step {
+    /// The driven link takes the driver's direction.
+    Crank { link: LinkId },
+    /// A point of the driven link, at `local` from the ground point about which it turns.
+    Spin {
+        point: PointId,
+        pivot: PointId,
+        local: Vec2,
+    },
+    /// A point at `local` on a link, seen from another point of the same link.
+    Ride {
+        point: PointId,
+        base: PointId,
+        link: LinkId,
+        local: Vec2,
+    },
+    /// The driven slide: the point lies at `local + along q` on a link, seen from `base`.
+    Push {
+        point: PointId,
+        base: PointId,
+        link: LinkId,
+        local: Vec2,
+        along: Vec2,
+    },
+    /// The direction of a link both of whose ends are known.
+    Aim { arm: Arm, end: PointId },
+    /// A link that keeps its angle to another one.
+    Lock {
+        link: LinkId,
+        to: LinkId,
+        turn: Vec2,
+    },
+    /// RRR.
+    Circles(Circles),
+    /// RRP.
+    CircleLine(CircleLine),
+    /// RRP on the ground.
+    CircleRail(CircleRail),
+    /// RPR.
+    Swing(Swing),
+    /// RRR with a driven arm.
+    Cylinder(Cylinder),
+    /// PRP and RPP: the meeting of two lines.
+    Lines {
+        point: PointId,
+        first: Line,
+        second: Line,
+        group: usize,
+    },
+    /// A coupled group, by its number.
+    Coupled { index: usize },
+    /// What a slide's table shows.
+    Travel {
+        slide: SlideId,
+        point: PointId,
+        line: Line,
+    },
+}
+
+/// X = P + R(d) r, V = V_P + w k x r, A = A_P + alpha k x r - w^2 r.
+#[inline]
+fn carried<const ORDER: u8>(base: &PointState, link: &LinkState, local: Vec2) -> PointState {
+    let r = local.turned(link.d);
+    let mut point = PointState {
+        p: base.p + r,
+        ..PointState::default()
+    };
+    if ORDER >= VELOCITY {
+        point.v = base.v + r.perp() * link.w;
+    }
+    if ORDER >= ACCELERATION {
+        point.a = base.a + r.perp() * link.a - r * (link.w * link.w);
+    }
+    point
+}
+
+impl Step {
+    /// Runs the step at the driver's coordinate `q`; `direction` is its unit vector where it is an
+    /// angle.
+    #[inline]
+    pub(super) fn run<const ORDER: u8>(
+        &self,
+        q: f64,
+        direction: Vec2,
+        state: &mut State,
+    ) -> Outcome {
+        match self {
+            Step::Crank { link } => {
+                state.links[link.index()] = LinkState {
+                    d: direction,
+                    w: 1.0,
+                    a: 0.0,
+                };
+            }
+            Step::Spin {
+                point,
+                pivot,
+                local,
+            } => {
+                let r = local.turned(direction);
+                state.points[point.index()] = PointState {
+                    p: state.points[pivot.index()].p + r,
+                    v: r.perp(),
+                    a: -r,
+                };
+            }
+            Step::Ride {
+                point,
+                base,
+                link,
+                local,
+            } => {
+                let (base, link) = (state.points[base.index()], state.links[link.index()]);
+                state.points[point.index()] = carried::<ORDER>(&base, &link, *local);
+            }
+            Step::Push {
+                point,
+                base,
+                link,
+                local,
+                along,
+            } => {
+                let (base, link) = (state.points[base.index()], state.links[link.index()]);
+                let mut pushed = carried::<ORDER>(&base, &link, *local + *along * q);
+                let tau = along.turned(link.d);
+                pushed.v += tau;
+                pushed.a += tau.perp() * (2.0 * link.w);
+                state.points[point.index()] = pushed;
+            }
+            Step::Aim { arm, end } => aim::<ORDER>(arm, *end, state),
+            Step::Lock { link, to, turn } => {
+                let mut locked = state.links[to.index()];
+                locked.d = locked.d.turned(*turn);
+                state.links[link.index()] = locked;
+            }
+            Step::Circles(circles) => return circles.run::<ORDER>(state),
+            Step::CircleLine(circle_line) => return circle_line.run::<ORDER>(state),
+            Step::CircleRail(circle_rail) => return circle_rail.run::<ORDER>(state),
+            Step::Swing(swing) => return swing.run::<ORDER>(state),
+            Step::Cylinder(cylinder) => return cylinder.run::<ORDER>(q, state),
+            Step::Lines {
+                point,
+                first,
+                second,
+                group,
+            } => {
+                let (one, two) = (first.at(state), second.at(state));
+                let det = two.n.dot(one.t);
+                state.measures[*group] = det * det;
+                let Some(met) = meet::<ORDER>(&one, &two) else {
+                    return Outcome::Open;
+                };
+                state.points[point.index()] = met;
+            }
+            Step::Travel { slide, point, line } => travel(*slide, *point, line, state),
+            // Coupled groups are run by the solver, which owns them.
+            Step::Coupled { .. } => {}
+        }
+        Outcome::Done
+    }
+
+    /// The group whose sign chooses between the two assemblies of this step, if it has two.
+    pub(super) fn choice(&self) -> Option<usize> {
+        match self {
+            Step::Circles(c) => Some(c.group),
+            Step::CircleLine(c) => Some(c.group),
+            Step::CircleRail(c) => Some(c.group),
+            Step::Swing(s) => Some(s.group),
+            Step::Cylinder(c) => Some(c.group),
+            Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Lines { .. }
+            | Step::Coupled { .. }
+            | Step::Travel { .. } => None,
+        }
+    }
+
+    /// What a step with two assemblies places.
+    pub(super) fn outputs(&self) -> (Option<PointId>, [Option<LinkId>; 2]) {
+        match self {
+            Step::Circles(c) => (Some(c.point), [Some(c.near.link), Some(c.far.link)]),
+            Step::CircleLine(c) => (Some(c.point), [Some(c.arm.link), None]),
+            Step::CircleRail(c) => (Some(c.point), [Some(c.arm.link), None]),
+            Step::Swing(s) => (None, [Some(s.link), None]),
+            Step::Cylinder(c) => (Some(c.point), [Some(c.link), Some(c.far.link)]),
+            Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Lines { .. }
+            | Step::Coupled { .. }
+            | Step::Travel { .. } => (None, [None, None]),
+        }
+    }
+
+    /// The rate of what a dyad is stretched by - the distance of its pivots, or of pivot and guide -
+    /// up to a positive factor: zero where the stretch is extreme. From the state of its inputs.
+    pub(super) fn stretch_rate(&self, state: &State) -> Option<f64> {
+        let at = |point: PointId| state.points[point.index()];
+        let growth = |a: PointId, b: PointId| (at(b).p - at(a).p).dot(at(b).v - at(a).v);
+        match self {
+            Step::Circles(c) => Some(growth(c.near.pivot, c.far.pivot)),
+            Step::Swing(s) => Some(growth(s.pivot, s.pin)),
+            Step::CircleRail(c) => Some(c.along.cross(at(c.arm.pivot).v)),
+            Step::CircleLine(c) => {
+                let guide = c.line.at(state);
+                let pivot = at(c.arm.pivot);
+                let turning = guide.w * guide.t.dot(pivot.p - guide.q.p);
+                Some(guide.n.dot(pivot.v - guide.q.v) - turning)
+            }
+            Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Cylinder { .. }
+            | Step::Lines { .. }
+            | Step::Coupled { .. }
+            | Step::Travel { .. } => None,
+        }
+    }
+
+    /// By how much a dyad misses to close; 0 where it closes.
+    pub(super) fn gap(&self, q: f64, state: &State) -> f64 {
+        let at = |point: PointId| state.points[point.index()].p;
+        let between = |a: PointId, b: PointId| (at(b) - at(a)).norm();
+        let triangle = |d: f64, b: f64, c: f64| (d - (b + c)).max((b - c).abs() - d);
+        let gap = match self {
+            Step::Circles(c) => triangle(
+                between(c.near.pivot, c.far.pivot),
+                c.near.length,
+                c.far.length,
+            ),
+            Step::Cylinder(c) => {
+                let arm = (c.through + c.along * q).norm();
+                triangle(between(c.pivot, c.far.pivot), arm, c.far.length)
+            }
+            Step::CircleLine(c) => {
+                let guide = c.line.at(state);
+                guide.n.dot(at(c.arm.pivot) - guide.q.p).abs() - c.arm.length
+            }
+            Step::CircleRail(c) => c.along.cross(at(c.arm.pivot) - c.through).abs() - c.arm.length,
+            Step::Swing(s) => s.offset.abs() - between(s.pivot, s.pin),
+            Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Lines { .. }
+            | Step::Coupled { .. }
+            | Step::Travel { .. } => 0.0,
+        };
+        gap.max(0.0)
+    }
+}
+
+fn aim<const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State) {
+    let (p, x) = (state.points[arm.pivot.index()], state.points[end.index()]);
+    let e = x.p - p.p;
+    let mut link = LinkState {
+        d: e.turned(arm.factor),
+        ..LinkState::default()
+    };
+    let scale = 1.0 / (arm.length * arm.length);
+    if ORDER >= VELOCITY {
+        link.w = e.cross(x.v - p.v) * scale;
+    }
+    if ORDER >= ACCELERATION {
+        link.a = e.cross(x.a - p.a) * scale;
+    }
+    state.links[arm.link.index()] = link;
+}
+
+/// X - Q = s t: s' = t.(V_X - V_Q), s'' = t.(A_X - A_Q) + w^2 s.
+fn travel(slide: SlideId, point: PointId, line: &Line, state: &mut State) {
+    let guide = line.at(state);
+    let x = state.points[point.index()];
+    let s = guide.t.dot(x.p - guide.q.p);
+    state.travels[slide.index()] = super::state::TravelState {
+        s,
+        v: guide.t.dot(x.v - guide.q.v),
+        a: guide.t.dot(x.a - guide.q.a) + guide.w * guide.w * s,
+        guide: LinkState {
+            d: guide.t,
+            w: guide.w,
+            a: guide.a,
+        },
+    };
+}
