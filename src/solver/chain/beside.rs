@@ -1,0 +1,79 @@
+//! What stands beside the groups: the constraints that are watched because others were set aside,
+//! and how far every slide has travelled.
+
+use super::Chain;
+use crate::solver::network::Row;
+use crate::solver::plan::{Gauge, Watch};
+use crate::solver::step::Step;
+use crate::{LinkId, PointId, Vec2};
+
+impl Chain<'_> {
+    /// Where constraints were set aside, all are watched, those first. Which of them the steps then
+    /// leave out is theirs to choose: a link's joints may all ride on it although one of its
+    /// equations was set aside, and another constraint is lost for it.
+    pub(super) fn watch(&mut self, set_aside: &[Row]) {
+        if set_aside.is_empty() {
+            return;
+        }
+        let network = self.network;
+        let others = network.rows.iter().filter(|r| !set_aside.contains(r));
+        for &row in set_aside.iter().chain(others) {
+            if let Some(gauge) = self.gauge(row) {
+                self.program.watches.push(Watch {
+                    element: row.element(),
+                    gauge,
+                });
+            }
+        }
+    }
+
+    fn gauge(&mut self, row: Row) -> Option<Gauge> {
+        match row {
+            Row::Along { link, end } => {
+                let (from, arm) = self.seen_from(link, end)?;
+                let length = arm.norm();
+                Some(Gauge::Distance {
+                    from,
+                    to: end,
+                    length,
+                })
+            }
+            Row::Across { link, end } => {
+                let (from, arm) = self.seen_from(link, end)?;
+                let along = arm / arm.norm();
+                Some(Gauge::Direction {
+                    from,
+                    to: end,
+                    link,
+                    along,
+                })
+            }
+            Row::Slot(slide) => {
+                let point = self.network.mechanism.slide(slide).slider.point();
+                let line = self.line(slide)?;
+                Some(Gauge::OnLine { point, line })
+            }
+            Row::Push(slide) => {
+                let point = self.network.mechanism.slide(slide).slider.point();
+                let line = self.line(slide)?;
+                Some(Gauge::Pushed { point, line })
+            }
+        }
+    }
+
+    /// Another joint of a link, and `end` as seen from there in the link's frame.
+    fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2)> {
+        let to = self.local(link, end)?;
+        let other = self.network.joints(link).find(|m| m.point != end)?;
+        Some((other.point, to - self.frame.local(other.local)))
+    }
+
+    pub(super) fn travels(&mut self) {
+        for slide in self.network.mechanism.slide_ids() {
+            let point = self.network.mechanism.slide(slide).slider.point();
+            if let Some(line) = self.line(slide) {
+                self.push(Step::Travel { slide, point, line });
+            }
+        }
+    }
+}

@@ -1,0 +1,340 @@
+//! Dyads: joints anchored about known points and joints held on known lines, and the pairs of these
+//! that settle a joint or a direction in closed form.
+//!
+//! Inside a block a joint of a link that has a known point but an unknown direction lies on a
+//! circle about that point: it is *anchored* there. A joint anchored by two classes of links is an
+//! RRR dyad; one that also lies on a known line, RRP; a guide whose body turns about a known point
+//! and passes through one, RPR; two known lines, PRP or RPP.
+
+use super::{Chain, Scope};
+use crate::solver::network::ClassId;
+use crate::solver::plan::GroupKind;
+use crate::solver::step::{Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Step, Swing};
+use crate::{Body, Input, LinkId, PointId, SlideId, Vec2};
+
+/// A joint at a fixed place of a class whose direction is not known yet.
+#[derive(Clone, Copy, Debug)]
+struct Anchor {
+    point: PointId,
+    class: ClassId,
+    pivot: PointId,
+    /// From the pivot to the point, in the frame of the class.
+    arm: Vec2,
+    /// A link of the class that ends at the point.
+    link: LinkId,
+}
+
+/// A slide that holds a joint on a known line.
+#[derive(Clone, Copy, Debug)]
+struct Hold {
+    slide: SlideId,
+    /// The link between the joint and the slide, if the joint is not the sliding point itself.
+    carrier: Option<LinkId>,
+    /// Whether it is the guide that moves with the joint, over a point that is known.
+    is_yoke: bool,
+}
+
+impl Chain<'_> {
+    // ---- anchors
+
+    /// Every joint of the scope that is anchored, link after link of the same class.
+    fn anchors(&self, scope: &Scope) -> Vec<Anchor> {
+        let mut anchors: Vec<Anchor> = Vec::new();
+        for &link in scope.links.iter().filter(|&&l| !self.knows(l)) {
+            if let Some((pivot, at)) = self.footing(link) {
+                self.anchor_joints(link, pivot, at, Vec2::ZERO, &mut anchors);
+            }
+        }
+        let mut next = 0;
+        while next < anchors.len() {
+            let Anchor {
+                point,
+                class,
+                pivot,
+                arm,
+                link,
+            } = anchors[next];
+            let others = scope
+                .links
+                .iter()
+                .filter(|&&l| l != link && self.network.class(l) == class);
+            for &other in others {
+                if let Some(at) = self.local(other, point) {
+                    self.anchor_joints(other, pivot, at, arm, &mut anchors);
+                }
+            }
+            next += 1;
+        }
+        anchors
+    }
+
+    /// Anchors the joints of `link`, one of whose places, `at`, is seen from the pivot along `arm`.
+    fn anchor_joints(
+        &self,
+        link: LinkId,
+        pivot: PointId,
+        at: Vec2,
+        arm: Vec2,
+        anchors: &mut Vec<Anchor>,
+    ) {
+        let class = self.network.class(link);
+        let turn = self.network.turn[link.index()];
+        for joint in self.network.joints(link) {
+            let seen = |a: &Anchor| a.point == joint.point && a.class == class;
+            if self.point_known[joint.point.index()] || anchors.iter().any(seen) {
+                continue;
+            }
+            let arm = arm + (self.frame.local(joint.local) - at).turned(turn);
+            anchors.push(Anchor {
+                point: joint.point,
+                class,
+                pivot,
+                arm,
+                link,
+            });
+        }
+    }
+
+    fn arm(&self, anchor: &Anchor) -> Arm {
+        let turn = self.network.turn[anchor.link.index()];
+        Arm::new(anchor.pivot, anchor.link, anchor.arm.turned(turn.conj()))
+    }
+
+    // ---- dyads
+
+    /// RRR: a joint anchored by two classes.
+    pub(super) fn circles(&mut self, scope: &Scope) -> bool {
+        let anchors = self.anchors(scope);
+        let pair = anchors.iter().enumerate().find_map(|(i, a)| {
+            let b = anchors[..i]
+                .iter()
+                .find(|b| b.point == a.point && b.class != a.class)?;
+            Some((*b, *a))
+        });
+        let Some((a, b)) = pair else { return false };
+        let arms = [self.arm(&a), self.arm(&b)];
+        let group = self.open_group(GroupKind::Rrr, Some(a.point));
+        self.push(Step::Circles(Circles::new(a.point, arms, group)));
+        self.learn_point(a.point);
+        self.learn_class(a.link);
+        self.learn_class(b.link);
+        true
+    }
+
+    /// RRP: an anchored joint on a known line.
+    pub(super) fn circle_line(&mut self, scope: &Scope) -> bool {
+        for anchor in self.anchors(scope) {
+            let point = anchor.point;
+            let Some(&hold) = self.holds(point, scope).first() else {
+                continue;
+            };
+            let helpers = self.program.steps.len();
+            let Some(line) = self.line_through(point, hold) else {
+                continue;
+            };
+            let arm = self.arm(&anchor);
+            let group = self.open_group(GroupKind::Rrp, Some(point));
+            self.program.group_starts[group] = helpers;
+            let rail = self.rail(&line);
+            self.push(match rail {
+                Some(rail) => Step::CircleRail(CircleRail::new(point, arm, rail, group)),
+                None => Step::CircleLine(CircleLine::new(point, arm, line, group)),
+            });
+            self.learn_point(point);
+            self.learn_class(anchor.link);
+            return true;
+        }
+        false
+    }
+
+    /// The slides of the scope whose point is merely on the guide.
+    fn slots(&self, scope: &Scope) -> Vec<SlideId> {
+        let driven = self.network.mechanism.driver().input;
+        scope
+            .slides
+            .iter()
+            .copied()
+            .filter(|&s| driven != Input::Push(s))
+            .collect()
+    }
+
+    /// RPR: a guide that turns about a known point and passes through one.
+    pub(super) fn swing(&mut self, scope: &Scope) -> bool {
+        let anchors = self.anchors(scope);
+        for &slide in self.slots(scope).iter() {
+            let given = self.network.mechanism.slide(slide);
+            let Body::Link(link) = given.on else { continue };
+            let Some((pivot, at)) = self.footing(link).filter(|_| !self.knows(link)) else {
+                continue;
+            };
+            let class = self.network.class(link);
+            let point = given.slider.point();
+            // Where the sliding point is: known, or anchored in the guide's own class.
+            let (pin, arm) = if self.point_known[point.index()] {
+                (point, Vec2::ZERO)
+            } else if let Some(anchor) = anchors
+                .iter()
+                .find(|a| a.point == point && a.class == class && a.pivot != pivot)
+            {
+                let turn = self.network.turn[link.index()];
+                (anchor.pivot, anchor.arm.turned(turn.conj()))
+            } else {
+                continue;
+            };
+            let along = given.direction;
+            let offset = along.perp().dot(self.frame.local(given.through) - at - arm);
+            let group = self.open_group(GroupKind::Rpr, Some(pin));
+            self.push(Step::Swing(Swing {
+                pivot,
+                pin,
+                link,
+                along,
+                offset,
+                group,
+            }));
+            self.learn_class(link);
+            return true;
+        }
+        false
+    }
+
+    /// RRR with a driven slide as one arm: a cylinder between moving links.
+    pub(super) fn cylinder(&mut self, scope: &Scope) -> bool {
+        let Input::Push(slide) = self.network.mechanism.driver().input else {
+            return false;
+        };
+        let given = self.network.mechanism.slide(slide);
+        let Body::Link(link) = given.on else {
+            return false;
+        };
+        let point = given.slider.point();
+        let Some((pivot, at)) = self.footing(link).filter(|_| !self.knows(link)) else {
+            return false;
+        };
+        if !scope.slides.contains(&slide) {
+            return false;
+        }
+        let anchors = self.anchors(scope);
+        let class = self.network.class(link);
+        let Some(anchor) = anchors
+            .iter()
+            .find(|a| a.point == point && a.class != class)
+        else {
+            return false;
+        };
+        let far = self.arm(anchor);
+        let group = self.open_group(GroupKind::Rrr, Some(point));
+        let through = self.frame.local(given.through) - at;
+        let along = given.direction;
+        self.push(Step::Cylinder(Cylinder {
+            point,
+            pivot,
+            link,
+            through,
+            along,
+            far,
+            group,
+        }));
+        self.learn_point(point);
+        self.learn_class(link);
+        self.learn_class(anchor.link);
+        true
+    }
+
+    /// PRP and RPP: a joint whose links all have a direction, on two known lines.
+    pub(super) fn lines(&mut self, scope: &Scope) -> bool {
+        for point in scope.points.clone() {
+            let holds = self.holds(point, scope);
+            let ([one, two], false) = (&holds[..], self.point_known[point.index()]) else {
+                continue;
+            };
+            let kind = if one.is_yoke || two.is_yoke {
+                GroupKind::Rpp
+            } else {
+                GroupKind::Prp
+            };
+            let helpers = self.program.steps.len();
+            let lines = (
+                self.line_through(point, *one),
+                self.line_through(point, *two),
+            );
+            let (Some(first), Some(second)) = lines else {
+                continue;
+            };
+            let group = self.open_group(kind, Some(point));
+            // The helping points belong to the group, too.
+            self.program.group_starts[group] = helpers;
+            self.push(Step::Lines {
+                point,
+                first,
+                second,
+                group,
+            });
+            self.learn_point(point);
+            return true;
+        }
+        false
+    }
+
+    /// The slides that hold a point on a known line, directly or through a link with a direction.
+    fn holds(&self, point: PointId, scope: &Scope) -> Vec<Hold> {
+        let links = &self.network.mechanism.point(point).links;
+        let directed: Vec<LinkId> = links.iter().copied().filter(|&l| self.knows(l)).collect();
+        let mut holds = Vec::new();
+        for slide in self.slots(scope) {
+            let given = self.network.mechanism.slide(slide);
+            let on = self.network.body(given.on);
+            let slider = given.slider.point();
+            let is_placed =
+                given.on == Body::Ground || (self.knows(on) && self.footing(on).is_some());
+            let carrier = directed
+                .iter()
+                .copied()
+                .find(|&l| self.local(l, slider).is_some());
+            let is_yoke = directed.contains(&on) && self.point_known[slider.index()];
+            if is_yoke {
+                holds.push(Hold {
+                    slide,
+                    carrier: Some(on),
+                    is_yoke,
+                });
+            } else if is_placed && slider == point {
+                holds.push(Hold {
+                    slide,
+                    carrier: None,
+                    is_yoke,
+                });
+            } else if is_placed && carrier.is_some() {
+                holds.push(Hold {
+                    slide,
+                    carrier,
+                    is_yoke,
+                });
+            }
+        }
+        holds
+    }
+
+    /// The line on which a held point lies: the guide, or beside it by what the carrier adds.
+    fn line_through(&mut self, point: PointId, hold: Hold) -> Option<Line> {
+        let Some(carrier) = hold.carrier else {
+            return self.line(hold.slide);
+        };
+        let given = self.network.mechanism.slide(hold.slide);
+        let slider = given.slider.point();
+        let here = self.local(carrier, point)?;
+        if hold.is_yoke {
+            let local = here - self.frame.local(given.through);
+            let through = self.ride(slider, carrier, local);
+            return Some(Line {
+                through,
+                link: carrier,
+                along: given.direction,
+            });
+        }
+        let guide = self.line(hold.slide)?;
+        let local = here - self.local(carrier, slider)?;
+        let through = self.ride(guide.through, carrier, local);
+        Some(Line { through, ..guide })
+    }
+}

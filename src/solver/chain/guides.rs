@@ -1,0 +1,63 @@
+//! Guides as known lines: the point and the link by which a placed guide is followed.
+
+use super::Chain;
+use crate::solver::step::{Line, Step};
+use crate::{Body, LinkId, PointId, SlideId, Vec2};
+
+impl Chain<'_> {
+    /// The guide of a slide, if its body is placed.
+    pub(super) fn line(&mut self, slide: SlideId) -> Option<Line> {
+        let given = self.network.mechanism.slide(slide);
+        let link = self.network.body(given.on);
+        let along = given.direction;
+        if let Some(through) = self.guide_points[slide.index()] {
+            return Some(Line {
+                through,
+                link,
+                along,
+            });
+        }
+        let through = match given.on {
+            Body::Ground => {
+                let constant = self.new_point(self.frame.inner(given.through));
+                self.constants.push(constant);
+                constant
+            }
+            Body::Link(on) => {
+                let (base, at) = self.knows(on).then(|| self.footing(on)).flatten()?;
+                let local = self.frame.local(given.through) - at;
+                if local == Vec2::ZERO {
+                    base
+                } else {
+                    self.ride(base, on, local)
+                }
+            }
+        };
+        self.guide_points[slide.index()] = Some(through);
+        Some(Line {
+            through,
+            link,
+            along,
+        })
+    }
+
+    /// The place and the direction of a line that never moves: of the ground itself, through a point
+    /// that no step places.
+    pub(super) fn rail(&self, line: &Line) -> Option<[Vec2; 2]> {
+        let is_constant = self.constants.contains(&line.through);
+        (line.link == self.network.ground() && is_constant)
+            .then(|| [self.program.points[line.through.index()].p, line.along])
+    }
+
+    /// A helping point that rides at `local` from `base` on a link.
+    pub(super) fn ride(&mut self, base: PointId, link: LinkId, local: Vec2) -> PointId {
+        let point = self.new_point(Vec2::ZERO);
+        self.push(Step::Ride {
+            point,
+            base,
+            link,
+            local,
+        });
+        point
+    }
+}

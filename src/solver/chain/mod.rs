@@ -1,0 +1,415 @@
+//! From blocks of unknowns to elementary steps: what follows from what is known is settled at once,
+//! dyads are recognised, what is left is coupled.
+
+mod beside;
+mod dyads;
+mod guides;
+
+use super::coupled::{self, Coupled};
+use super::fault::Fault;
+use super::frame::Frame;
+use super::network::{ClassId, GROUND, Network, Row, Unknown};
+use super::order::{self, Block, Ordering};
+use super::plan::{Group, GroupKind, Plan, Program};
+use super::state::{LinkState, PointState};
+use super::step::{Arm, Step};
+use crate::{Body, Element, Input, LinkId, PointId, SlideId, Vec2};
+
+/// The links and slides that a block's equations are about.
+#[derive(Default)]
+struct Scope {
+    points: Vec<PointId>,
+    classes: Vec<ClassId>,
+    links: Vec<LinkId>,
+    slides: Vec<SlideId>,
+}
+
+/// Builds the program block by block.
+pub(super) struct Chain<'n> {
+    network: &'n Network<'n>,
+    frame: Frame,
+    point_known: Vec<bool>,
+    class_known: Vec<bool>,
+    /// Whether a link stands in its group already.
+    listed: Vec<bool>,
+    program: Program,
+    groups: Vec<Group>,
+    /// Points of guides in the ground.
+    constants: Vec<PointId>,
+    /// The point of a guide that goes with its body, once it was needed.
+    guide_points: Vec<Option<PointId>>,
+}
+
+/// Turns the ordered blocks into a plan and a program.
+///
+/// # Errors
+/// [`Fault::Singular`] where a block's equations cannot settle its unknowns.
+pub(super) fn build(
+    network: &Network<'_>,
+    frame: Frame,
+    ordering: &Ordering,
+) -> Result<(Plan, Program), Fault> {
+    let mut chain = Chain::new(network, frame);
+    chain.drive();
+    for block in &ordering.blocks {
+        chain.settle_block(block)?;
+    }
+    chain.watch(&ordering.set_aside);
+    chain.travels();
+    chain.program.group_starts.push(chain.program.steps.len());
+    let mut redundant = order::elements(&ordering.set_aside);
+    redundant.extend(network.repeated_locks.iter().map(|&s| Element::Slide(s)));
+    let plan = Plan {
+        groups: chain.groups,
+        mobility: 1,
+        redundant,
+    };
+    Ok((plan, chain.program))
+}
+
+impl<'n> Chain<'n> {
+    fn new(network: &'n Network<'n>, frame: Frame) -> Self {
+        let mechanism = network.mechanism;
+        let place = |p: &crate::Point| PointState {
+            p: p.ground.map_or(Vec2::ZERO, |g| frame.inner(g)),
+            ..PointState::default()
+        };
+        let points: Vec<PointState> = mechanism.points().iter().map(place).collect();
+        let mut links = vec![LinkState::FIXED; network.class_of.len()];
+        for &link in &network.members[GROUND.0] {
+            links[link.index()].d = network.turn[link.index()];
+        }
+        let mut class_known = vec![false; network.members.len()];
+        class_known[GROUND.0] = true;
+        Chain {
+            network,
+            frame,
+            point_known: mechanism
+                .points()
+                .iter()
+                .map(|p| p.ground.is_some())
+                .collect(),
+            class_known,
+            listed: vec![false; mechanism.links().len()],
+            program: Program {
+                steps: Vec::new(),
+                group_starts: Vec::new(),
+                coupled: Vec::new(),
+                points,
+                links,
+                watches: Vec::new(),
+            },
+            groups: Vec::new(),
+            constants: Vec::new(),
+            guide_points: vec![None; mechanism.slides().len()],
+        }
+    }
+
+    // ---- small facts
+
+    fn knows(&self, link: LinkId) -> bool {
+        self.class_known[self.network.class(link).0]
+    }
+
+    fn local(&self, link: LinkId, point: PointId) -> Option<Vec2> {
+        let local = self.network.link(link)?.local(point)?;
+        Some(self.frame.local(local))
+    }
+
+    /// A known point of a link, with its place in the link.
+    fn footing(&self, link: LinkId) -> Option<(PointId, Vec2)> {
+        let members = &self.network.link(link)?.members;
+        let known = members.iter().find(|m| self.point_known[m.point.index()])?;
+        Some((known.point, self.frame.local(known.local)))
+    }
+
+    /// A point that is not the scene's: constant, or given its place by a step.
+    fn new_point(&mut self, p: Vec2) -> PointId {
+        self.program.points.push(PointState {
+            p,
+            ..PointState::default()
+        });
+        self.point_known.push(true);
+        PointId::new(self.program.points.len() - 1)
+    }
+
+    fn push(&mut self, step: Step) {
+        self.program.steps.push(step);
+    }
+
+    fn group(&self) -> usize {
+        self.groups.len().saturating_sub(1)
+    }
+
+    fn open_group(&mut self, kind: GroupKind, point: Option<PointId>) -> usize {
+        self.program.group_starts.push(self.program.steps.len());
+        self.groups.push(Group {
+            kind,
+            point,
+            links: Vec::new(),
+            points: Vec::new(),
+        });
+        self.group()
+    }
+
+    // ---- the driver
+
+    fn drive(&mut self) {
+        self.open_group(GroupKind::Driver, None);
+        match self.network.mechanism.driver().input {
+            Input::Turn(link) => {
+                self.push(Step::Crank { link });
+                self.learn_class(link);
+                self.settle_links(&self.network.members[self.network.class(link).0].clone());
+            }
+            Input::Push(_) => {}
+        }
+        let ground = self.network.members[GROUND.0].clone();
+        self.settle_links(&ground);
+    }
+
+    // ---- what follows at once from what is known
+
+    /// A link's direction is known now: so are those of its whole class.
+    fn learn_class(&mut self, link: LinkId) {
+        let class = self.network.class(link);
+        self.class_known[class.0] = true;
+        for &other in &self.network.members[class.0] {
+            if other != link {
+                let turn = self.network.turn_between(other, link);
+                self.push(Step::Lock {
+                    link: other,
+                    to: link,
+                    turn,
+                });
+            }
+        }
+    }
+
+    fn learn_point(&mut self, point: PointId) {
+        self.point_known[point.index()] = true;
+        if let Some(group) = self.groups.last_mut() {
+            group.points.push(point);
+        }
+    }
+
+    /// All points of the links that have a direction and a known point.
+    fn settle_links(&mut self, links: &[LinkId]) -> bool {
+        let mut any = false;
+        for &link in links.iter().filter(|&&l| self.knows(l)).collect::<Vec<_>>() {
+            let (Some((base, at)), Some(body)) = (self.footing(link), self.network.link(link))
+            else {
+                continue;
+            };
+            let is_new = !std::mem::replace(&mut self.listed[link.index()], true);
+            if let (true, Some(group)) = (is_new, self.groups.last_mut()) {
+                group.links.push(link);
+            }
+            for member in &body.members {
+                if !self.point_known[member.point.index()] {
+                    let local = self.frame.local(member.local) - at;
+                    self.push(self.ride_on(link, base, member.point, local));
+                    self.learn_point(member.point);
+                    any = true;
+                }
+            }
+        }
+        any
+    }
+
+    /// How a point of a link follows from another one; on the driven link, from its pivot.
+    fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2) -> Step {
+        let is_driven = self.network.mechanism.driver().input == Input::Turn(link);
+        let on_ground = self
+            .network
+            .mechanism
+            .points()
+            .get(base.index())
+            .is_some_and(|p| p.ground.is_some());
+        if is_driven && on_ground {
+            Step::Spin {
+                point,
+                pivot: base,
+                local,
+            }
+        } else {
+            Step::Ride {
+                point,
+                base,
+                link,
+                local,
+            }
+        }
+    }
+
+    /// The directions of links with two known points.
+    fn aim_links(&mut self, links: &[LinkId]) -> bool {
+        for &link in links
+            .iter()
+            .filter(|&&l| !self.knows(l))
+            .collect::<Vec<_>>()
+        {
+            let known: Vec<_> = self
+                .network
+                .joints(link)
+                .filter(|m| self.point_known[m.point.index()])
+                .take(2)
+                .collect();
+            if let [from, to] = known[..] {
+                let arm = Arm::new(
+                    from.point,
+                    link,
+                    self.frame.local(to.local) - self.frame.local(from.local),
+                );
+                self.push(Step::Aim { arm, end: to.point });
+                self.learn_class(link);
+                return true;
+            }
+        }
+        false
+    }
+
+    /// A driven slide whose guide is known places its point.
+    fn push_slide(&mut self, slides: &[SlideId]) -> bool {
+        let Input::Push(slide) = self.network.mechanism.driver().input else {
+            return false;
+        };
+        let given = self.network.mechanism.slide(slide);
+        let point = given.slider.point();
+        if !slides.contains(&slide) || self.point_known[point.index()] {
+            return false;
+        }
+        let Some(line) = self.line(slide) else {
+            return false;
+        };
+        let (base, link, along) = (line.through, line.link, line.along);
+        self.push(Step::Push {
+            point,
+            base,
+            link,
+            local: Vec2::ZERO,
+            along,
+        });
+        self.learn_point(point);
+        true
+    }
+
+    // ---- blocks
+
+    fn settle_block(&mut self, block: &Block) -> Result<(), Fault> {
+        let scope = self.scope(block);
+        while self.settle_links(&scope.links) || self.push_slide(&scope.slides) {}
+        loop {
+            let moved = self.aim_links(&scope.links)
+                || self.circles(&scope)
+                || self.circle_line(&scope)
+                || self.swing(&scope)
+                || self.cylinder(&scope)
+                || self.lines(&scope);
+            if !moved {
+                break;
+            }
+            while self.settle_links(&scope.links) || self.push_slide(&scope.slides) {}
+        }
+        if self.is_settled(&scope) {
+            Ok(())
+        } else {
+            self.couple(block, &scope)
+        }
+    }
+
+    fn is_settled(&self, scope: &Scope) -> bool {
+        scope.points.iter().all(|p| self.point_known[p.index()])
+            && scope.classes.iter().all(|c| self.class_known[c.0])
+    }
+
+    fn scope(&self, block: &Block) -> Scope {
+        let mut scope = Scope::default();
+        for &unknown in &block.unknowns {
+            match unknown {
+                Unknown::Point(point) => scope.points.push(point),
+                Unknown::Class(class) => scope.classes.push(class),
+            }
+        }
+        for &row in &block.rows {
+            match row {
+                Row::Along { link, .. } | Row::Across { link, .. } => scope.links.push(link),
+                Row::Slot(slide) | Row::Push(slide) => scope.slides.push(slide),
+            }
+        }
+        // Riders: the links of a point or a class that is settled here, even if they add no equation.
+        for class in &scope.classes {
+            scope.links.extend(&self.network.members[class.0]);
+        }
+        for &point in &scope.points {
+            let links = &self.network.mechanism.point(point).links;
+            scope.links.extend(
+                links
+                    .iter()
+                    .filter(|&&l| self.knows(l) || scope.classes.contains(&self.network.class(l))),
+            );
+        }
+        scope.links.sort_unstable();
+        scope.links.dedup();
+        scope.slides.sort_unstable();
+        scope.slides.dedup();
+        scope
+    }
+
+    // ---- what is left
+
+    fn couple(&mut self, block: &Block, scope: &Scope) -> Result<(), Fault> {
+        let points: Vec<PointId> = scope
+            .points
+            .iter()
+            .copied()
+            .filter(|p| !self.point_known[p.index()])
+            .collect();
+        let classes: Vec<ClassId> = scope
+            .classes
+            .iter()
+            .copied()
+            .filter(|c| !self.class_known[c.0])
+            .collect();
+        for &slide in &scope.slides {
+            if self.network.mechanism.slide(slide).on == Body::Ground {
+                self.line(slide);
+            }
+        }
+        let part = coupled::Part {
+            network: self.network,
+            frame: self.frame,
+            point_known: &self.point_known,
+            class_known: &self.class_known,
+            points: &points,
+            classes: &classes,
+            links: &scope.links,
+            slides: &scope.slides,
+            guide_points: &self.guide_points,
+        };
+        let singular = || Fault::Singular {
+            elements: order::elements(&block.rows),
+        };
+        let group = Coupled::new(&part).ok_or_else(singular)?;
+        let kind = GroupKind::Coupled {
+            unknowns: group.unknowns(),
+        };
+        self.open_group(kind, points.first().copied());
+        self.push(Step::Coupled {
+            index: self.program.coupled.len(),
+        });
+        for &link in group.turning() {
+            self.learn_class(link);
+        }
+        for &point in &points {
+            self.learn_point(point);
+        }
+        self.program.coupled.push(group);
+        while self.settle_links(&scope.links) || self.aim_links(&scope.links) {}
+        if self.is_settled(scope) {
+            Ok(())
+        } else {
+            Err(singular())
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! The equations of a coupled group, their rates and the matrix of these, from the motion of spots.
+//!
+//! With e = a - b, n and t across and along the guide, and w its angular velocity:
+//!
+//! ```text
+//! distance   (|a - b|^2 - r^2) / 2 = 0        rate  e.(Va - Vb)
+//! meeting    a - b = 0                               Va - Vb
+//! slot       n.(x - q) = 0                           n.(Vx - Vq) - w t.(x - q)
+//! ```
+
+use super::{Base, Coupled, Equation, Moving, Room, Spot, Turning};
+use crate::Vec2;
+use crate::solver::state::{LinkState, PointState, State};
+
+impl Coupled {
+    // ---- motion of spots
+
+    fn turning_state(&self, turning: Turning, state: &State, room: &Room<'_>) -> LinkState {
+        match turning {
+            Turning::Known(link) => state.links[link.index()],
+            Turning::Unknown(i) => {
+                let at = 2 * (self.free + i);
+                let angle = 2 * self.free + i;
+                LinkState {
+                    d: Vec2::new(room.z[at], room.z[at + 1]),
+                    w: room.first[angle],
+                    a: room.second[angle],
+                }
+            }
+        }
+    }
+
+    pub(super) fn moving(&self, spot: &Spot, q: f64, state: &State, room: &Room<'_>) -> Moving {
+        let pair = |v: &[f64], i: usize| Vec2::new(v[2 * i], v[2 * i + 1]);
+        let mut moving = match spot.base {
+            Base::Known(point) => {
+                let PointState { p, v, a } = state.points[point.index()];
+                Moving { p, v, a }
+            }
+            Base::Free(i) => Moving {
+                p: pair(room.z, i),
+                v: pair(room.first, i),
+                a: pair(room.second, i),
+            },
+        };
+        if let Some((turning, arm)) = spot.arm {
+            let link = self.turning_state(turning, state, room);
+            let r = (arm + spot.along * q).turned(link.d);
+            let tau = spot.along.turned(link.d);
+            moving.p += r;
+            moving.v += r.perp() * link.w + tau;
+            moving.a += r.perp() * link.a - r * (link.w * link.w) + tau.perp() * (2.0 * link.w);
+        }
+        moving
+    }
+
+    // ---- equations
+
+    pub(super) fn residuals(&self, q: f64, state: &State, room: &mut Room<'_>) {
+        let mut row = 0;
+        for equation in &self.equations {
+            match equation {
+                Equation::Distance { a, b, length } => {
+                    let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
+                    let size = e.norm2().sqrt();
+                    // (|e| - r)(|e| + r) / 2 keeps the digits that |e|^2 - r^2 would lose.
+                    room.right[row] = 0.5 * (size - length) * (size + length);
+                    row += 1;
+                }
+                Equation::Meeting { a, b } => {
+                    let gap = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
+                    (room.right[row], room.right[row + 1]) = (gap.x, gap.y);
+                    row += 2;
+                }
+                Equation::Slot {
+                    x,
+                    q: on,
+                    along,
+                    turning,
+                } => {
+                    let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;
+                    let t = along.turned(self.turning_state(*turning, state, room).d);
+                    room.right[row] = t.cross(gap);
+                    row += 1;
+                }
+            }
+        }
+    }
+
+    /// The first (1) or second (2) rates of the equations, with z' (z'') as it stands in the room.
+    pub(super) fn rates(&self, q: f64, state: &State, room: &mut Room<'_>, order: u8) {
+        let second = order == 2;
+        let mut row = 0;
+        for equation in &self.equations {
+            match equation {
+                Equation::Distance { a, b, .. } => {
+                    let (a, b) = (
+                        self.moving(a, q, state, room),
+                        self.moving(b, q, state, room),
+                    );
+                    let (e, v) = (a.p - b.p, a.v - b.v);
+                    room.right[row] = if second {
+                        v.norm2() + e.dot(a.a - b.a)
+                    } else {
+                        e.dot(v)
+                    };
+                    row += 1;
+                }
+                Equation::Meeting { a, b } => {
+                    let (a, b) = (
+                        self.moving(a, q, state, room),
+                        self.moving(b, q, state, room),
+                    );
+                    let gap = if second { a.a - b.a } else { a.v - b.v };
+                    (room.right[row], room.right[row + 1]) = (gap.x, gap.y);
+                    row += 2;
+                }
+                Equation::Slot {
+                    x,
+                    q: on,
+                    along,
+                    turning,
+                } => {
+                    let link = self.turning_state(*turning, state, room);
+                    let (x, on) = (
+                        self.moving(x, q, state, room),
+                        self.moving(on, q, state, room),
+                    );
+                    let t = along.turned(link.d);
+                    let n = t.perp();
+                    let (d, v, a) = (x.p - on.p, x.v - on.v, x.a - on.a);
+                    room.right[row] = if second {
+                        n.dot(a)
+                            - 2.0 * link.w * t.dot(v)
+                            - link.a * t.dot(d)
+                            - link.w * link.w * n.dot(d)
+                    } else {
+                        n.dot(v) - link.w * t.dot(d)
+                    };
+                    row += 1;
+                }
+            }
+        }
+    }
+
+    pub(super) fn jacobian(&self, q: f64, state: &State, room: &mut Room<'_>) {
+        let n = self.unknowns();
+        room.matrix.fill(0.0);
+        let mut row = 0;
+        for equation in &self.equations {
+            match equation {
+                Equation::Distance { a, b, .. } => {
+                    let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
+                    self.add_columns(a, e, row * n, q, state, room);
+                    self.add_columns(b, -e, row * n, q, state, room);
+                    row += 1;
+                }
+                Equation::Meeting { a, b } => {
+                    for axis in [Vec2::X, Vec2::X.perp()] {
+                        self.add_columns(a, axis, row * n, q, state, room);
+                        self.add_columns(b, -axis, row * n, q, state, room);
+                        row += 1;
+                    }
+                }
+                Equation::Slot {
+                    x,
+                    q: on,
+                    along,
+                    turning,
+                } => {
+                    let t = along.turned(self.turning_state(*turning, state, room).d);
+                    let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;
+                    self.add_columns(x, t.perp(), row * n, q, state, room);
+                    self.add_columns(on, -t.perp(), row * n, q, state, room);
+                    if let Turning::Unknown(i) = turning {
+                        room.matrix[row * n + 2 * self.free + i] -= t.dot(gap);
+                    }
+                    row += 1;
+                }
+            }
+        }
+    }
+
+    /// Adds `weight . (derivative of the spot)` to a row of the matrix.
+    fn add_columns(
+        &self,
+        spot: &Spot,
+        weight: Vec2,
+        row: usize,
+        q: f64,
+        state: &State,
+        room: &mut Room<'_>,
+    ) {
+        if let Base::Free(i) = spot.base {
+            room.matrix[row + 2 * i] += weight.x;
+            room.matrix[row + 2 * i + 1] += weight.y;
+        }
+        if let Some((turning @ Turning::Unknown(i), arm)) = spot.arm {
+            let r = (arm + spot.along * q).turned(self.turning_state(turning, state, room).d);
+            room.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
+        }
+    }
+}
+
+impl Equation {
+    pub(super) fn count(&self) -> usize {
+        match self {
+            Equation::Distance { .. } | Equation::Slot { .. } => 1,
+            Equation::Meeting { .. } => 2,
+        }
+    }
+}

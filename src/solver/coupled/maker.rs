@@ -1,0 +1,247 @@
+//! How a coupled group is made: the choice of its unknowns, a spot for every joint, and the list of
+//! the equations between them.
+
+use super::{Base, Equation, Part, Spot, Turning};
+use crate::solver::network::ClassId;
+use crate::{Body, Input, LinkId, PointId, SlideId, Vec2};
+
+/// Builds a group.
+pub(super) struct Maker<'a> {
+    part: &'a Part<'a>,
+    pub(super) spots: Vec<(PointId, Spot)>,
+    pub(super) turning: Vec<LinkId>,
+    pub(super) turns: Vec<Vec2>,
+    classes: Vec<ClassId>,
+    pub(super) free: usize,
+    pub(super) equations: Vec<Equation>,
+}
+
+impl<'a> Maker<'a> {
+    pub(super) fn new(part: &'a Part<'a>) -> Self {
+        let mut maker = Maker {
+            part,
+            spots: Vec::new(),
+            turning: Vec::new(),
+            turns: Vec::new(),
+            classes: Vec::new(),
+            free: 0,
+            equations: Vec::new(),
+        };
+        for &class in part.classes {
+            let link = part.network.members[class.0]
+                .iter()
+                .copied()
+                .find(|&l| maker.is_frame(l));
+            if let Some(link) = link {
+                maker.turning.push(link);
+                maker.turns.push(part.network.turn[link.index()]);
+                maker.classes.push(class);
+            }
+        }
+        maker
+    }
+
+    /// Whether a link of the group is more than a distance between two of its points.
+    fn is_frame(&self, link: LinkId) -> bool {
+        !self.part.network.is_bar(link)
+    }
+
+    fn local(&self, link: LinkId, point: PointId) -> Vec2 {
+        let body = self.part.network.link(link);
+        self.part
+            .frame
+            .local(body.and_then(|l| l.local(point)).unwrap_or(Vec2::ZERO))
+    }
+
+    fn spot(&self, point: PointId) -> Option<Spot> {
+        if self.part.point_known[point.index()] {
+            return Some(Spot {
+                base: Base::Known(point),
+                arm: None,
+                along: Vec2::ZERO,
+            });
+        }
+        self.spots
+            .iter()
+            .find(|(p, _)| *p == point)
+            .map(|&(_, spot)| spot)
+    }
+
+    fn free_spot(&mut self) -> Spot {
+        self.free += 1;
+        Spot {
+            base: Base::Free(self.free - 1),
+            arm: None,
+            along: Vec2::ZERO,
+        }
+    }
+
+    /// How a link turns, and the factor that brings its local vectors into the frame of that.
+    fn turning(&self, link: LinkId) -> Option<(Turning, Vec2)> {
+        let network = self.part.network;
+        let class = network.class(link);
+        if self.part.class_known[class.0] {
+            return Some((Turning::Known(link), Vec2::X));
+        }
+        let i = self.classes.iter().position(|&c| c == class)?;
+        Some((Turning::Unknown(i), network.turn[link.index()]))
+    }
+
+    /// A place `local` in a link, seen from one of its points that has a base of its own.
+    fn on_link(&self, link: LinkId, foot: PointId, local: Vec2) -> Option<Spot> {
+        let (turning, turn) = self.turning(link)?;
+        let Spot {
+            base, arm: None, ..
+        } = self.spot(foot)?
+        else {
+            return None;
+        };
+        let arm = (local - self.local(link, foot)).turned(turn);
+        Some(Spot {
+            base,
+            arm: Some((turning, arm)),
+            along: Vec2::ZERO,
+        })
+    }
+
+    fn frames(&self) -> Vec<LinkId> {
+        let links = self.part.links.iter().copied();
+        links
+            .filter(|&l| self.is_frame(l) && self.turning(l).is_some() && self.is_reached(l))
+            .collect()
+    }
+
+    /// Whether a link has a joint in the group, or a known one. A link that is merely locked to one
+    /// of the group's has its place found later, and would bring unknowns without equations.
+    fn is_reached(&self, link: LinkId) -> bool {
+        let is_here =
+            |p: PointId| self.part.point_known[p.index()] || self.part.points.contains(&p);
+        self.part.network.joints(link).any(|m| is_here(m.point))
+    }
+
+    /// Gives every joint of the group a spot: on a frame where it can be, free otherwise.
+    pub(super) fn place_joints(&mut self) {
+        for link in self.frames() {
+            let joints: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
+            let foot = self.foot(link, &joints);
+            for &point in &joints {
+                let Some(here) = self.on_link(link, foot, self.local(link, point)) else {
+                    continue;
+                };
+                match self.spot(point) {
+                    _ if point == foot => {}
+                    None => self.spots.push((point, here)),
+                    Some(there) => self.equations.push(Equation::Meeting { a: here, b: there }),
+                }
+            }
+        }
+        for &point in self.part.points {
+            if self.spot(point).is_none() {
+                let spot = self.free_spot();
+                self.spots.push((point, spot));
+            }
+        }
+    }
+
+    /// The joint of a frame from which its others are seen: a known one, or else a free one.
+    fn foot(&mut self, link: LinkId, joints: &[PointId]) -> PointId {
+        let bare = |spot: Spot| spot.arm.is_none();
+        let known = joints
+            .iter()
+            .copied()
+            .find(|p| self.part.point_known[p.index()]);
+        let placed = || {
+            joints
+                .iter()
+                .copied()
+                .find(|&p| self.spot(p).is_some_and(bare))
+        };
+        if let Some(foot) = known.or_else(placed) {
+            return foot;
+        }
+        let unplaced = joints.iter().copied().find(|&p| self.spot(p).is_none());
+        let foot = unplaced
+            .or(joints.first().copied())
+            .unwrap_or(PointId::new(0));
+        debug_assert!(
+            self.part
+                .network
+                .link(link)
+                .is_some_and(|l| l.local(foot).is_some())
+        );
+        let spot = self.free_spot();
+        // A joint that sits on another frame's arm becomes free, and is tied to that arm.
+        if let Some((_, there)) = self.spots.iter_mut().find(|(p, _)| *p == foot) {
+            let arm = std::mem::replace(there, spot);
+            self.equations.push(Equation::Meeting { a: spot, b: arm });
+        } else {
+            self.spots.push((foot, spot));
+        }
+        foot
+    }
+
+    pub(super) fn list_equations(&mut self) {
+        for &link in self.part.links {
+            if !self.is_frame(link) && !self.part.class_known[self.part.network.class(link).0] {
+                self.add_distance(link);
+            }
+        }
+        for &slide in self.part.slides {
+            self.add_slide(slide);
+        }
+    }
+
+    fn add_distance(&mut self, link: LinkId) {
+        let ends: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
+        if let [a, b] = ends[..] {
+            let length = (self.local(link, a) - self.local(link, b)).norm();
+            if let (Some(a), Some(b)) = (self.spot(a), self.spot(b)) {
+                self.equations.push(Equation::Distance { a, b, length });
+            }
+        }
+    }
+
+    fn add_slide(&mut self, slide: SlideId) {
+        let network = self.part.network;
+        let given = network.mechanism.slide(slide);
+        let through = self.part.frame.local(given.through);
+        let guide = match given.on {
+            Body::Ground => self.on_ground(slide),
+            Body::Link(on) => {
+                let mut joints = network.joints(on).map(|m| m.point);
+                joints.find_map(|foot| self.on_link(on, foot, through))
+            }
+        };
+        let (Some(x), Some(q)) = (self.spot(given.slider.point()), guide) else {
+            return;
+        };
+        let Some((turning, turn)) = self.turning(network.body(given.on)) else {
+            return;
+        };
+        let along = given.direction.turned(turn);
+        if network.mechanism.driver().input == Input::Push(slide) {
+            self.equations.push(Equation::Meeting {
+                a: x,
+                b: Spot { along, ..q },
+            });
+        } else {
+            self.equations.push(Equation::Slot {
+                x,
+                q,
+                along,
+                turning,
+            });
+        }
+    }
+
+    /// The point of a guide on the ground.
+    fn on_ground(&self, slide: SlideId) -> Option<Spot> {
+        let base = Base::Known(self.part.guide_points[slide.index()]?);
+        let ground = Turning::Known(self.part.network.ground());
+        Some(Spot {
+            base,
+            arm: Some((ground, Vec2::ZERO)),
+            along: Vec2::ZERO,
+        })
+    }
+}

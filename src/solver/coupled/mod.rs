@@ -1,0 +1,400 @@
+//! Coupled groups: what falls apart into no dyads, solved at once by Newton's method.
+//!
+//! Unknowns z: the coordinates of free joints, then one angle for every class of turning links.
+//! Links with two joints are distances, not unknowns. Every joint is `base + R(angle) r`, so that its
+//! derivatives are exact. With J the matrix of the equations' rates: J z' = -(rates with z' = 0),
+//! J z'' = -(second rates with z'' = 0).
+
+mod equations;
+mod maker;
+
+use super::frame::Frame;
+use super::lu;
+use super::network::{ClassId, Network};
+use super::state::{LinkState, PointState, State};
+use crate::{LinkId, PointId, SlideId, Vec2};
+use maker::Maker;
+
+/// More corrections than quadratic convergence needs from anywhere near.
+const CORRECTIONS: usize = 24;
+/// The last correction must be below this for the group to count as solved: the square root of the
+/// rounding, since one more correction would have been below the rounding itself.
+const SETTLED: f64 = 1.5e-8;
+/// A correction below this, 4 u in scaled lengths and radians, changes nothing any more.
+const FINEST: f64 = 4.0 * 0.5 * f64::EPSILON;
+/// No correction moves a joint or an angle by more at once: half a link length, or half a radian.
+const REACH: f64 = 0.5;
+
+/// Where a joint's base is.
+#[derive(Clone, Copy, Debug)]
+enum Base {
+    /// A point that earlier groups have placed.
+    Known(PointId),
+    /// The free joint with this number.
+    Free(usize),
+}
+
+/// Which link turns the joint's arm.
+#[derive(Clone, Copy, Debug)]
+enum Turning {
+    /// A link that earlier groups have placed.
+    Known(LinkId),
+    /// The class with this number; the arm is in its frame.
+    Unknown(usize),
+}
+
+/// A joint: `base + R (arm + along q)`, q the driver's coordinate where the joint is pushed.
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    base: Base,
+    arm: Option<(Turning, Vec2)>,
+    along: Vec2,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Equation {
+    Distance {
+        a: Spot,
+        b: Spot,
+        length: f64,
+    },
+    Meeting {
+        a: Spot,
+        b: Spot,
+    },
+    Slot {
+        x: Spot,
+        q: Spot,
+        along: Vec2,
+        turning: Turning,
+    },
+}
+
+/// What a coupled group is made from.
+pub(super) struct Part<'a> {
+    pub network: &'a Network<'a>,
+    pub frame: Frame,
+    pub point_known: &'a [bool],
+    pub class_known: &'a [bool],
+    pub points: &'a [PointId],
+    pub classes: &'a [ClassId],
+    pub links: &'a [LinkId],
+    pub slides: &'a [SlideId],
+    /// The point of every guide on the ground, and of some others.
+    pub guide_points: &'a [Option<PointId>],
+}
+
+/// A coupled group.
+#[derive(Clone, Debug)]
+pub(super) struct Coupled {
+    /// The joints that it places, by their spots.
+    spots: Vec<(PointId, Spot)>,
+    /// A link of every class of unknown direction, and its direction as seen from the class.
+    turning: Vec<LinkId>,
+    turns: Vec<Vec2>,
+    free: usize,
+    equations: Vec<Equation>,
+    /// Where its room in the state's scratch begins.
+    pub offset: usize,
+    /// The sign of the determinant of its matrix, which a motion without a singularity keeps: of two
+    /// solutions that meet at a limit it tells which one is meant. 0 before the group is assembled.
+    pub side: f64,
+}
+
+/// The outcome of the corrections.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Corrected {
+    /// The largest component of the first correction.
+    pub first: f64,
+    /// The sign of the determinant where the last correction began.
+    pub side: f64,
+    pub settled: bool,
+}
+
+/// A motion with its rates: of a spot, at given z' and z''.
+#[derive(Clone, Copy, Default)]
+struct Moving {
+    p: Vec2,
+    v: Vec2,
+    a: Vec2,
+}
+
+/// Room for all coupled groups, allocated once.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scratch {
+    pub numbers: Vec<f64>,
+    pub pivots: Vec<usize>,
+    /// The first correction of every group when it was last solved.
+    pub first: Vec<f64>,
+}
+
+/// z, z' and z'' of a group: free joints as they are, angles as unit vectors with rates.
+pub(super) struct Room<'a> {
+    pub z: &'a mut [f64],
+    pub first: &'a mut [f64],
+    pub second: &'a mut [f64],
+    matrix: &'a mut [f64],
+    right: &'a mut [f64],
+    pivots: &'a mut [usize],
+}
+
+impl Coupled {
+    /// Chooses the unknowns and lists the equations; `None` where they are not equally many.
+    pub(super) fn new(part: &Part<'_>) -> Option<Coupled> {
+        let mut maker = Maker::new(part);
+        maker.place_joints();
+        maker.list_equations();
+        let Maker {
+            spots,
+            turning,
+            turns,
+            free,
+            equations,
+            ..
+        } = maker;
+        let group = Coupled {
+            spots,
+            turning,
+            turns,
+            free,
+            equations,
+            offset: 0,
+            side: 0.0,
+        };
+        let count: usize = group.equations.iter().map(Equation::count).sum();
+        (count == group.unknowns()).then_some(group)
+    }
+
+    pub(super) fn unknowns(&self) -> usize {
+        2 * self.free + self.turning.len()
+    }
+
+    pub(super) fn turning(&self) -> &[LinkId] {
+        &self.turning
+    }
+
+    pub(super) fn joints(&self) -> impl Iterator<Item = PointId> + '_ {
+        self.spots.iter().map(|&(point, _)| point)
+    }
+
+    /// The length of z: two numbers for a joint, two for a direction.
+    pub(super) fn width(&self) -> usize {
+        2 * (self.free + self.turning.len())
+    }
+
+    /// The room that the group needs in the scratch.
+    pub(super) fn room(&self) -> usize {
+        let n = self.unknowns();
+        self.width() + 2 * n + n * n + n
+    }
+
+    pub(super) fn open<'a>(&self, scratch: &'a mut Scratch) -> Room<'a> {
+        let n = self.unknowns();
+        let pivots = &mut scratch.pivots[..n];
+        let own = &mut scratch.numbers[self.offset..self.offset + self.room()];
+        let (z, rest) = own.split_at_mut(self.width());
+        let (first, rest) = rest.split_at_mut(n);
+        let (second, rest) = rest.split_at_mut(n);
+        let (matrix, right) = rest.split_at_mut(n * n);
+        Room {
+            z,
+            first,
+            second,
+            matrix,
+            right,
+            pivots,
+        }
+    }
+
+    /// Moves z by dq along its first and second derivatives.
+    pub(super) fn predict(&self, room: &mut Room<'_>, dq: f64) {
+        for i in 0..self.unknowns() {
+            room.right[i] = dq * (room.first[i] + 0.5 * dq * room.second[i]);
+        }
+        self.shift(room.z, room.right);
+    }
+
+    /// The largest components of z' dq and of z'' dq^2 / 2.
+    pub(super) fn move_sizes(&self, room: &Room<'_>, dq: f64) -> [f64; 2] {
+        let largest = |v: &[f64], by: f64| v.iter().fold(0.0, |m: f64, v| m.max((v * by).abs()));
+        [largest(room.first, dq), largest(room.second, 0.5 * dq * dq)]
+    }
+
+    /// Adds a change of the unknowns to z.
+    fn shift(&self, z: &mut [f64], change: &[f64]) {
+        let joints = 2 * self.free;
+        for i in 0..joints {
+            z[i] += change[i];
+        }
+        for (i, &angle) in change[joints..].iter().enumerate() {
+            let at = joints + 2 * i;
+            let turned = Vec2::new(z[at], z[at + 1]).turned(Vec2::new(angle.cos(), angle.sin()));
+            // One step of Newton for the length: |d| stays 1 to the last bit or two.
+            let unit = turned * (1.5 - 0.5 * turned.norm2());
+            (z[at], z[at + 1]) = (unit.x, unit.y);
+        }
+    }
+
+    /// Newton's corrections from the z in the scratch, until a step no longer shrinks.
+    pub(super) fn correct(&self, q: f64, state: &mut State, scratch: &mut Scratch) -> Corrected {
+        let mut room = self.open(scratch);
+        let n = self.unknowns();
+        let mut outcome = Corrected {
+            first: f64::INFINITY,
+            side: 0.0,
+            settled: false,
+        };
+        let mut last = f64::INFINITY;
+        for i in 0..CORRECTIONS {
+            self.residuals(q, state, &mut room);
+            self.jacobian(q, state, &mut room);
+            let Some(side) = lu::factor(room.matrix, room.pivots, n) else {
+                return outcome;
+            };
+            outcome.side = side;
+            lu::solve(room.matrix, room.pivots, room.right, n);
+            let size = room.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            if i == 0 {
+                outcome.first = size;
+            }
+            // Written so that NaN ends it, too.
+            if !(size < last || size > SETTLED) {
+                break;
+            }
+            let reach = if size > REACH { REACH / size } else { 1.0 };
+            for v in room.right.iter_mut() {
+                *v *= -reach;
+            }
+            self.shift(room.z, room.right);
+            last = size;
+            if size <= FINEST {
+                break;
+            }
+        }
+        outcome.settled = last <= SETTLED;
+        outcome
+    }
+
+    /// The derivatives of z by q, from the matrix at z, and everything that the group places.
+    pub(super) fn finish(
+        &self,
+        q: f64,
+        order: u8,
+        state: &mut State,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let mut room = self.open(scratch);
+        let n = self.unknowns();
+        room.first.fill(0.0);
+        room.second.fill(0.0);
+        if order >= super::step::VELOCITY {
+            self.rates(q, state, &mut room, 1);
+            self.jacobian(q, state, &mut room);
+            if lu::factor(room.matrix, room.pivots, n).is_none() {
+                return false;
+            }
+            lu::solve(room.matrix, room.pivots, room.right, n);
+            negate_into(room.right, room.first);
+        }
+        if order >= super::step::ACCELERATION {
+            self.rates(q, state, &mut room, 2);
+            lu::solve(room.matrix, room.pivots, room.right, n);
+            negate_into(room.right, room.second);
+        }
+        self.write(q, state, &room);
+        true
+    }
+
+    /// The determinant of the rates, scaled to be of the size of the group's own equations.
+    pub(super) fn write(&self, q: f64, state: &mut State, room: &Room<'_>) {
+        for (i, (&link, &turn)) in self.turning.iter().zip(&self.turns).enumerate() {
+            let at = 2 * (self.free + i);
+            let d = Vec2::new(room.z[at], room.z[at + 1]);
+            let (w, a) = (
+                room.first[2 * self.free + i],
+                room.second[2 * self.free + i],
+            );
+            state.links[link.index()] = LinkState {
+                d: d.turned(turn),
+                w,
+                a,
+            };
+        }
+        for (point, spot) in &self.spots {
+            let Moving { p, v, a } = self.moving(spot, q, state, room);
+            state.points[point.index()] = PointState { p, v, a };
+        }
+    }
+
+    /// A rough z: joints at `guess`, and directions.
+    pub(super) fn set_guess(
+        &self,
+        z: &mut [f64],
+        joints: impl Fn(PointId) -> Vec2,
+        directions: &[Vec2],
+    ) {
+        for (point, spot) in &self.spots {
+            if let Spot {
+                base: Base::Free(i),
+                arm: None,
+                ..
+            } = *spot
+            {
+                let at = joints(*point);
+                (z[2 * i], z[2 * i + 1]) = (at.x, at.y);
+            }
+        }
+        for (i, d) in directions.iter().enumerate() {
+            let at = 2 * (self.free + i);
+            (z[at], z[at + 1]) = (d.x, d.y);
+        }
+    }
+
+    /// How far the equations are from holding at the z in the scratch, as a length.
+    pub(super) fn gap(&self, q: f64, state: &mut State) -> f64 {
+        let mut scratch = std::mem::take(&mut state.scratch);
+        let mut room = self.open(&mut scratch);
+        self.residuals(q, state, &mut room);
+        let gap = room.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        state.scratch = scratch;
+        gap
+    }
+
+    /// The points and links of earlier groups that this one is built on.
+    pub(super) fn inputs(&self) -> (Vec<PointId>, Vec<LinkId>) {
+        let (mut points, mut links) = (Vec::new(), Vec::new());
+        let mut note = |spot: &Spot| {
+            if let Base::Known(point) = spot.base {
+                points.push(point);
+            }
+            if let Some((Turning::Known(link), _)) = spot.arm {
+                links.push(link);
+            }
+        };
+        self.spots.iter().for_each(|(_, spot)| note(spot));
+        for equation in &self.equations {
+            match equation {
+                Equation::Distance { a, b, .. } | Equation::Meeting { a, b } => {
+                    [a, b].map(&mut note)
+                }
+                Equation::Slot { x, q, .. } => [x, q].map(&mut note),
+            };
+        }
+        for equation in &self.equations {
+            if let Equation::Slot {
+                turning: Turning::Known(link),
+                ..
+            } = equation
+            {
+                links.push(*link);
+            }
+        }
+        (points, links)
+    }
+}
+
+fn negate_into(from: &[f64], to: &mut [f64]) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = -from;
+    }
+}
