@@ -305,7 +305,7 @@ impl Coupled {
         true
     }
 
-    /// The determinant of the rates, scaled to be of the size of the group's own equations.
+    /// Puts what the group places into the state.
     pub(super) fn write(&self, q: f64, state: &mut State, room: &Room<'_>) {
         for (i, (&link, &turn)) in self.turning.iter().zip(&self.turns).enumerate() {
             let at = 2 * (self.free + i);

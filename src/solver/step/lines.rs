@@ -65,6 +65,43 @@ impl Guide {
     }
 }
 
+/// What a line at distance h0 from a circle's centre cuts off: half the chord is the root of
+/// (b - h0)(b + h0).
+struct Chord {
+    product: f64,
+    outcome: Outcome,
+}
+
+impl Chord {
+    #[inline]
+    fn new(length: f64, h0: f64, from: Vec2) -> Chord {
+        let (left, right) = (length - h0, length + h0);
+        let slack = REACH_SLACK * (length + from.x.abs() + from.y.abs());
+        let reach = left.min(right);
+        // Written so that NaN is open.
+        let outcome = if reach > slack {
+            Outcome::Done
+        } else if reach >= -slack {
+            Outcome::Stretched
+        } else {
+            Outcome::Open
+        };
+        Chord {
+            product: left * right,
+            outcome,
+        }
+    }
+
+    /// Half the chord, on one side; nothing is left of it where the line just touches.
+    #[inline]
+    fn root(&self, sign: f64) -> f64 {
+        match self.outcome {
+            Outcome::Done => sign * self.product.sqrt(),
+            Outcome::Stretched | Outcome::Open => 0.0,
+        }
+    }
+}
+
 /// A circle and a line, RRP. The sign is the side along the line on which the point lies, seen from
 /// the foot of the pivot.
 #[derive(Clone, Copy, Debug)]
@@ -94,23 +131,15 @@ impl CircleLine {
     pub(super) fn run<const ORDER: u8>(&self, state: &mut State) -> Outcome {
         let guide = self.line.at(state);
         let p = state.points[self.arm.pivot.index()];
-        let b = self.arm.length;
         let from = p.p - guide.q.p;
         let h0 = guide.n.dot(from);
-        let left = b - h0;
-        let right = b + h0;
-        let product = left * right;
-        state.measures[self.group] = product * self.inverse_square;
-        let slack = REACH_SLACK * (b + from.x.abs() + from.y.abs());
-        if !(left >= -slack && right >= -slack) {
+        let chord = Chord::new(self.arm.length, h0, from);
+        state.measures[self.group] = chord.product * self.inverse_square;
+        if chord.outcome == Outcome::Open {
             return Outcome::Open;
         }
-        let stretched = left <= slack || right <= slack;
-        let root = if stretched {
-            0.0
-        } else {
-            state.signs[self.group] * product.sqrt()
-        };
+        let stretched = chord.outcome == Outcome::Stretched;
+        let root = chord.root(state.signs[self.group]);
         let s = guide.t.dot(from) + root;
         let e = guide.t * root - guide.n * h0;
         let mut link = LinkState {
@@ -175,23 +204,15 @@ impl CircleRail {
     pub(super) fn run<const ORDER: u8>(&self, state: &mut State) -> Outcome {
         let (t, n) = (self.along, self.along.perp());
         let p = state.points[self.arm.pivot.index()];
-        let b = self.arm.length;
         let from = p.p - self.through;
         let h0 = n.dot(from);
-        let left = b - h0;
-        let right = b + h0;
-        let product = left * right;
-        state.measures[self.group] = product * self.inverse_square;
-        let slack = REACH_SLACK * (b + from.x.abs() + from.y.abs());
-        if !(left >= -slack && right >= -slack) {
+        let chord = Chord::new(self.arm.length, h0, from);
+        state.measures[self.group] = chord.product * self.inverse_square;
+        if chord.outcome == Outcome::Open {
             return Outcome::Open;
         }
-        let stretched = left <= slack || right <= slack;
-        let root = if stretched {
-            0.0
-        } else {
-            state.signs[self.group] * product.sqrt()
-        };
+        let stretched = chord.outcome == Outcome::Stretched;
+        let root = chord.root(state.signs[self.group]);
         let e = t * root - n * h0;
         let mut link = LinkState {
             d: e.turned(self.arm.factor),
