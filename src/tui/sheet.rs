@@ -363,9 +363,17 @@ impl Column {
     }
 
     fn width(&self, glyphs: Glyphs, heading: Heading) -> usize {
-        let title = self.title(glyphs, heading).chars().count();
-        let unit = self.unit(glyphs).chars().count();
-        title.max(unit).max(self.format.width()) + usize::from(self.starred)
+        // Asked for many times a frame: counted without writing anything.
+        let symbol = self.figure.symbol(glyphs).chars().count();
+        let unit = match glyphs {
+            Glyphs::Ascii | Glyphs::Line => self.unit.len(),
+            Glyphs::Braille => self.unit.len() - self.unit.matches("^2").count(),
+        };
+        let title = match heading {
+            Heading::One => symbol + unit + " []".len(),
+            Heading::Two => symbol.max(unit),
+        };
+        title.max(self.format.width()) + usize::from(self.starred)
     }
 
     /// The figure, and the mark of one that was found.
