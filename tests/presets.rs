@@ -304,3 +304,17 @@ fn the_rates_of_every_preset_agree_with_differences() {
         }
     }
 }
+
+/// The rates of Peaucellier's cell at its limit used to be shown as if they existed: 1e22 mm/s^2.
+#[test]
+fn at_the_ends_of_its_range_every_preset_is_at_a_dead_point() {
+    for Expected { name, .. } in &EXPECTED {
+        let scene = open(name);
+        let solver = solver(&scene);
+        let mut state = solver.state();
+        for &end in &solver.motion().dead_points {
+            let condition = solver.solve(end, Order::Acceleration, &mut state);
+            assert_eq!(condition, Condition::DeadPoint, "{name} at {end}");
+        }
+    }
+}

@@ -877,7 +877,10 @@ fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
     assert!((high - 322.497_269_422_333_17).abs() < 1e-9, "{high}");
     for end in [low, high] {
         // At a distance of x^2 from a dead point a joint moves by about x.
-        let mut last = at(&s, end).position(e);
+        let mut limit = s.state();
+        let condition = s.solve(end, Order::Acceleration, &mut limit);
+        assert_eq!(condition, Condition::DeadPoint, "at {end}");
+        let mut last = limit.position(e);
         for k in 1..400 {
             let x = f64::from(k) / 400.0;
             let state = at(&s, end - (end - 180.0).signum() * x * x);

@@ -167,6 +167,16 @@ impl Solver {
             return Condition::NoAssembly;
         }
         self.motion.anchors.aim(&self.engine, at, state);
+        let condition = self.run(at, order, state);
+        // Where a later group loses its direction at the same place, the limit found is the last
+        // coordinate at which all is determined; its rates are as worthless as at the limit itself.
+        if condition == Condition::Ok && self.motion.is_dead_point(at) {
+            state.condition = Condition::DeadPoint;
+        }
+        state.condition
+    }
+
+    fn run(&self, at: f64, order: Order, state: &mut State) -> Condition {
         let passages = &self.motion.passages;
         if passages.is_empty() {
             return self.engine.run(at, order, state);

@@ -51,7 +51,17 @@ pub struct Motion {
     pub(super) passages: Passages,
 }
 
+/// A coordinate this near to a dead point, as a part of it, is the dead point.
+const SAME: f64 = f64::EPSILON;
+
 impl Motion {
+    /// Whether a coordinate is a dead point, within its rounding.
+    pub(super) fn is_dead_point(&self, at: f64) -> bool {
+        self.dead_points
+            .iter()
+            .any(|&dead| (at - dead).abs() <= SAME * dead.abs())
+    }
+
     /// Whether the motion from the scene's assembly comes to this coordinate.
     pub(super) fn covers(&self, at: f64) -> bool {
         match self.range {
