@@ -276,3 +276,77 @@ fn a_second_loop_hangs_on_a_parallelogram_and_follows_it_through() {
         close(a, 0.5 * (a0 + a1), 1e-5, "alpha");
     }
 }
+
+/// The series at a change point is read off the motion around; a limit close by used to cost the
+/// passage its record, and the states beyond it their side.
+#[test]
+fn a_change_point_beside_a_limit_is_passed_to_the_right_side() {
+    let mut m = Builder::default();
+    let (a, d) = (m.ground_point(0.0, 0.0), m.ground_point(3.0, 0.0));
+    let g = m.ground_point(4.0, 10.0);
+    let [b, c, e] = [(); 3].map(|()| m.moving_point());
+    let crank = m.link(a, b, 1.0);
+    m.link(b, c, 3.0);
+    let follower = m.link(d, c, 1.0);
+    // Stretched where C has come 5 degrees beyond the line of the pivots.
+    m.link(c, e, 5.0);
+    m.link(g, e, 5.0872);
+    m.driver(Driver {
+        input: Input::Turn(crank),
+        start: 60.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    m.start(c, Vec2::new(3.5, 0.87));
+    m.start(e, Vec2::new(5.0, 5.0));
+    let solver = Solver::new(&m.build().unwrap()).unwrap();
+    let Range::Limited { low, high } = solver.motion().range else {
+        panic!()
+    };
+    assert!((-6.0..-4.0).contains(&low) && (150.0..180.0).contains(&high));
+    let mut state = solver.state();
+    for angle in [-4.0, -2.0, -0.5, 0.0, 0.5, 90.0, 150.0] {
+        let condition = solver.solve(angle, Order::Acceleration, &mut state);
+        assert_ne!(condition, Condition::NoAssembly, "at {angle}");
+        let expected = krank::angle::unit(angle) + Vec2::new(3.0, 0.0);
+        assert!((state.position(c) - expected).norm() < 1e-12, "at {angle}");
+        close(state.omega(follower), 1.0, 1e-9, "omega4");
+    }
+}
+
+/// Two parallelograms in a row whose change points lie 8 degrees apart: each must be read off the
+/// motion on its own side of the other.
+#[test]
+fn change_points_beside_each_other_are_told_apart() {
+    let (turn, offset) = (krank::angle::unit(8.0), Vec2::new(3.0, 0.0));
+    let mut m = Builder::default();
+    let (a, d) = (m.ground_point(0.0, 0.0), m.ground_point(3.0, 0.0));
+    let far = offset + turn * 2.0;
+    let h = m.ground_point(far.x, far.y);
+    let [b, c, k] = [(); 3].map(|()| m.moving_point());
+    let crank = m.link(a, b, 1.0);
+    m.link(b, c, 3.0);
+    m.link(d, c, 1.0);
+    m.link(c, k, 2.0);
+    let last = m.link(h, k, 1.0);
+    m.driver(Driver {
+        input: Input::Turn(crank),
+        start: 60.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    let at_start = krank::angle::unit(60.0);
+    m.start(c, offset + at_start);
+    m.start(k, far + at_start);
+    let solver = Solver::new(&m.build().unwrap()).unwrap();
+    let motion = solver.motion();
+    assert_eq!(motion.range, Range::Full { period: 360.0 });
+    assert_eq!(motion.change_points.len(), 4, "{:?}", motion.change_points);
+    let mut state = solver.state();
+    for angle in (0..720).map(|k| 0.5 * f64::from(k)) {
+        solver.solve(angle, Order::Acceleration, &mut state);
+        let expected = krank::angle::unit(angle) + far;
+        assert!((state.position(k) - expected).norm() < 1e-11, "at {angle}");
+        close(state.omega(last), 1.0, 1e-7, "omega");
+    }
+}

@@ -3,7 +3,7 @@
 //! Where the arms of a dyad come into line at the extreme of their reach, exactly, its two
 //! assemblies meet and the motion goes on smoothly: from then on on the other side, so that the sign
 //! which names the assembly changes. At the point itself and close to it the dyad's equations lose
-//! their digits - the second derivatives as the inverse square of the distance - though the motion is
+//! their digits - the second derivatives as the inverse cube of the distance - though the motion is
 //! smooth; there the dyad is placed by a short Taylor series, whose coefficients come from the motion
 //! around.
 
@@ -23,6 +23,13 @@ const REACH: f64 = 0.25;
 /// at this many places: Chebyshev's, so that the polynomial through them is right to rounding
 /// unless the next singularity is closer than the reach itself.
 const PLACES: usize = 20;
+/// So often the reach is halved before a change point is given up as a limit.
+const REACHES: i32 = 7;
+/// A series is held against the motion at this distance,
+const PROOF: f64 = 1e-3;
+/// where it may miss by the third order, its cube with room for a quick dyad: another assembly, or a
+/// polynomial across a change point, misses by far more.
+const PROVEN: f64 = 1e-6;
 
 /// A dyad's way through one of its change points.
 #[derive(Clone, Copy, Debug)]
@@ -130,12 +137,31 @@ struct Sample {
 
 impl Passage {
     /// Reads a dyad's series off the motion around: `solved` gives the state at a distance from the
-    /// change point, in radians or scaled lengths, if there is one.
+    /// change point, in radians or scaled lengths, if there is one. Where the motion does not reach as
+    /// far, or passes another change point on the way, it is looked at closer by; the series must
+    /// foretell the motion on both sides.
     pub(super) fn through(
         at: f64,
         step: &Step,
         group: usize,
         mut solved: impl FnMut(f64) -> Option<State>,
+    ) -> Option<Passage> {
+        let reaches = (0..REACHES).map(|k| REACH * 0.5_f64.powi(k));
+        let mut series = reaches.filter_map(|reach| {
+            let passage = Passage::seen_from(reach, at, step, group, &mut solved)?;
+            let foretells = |dq: f64, state: State| passage.foretells(dq, &state);
+            let holds = foretells(-PROOF, solved(-PROOF)?) && foretells(PROOF, solved(PROOF)?);
+            holds.then_some(passage)
+        });
+        series.next()
+    }
+
+    fn seen_from(
+        reach: f64,
+        at: f64,
+        step: &Step,
+        group: usize,
+        solved: &mut impl FnMut(f64) -> Option<State>,
     ) -> Option<Passage> {
         let (point, links) = step.outputs();
         let read = |state: &State| Sample {
@@ -146,7 +172,7 @@ impl Passage {
         for k in 0..PLACES {
             // Half angles of Chebyshev's places in degrees, exact.
             let node = crate::angle::unit(180.0 * (k as f64 + 0.5) / PLACES as f64);
-            let sample = read(&solved(REACH * node.x)?);
+            let sample = read(&solved(reach * node.x)?);
             let alternating = if k % 2 == 0 { 1.0 } else { -1.0 };
             let weight = alternating * node.y / node.x;
             sum = sum.plus(&sample, weight);
@@ -163,6 +189,18 @@ impl Passage {
             point: point.map(|p| (p, limit.point)),
             links: [0, 1].map(|i| links[i].map(|l| (l, unit(limit.links[i])))),
         })
+    }
+
+    /// Whether the series places the dyad where it is in a state at a distance.
+    fn foretells(&self, dq: f64, state: &State) -> bool {
+        let mut told = state.clone();
+        self.write(dq, &mut told);
+        let near = |a: Vec2, b: Vec2| (a - b).norm() <= PROVEN;
+        let point = self
+            .point
+            .is_none_or(|(p, _)| near(told.points[p.index()].p, state.points[p.index()].p));
+        let mut links = self.links.iter().flatten();
+        point && links.all(|(l, _)| near(told.links[l.index()].d, state.links[l.index()].d))
     }
 
     /// Takes positions from a state at the change point itself, where it has any.

@@ -43,18 +43,15 @@ impl Walker<'_> {
             return None;
         }
         let reached = self.state.clone();
-        self.record(&changes, &saved.signs, &reached.signs);
+        // A passage that could not be kept would leave the states beyond it with the wrong signs.
+        self.record(&changes, &saved.signs, &reached.signs)?;
         self.state = reached;
         self.seen.clear();
         self.note(beyond);
         Some(beyond)
     }
 
-    pub(super) fn ahead(&self, at: f64) -> f64 {
-        (at - self.start) * self.sense
-    }
-
-    pub(super) fn flip(&mut self, changes: &[(usize, f64)]) {
+    fn flip(&mut self, changes: &[(usize, f64)]) {
         for &(step, _) in changes {
             if let Some(group) = self.engine.program.steps[step].choice() {
                 self.state.signs[group] = -self.state.signs[group];
@@ -62,14 +59,9 @@ impl Walker<'_> {
         }
     }
 
-    pub(super) fn aim_at(&mut self, at: f64) {
-        self.anchors
-            .aim_from_latest(self.engine, at, &mut self.state);
-    }
-
     /// The dyads that are stretched to an extreme of their reach at a limit, and where exactly: by
     /// step and coordinate.
-    pub(super) fn changes(&mut self, limit: f64) -> Vec<(usize, f64)> {
+    fn changes(&mut self, limit: f64) -> Vec<(usize, f64)> {
         let choices = (0..self.engine.program.steps.len())
             .filter(|&i| self.engine.program.steps[i].choice().is_some());
         let choices: Vec<usize> = choices.collect();
@@ -80,7 +72,7 @@ impl Walker<'_> {
     }
 
     /// Where a dyad's stretch is extreme close to a limit, if its arms are in line there.
-    pub(super) fn extreme(&mut self, step: usize, limit: f64) -> Option<f64> {
+    fn extreme(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
         let (mut a, mut b) = (
             self.engine.moved(limit, -EXTREME),
@@ -121,7 +113,7 @@ impl Walker<'_> {
     }
 
     /// A dyad's rate of stretch, from its inputs: it may be open itself.
-    pub(super) fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
+    fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
         self.aim_at(at);
         let inputs = self
             .engine
@@ -135,25 +127,28 @@ impl Walker<'_> {
     }
 
     /// Keeps the passages of dyads through a change point, each in the order of the plan, since later
-    /// ones are built on earlier ones.
-    pub(super) fn record(&mut self, changes: &[(usize, f64)], before: &[f64], beyond: &[f64]) {
+    /// ones are built on earlier ones. None of them where one has no series.
+    fn record(&mut self, changes: &[(usize, f64)], before: &[f64], beyond: &[f64]) -> Option<()> {
+        let (engine, sense, kept) = (self.engine, self.sense, self.passages.len());
         for &(step, at) in changes {
-            let (engine, sense) = (self.engine, self.sense);
-            let Some(group) = engine.program.steps[step].choice() else {
+            let group = engine.program.steps[step].choice()?;
+            if self.passages.iter().any(|p| p.group == group && p.at == at) {
                 continue;
-            };
-            let known = self.passages.iter().any(|p| p.group == group && p.at == at);
+            }
             let sample = |dq: f64| {
                 let there = engine.moved(at, dq);
                 self.aim_at(there);
                 let signs = if dq * sense < 0.0 { before } else { beyond };
                 self.state.signs.copy_from_slice(signs);
-                let condition = engine.run(there, Order::Acceleration, &mut self.state);
+                let steps = 0..step + 1;
+                let order = Order::Acceleration;
+                let condition = engine.run_steps(steps, there, order, &mut self.state);
                 (condition == Condition::Ok).then(|| self.state.clone())
             };
             let through = Passage::through(at, &engine.program.steps[step], group, sample);
-            let Some(mut passage) = through.filter(|_| !known) else {
-                continue;
+            let Some(mut passage) = through else {
+                self.passages.truncate(kept);
+                return None;
             };
             let so_far = Passages::new(self.passages.clone(), self.start, 0.0);
             let end = engine.run_near(at, Order::Position, &so_far, &mut self.state);
@@ -162,5 +157,6 @@ impl Walker<'_> {
             }
             self.passages.push(passage);
         }
+        Some(())
     }
 }

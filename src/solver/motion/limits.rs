@@ -33,15 +33,14 @@ impl Walker<'_> {
             .filter_map(|group| self.limit_of(group, [a, m, b]))
             .collect();
         self.state = saved;
-        let ahead = |limit: f64| (limit - self.start) * self.sense;
         limits
             .into_iter()
-            .filter(|&limit| ahead(limit) > 0.0)
-            .min_by(|&x, &y| ahead(x).total_cmp(&ahead(y)))
+            .filter(|&limit| self.ahead(limit) > 0.0)
+            .min_by(|&x, &y| self.ahead(x).total_cmp(&self.ahead(y)))
     }
 
     /// The zero of one group's measure that a minimum between three samples touches or crosses.
-    pub(super) fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
+    fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
         let lowest = self.lowest(group, samples);
         let measure = self.measure(group, lowest);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
@@ -55,9 +54,8 @@ impl Walker<'_> {
     }
 
     /// A group's measure between the last samples, negative where the mechanism does not exist.
-    pub(super) fn measure(&mut self, group: usize, at: f64) -> f64 {
-        self.anchors
-            .aim_from_latest(self.engine, at, &mut self.state);
+    fn measure(&mut self, group: usize, at: f64) -> f64 {
+        self.aim_at(at);
         let condition = self.engine.run(at, Order::Position, &mut self.state);
         let measure = self.state.measures[group];
         match condition {
@@ -71,7 +69,7 @@ impl Walker<'_> {
 
     /// The coordinate of the smallest measure between two samples, by golden section; at once the
     /// sample between them if that touches zero.
-    pub(super) fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
+    fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         if self.measure(group, middle) < TOUCH * self.peaks[group] {
             return middle;
@@ -94,7 +92,7 @@ impl Walker<'_> {
     }
 
     /// The last coordinate on the way from `good` to `bad` at which a measure is positive.
-    pub(super) fn edge(&mut self, group: usize, good: f64, bad: f64) -> f64 {
+    fn edge(&mut self, group: usize, good: f64, bad: f64) -> f64 {
         let (mut good, mut bad) = (good, bad);
         loop {
             let middle = good + 0.5 * (bad - good);

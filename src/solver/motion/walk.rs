@@ -118,8 +118,19 @@ impl Walker<'_> {
         Ok(End::Cut(from))
     }
 
+    /// How far on the way a coordinate is.
+    pub(super) fn ahead(&self, at: f64) -> f64 {
+        (at - self.start) * self.sense
+    }
+
+    /// Puts into the state what the nearest of the latest anchors predicts.
+    pub(super) fn aim_at(&mut self, at: f64) {
+        self.anchors
+            .aim_from_latest(self.engine, at, &mut self.state);
+    }
+
     /// Notes a state on the other side of the start, so that a minimum at the start shows.
-    pub(super) fn look_behind(&mut self, step: f64) {
+    fn look_behind(&mut self, step: f64) {
         let at_start = self.state.clone();
         let behind = self.start - self.sense * step;
         self.seen.clear();
@@ -146,7 +157,7 @@ impl Walker<'_> {
     }
 
     /// Whether every group is where it was at the start.
-    pub(super) fn has_closed(&self, first: &[f64]) -> bool {
+    fn has_closed(&self, first: &[f64]) -> bool {
         let now = &self.state.scratch.numbers;
         self.state.signs == self.engine.signs
             && self.engine.program.coupled.iter().all(|group| {
@@ -171,7 +182,7 @@ impl Walker<'_> {
 
     /// Goes from one coordinate, at which the state is, to another by as many steps as the motion
     /// needs, and notes each; stopped, the state is the last good one.
-    pub(super) fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
+    fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
         let (mut good, mut bad, mut step) = (from, to, to - from);
         let mut saved = self.state.clone();
         for _ in 0..MOST_STEPS {
@@ -208,12 +219,12 @@ impl Walker<'_> {
     }
 
     /// Whether states depend on the path to them: a mechanism of dyads alone needs none.
-    pub(super) fn has_path(&self) -> bool {
+    fn has_path(&self) -> bool {
         !self.engine.program.coupled.is_empty()
     }
 
     /// Whether a mechanism of dyads alone does not exist at a coordinate.
-    pub(super) fn fails_at(&mut self, at: f64) -> bool {
+    fn fails_at(&mut self, at: f64) -> bool {
         self.engine.run(at, Order::Position, &mut self.state) != Condition::Ok
     }
 
@@ -241,7 +252,7 @@ impl Walker<'_> {
 
     /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
     /// the dead point itself included. The state must be the one at `good`.
-    pub(super) fn bisect(&mut self, mut good: f64, mut bad: f64) -> f64 {
+    fn bisect(&mut self, mut good: f64, mut bad: f64) -> f64 {
         // A step may have met the dead point itself, which belongs to the range.
         if !self.has_path() && self.reach(good, bad).is_ok() {
             return bad;
@@ -260,7 +271,7 @@ impl Walker<'_> {
         good
     }
 
-    pub(super) fn reach(&mut self, good: f64, to: f64) -> Result<(), Stop> {
+    fn reach(&mut self, good: f64, to: f64) -> Result<(), Stop> {
         if self.has_path() {
             return self.advance(good, to);
         }
