@@ -69,17 +69,21 @@ impl Anchors {
         }
     }
 
+    pub(super) fn len(&self) -> usize {
+        self.at.len()
+    }
+
+    /// Forgets all but the first few.
+    pub(super) fn truncate(&mut self, engine: &Engine, kept: usize) {
+        self.at.truncate(kept);
+        self.numbers.truncate(kept * Anchors::stride(engine));
+    }
+
     /// Forgets the latest anchors as far as they lie beyond a limit.
     pub(super) fn forget_beyond(&mut self, engine: &Engine, limit: f64, sense: f64) {
-        while self
-            .at
-            .last()
-            .is_some_and(|&at| (at - limit) * sense >= 0.0)
-        {
-            self.at.pop();
-            self.numbers
-                .truncate(self.at.len() * Anchors::stride(engine));
-        }
+        let is_on_the_way = |&at: &f64| (at - limit) * sense < 0.0;
+        let kept = self.at.iter().rposition(is_on_the_way).map_or(0, |i| i + 1);
+        self.truncate(engine, kept);
     }
 
     pub(super) fn push(&mut self, engine: &Engine, at: f64, state: &mut State) {

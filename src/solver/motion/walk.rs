@@ -131,7 +131,7 @@ impl Walker<'_> {
 
     /// Notes a state on the other side of the start, so that a minimum at the start shows.
     fn look_behind(&mut self, step: f64) {
-        let at_start = self.state.clone();
+        let (at_start, kept) = (self.state.clone(), self.anchors.len());
         let behind = self.start - self.sense * step;
         self.seen.clear();
         if self.advance(self.start, behind).is_ok() {
@@ -140,6 +140,8 @@ impl Walker<'_> {
             self.seen.clear();
         }
         self.state = at_start;
+        // What lies behind is walked in its turn; a change point there is only passed then.
+        self.anchors.truncate(self.engine, kept);
         self.note(self.start);
     }
 
