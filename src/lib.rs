@@ -80,7 +80,7 @@
 //! guides that it carries are given in that frame.
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
-pub mod angle;
+mod arithmetic;
 pub mod cli;
 pub mod drawing;
 mod explain;
@@ -92,10 +92,9 @@ pub mod scene;
 pub mod solver;
 #[cfg(feature = "tui")]
 pub mod tui;
-mod vec2;
 
+pub use arithmetic::{Ball, Double, Number, Vec2, angle};
 pub use mechanism::{
     Body, Builder, Defect, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Point,
     PointId, Slide, SlideId, Slider,
 };
-pub use vec2::Vec2;

@@ -11,10 +11,9 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 14] = [
+const PLACES: [(&str, u8); 13] = [
     ("nearest", 0),
-    ("vec2", 0),
-    ("angle", 1),
+    ("arithmetic", 0),
     ("mechanism", 2),
     ("scene", 3),
     ("solver", 3),
@@ -337,7 +336,7 @@ mod checker {
 
     fn faults(path: &[&str], text: &str) -> Vec<String> {
         let exports = [
-            ("Vec2", "vec2"),
+            ("Vec2", "arithmetic"),
             ("LinkId", "mechanism"),
             ("Scene", "scene"),
         ];

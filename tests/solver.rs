@@ -80,7 +80,7 @@ fn assert_on_guide(mechanism: &Mechanism, state: &State, id: SlideId, tolerance:
             (state.position(m.point) - m.local.turned(d), d)
         }
     };
-    let guide = slide.direction.turned(d);
+    let guide = slide.direction().turned(d);
     let expected = origin + slide.through.turned(d) + guide * state.travel(id).position;
     let seen = state.position(slide.slider.point());
     assert!(
@@ -89,7 +89,11 @@ fn assert_on_guide(mechanism: &Mechanism, state: &State, id: SlideId, tolerance:
     );
     if let Slider::Link { link, turn, .. } = slide.slider {
         assert!(
-            turn.turned(guide).cross(state.direction(link)).abs() < 1e-13,
+            krank::angle::unit(turn)
+                .turned(guide)
+                .cross(state.direction(link))
+                .abs()
+                < 1e-13,
             "{id:?}"
         );
     }

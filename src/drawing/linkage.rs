@@ -95,8 +95,8 @@ impl Sketch<'_> {
                 continue;
             };
             let overhang = 0.04 * self.reach.bounds().size().norm();
-            let from = slide.through + slide.direction * (low - overhang);
-            let to = slide.through + slide.direction * (high + overhang);
+            let from = slide.through + slide.direction() * (low - overhang);
+            let to = slide.through + slide.direction() * (high + overhang);
             let role = Role::Guide;
             self.figure.add(Shape::Line { from, to, role });
             if self.layers.ground {
@@ -200,8 +200,8 @@ impl Sketch<'_> {
         let members = self.mechanism.link(on).members.iter();
         let along = members.filter_map(|m| {
             let offset = m.local - slide.through;
-            let position = offset.dot(slide.direction);
-            let beside = offset.cross(slide.direction).abs();
+            let position = offset.dot(slide.direction());
+            let beside = offset.cross(slide.direction()).abs();
             (position > 0.0 && position <= shortest && beside < 1e-3 * position).then_some(position)
         });
         let mouth = along.fold(0.0, f64::max);

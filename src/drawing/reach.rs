@@ -89,8 +89,9 @@ impl Reach {
     fn include_guides(&mut self, scene: &Scene) {
         for (slide, travel) in scene.mechanism.slides().iter().zip(&self.travel) {
             if let (Body::Ground, Some((low, high))) = (slide.on, *travel) {
-                self.guides.include(slide.through + slide.direction * low);
-                self.guides.include(slide.through + slide.direction * high);
+                self.guides.include(slide.through + slide.direction() * low);
+                self.guides
+                    .include(slide.through + slide.direction() * high);
             }
         }
     }

@@ -4,7 +4,7 @@ use super::{
     Body, Defect, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Point, PointId,
     Slide, SlideId, Slider,
 };
-use crate::{Vec2, angle};
+use crate::Vec2;
 use std::collections::HashSet;
 
 /// Builds a [`Mechanism`]: see the crate's front page for an example.
@@ -110,7 +110,6 @@ impl Builder {
             self.carry(link, hidden, Vec2::ZERO);
             hidden
         });
-        let turn = angle::unit(turn);
         self.push_slide(Slider::Link { link, origin, turn }, on, through, angle)
     }
 
@@ -119,7 +118,7 @@ impl Builder {
             slider,
             on,
             through,
-            direction: crate::angle::unit(angle),
+            angle,
         });
         SlideId::new(self.slides.len() - 1)
     }
@@ -205,7 +204,11 @@ impl Builder {
     fn check_slides(&self, found: &mut Vec<Defect>) {
         for (i, slide) in self.slides.iter().enumerate() {
             let id = SlideId::new(i);
-            if !(slide.through.is_finite() && slide.direction.is_finite()) {
+            let turn = match slide.slider {
+                Slider::Pin(_) => 0.0,
+                Slider::Link { turn, .. } => turn,
+            };
+            if !(slide.through.is_finite() && slide.angle.is_finite() && turn.is_finite()) {
                 let of = Element::Slide(id);
                 found.push(Defect::Coordinates { of });
             }

@@ -110,8 +110,8 @@ pub enum Slider {
         link: LinkId,
         /// The point at the link's origin, which stays on the guide.
         origin: PointId,
-        /// The direction of the link's x axis as seen from the guide's: a unit vector.
-        turn: Vec2,
+        /// The direction of the link's x axis as seen from the guide's, in degrees.
+        turn: f64,
     },
 }
 
@@ -137,8 +137,16 @@ pub struct Slide {
     pub on: Body,
     /// A point of the guide, in the frame of `on`.
     pub through: Vec2,
+    /// The guide's direction in the frame of `on`, in degrees from its x axis.
+    pub angle: f64,
+}
+
+impl Slide {
     /// The guide's direction in the frame of `on`: a unit vector.
-    pub direction: Vec2,
+    #[must_use]
+    pub fn direction(&self) -> Vec2 {
+        crate::angle::unit(self.angle)
+    }
 }
 
 /// The coordinate that the driver imposes.

@@ -95,7 +95,7 @@ impl Assembler<'_> {
     fn wanted(&self, engine: &Engine) -> Vec<(PointId, Vec2)> {
         let given = self.network.mechanism.start().iter();
         let ours = given.filter(|(point, _)| self.group.points.contains(point));
-        ours.map(|&(point, near)| (point, engine.frame.inner(near)))
+        ours.map(|&(point, near)| (point, engine.frame.inner(near).nearest()))
             .collect()
     }
 
@@ -108,9 +108,9 @@ impl Assembler<'_> {
         state: &mut State,
     ) -> Result<(), Fault> {
         engine.run_steps(steps.start..key, self.at, Order::Acceleration, state);
-        let (q, direction) = engine.coordinate(self.at);
+        let (q, _) = engine.coordinate::<f64>(self.at);
         let step = engine.program.steps[key];
-        if step.run::<{ super::step::POSITION }>(q, direction, state) == Outcome::Open {
+        if engine.place_dyad(&step, self.at, state) == Outcome::Open {
             let gap = step.gap(q, state);
             return Err(if gap > 0.0 {
                 self.open(engine, gap)
@@ -311,7 +311,7 @@ impl Assembler<'_> {
         };
         let seen = (b - a).turned((local_b - local_a).conj());
         let own = seen / seen.norm();
-        let class = own.turned(self.network.turn[link.index()].conj());
+        let class = own.turned(self.network.turn[link.index()].nearest().conj());
         class.is_finite().then_some(class)
     }
 }

@@ -79,20 +79,22 @@ pub(super) fn classify(engine: &Engine, network: &Network<'_>) -> Option<Loop> {
         _ => None,
     })?;
     let scale = engine.frame.scale;
-    let place = |p: PointId| engine.program.points[p.index()].p;
+    let place = |p: PointId| engine.program.points[p.index()].nearest();
     steps.iter().find_map(|step| match step {
         Step::Circles(c) => {
             let (coupler, follower) = arms(pin, [c.near, c.far])?;
             let is_known = follower.pivot.index() < network.mechanism.points().len();
             (is_known && network.is_ground(follower.pivot)).then(|| {
                 let frame = (place(follower.pivot) - place(pivot)).norm();
-                four_bar([crank.norm(), coupler.length, follower.length, frame].map(|l| l * scale))
+                let [coupler, follower] = [coupler, follower].map(|arm| arm.length.hi);
+                four_bar([crank.nearest().norm(), coupler, follower, frame].map(|l| l * scale))
             })
         }
         Step::CircleRail(c) if c.arm.pivot == pin => {
-            let offset = c.along.cross(place(pivot) - c.through).abs();
+            let away = place(pivot) - c.through.nearest();
+            let offset = c.along.nearest().cross(away).abs();
             Some(slider_crank(
-                [crank.norm(), c.arm.length, offset].map(|l| l * scale),
+                [crank.nearest().norm(), c.arm.length.hi, offset].map(|l| l * scale),
             ))
         }
         _ => None,

@@ -4,10 +4,10 @@ use super::coupled::Scratch;
 use super::frame::Frame;
 use super::passage::Passages;
 use super::plan::{Gauge, Program, Watch};
-use super::state::{Condition, Rates, State, TravelState};
+use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order};
-use crate::{Input, LinkId, Mechanism, Vec2, angle};
+use crate::{Double, Input, LinkId, Mechanism, Number, Vec2, angle};
 
 /// A program, and what its driver's coordinate means.
 #[derive(Clone, Debug)]
@@ -18,7 +18,8 @@ pub(super) struct Engine {
     /// For every group the sign that its assembly has at the start.
     pub signs: Vec<f64>,
     driven: Option<LinkId>,
-    rates: Rates,
+    /// The driver's speed and acceleration, in radians or scaled lengths.
+    driver_rates: [f64; 2],
 }
 
 impl Engine {
@@ -30,14 +31,14 @@ impl Engine {
         };
         let turns = driven.is_some();
         let inner = |v: f64| if turns { v } else { frame.length(v) };
-        let rates = Rates::new(inner(driver.speed), inner(driver.acceleration));
+        let driver_rates = [inner(driver.speed), inner(driver.acceleration)];
         let mut engine = Engine {
             signs: vec![1.0; program.group_starts.len()],
             program,
             frame,
             turns,
             driven,
-            rates,
+            driver_rates,
         };
         let mut offset = 0;
         for group in &mut engine.program.coupled {
@@ -47,24 +48,29 @@ impl Engine {
         engine
     }
 
-    pub(super) fn state(&self, slides: usize) -> State {
+    /// An empty state, with the constants in it.
+    pub(super) fn state<T: Number>(&self, slides: usize) -> State<T> {
         let coupled = &self.program.coupled;
+        let fixed_point = |&p: &_| PointState::fixed(Vec2::of(p));
+        let fixed_link = |&d: &_| LinkState::fixed(Vec2::of(d));
+        let [speed, acceleration] = self.driver_rates;
+        let rates = Rates::new(speed, acceleration);
         State {
             condition: Condition::NoAssembly,
-            at: 0.0,
-            points: self.program.points.clone(),
-            links: self.program.links.clone(),
+            at: T::default(),
+            points: self.program.points.iter().map(fixed_point).collect(),
+            links: self.program.links.iter().map(fixed_link).collect(),
             travels: vec![TravelState::default(); slides],
-            measures: vec![1.0; self.program.group_starts.len()],
-            signs: self.signs.clone(),
+            measures: vec![T::exactly(1.0); self.program.group_starts.len()],
+            signs: self.signs.iter().map(|&s| T::exactly(s)).collect(),
             scratch: Scratch {
-                numbers: vec![0.0; coupled.iter().map(|c| c.room()).sum()],
+                numbers: vec![T::default(); coupled.iter().map(|c| c.room()).sum()],
                 pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
                 first: vec![0.0; coupled.len()],
             },
             frame: self.frame,
-            rates: self.rates,
-            length_rates: self.rates.times(self.frame.scale),
+            rates,
+            length_rates: rates.times(self.frame.scale),
             driven: self.driven,
             driver_scale: if self.turns { 1.0 } else { self.frame.scale },
         }
@@ -117,12 +123,15 @@ impl Engine {
         for step in steps {
             let outcome = match step {
                 Step::Coupled { index } => self.run_coupled(*index, q, ORDER, state),
-                _ => step.run::<ORDER>(q, direction, state),
+                _ => match step.run::<f64, ORDER>(q, direction, state) {
+                    Outcome::Unclear => step.stretch(q, state),
+                    outcome => outcome,
+                },
             };
             match outcome {
                 Outcome::Done => {}
                 Outcome::Stretched => condition = Condition::DeadPoint,
-                Outcome::Open => return Condition::NoAssembly,
+                Outcome::Open | Outcome::Unclear => return Condition::NoAssembly,
             }
         }
         condition
@@ -158,11 +167,20 @@ impl Engine {
     }
 
     /// The driver's coordinate for the steps: a length, or a direction.
-    pub(super) fn coordinate(&self, at: f64) -> (f64, Vec2) {
+    pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
-            (0.0, angle::unit(at))
+            (T::default(), T::unit(at))
         } else {
-            (self.frame.length(at), Vec2::X)
+            (at / T::exactly(self.frame.scale), Vec2::X.exactly())
+        }
+    }
+
+    /// Places what one dyad places.
+    pub(super) fn place_dyad(&self, step: &Step, at: f64, state: &mut State) -> Outcome {
+        let (q, direction) = self.coordinate(at);
+        match step.run::<f64, POSITION>(q, direction, state) {
+            Outcome::Unclear => step.stretch(q, state),
+            outcome => outcome,
         }
     }
 
@@ -210,15 +228,20 @@ impl Gauge {
     /// By how much the constraint misses, and how far out: the rounding grows with the distance.
     fn misfit(&self, state: &State) -> (f64, f64) {
         let at = |p: crate::PointId| state.points[p.index()].p;
-        let turned = |link: LinkId, along: Vec2| along.turned(state.links[link.index()].d);
+        let turned =
+            |link: LinkId, along: Vec2<Double>| along.nearest().turned(state.links[link.index()].d);
         let (miss, place) = match *self {
-            Gauge::Distance { from, to, length } => ((at(to) - at(from)).norm() - length, at(to)),
+            Gauge::Distance { from, to, length } => {
+                ((at(to) - at(from)).norm() - length.hi, at(to))
+            }
             Gauge::Direction {
                 from,
                 to,
                 link,
                 along,
-            } if along.is_finite() => (turned(link, along).cross(at(to) - at(from)), at(to)),
+            } if along.nearest().is_finite() => {
+                (turned(link, along).cross(at(to) - at(from)), at(to))
+            }
             Gauge::Direction { .. } => (0.0, Vec2::ZERO),
             Gauge::OnLine { point, line } => {
                 let t = turned(line.link, line.along);

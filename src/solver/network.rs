@@ -4,7 +4,9 @@
 //! links that keep their angles to each other (links locked on slides). A link of k joints gives
 //! 2 (k - 1) equations, a slot one. Points that are no joints take no part: they ride.
 
-use crate::{Body, Element, Input, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
+use crate::{
+    Body, Double, Element, Input, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
+};
 
 /// A class of links that keep their angles to each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -60,7 +62,7 @@ pub(super) struct Network<'m> {
     /// For every link, and for the ground behind them.
     pub class_of: Vec<ClassId>,
     /// The direction of a link as seen from that of its class.
-    pub turn: Vec<Vec2>,
+    pub turn: Vec<Vec2<Double>>,
     pub members: Vec<Vec<LinkId>>,
     /// The joint from which a link's other joints are seen.
     centre: Vec<Option<PointId>>,
@@ -77,7 +79,7 @@ impl<'m> Network<'m> {
         let mut network = Network {
             mechanism,
             class_of: vec![GROUND; bodies],
-            turn: vec![Vec2::X; bodies],
+            turn: vec![Vec2::X.exactly(); bodies],
             members: Vec::new(),
             centre: Vec::new(),
             joint: Vec::new(),
@@ -127,7 +129,7 @@ impl<'m> Network<'m> {
     }
 
     /// The direction of `link` as seen from `other` of the same class.
-    pub(super) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2 {
+    pub(super) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2<Double> {
         self.turn[link.index()].turned(self.turn[other.index()].conj())
     }
 
@@ -154,7 +156,8 @@ impl<'m> Network<'m> {
                     }
                     let expected = turn.turned(self.turn[body.index()]);
                     if seen[other.index()] {
-                        self.note_repeated_lock(slide, expected.cross(self.turn[other.index()]));
+                        let misfit = expected.cross(self.turn[other.index()]);
+                        self.note_repeated_lock(slide, misfit.hi);
                     } else {
                         seen[other.index()] = true;
                         self.turn[other.index()] = expected;
@@ -166,13 +169,13 @@ impl<'m> Network<'m> {
     }
 
     /// For every body the bodies locked to it, the direction in which each is seen, and the slide.
-    fn locks(&self) -> Vec<Vec<(LinkId, Vec2, SlideId)>> {
+    fn locks(&self) -> Vec<Vec<(LinkId, Vec2<Double>, SlideId)>> {
         let mut locks = vec![Vec::new(); self.class_of.len()];
         for slide in self.mechanism.slide_ids() {
             let given = self.mechanism.slide(slide);
             if let Slider::Link { link, turn, .. } = given.slider {
                 let on = self.body(given.on);
-                let seen = given.direction.turned(turn);
+                let seen = Double::unit(given.angle).turned(Double::unit(turn));
                 locks[on.index()].push((link, seen, slide));
                 locks[link.index()].push((on, seen.conj(), slide));
             }

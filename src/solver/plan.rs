@@ -1,9 +1,8 @@
 //! The plan of a mechanism: groups in their order, for people; steps, for the solver.
 
 use super::coupled::Coupled;
-use super::state::{LinkState, PointState};
 use super::step::Step;
-use crate::{Element, LinkId, PointId, Vec2};
+use crate::{Double, Element, LinkId, PointId, Vec2};
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +64,7 @@ pub(super) enum Gauge {
     Distance {
         from: PointId,
         to: PointId,
-        length: f64,
+        length: Double,
     },
     /// The direction in which a link sees one of its points from another.
     Direction {
@@ -73,7 +72,7 @@ pub(super) enum Gauge {
         to: PointId,
         link: LinkId,
         /// A unit vector in the link's frame; not finite where the points are one.
-        along: Vec2,
+        along: Vec2<Double>,
     },
     /// A point on a line of a body.
     OnLine {
@@ -94,8 +93,8 @@ pub(super) struct Program {
     /// The first step of every group, and the end.
     pub group_starts: Vec<usize>,
     pub coupled: Vec<Coupled>,
-    /// The constant points and links; everything else is overwritten.
-    pub points: Vec<PointState>,
-    pub links: Vec<LinkState>,
+    /// The places of constant points and the directions of constant links; all others are overwritten.
+    pub points: Vec<Vec2<Double>>,
+    pub links: Vec<Vec2<Double>>,
     pub watches: Vec<Watch>,
 }

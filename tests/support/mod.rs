@@ -57,7 +57,7 @@ fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
     for id in mechanism.slide_ids() {
         let slide = mechanism.slide(id);
         let (through, along) = match slide.on {
-            Body::Ground => (slide.through, slide.direction),
+            Body::Ground => (slide.through, slide.direction()),
             Body::Link(on) => {
                 // Any point of the link leads to its frame; it has one, or it could not be built.
                 let member = mechanism.link(on).members[0];
@@ -65,7 +65,7 @@ fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
                 let origin = state.position(member.point) - member.local.turned(turn);
                 (
                     origin + slide.through.turned(turn),
-                    slide.direction.turned(turn),
+                    slide.direction().turned(turn),
                 )
             }
         };
@@ -76,7 +76,7 @@ fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
             .max((travel.position - along.dot(apart)).abs())
             .max((travel.guide - along).norm() * longest_link(mechanism));
         if let Slider::Link { link, turn, .. } = slide.slider {
-            let off = state.direction(link) - turn.turned(along);
+            let off = state.direction(link) - krank::angle::unit(turn).turned(along);
             worst = worst.max(off.norm() * longest_link(mechanism));
         }
     }

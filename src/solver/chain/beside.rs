@@ -5,7 +5,7 @@ use super::Chain;
 use crate::solver::network::Row;
 use crate::solver::plan::{Gauge, Watch};
 use crate::solver::step::Step;
-use crate::{LinkId, PointId, Vec2};
+use crate::{Double, LinkId, PointId, Vec2};
 
 impl Chain<'_> {
     /// Where constraints were set aside, all are watched, those first. Which of them the steps then
@@ -31,7 +31,7 @@ impl Chain<'_> {
         match row {
             Row::Along { link, end } => {
                 let (from, arm) = self.seen_from(link, end)?;
-                let length = arm.norm();
+                let length = arm.norm2().sqrt();
                 Some(Gauge::Distance {
                     from,
                     to: end,
@@ -40,7 +40,7 @@ impl Chain<'_> {
             }
             Row::Across { link, end } => {
                 let (from, arm) = self.seen_from(link, end)?;
-                let along = arm / arm.norm();
+                let along = arm / arm.norm2().sqrt();
                 Some(Gauge::Direction {
                     from,
                     to: end,
@@ -62,7 +62,7 @@ impl Chain<'_> {
     }
 
     /// Another joint of a link, and `end` as seen from there in the link's frame.
-    fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2)> {
+    fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2<Double>)> {
         let to = self.local(link, end)?;
         let other = self.network.joints(link).find(|m| m.point != end)?;
         Some((other.point, to - self.frame.local(other.local)))

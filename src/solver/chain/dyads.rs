@@ -10,7 +10,7 @@ use super::{Chain, Scope};
 use crate::solver::network::ClassId;
 use crate::solver::plan::GroupKind;
 use crate::solver::step::{Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Step, Swing};
-use crate::{Body, Input, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Double, Input, LinkId, PointId, SlideId, Vec2};
 
 /// A joint at a fixed place of a class whose direction is not known yet.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ struct Anchor {
     class: ClassId,
     pivot: PointId,
     /// From the pivot to the point, in the frame of the class.
-    arm: Vec2,
+    arm: Vec2<Double>,
     /// A link of the class that ends at the point.
     link: LinkId,
 }
@@ -42,7 +42,7 @@ impl Chain<'_> {
         let mut anchors: Vec<Anchor> = Vec::new();
         for &link in scope.links.iter().filter(|&&l| !self.knows(l)) {
             if let Some((pivot, at)) = self.footing(link) {
-                self.anchor_joints(link, pivot, at, Vec2::ZERO, &mut anchors);
+                self.anchor_joints(link, pivot, at, Vec2::default(), &mut anchors);
             }
         }
         let mut next = 0;
@@ -73,8 +73,8 @@ impl Chain<'_> {
         &self,
         link: LinkId,
         pivot: PointId,
-        at: Vec2,
-        arm: Vec2,
+        at: Vec2<Double>,
+        arm: Vec2<Double>,
         anchors: &mut Vec<Anchor>,
     ) {
         let class = self.network.class(link);
@@ -171,7 +171,7 @@ impl Chain<'_> {
             let point = given.slider.point();
             // Where the sliding point is: known, or anchored in the guide's own class.
             let (pin, arm) = if self.point_known[point.index()] {
-                (point, Vec2::ZERO)
+                (point, Vec2::default())
             } else if let Some(anchor) = anchors
                 .iter()
                 .find(|a| a.point == point && a.class == class && a.pivot != pivot)
@@ -181,7 +181,7 @@ impl Chain<'_> {
             } else {
                 continue;
             };
-            let along = given.direction;
+            let along = Double::unit(given.angle);
             let offset = along.perp().dot(self.frame.local(given.through) - at - arm);
             let group = self.open_group(GroupKind::Rpr, Some(pin));
             self.push(Step::Swing(Swing {
@@ -225,7 +225,7 @@ impl Chain<'_> {
         let far = self.arm(anchor);
         let group = self.open_group(GroupKind::Rrr, Some(point));
         let through = self.frame.local(given.through) - at;
-        let along = given.direction;
+        let along = Double::unit(given.angle);
         self.push(Step::Cylinder(Cylinder {
             point,
             pivot,
@@ -329,7 +329,7 @@ impl Chain<'_> {
             return Some(Line {
                 through,
                 link: carrier,
-                along: given.direction,
+                along: Double::unit(given.angle),
             });
         }
         let guide = self.line(hold.slide)?;

@@ -11,9 +11,8 @@ use super::frame::Frame;
 use super::network::{ClassId, GROUND, Network, Row, Unknown};
 use super::order::{self, Block, Ordering};
 use super::plan::{Group, GroupKind, Plan, Program};
-use super::state::{LinkState, PointState};
 use super::step::{Arm, Step};
-use crate::{Body, Element, Input, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Double, Element, Input, LinkId, PointId, SlideId, Vec2};
 
 /// The links and slides that a block's equations are about.
 #[derive(Default)]
@@ -70,14 +69,11 @@ pub(super) fn build(
 impl<'n> Chain<'n> {
     fn new(network: &'n Network<'n>, frame: Frame) -> Self {
         let mechanism = network.mechanism;
-        let place = |p: &crate::Point| PointState {
-            p: p.ground.map_or(Vec2::ZERO, |g| frame.inner(g)),
-            ..PointState::default()
-        };
-        let points: Vec<PointState> = mechanism.points().iter().map(place).collect();
-        let mut links = vec![LinkState::FIXED; network.class_of.len()];
+        let place = |p: &crate::Point| p.ground.map_or(Vec2::default(), |g| frame.inner(g));
+        let points: Vec<Vec2<Double>> = mechanism.points().iter().map(place).collect();
+        let mut links = vec![Vec2::X.exactly(); network.class_of.len()];
         for &link in &network.members[GROUND.0] {
-            links[link.index()].d = network.turn[link.index()];
+            links[link.index()] = network.turn[link.index()];
         }
         let mut class_known = vec![false; network.members.len()];
         class_known[GROUND.0] = true;
@@ -111,24 +107,21 @@ impl<'n> Chain<'n> {
         self.class_known[self.network.class(link).0]
     }
 
-    fn local(&self, link: LinkId, point: PointId) -> Option<Vec2> {
+    fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Double>> {
         let local = self.network.link(link)?.local(point)?;
         Some(self.frame.local(local))
     }
 
     /// A known point of a link, with its place in the link.
-    fn footing(&self, link: LinkId) -> Option<(PointId, Vec2)> {
+    fn footing(&self, link: LinkId) -> Option<(PointId, Vec2<Double>)> {
         let members = &self.network.link(link)?.members;
         let known = members.iter().find(|m| self.point_known[m.point.index()])?;
         Some((known.point, self.frame.local(known.local)))
     }
 
     /// A point that is not the scene's: constant, or given its place by a step.
-    fn new_point(&mut self, p: Vec2) -> PointId {
-        self.program.points.push(PointState {
-            p,
-            ..PointState::default()
-        });
+    fn new_point(&mut self, p: Vec2<Double>) -> PointId {
+        self.program.points.push(p);
         self.point_known.push(true);
         PointId::new(self.program.points.len() - 1)
     }
@@ -218,7 +211,7 @@ impl<'n> Chain<'n> {
     }
 
     /// How a point of a link follows from another one; on the driven link, from its pivot.
-    fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2) -> Step {
+    fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2<Double>) -> Step {
         let is_driven = self.network.mechanism.driver().input == Input::Turn(link);
         let on_ground = self
             .network
@@ -287,7 +280,7 @@ impl<'n> Chain<'n> {
             point,
             base,
             link,
-            local: Vec2::ZERO,
+            local: Vec2::default(),
             along,
         });
         self.learn_point(point);

@@ -9,13 +9,18 @@
 //! ```
 
 use super::{Base, Coupled, Equation, Moving, Room, Spot, Turning};
-use crate::Vec2;
 use crate::solver::state::{LinkState, PointState, State};
+use crate::{Number, Vec2};
 
 impl Coupled {
     // ---- motion of spots
 
-    fn turning_state(&self, turning: Turning, state: &State, room: &Room<'_>) -> LinkState {
+    fn turning_state<T: Number>(
+        &self,
+        turning: Turning,
+        state: &State<T>,
+        room: &Room<'_, T>,
+    ) -> LinkState<T> {
         match turning {
             Turning::Known(link) => state.links[link.index()],
             Turning::Unknown(i) => {
@@ -30,8 +35,14 @@ impl Coupled {
         }
     }
 
-    pub(super) fn moving(&self, spot: &Spot, q: f64, state: &State, room: &Room<'_>) -> Moving {
-        let pair = |v: &[f64], i: usize| Vec2::new(v[2 * i], v[2 * i + 1]);
+    pub(super) fn moving<T: Number>(
+        &self,
+        spot: &Spot,
+        q: T,
+        state: &State<T>,
+        room: &Room<'_, T>,
+    ) -> Moving<T> {
+        let pair = |v: &[T], i: usize| Vec2::new(v[2 * i], v[2 * i + 1]);
         let mut moving = match spot.base {
             Base::Known(point) => {
                 let PointState { p, v, a } = state.points[point.index()];
@@ -45,18 +56,19 @@ impl Coupled {
         };
         if let Some((turning, arm)) = spot.arm {
             let link = self.turning_state(turning, state, room);
-            let r = (arm + spot.along * q).turned(link.d);
-            let tau = spot.along.turned(link.d);
+            let along = Vec2::of(spot.along);
+            let r = (Vec2::of(arm) + along * q).turned(link.d);
+            let tau = along.turned(link.d);
             moving.p += r;
             moving.v += r.perp() * link.w + tau;
-            moving.a += r.perp() * link.a - r * (link.w * link.w) + tau.perp() * (2.0 * link.w);
+            moving.a += r.perp() * link.a - r * (link.w * link.w) + tau.perp() * link.w.scaled(2.0);
         }
         moving
     }
 
     // ---- equations
 
-    pub(super) fn residuals(&self, q: f64, state: &State, room: &mut Room<'_>) {
+    pub(super) fn residuals<T: Number>(&self, q: T, state: &State<T>, room: &mut Room<'_, T>) {
         let mut row = 0;
         for equation in &self.equations {
             match equation {
@@ -64,7 +76,8 @@ impl Coupled {
                     let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
                     let size = e.norm2().sqrt();
                     // (|e| - r)(|e| + r) / 2 keeps the digits that |e|^2 - r^2 would lose.
-                    room.right[row] = 0.5 * (size - length) * (size + length);
+                    let length = T::of(*length);
+                    room.right[row] = (size - length) * (size + length).scaled(0.5);
                     row += 1;
                 }
                 Equation::Meeting { a, b } => {
@@ -79,7 +92,7 @@ impl Coupled {
                     turning,
                 } => {
                     let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;
-                    let t = along.turned(self.turning_state(*turning, state, room).d);
+                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, room).d);
                     room.right[row] = t.cross(gap);
                     row += 1;
                 }
@@ -88,7 +101,13 @@ impl Coupled {
     }
 
     /// The first (1) or second (2) rates of the equations, with z' (z'') as it stands in the room.
-    pub(super) fn rates(&self, q: f64, state: &State, room: &mut Room<'_>, order: u8) {
+    pub(super) fn rates<T: Number>(
+        &self,
+        q: T,
+        state: &State<T>,
+        room: &mut Room<'_, T>,
+        order: u8,
+    ) {
         let second = order == 2;
         let mut row = 0;
         for equation in &self.equations {
@@ -126,12 +145,12 @@ impl Coupled {
                         self.moving(x, q, state, room),
                         self.moving(on, q, state, room),
                     );
-                    let t = along.turned(link.d);
+                    let t = Vec2::of(*along).turned(link.d);
                     let n = t.perp();
                     let (d, v, a) = (x.p - on.p, x.v - on.v, x.a - on.a);
                     room.right[row] = if second {
                         n.dot(a)
-                            - 2.0 * link.w * t.dot(v)
+                            - (link.w * t.dot(v)).scaled(2.0)
                             - link.a * t.dot(d)
                             - link.w * link.w * n.dot(d)
                     } else {
@@ -143,9 +162,9 @@ impl Coupled {
         }
     }
 
-    pub(super) fn jacobian(&self, q: f64, state: &State, room: &mut Room<'_>) {
+    pub(super) fn jacobian<T: Number>(&self, q: T, state: &State<T>, room: &mut Room<'_, T>) {
         let n = self.unknowns();
-        room.matrix.fill(0.0);
+        room.matrix.fill(T::default());
         let mut row = 0;
         for equation in &self.equations {
             match equation {
@@ -157,6 +176,7 @@ impl Coupled {
                 }
                 Equation::Meeting { a, b } => {
                     for axis in [Vec2::X, Vec2::X.perp()] {
+                        let axis = axis.exactly();
                         self.add_columns(a, axis, row * n, q, state, room);
                         self.add_columns(b, -axis, row * n, q, state, room);
                         row += 1;
@@ -168,12 +188,12 @@ impl Coupled {
                     along,
                     turning,
                 } => {
-                    let t = along.turned(self.turning_state(*turning, state, room).d);
+                    let t = Vec2::of(*along).turned(self.turning_state(*turning, state, room).d);
                     let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;
                     self.add_columns(x, t.perp(), row * n, q, state, room);
                     self.add_columns(on, -t.perp(), row * n, q, state, room);
                     if let Turning::Unknown(i) = turning {
-                        room.matrix[row * n + 2 * self.free + i] -= t.dot(gap);
+                        room.matrix[row * n + 2 * self.free + i] += -t.dot(gap);
                     }
                     row += 1;
                 }
@@ -182,21 +202,22 @@ impl Coupled {
     }
 
     /// Adds `weight . (derivative of the spot)` to a row of the matrix.
-    fn add_columns(
+    fn add_columns<T: Number>(
         &self,
         spot: &Spot,
-        weight: Vec2,
+        weight: Vec2<T>,
         row: usize,
-        q: f64,
-        state: &State,
-        room: &mut Room<'_>,
+        q: T,
+        state: &State<T>,
+        room: &mut Room<'_, T>,
     ) {
         if let Base::Free(i) = spot.base {
             room.matrix[row + 2 * i] += weight.x;
             room.matrix[row + 2 * i + 1] += weight.y;
         }
         if let Some((turning @ Turning::Unknown(i), arm)) = spot.arm {
-            let r = (arm + spot.along * q).turned(self.turning_state(turning, state, room).d);
+            let arm = Vec2::of(arm) + Vec2::of(spot.along) * q;
+            let r = arm.turned(self.turning_state(turning, state, room).d);
             room.matrix[row + 2 * self.free + i] += weight.dot(r.perp());
         }
     }

@@ -3,14 +3,14 @@
 
 use super::{Base, Equation, Part, Spot, Turning};
 use crate::solver::network::ClassId;
-use crate::{Body, Input, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Double, Input, LinkId, PointId, SlideId, Vec2};
 
 /// Builds a group.
 pub(super) struct Maker<'a> {
     part: &'a Part<'a>,
     pub(super) spots: Vec<(PointId, Spot)>,
     pub(super) turning: Vec<LinkId>,
-    pub(super) turns: Vec<Vec2>,
+    pub(super) turns: Vec<Vec2<Double>>,
     classes: Vec<ClassId>,
     pub(super) free: usize,
     pub(super) equations: Vec<Equation>,
@@ -46,11 +46,11 @@ impl<'a> Maker<'a> {
         !self.part.network.is_bar(link)
     }
 
-    fn local(&self, link: LinkId, point: PointId) -> Vec2 {
+    fn local(&self, link: LinkId, point: PointId) -> Vec2<Double> {
         let body = self.part.network.link(link);
         self.part
             .frame
-            .local(body.and_then(|l| l.local(point)).unwrap_or(Vec2::ZERO))
+            .local(body.and_then(|l| l.local(point)).unwrap_or(Vec2::default()))
     }
 
     fn spot(&self, point: PointId) -> Option<Spot> {
@@ -58,7 +58,7 @@ impl<'a> Maker<'a> {
             return Some(Spot {
                 base: Base::Known(point),
                 arm: None,
-                along: Vec2::ZERO,
+                along: Vec2::default(),
             });
         }
         self.spots
@@ -72,23 +72,23 @@ impl<'a> Maker<'a> {
         Spot {
             base: Base::Free(self.free - 1),
             arm: None,
-            along: Vec2::ZERO,
+            along: Vec2::default(),
         }
     }
 
     /// How a link turns, and the factor that brings its local vectors into the frame of that.
-    fn turning(&self, link: LinkId) -> Option<(Turning, Vec2)> {
+    fn turning(&self, link: LinkId) -> Option<(Turning, Vec2<Double>)> {
         let network = self.part.network;
         let class = network.class(link);
         if self.part.class_known[class.0] {
-            return Some((Turning::Known(link), Vec2::X));
+            return Some((Turning::Known(link), Vec2::X.exactly()));
         }
         let i = self.classes.iter().position(|&c| c == class)?;
         Some((Turning::Unknown(i), network.turn[link.index()]))
     }
 
     /// A place `local` in a link, seen from one of its points that has a base of its own.
-    fn on_link(&self, link: LinkId, foot: PointId, local: Vec2) -> Option<Spot> {
+    fn on_link(&self, link: LinkId, foot: PointId, local: Vec2<Double>) -> Option<Spot> {
         let (turning, turn) = self.turning(link)?;
         let Spot {
             base, arm: None, ..
@@ -100,7 +100,7 @@ impl<'a> Maker<'a> {
         Some(Spot {
             base,
             arm: Some((turning, arm)),
-            along: Vec2::ZERO,
+            along: Vec2::default(),
         })
     }
 
@@ -194,7 +194,7 @@ impl<'a> Maker<'a> {
     fn add_distance(&mut self, link: LinkId) {
         let ends: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
         if let [a, b] = ends[..] {
-            let length = (self.local(link, a) - self.local(link, b)).norm();
+            let length = (self.local(link, a) - self.local(link, b)).norm2().sqrt();
             if let (Some(a), Some(b)) = (self.spot(a), self.spot(b)) {
                 self.equations.push(Equation::Distance { a, b, length });
             }
@@ -218,7 +218,7 @@ impl<'a> Maker<'a> {
         let Some((turning, turn)) = self.turning(network.body(given.on)) else {
             return;
         };
-        let along = given.direction.turned(turn);
+        let along = Double::unit(given.angle).turned(turn);
         if network.mechanism.driver().input == Input::Push(slide) {
             self.equations.push(Equation::Meeting {
                 a: x,
@@ -240,8 +240,8 @@ impl<'a> Maker<'a> {
         let ground = Turning::Known(self.part.network.ground());
         Some(Spot {
             base,
-            arm: Some((ground, Vec2::ZERO)),
-            along: Vec2::ZERO,
+            arm: Some((ground, Vec2::default())),
+            along: Vec2::default(),
         })
     }
 }

@@ -12,7 +12,7 @@ use super::frame::Frame;
 use super::lu;
 use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
-use crate::{LinkId, PointId, SlideId, Vec2};
+use crate::{Double, LinkId, Number, PointId, SlideId, Vec2};
 use maker::Maker;
 
 /// More corrections than quadratic convergence needs from anywhere near.
@@ -47,8 +47,8 @@ enum Turning {
 #[derive(Clone, Copy, Debug)]
 struct Spot {
     base: Base,
-    arm: Option<(Turning, Vec2)>,
-    along: Vec2,
+    arm: Option<(Turning, Vec2<Double>)>,
+    along: Vec2<Double>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,7 @@ enum Equation {
     Distance {
         a: Spot,
         b: Spot,
-        length: f64,
+        length: Double,
     },
     Meeting {
         a: Spot,
@@ -65,7 +65,7 @@ enum Equation {
     Slot {
         x: Spot,
         q: Spot,
-        along: Vec2,
+        along: Vec2<Double>,
         turning: Turning,
     },
 }
@@ -91,7 +91,7 @@ pub(super) struct Coupled {
     spots: Vec<(PointId, Spot)>,
     /// A link of every class of unknown direction, and its direction as seen from the class.
     turning: Vec<LinkId>,
-    turns: Vec<Vec2>,
+    turns: Vec<Vec2<Double>>,
     free: usize,
     equations: Vec<Equation>,
     /// Where its room in the state's scratch begins.
@@ -113,28 +113,28 @@ pub(super) struct Corrected {
 
 /// A motion with its rates: of a spot, at given z' and z''.
 #[derive(Clone, Copy, Default)]
-struct Moving {
-    p: Vec2,
-    v: Vec2,
-    a: Vec2,
+struct Moving<T = f64> {
+    p: Vec2<T>,
+    v: Vec2<T>,
+    a: Vec2<T>,
 }
 
 /// Room for all coupled groups, allocated once.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scratch {
-    pub numbers: Vec<f64>,
+pub(super) struct Scratch<T = f64> {
+    pub numbers: Vec<T>,
     pub pivots: Vec<usize>,
     /// The first correction of every group when it was last solved.
     pub first: Vec<f64>,
 }
 
 /// z, z' and z'' of a group: free joints as they are, angles as unit vectors with rates.
-pub(super) struct Room<'a> {
-    pub z: &'a mut [f64],
-    pub first: &'a mut [f64],
-    pub second: &'a mut [f64],
-    matrix: &'a mut [f64],
-    right: &'a mut [f64],
+pub(super) struct Room<'a, T = f64> {
+    pub z: &'a mut [T],
+    pub first: &'a mut [T],
+    pub second: &'a mut [T],
+    matrix: &'a mut [T],
+    right: &'a mut [T],
     pivots: &'a mut [usize],
 }
 
@@ -188,7 +188,7 @@ impl Coupled {
         self.width() + 2 * n + n * n + n
     }
 
-    pub(super) fn open<'a>(&self, scratch: &'a mut Scratch) -> Room<'a> {
+    pub(super) fn open<'a, T>(&self, scratch: &'a mut Scratch<T>) -> Room<'a, T> {
         let n = self.unknowns();
         let pivots = &mut scratch.pivots[..n];
         let own = &mut scratch.numbers[self.offset..self.offset + self.room()];
@@ -306,7 +306,7 @@ impl Coupled {
     }
 
     /// Puts what the group places into the state.
-    pub(super) fn write(&self, q: f64, state: &mut State, room: &Room<'_>) {
+    pub(super) fn write<T: Number>(&self, q: T, state: &mut State<T>, room: &Room<'_, T>) {
         for (i, (&link, &turn)) in self.turning.iter().zip(&self.turns).enumerate() {
             let at = 2 * (self.free + i);
             let d = Vec2::new(room.z[at], room.z[at + 1]);
@@ -315,7 +315,7 @@ impl Coupled {
                 room.second[2 * self.free + i],
             );
             state.links[link.index()] = LinkState {
-                d: d.turned(turn),
+                d: d.turned(Vec2::of(turn)),
                 w,
                 a,
             };

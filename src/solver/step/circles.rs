@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, Arm, Outcome, REACH_SLACK, VELOCITY};
 use crate::solver::state::{LinkState, PointState, State};
-use crate::{LinkId, PointId, Vec2};
+use crate::{Double, LinkId, Number, PointId, Vec2};
 
 /// Two circles, RRR. The shorter arm comes first: the point is measured from its pivot. The sign of
 /// the group is +1 where the point lies on the left of near.pivot -> far.pivot.
@@ -11,38 +11,42 @@ pub(in crate::solver) struct Circles {
     pub point: PointId,
     pub near: Arm,
     pub far: Arm,
-    /// far - near and near + far, each as a sum of two doubles: the factors of Kahan's product
-    /// for a triangle keep their digits without sorting.
-    difference: (f64, f64),
-    sum: (f64, f64),
+    /// far - near and near + far, to twice the precision: the factors of Kahan's product for a
+    /// triangle keep their digits without sorting.
+    difference: Double,
+    sum: Double,
     /// (near - far)(near + far).
-    squares: f64,
+    squares: Double,
     /// 1 / (2 near far)^2, which makes the product of the factors the square of a sine.
     inverse_square: f64,
     slack: f64,
     pub group: usize,
 }
 
-/// a - b as the rounded difference and what it left out (Knuth's two-sum).
-fn two_diff(a: f64, b: f64) -> (f64, f64) {
-    let d = a - b;
-    let back = d - a;
-    (d, (a - (d - back)) - (b + back))
+/// value + constant, without rounding the constant first.
+#[inline]
+fn plus<T: Number>(value: T, constant: Double) -> T {
+    (value + T::exactly(constant.hi)) + T::exactly(constant.lo)
 }
 
 impl Circles {
     pub(in crate::solver) fn new(point: PointId, arms: [Arm; 2], group: usize) -> Circles {
         let [a, b] = arms;
-        let (near, far) = if a.length <= b.length { (a, b) } else { (b, a) };
+        let (near, far) = if (a.length - b.length).hi <= 0.0 {
+            (a, b)
+        } else {
+            (b, a)
+        };
+        let (b, c) = (near.length, far.length);
         Circles {
             point,
             near,
             far,
-            difference: two_diff(far.length, near.length),
-            sum: two_diff(far.length, -near.length),
-            squares: (near.length - far.length) * (near.length + far.length),
-            inverse_square: (2.0 * near.length * far.length).powi(-2),
-            slack: REACH_SLACK * (near.length + far.length),
+            difference: c - b,
+            sum: c + b,
+            squares: (b - c) * (b + c),
+            inverse_square: (2.0 * b.hi * c.hi).powi(-2),
+            slack: REACH_SLACK * (b.hi + c.hi),
             group,
         }
     }
@@ -51,39 +55,45 @@ impl Circles {
     /// of the triangle of sides b, c, |u|: 16 A^2 = (d-m)(d+m)(M-d)(M+d), m = c - b, M = b + c
     /// (Kahan, Miscalculating Area and Angles of a Needle-like Triangle; here m and M carry their
     /// rounding errors, so that no sorting is needed).
-    ///
-    /// Then V_P + w1 k x e = V_Q + w2 k x f with f = X - Q, and e x f = s h.
     #[inline]
-    pub(super) fn run<const ORDER: u8>(&self, state: &mut State) -> Outcome {
+    pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
         let p = state.points[self.near.pivot.index()];
         let q = state.points[self.far.pivot.index()];
         let u = q.p - p.p;
         let d2 = u.norm2();
         let d = d2.sqrt();
-        let inner = (d - self.difference.0) - self.difference.1;
-        let outer = (self.sum.0 - d) + self.sum.1;
-        let product = (inner * ((d + self.difference.0) + self.difference.1))
-            * (outer * ((self.sum.0 + d) + self.sum.1));
-        state.measures[self.group] = product * self.inverse_square;
-        let x = 0.5 * (d2 + self.squares);
-        let inverse = 1.0 / d2;
+        let inner = plus(d, -self.difference);
+        let outer = -plus(d, -self.sum);
+        let product = (inner * plus(d, self.difference)) * (outer * plus(d, self.sum));
+        state.measures[self.group] = product * T::exactly(self.inverse_square);
+        let x = (d2 + T::of(self.squares)).scaled(0.5);
+        let inverse = T::exactly(1.0) / d2;
         let reach = inner.min(outer);
-        // Written so that NaN does not pass.
-        if !(reach > self.slack) {
-            return self.stretch(reach, p.p, u, x, state);
+        if !reach.exceeds(T::exactly(self.slack)) {
+            return Outcome::Unclear;
         }
-        let sh = state.signs[self.group] * (0.5 * product.sqrt());
+        let sh = state.signs[self.group] * product.sqrt().scaled(0.5);
         let e = (u * x + u.perp() * sh) * inverse;
-        let f = e - u;
-        let mut point = PointState {
-            p: p.p + e,
-            ..PointState::default()
-        };
-        let (mut near, mut far) = (LinkState::default(), LinkState::default());
-        near.d = e.turned(self.near.factor);
-        far.d = f.turned(self.far.factor);
+        self.place::<T, ORDER>(e, e - u, sh, state);
+        Outcome::Done
+    }
+
+    /// Writes the dyad where X = P + e = Q + f. V_P + w1 k x e = V_Q + w2 k x f, and e x f = s h.
+    #[inline]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        e: Vec2<T>,
+        f: Vec2<T>,
+        sh: T,
+        state: &mut State<T>,
+    ) {
+        let p = state.points[self.near.pivot.index()];
+        let q = state.points[self.far.pivot.index()];
+        let mut point = PointState::fixed(p.p + e);
+        let mut near = LinkState::fixed(e.turned(Vec2::of(self.near.factor)));
+        let mut far = LinkState::fixed(f.turned(Vec2::of(self.far.factor)));
         if ORDER >= VELOCITY {
-            let scale = 1.0 / sh;
+            let scale = T::exactly(1.0) / sh;
             let dv = q.v - p.v;
             near.w = f.dot(dv) * scale;
             far.w = e.dot(dv) * scale;
@@ -98,22 +108,27 @@ impl Circles {
         state.points[self.point.index()] = point;
         state.links[self.near.link.index()] = near;
         state.links[self.far.link.index()] = far;
-        Outcome::Done
     }
 
     /// The arms in line, if within rounding they reach each other: positions alone. The nearer arm
     /// keeps its length also where the pivots all but coincide.
-    #[cold]
-    fn stretch(&self, reach: f64, p: Vec2, u: Vec2, x: f64, state: &mut State) -> Outcome {
+    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
+        let p = state.points[self.near.pivot.index()].p;
+        let u = state.points[self.far.pivot.index()].p - p;
+        let d2 = u.norm2();
+        let d = d2.sqrt();
+        let reach = plus(d, -self.difference).min(-plus(d, -self.sum));
         let distance = u.norm();
-        // Equal arms about one pivot: the point could be anywhere around it.
+        // Equal arms about one pivot: the point could be anywhere around it. Written so that NaN is
+        // open.
         if distance <= self.slack || !(reach >= -self.slack) {
             return Outcome::Open;
         }
-        let e = u * (self.near.length.copysign(x) / distance);
+        let x = d2 + self.squares.hi;
+        let e = u * (self.near.length.hi.copysign(x) / distance);
         state.points[self.point.index()].p = p + e;
-        state.links[self.near.link.index()].d = e.turned(self.near.factor);
-        state.links[self.far.link.index()].d = (e - u).turned(self.far.factor);
+        state.links[self.near.link.index()].d = e.turned(self.near.factor.nearest());
+        state.links[self.far.link.index()].d = (e - u).turned(self.far.factor.nearest());
         Outcome::Stretched
     }
 }
@@ -126,66 +141,101 @@ pub(in crate::solver) struct Cylinder {
     pub pivot: PointId,
     pub link: LinkId,
     /// The guide's point and direction in the frame of the link, from the pivot.
-    pub through: Vec2,
-    pub along: Vec2,
+    pub through: Vec2<Double>,
+    pub along: Vec2<Double>,
     pub far: Arm,
     pub group: usize,
 }
 
+/// The triangle of a cylinder's pivots and its pin.
+#[derive(Clone, Copy)]
+struct Triangle<T> {
+    /// The square of the arm, and its length.
+    rho2: T,
+    rho: T,
+    /// From pivot to pivot.
+    u: Vec2<T>,
+    d2: T,
+    /// How far the arms are from their inner and outer reach.
+    inner: T,
+    outer: T,
+    /// 16 A^2.
+    product: T,
+}
+
 impl Cylinder {
-    /// The arm is r = through + along q in its link's frame: a circle whose radius varies, with
-    /// V = V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau, tau the guide's
-    /// direction in the ground. Otherwise as [`Circles`].
-    pub(super) fn run<const ORDER: u8>(&self, q: f64, state: &mut State) -> Outcome {
-        let local = self.through + self.along * q;
-        let rho2 = local.norm2();
-        let (rho, c) = (rho2.sqrt(), self.far.length);
-        let p = state.points[self.pivot.index()];
-        let far = state.points[self.far.pivot.index()];
-        let u = far.p - p.p;
+    #[inline]
+    fn triangle<T: Number>(&self, q: T, state: &State<T>) -> Triangle<T> {
+        let rho2 = (Vec2::of(self.through) + Vec2::of(self.along) * q).norm2();
+        let (rho, c) = (rho2.sqrt(), T::of(self.far.length));
+        let u = state.points[self.far.pivot.index()].p - state.points[self.pivot.index()].p;
         let d2 = u.norm2();
         let d = d2.sqrt();
-        let (inner, outer) = (d - (rho - c).abs(), (rho + c) - d);
-        let product = (inner * (d + (rho - c).abs())) * (outer * ((rho + c) + d));
-        state.measures[self.group] = product / (4.0 * rho2 * c * c);
-        let slack = REACH_SLACK * (rho + c);
-        if !(inner >= -slack && outer >= -slack && rho > 0.0) {
-            return Outcome::Open;
+        let difference = (rho - c).abs();
+        let (inner, outer) = (d - difference, (rho + c) - d);
+        let product = (inner * (d + difference)) * (outer * ((rho + c) + d));
+        Triangle {
+            rho2,
+            rho,
+            u,
+            d2,
+            inner,
+            outer,
+            product,
         }
-        let stretched = inner <= slack || outer <= slack;
-        if stretched && d <= slack {
-            // Equal arms about one pivot, as above.
-            return Outcome::Open;
+    }
+
+    /// From the pivot to the point, for e x f = `sh`.
+    #[inline]
+    fn arm<T: Number>(&self, of: &Triangle<T>, sh: T) -> Vec2<T> {
+        let c = T::of(self.far.length);
+        let x = (of.d2 + (of.rho - c) * (of.rho + c)).scaled(0.5);
+        (of.u * x + of.u.perp() * sh) / of.d2
+    }
+
+    /// The arm is r = through + along q in its link's frame: a circle whose radius varies.
+    /// Otherwise as [`Circles`].
+    pub(super) fn run<T: Number, const ORDER: u8>(&self, q: T, state: &mut State<T>) -> Outcome {
+        let of = self.triangle(q, state);
+        let c = self.far.length.hi;
+        let scale = of.rho2 * T::exactly(4.0 * c * c);
+        state.measures[self.group] = of.product / scale;
+        let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK);
+        if !of.inner.min(of.outer).exceeds(slack) {
+            return Outcome::Unclear;
         }
-        let sh = if stretched {
-            0.0
-        } else {
-            state.signs[self.group] * 0.5 * product.sqrt()
-        };
-        let x = 0.5 * (d2 + (rho - c) * (rho + c));
-        let e = (u * x + u.perp() * sh) / d2;
-        let f = e - u;
-        let mut point = PointState {
-            p: p.p + e,
-            ..PointState::default()
-        };
-        let mut barrel = LinkState {
-            d: e.turned(local.conj()) / rho2,
-            ..LinkState::default()
-        };
-        let mut link = LinkState {
-            d: f.turned(self.far.factor),
-            ..LinkState::default()
-        };
-        if ORDER >= VELOCITY && !stretched {
-            let scale = 1.0 / sh;
-            let tau = self.along.turned(barrel.d);
+        let sh = state.signs[self.group] * of.product.sqrt().scaled(0.5);
+        let e = self.arm(&of, sh);
+        self.place::<T, ORDER>(q, e, e - of.u, sh, state);
+        Outcome::Done
+    }
+
+    /// Writes the dyad where X = P + e = Q + f. With tau the guide's direction in the ground,
+    /// V = V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau.
+    #[inline]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        q: T,
+        e: Vec2<T>,
+        f: Vec2<T>,
+        sh: T,
+        state: &mut State<T>,
+    ) {
+        let local = Vec2::of(self.through) + Vec2::of(self.along) * q;
+        let p = state.points[self.pivot.index()];
+        let far = state.points[self.far.pivot.index()];
+        let mut point = PointState::fixed(p.p + e);
+        let mut barrel = LinkState::fixed(e.turned(local.conj()) / local.norm2());
+        let mut link = LinkState::fixed(f.turned(Vec2::of(self.far.factor)));
+        if ORDER >= VELOCITY {
+            let scale = T::exactly(1.0) / sh;
+            let tau = Vec2::of(self.along).turned(barrel.d);
             let dv = far.v - p.v - tau;
             barrel.w = f.dot(dv) * scale;
             link.w = e.dot(dv) * scale;
             point.v = far.v + f.perp() * link.w;
             if ORDER >= ACCELERATION {
-                let coriolis = tau.perp() * (2.0 * barrel.w);
+                let coriolis = tau.perp() * barrel.w.scaled(2.0);
                 let da =
                     (far.a - p.a) - coriolis + e * (barrel.w * barrel.w) - f * (link.w * link.w);
                 barrel.a = f.dot(da) * scale;
@@ -196,10 +246,17 @@ impl Cylinder {
         state.points[self.point.index()] = point;
         state.links[self.link.index()] = barrel;
         state.links[self.far.link.index()] = link;
-        if stretched {
-            Outcome::Stretched
-        } else {
-            Outcome::Done
+    }
+
+    /// As [`Circles::stretch`].
+    pub(super) fn stretch(&self, q: f64, state: &mut State) -> Outcome {
+        let of = self.triangle(q, state);
+        let slack = REACH_SLACK * (of.rho + self.far.length.hi);
+        if !(of.inner >= -slack && of.outer >= -slack && of.rho > 0.0) || of.d2.sqrt() <= slack {
+            return Outcome::Open;
         }
+        let e = self.arm(&of, 0.0);
+        self.place::<f64, { super::POSITION }>(q, e, e - of.u, 0.0, state);
+        Outcome::Stretched
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, Arm, Outcome, REACH_SLACK, VELOCITY};
 use crate::solver::state::{LinkState, PointState, State};
-use crate::{LinkId, PointId, Vec2};
+use crate::{Double, LinkId, Number, PointId, Vec2};
 
 /// Two directions whose sine is below this are parallel: the rounding of two products of unit
 /// vectors. Guides that differ by 2^-40 are told apart.
@@ -14,23 +14,24 @@ pub(in crate::solver) struct Line {
     pub through: PointId,
     pub link: LinkId,
     /// The direction in the link's frame: a unit vector.
-    pub along: Vec2,
+    pub along: Vec2<Double>,
 }
 
 /// A line at one state: its point, direction and turning.
-pub(super) struct Guide {
-    pub(super) q: PointState,
-    pub(super) t: Vec2,
-    pub(super) n: Vec2,
-    pub(super) w: f64,
-    pub(super) a: f64,
+#[derive(Clone, Copy)]
+pub(in crate::solver) struct Guide<T = f64> {
+    pub(in crate::solver) q: PointState<T>,
+    pub(in crate::solver) t: Vec2<T>,
+    pub(in crate::solver) n: Vec2<T>,
+    pub(in crate::solver) w: T,
+    pub(in crate::solver) a: T,
 }
 
 impl Line {
     #[inline]
-    pub(super) fn at(&self, state: &State) -> Guide {
+    pub(in crate::solver) fn at<T: Number>(&self, state: &State<T>) -> Guide<T> {
         let link = state.links[self.link.index()];
-        let t = self.along.turned(link.d);
+        let t = Vec2::of(self.along).turned(link.d);
         Guide {
             q: state.points[self.through.index()],
             t,
@@ -41,10 +42,10 @@ impl Line {
     }
 }
 
-impl Guide {
+impl<T: Number> Guide<T> {
     /// The point at s along the guide, with its rate and second rate.
     #[inline]
-    fn point(&self, s: f64, rate: f64, second: f64) -> PointState {
+    fn point(&self, s: T, rate: T, second: T) -> PointState<T> {
         PointState {
             p: self.q.p + self.t * s,
             v: self.velocity(s) + self.t * rate,
@@ -54,51 +55,48 @@ impl Guide {
 
     /// The velocity of the guide's own material at s.
     #[inline]
-    fn velocity(&self, s: f64) -> Vec2 {
+    fn velocity(&self, s: T) -> Vec2<T> {
         self.q.v + self.n * (self.w * s)
     }
 
     /// The acceleration at s of what slides at a constant rate: with Coriolis' part.
     #[inline]
-    fn acceleration(&self, s: f64, rate: f64) -> Vec2 {
-        self.q.a + self.n * (self.a * s + 2.0 * self.w * rate) - self.t * (self.w * self.w * s)
+    fn acceleration(&self, s: T, rate: T) -> Vec2<T> {
+        let turning = self.a * s + (self.w * rate).scaled(2.0);
+        self.q.a + self.n * turning - self.t * (self.w * self.w * s)
     }
 }
 
 /// What a line at distance h0 from a circle's centre cuts off: half the chord is the root of
 /// (b - h0)(b + h0).
-struct Chord {
-    product: f64,
-    outcome: Outcome,
+struct Chord<T> {
+    product: T,
+    /// How far the line is from just touching the circle, and the rounding of that.
+    reach: T,
+    slack: T,
 }
 
-impl Chord {
+impl<T: Number> Chord<T> {
     #[inline]
-    fn new(length: f64, h0: f64, from: Vec2) -> Chord {
+    fn new(length: T, h0: T, from: Vec2<T>) -> Chord<T> {
         let (left, right) = (length - h0, length + h0);
-        let slack = REACH_SLACK * (length + from.x.abs() + from.y.abs());
-        let reach = left.min(right);
-        // Written so that NaN is open.
-        let outcome = if reach > slack {
-            Outcome::Done
-        } else if reach >= -slack {
-            Outcome::Stretched
-        } else {
-            Outcome::Open
-        };
         Chord {
             product: left * right,
-            outcome,
+            reach: left.min(right),
+            slack: (length + from.x.abs() + from.y.abs()).scaled(REACH_SLACK),
         }
     }
 
-    /// Half the chord, on one side; nothing is left of it where the line just touches.
     #[inline]
-    fn root(&self, sign: f64) -> f64 {
-        match self.outcome {
-            Outcome::Done => sign * self.product.sqrt(),
-            Outcome::Stretched | Outcome::Open => 0.0,
-        }
+    fn is_clear(&self) -> bool {
+        self.reach.exceeds(self.slack)
+    }
+}
+
+impl Chord<f64> {
+    /// Written so that NaN is open.
+    fn is_open(&self) -> bool {
+        !(self.reach >= -self.slack)
     }
 }
 
@@ -120,40 +118,51 @@ impl CircleLine {
             point,
             arm,
             line,
-            inverse_square: arm.length.powi(-2),
+            inverse_square: arm.length.hi.powi(-2),
             group,
         }
     }
 
-    /// h0 = n.(P - Q), root = s sqrt((b - h0)(b + h0)): X = Q + (t.(P - Q) + root) t, e = root t - h0 n.
-    /// The constraint n.(V - V_line) = 0 gives w n.(k x e) = w root.
+    /// The guide, the pivot as seen from its point, and h0 = n.(P - Q) with what it cuts off.
     #[inline]
-    pub(super) fn run<const ORDER: u8>(&self, state: &mut State) -> Outcome {
+    fn chord<T: Number>(&self, state: &State<T>) -> (Guide<T>, Vec2<T>, T, Chord<T>) {
         let guide = self.line.at(state);
-        let p = state.points[self.arm.pivot.index()];
-        let from = p.p - guide.q.p;
+        let from = state.points[self.arm.pivot.index()].p - guide.q.p;
         let h0 = guide.n.dot(from);
-        let chord = Chord::new(self.arm.length, h0, from);
-        state.measures[self.group] = chord.product * self.inverse_square;
-        if chord.outcome == Outcome::Open {
-            return Outcome::Open;
+        let chord = Chord::new(T::of(self.arm.length), h0, from);
+        (guide, from, h0, chord)
+    }
+
+    /// root = s sqrt((b - h0)(b + h0)): X = Q + (t.(P - Q) + root) t, e = root t - h0 n.
+    #[inline]
+    pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
+        let (guide, from, h0, chord) = self.chord(state);
+        state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
+        if !chord.is_clear() {
+            return Outcome::Unclear;
         }
-        let stretched = chord.outcome == Outcome::Stretched;
-        let root = chord.root(state.signs[self.group]);
-        let s = guide.t.dot(from) + root;
+        let root = state.signs[self.group] * chord.product.sqrt();
+        self.place::<T, ORDER>(&guide, guide.t.dot(from) + root, h0, root, state);
+        Outcome::Done
+    }
+
+    /// Writes the dyad with X at s along the guide. The constraint n.(V - V_line) = 0 gives
+    /// w n.(k x e) = w root.
+    #[inline]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        guide: &Guide<T>,
+        s: T,
+        h0: T,
+        root: T,
+        state: &mut State<T>,
+    ) {
         let e = guide.t * root - guide.n * h0;
-        let mut link = LinkState {
-            d: e.turned(self.arm.factor),
-            ..LinkState::default()
-        };
-        if stretched {
-            state.points[self.point.index()].p = guide.q.p + guide.t * s;
-            state.links[self.arm.link.index()].d = link.d;
-            return Outcome::Stretched;
-        }
-        let (mut rate, mut second) = (0.0, 0.0);
+        let mut link = LinkState::fixed(e.turned(Vec2::of(self.arm.factor)));
+        let (mut rate, mut second) = (T::default(), T::default());
         if ORDER >= VELOCITY {
-            let scale = 1.0 / root;
+            let p = state.points[self.arm.pivot.index()];
+            let scale = T::exactly(1.0) / root;
             let dv = guide.velocity(s) - p.v;
             link.w = guide.n.dot(dv) * scale;
             rate = link.w * h0 - guide.t.dot(dv);
@@ -166,7 +175,16 @@ impl CircleLine {
         }
         state.points[self.point.index()] = guide.point(s, rate, second);
         state.links[self.arm.link.index()] = link;
-        Outcome::Done
+    }
+
+    /// The arm across the guide, if within rounding it reaches it: positions alone.
+    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
+        let (guide, from, h0, chord) = self.chord(state);
+        if chord.is_open() {
+            return Outcome::Open;
+        }
+        self.place::<f64, { super::POSITION }>(&guide, guide.t.dot(from), h0, 0.0, state);
+        Outcome::Stretched
     }
 }
 
@@ -176,8 +194,8 @@ pub(in crate::solver) struct CircleRail {
     pub point: PointId,
     pub arm: Arm,
     /// A point of the rail and its direction, a unit vector.
-    pub through: Vec2,
-    pub along: Vec2,
+    pub through: Vec2<Double>,
+    pub along: Vec2<Double>,
     inverse_square: f64,
     pub group: usize,
 }
@@ -186,7 +204,7 @@ impl CircleRail {
     pub(in crate::solver) fn new(
         point: PointId,
         arm: Arm,
-        [through, along]: [Vec2; 2],
+        [through, along]: [Vec2<Double>; 2],
         group: usize,
     ) -> CircleRail {
         CircleRail {
@@ -194,36 +212,50 @@ impl CircleRail {
             arm,
             through,
             along,
-            inverse_square: arm.length.powi(-2),
+            inverse_square: arm.length.hi.powi(-2),
             group,
         }
     }
 
+    #[inline]
+    fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, T, Chord<T>) {
+        let n = Vec2::of(self.along).perp();
+        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
+        let h0 = n.dot(from);
+        (from, h0, Chord::new(T::of(self.arm.length), h0, from))
+    }
+
     /// As [`CircleLine`], with a line whose velocity and acceleration are zero.
     #[inline]
-    pub(super) fn run<const ORDER: u8>(&self, state: &mut State) -> Outcome {
-        let (t, n) = (self.along, self.along.perp());
-        let p = state.points[self.arm.pivot.index()];
-        let from = p.p - self.through;
-        let h0 = n.dot(from);
-        let chord = Chord::new(self.arm.length, h0, from);
-        state.measures[self.group] = chord.product * self.inverse_square;
-        if chord.outcome == Outcome::Open {
-            return Outcome::Open;
+    pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
+        let (from, h0, chord) = self.chord(state);
+        state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
+        if !chord.is_clear() {
+            return Outcome::Unclear;
         }
-        let stretched = chord.outcome == Outcome::Stretched;
-        let root = chord.root(state.signs[self.group]);
+        let root = state.signs[self.group] * chord.product.sqrt();
+        let s = Vec2::of(self.along).dot(from) + root;
+        self.place::<T, ORDER>(s, h0, root, state);
+        Outcome::Done
+    }
+
+    /// Writes the dyad with X at s along the rail.
+    #[inline]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        s: T,
+        h0: T,
+        root: T,
+        state: &mut State<T>,
+    ) {
+        let t = Vec2::of(self.along);
+        let n = t.perp();
         let e = t * root - n * h0;
-        let mut link = LinkState {
-            d: e.turned(self.arm.factor),
-            ..LinkState::default()
-        };
-        let mut point = PointState {
-            p: self.through + t * (t.dot(from) + root),
-            ..PointState::default()
-        };
-        if ORDER >= VELOCITY && !stretched {
-            let scale = 1.0 / root;
+        let mut link = LinkState::fixed(e.turned(Vec2::of(self.arm.factor)));
+        let mut point = PointState::fixed(Vec2::of(self.through) + t * s);
+        if ORDER >= VELOCITY {
+            let p = state.points[self.arm.pivot.index()];
+            let scale = T::exactly(1.0) / root;
             link.w = -n.dot(p.v) * scale;
             point.v = t * (link.w * h0 + t.dot(p.v));
             if ORDER >= ACCELERATION {
@@ -234,24 +266,34 @@ impl CircleRail {
         }
         state.points[self.point.index()] = point;
         state.links[self.arm.link.index()] = link;
-        if stretched {
-            Outcome::Stretched
-        } else {
-            Outcome::Done
+    }
+
+    /// As [`CircleLine::stretch`].
+    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
+        let (from, h0, chord) = self.chord(state);
+        if chord.is_open() {
+            return Outcome::Open;
         }
+        let s = self.along.nearest().dot(from);
+        self.place::<f64, { super::POSITION }>(s, h0, 0.0, state);
+        Outcome::Stretched
     }
 }
 
 /// The meeting of two lines: X = Z1 + l t1 with l = n2.(Z2 - Z1) / n2.t1, and the same determinant
 /// for the rates, seen along n2.
-pub(super) fn meet<const ORDER: u8>(one: &Guide, two: &Guide) -> Option<PointState> {
+#[inline]
+pub(super) fn meet<T: Number, const ORDER: u8>(
+    one: &Guide<T>,
+    two: &Guide<T>,
+) -> Option<PointState<T>> {
     let det = two.n.dot(one.t);
-    let l = two.n.dot(two.q.p - one.q.p) / det;
-    if det.abs() <= PARALLEL || !l.is_finite() {
+    if !det.abs().exceeds(T::exactly(PARALLEL)) {
         return None;
     }
+    let l = two.n.dot(two.q.p - one.q.p) / det;
     let m = two.t.dot(one.q.p + one.t * l - two.q.p);
-    let (mut rate, mut second) = (0.0, 0.0);
+    let (mut rate, mut second) = (T::default(), T::default());
     if ORDER >= VELOCITY {
         rate = two.n.dot(two.velocity(m) - one.velocity(l)) / det;
     }

@@ -14,7 +14,7 @@ pub(super) use lines::{CircleLine, CircleRail, Line};
 pub(super) use swing::Swing;
 
 use super::state::{LinkState, PointState, State};
-use crate::{LinkId, PointId, SlideId, Vec2};
+use crate::{Double, LinkId, Number, PointId, SlideId, Vec2};
 use lines::meet;
 
 /// How many derivatives a solve carries, as a constant of the compiled code.
@@ -32,6 +32,8 @@ const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 pub(super) enum Outcome {
     /// Solved.
     Done,
+    /// So close to its limit that rounding decides: [`Step::stretch`] looks closer.
+    Unclear,
     /// Stretched to its limit: positions are given, derivatives do not exist.
     Stretched,
     /// Cannot close.
@@ -44,18 +46,18 @@ pub(super) struct Arm {
     /// The known end.
     pub pivot: PointId,
     /// Its length.
-    pub length: f64,
+    pub length: Double,
     /// The link whose direction it tells.
     pub link: LinkId,
     /// The conjugate of the arm in the link's frame over the square of its length.
-    pub factor: Vec2,
+    pub factor: Vec2<Double>,
 }
 
 impl Arm {
-    pub(super) fn new(pivot: PointId, link: LinkId, local: Vec2) -> Arm {
+    pub(super) fn new(pivot: PointId, link: LinkId, local: Vec2<Double>) -> Arm {
         Arm {
             pivot,
-            length: local.norm(),
+            length: local.norm2().sqrt(),
             link,
             factor: local.conj() / local.norm2(),
         }
@@ -71,22 +73,22 @@ pub(super) enum Step {
     Spin {
         point: PointId,
         pivot: PointId,
-        local: Vec2,
+        local: Vec2<Double>,
     },
     /// A point at `local` on a link, seen from another point of the same link.
     Ride {
         point: PointId,
         base: PointId,
         link: LinkId,
-        local: Vec2,
+        local: Vec2<Double>,
     },
     /// The driven slide: the point lies at `local + along q` on a link, seen from `base`.
     Push {
         point: PointId,
         base: PointId,
         link: LinkId,
-        local: Vec2,
-        along: Vec2,
+        local: Vec2<Double>,
+        along: Vec2<Double>,
     },
     /// The direction of a link both of whose ends are known.
     Aim { arm: Arm, end: PointId },
@@ -94,7 +96,7 @@ pub(super) enum Step {
     Lock {
         link: LinkId,
         to: LinkId,
-        turn: Vec2,
+        turn: Vec2<Double>,
     },
     /// RRR.
     Circles(Circles),
@@ -125,7 +127,11 @@ pub(super) enum Step {
 
 /// X = P + R(d) r, V = V_P + w k x r, A = A_P + alpha k x r - w^2 r.
 #[inline]
-fn carried<const ORDER: u8>(base: &PointState, link: &LinkState, local: Vec2) -> PointState {
+fn carried<T: Number, const ORDER: u8>(
+    base: &PointState<T>,
+    link: &LinkState<T>,
+    local: Vec2<T>,
+) -> PointState<T> {
     let r = local.turned(link.d);
     let mut point = PointState {
         p: base.p + r,
@@ -144,18 +150,18 @@ impl Step {
     /// Runs the step at the driver's coordinate `q`; `direction` is its unit vector where it is an
     /// angle.
     #[inline]
-    pub(super) fn run<const ORDER: u8>(
+    pub(super) fn run<T: Number, const ORDER: u8>(
         &self,
-        q: f64,
-        direction: Vec2,
-        state: &mut State,
+        q: T,
+        direction: Vec2<T>,
+        state: &mut State<T>,
     ) -> Outcome {
         match self {
             Step::Crank { link } => {
                 state.links[link.index()] = LinkState {
                     d: direction,
-                    w: 1.0,
-                    a: 0.0,
+                    w: T::exactly(1.0),
+                    a: T::default(),
                 };
             }
             Step::Spin {
@@ -163,7 +169,7 @@ impl Step {
                 pivot,
                 local,
             } => {
-                let r = local.turned(direction);
+                let r = Vec2::of(*local).turned(direction);
                 state.points[point.index()] = PointState {
                     p: state.points[pivot.index()].p + r,
                     v: r.perp(),
@@ -177,7 +183,7 @@ impl Step {
                 local,
             } => {
                 let (base, link) = (state.points[base.index()], state.links[link.index()]);
-                state.points[point.index()] = carried::<ORDER>(&base, &link, *local);
+                state.points[point.index()] = carried::<T, ORDER>(&base, &link, Vec2::of(*local));
             }
             Step::Push {
                 point,
@@ -187,23 +193,24 @@ impl Step {
                 along,
             } => {
                 let (base, link) = (state.points[base.index()], state.links[link.index()]);
-                let mut pushed = carried::<ORDER>(&base, &link, *local + *along * q);
+                let along = Vec2::of(*along);
+                let mut pushed = carried::<T, ORDER>(&base, &link, Vec2::of(*local) + along * q);
                 let tau = along.turned(link.d);
                 pushed.v += tau;
-                pushed.a += tau.perp() * (2.0 * link.w);
+                pushed.a += tau.perp() * link.w.scaled(2.0);
                 state.points[point.index()] = pushed;
             }
-            Step::Aim { arm, end } => aim::<ORDER>(arm, *end, state),
+            Step::Aim { arm, end } => aim::<T, ORDER>(arm, *end, state),
             Step::Lock { link, to, turn } => {
                 let mut locked = state.links[to.index()];
-                locked.d = locked.d.turned(*turn);
+                locked.d = locked.d.turned(Vec2::of(*turn));
                 state.links[link.index()] = locked;
             }
-            Step::Circles(circles) => return circles.run::<ORDER>(state),
-            Step::CircleLine(circle_line) => return circle_line.run::<ORDER>(state),
-            Step::CircleRail(circle_rail) => return circle_rail.run::<ORDER>(state),
-            Step::Swing(swing) => return swing.run::<ORDER>(state),
-            Step::Cylinder(cylinder) => return cylinder.run::<ORDER>(q, state),
+            Step::Circles(circles) => return circles.run::<T, ORDER>(state),
+            Step::CircleLine(circle_line) => return circle_line.run::<T, ORDER>(state),
+            Step::CircleRail(circle_rail) => return circle_rail.run::<T, ORDER>(state),
+            Step::Swing(swing) => return swing.run::<T, ORDER>(state),
+            Step::Cylinder(cylinder) => return cylinder.run::<T, ORDER>(q, state),
             Step::Lines {
                 point,
                 first,
@@ -213,7 +220,7 @@ impl Step {
                 let (one, two) = (first.at(state), second.at(state));
                 let det = two.n.dot(one.t);
                 state.measures[*group] = det * det;
-                let Some(met) = meet::<ORDER>(&one, &two) else {
+                let Some(met) = meet::<T, ORDER>(&one, &two) else {
                     return Outcome::Open;
                 };
                 state.points[point.index()] = met;
@@ -223,6 +230,27 @@ impl Step {
             Step::Coupled { .. } => {}
         }
         Outcome::Done
+    }
+
+    /// Places a dyad at its limit, if within rounding it still closes.
+    #[cold]
+    pub(super) fn stretch(&self, q: f64, state: &mut State) -> Outcome {
+        match self {
+            Step::Circles(c) => c.stretch(state),
+            Step::CircleLine(c) => c.stretch(state),
+            Step::CircleRail(c) => c.stretch(state),
+            Step::Swing(s) => s.stretch(state),
+            Step::Cylinder(c) => c.stretch(q, state),
+            Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Lines { .. }
+            | Step::Coupled { .. }
+            | Step::Travel { .. } => Outcome::Open,
+        }
     }
 
     /// The group whose sign chooses between the two assemblies of this step, if it has two.
@@ -273,7 +301,7 @@ impl Step {
         match self {
             Step::Circles(c) => Some(growth(c.near.pivot, c.far.pivot)),
             Step::Swing(s) => Some(growth(s.pivot, s.pin)),
-            Step::CircleRail(c) => Some(c.along.cross(at(c.arm.pivot).v)),
+            Step::CircleRail(c) => Some(c.along.nearest().cross(at(c.arm.pivot).v)),
             Step::CircleLine(c) => {
                 let guide = c.line.at(state);
                 let pivot = at(c.arm.pivot);
@@ -301,19 +329,25 @@ impl Step {
         let gap = match self {
             Step::Circles(c) => triangle(
                 between(c.near.pivot, c.far.pivot),
-                c.near.length,
-                c.far.length,
+                c.near.length.hi,
+                c.far.length.hi,
             ),
             Step::Cylinder(c) => {
-                let arm = (c.through + c.along * q).norm();
-                triangle(between(c.pivot, c.far.pivot), arm, c.far.length)
+                let arm = (c.through.nearest() + c.along.nearest() * q).norm();
+                triangle(between(c.pivot, c.far.pivot), arm, c.far.length.hi)
             }
             Step::CircleLine(c) => {
                 let guide = c.line.at(state);
-                guide.n.dot(at(c.arm.pivot) - guide.q.p).abs() - c.arm.length
+                guide.n.dot(at(c.arm.pivot) - guide.q.p).abs() - c.arm.length.hi
             }
-            Step::CircleRail(c) => c.along.cross(at(c.arm.pivot) - c.through).abs() - c.arm.length,
-            Step::Swing(s) => s.offset.abs() - between(s.pivot, s.pin),
+            Step::CircleRail(c) => {
+                c.along
+                    .nearest()
+                    .cross(at(c.arm.pivot) - c.through.nearest())
+                    .abs()
+                    - c.arm.length.hi
+            }
+            Step::Swing(s) => s.offset.hi.abs() - between(s.pivot, s.pin),
             Step::Crank { .. }
             | Step::Spin { .. }
             | Step::Ride { .. }
@@ -328,14 +362,15 @@ impl Step {
     }
 }
 
-fn aim<const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State) {
+fn aim<T: Number, const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State<T>) {
     let (p, x) = (state.points[arm.pivot.index()], state.points[end.index()]);
     let e = x.p - p.p;
     let mut link = LinkState {
-        d: e.turned(arm.factor),
+        d: e.turned(Vec2::of(arm.factor)),
         ..LinkState::default()
     };
-    let scale = 1.0 / (arm.length * arm.length);
+    let length = T::of(arm.length);
+    let scale = T::exactly(1.0) / (length * length);
     if ORDER >= VELOCITY {
         link.w = e.cross(x.v - p.v) * scale;
     }
@@ -346,7 +381,7 @@ fn aim<const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State) {
 }
 
 /// X - Q = s t: s' = t.(V_X - V_Q), s'' = t.(A_X - A_Q) + w^2 s.
-fn travel(slide: SlideId, point: PointId, line: &Line, state: &mut State) {
+fn travel<T: Number>(slide: SlideId, point: PointId, line: &Line, state: &mut State<T>) {
     let guide = line.at(state);
     let x = state.points[point.index()];
     let s = guide.t.dot(x.p - guide.q.p);

@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, Outcome, REACH_SLACK, VELOCITY};
 use crate::solver::state::{LinkState, State};
-use crate::{LinkId, PointId, Vec2};
+use crate::{Double, LinkId, Number, PointId, Vec2};
 
 /// An arm that turns about a pivot and slides through a pin, RPR. The sign is that of
 /// t.(pin - pivot).
@@ -12,59 +12,76 @@ pub(in crate::solver) struct Swing {
     pub pin: PointId,
     pub link: LinkId,
     /// The guide's direction in the link's frame: a unit vector.
-    pub along: Vec2,
+    pub along: Vec2<Double>,
     /// n.(pin - pivot): how far the guide passes the pivot.
-    pub offset: f64,
+    pub offset: Double,
     pub group: usize,
 }
 
 impl Swing {
-    /// w = B - O = s t + e n, hence s = +-sqrt((D - e)(D + e)) and t = w (s - i e) / D^2.
+    /// From the pivot to the pin, the distance and its square, and its rounding.
     #[inline]
-    pub(super) fn run<const ORDER: u8>(&self, state: &mut State) -> Outcome {
-        let o = state.points[self.pivot.index()];
-        let b = state.points[self.pin.index()];
-        let e = self.offset;
-        let w = b.p - o.p;
+    fn reach<T: Number>(&self, state: &State<T>) -> (Vec2<T>, T, T, T) {
+        let pin = state.points[self.pin.index()].p;
+        let w = pin - state.points[self.pivot.index()].p;
         let d2 = w.norm2();
         let d = d2.sqrt();
+        let size = d + T::of(self.offset.abs()) + pin.x.abs() + pin.y.abs();
+        (w, d, d2, size.scaled(REACH_SLACK))
+    }
+
+    /// w = B - O = s t + e n, hence s = +-sqrt((D - e)(D + e)) and t = w (s - i e) / D^2.
+    #[inline]
+    pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
+        let (w, d, d2, slack) = self.reach(state);
+        let e = T::of(self.offset);
         let inner = d - e.abs();
-        state.measures[self.group] = inner * (d + e.abs());
-        let slack = REACH_SLACK * (d + e.abs() + b.p.x.abs() + b.p.y.abs());
-        if !(inner >= -slack) {
-            return Outcome::Open;
+        let product = inner * (d + e.abs());
+        state.measures[self.group] = product;
+        if !inner.exceeds(slack) {
+            return Outcome::Unclear;
         }
-        let stretched = inner <= slack;
-        let s = if stretched {
-            0.0
-        } else {
-            state.signs[self.group] * (inner * (d + e.abs())).sqrt()
-        };
-        if d2 == 0.0 {
-            // The pin stands on the pivot: no direction exists.
-            return Outcome::Open;
-        }
-        let t = w.turned(Vec2::new(s, -e)) * (1.0 / d2);
-        let mut link = LinkState {
-            d: t.turned(self.along.conj()),
-            ..LinkState::default()
-        };
-        if stretched {
-            state.links[self.link.index()].d = link.d;
-            return Outcome::Stretched;
-        }
+        let s = state.signs[self.group] * product.sqrt();
+        let t = w.turned(Vec2::new(s, -e)) * (T::exactly(1.0) / d2);
+        self.place::<T, ORDER>(t, s, state);
+        Outcome::Done
+    }
+
+    /// Writes the arm with its guide along t, the pin at s along it.
+    #[inline]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        t: Vec2<T>,
+        s: T,
+        state: &mut State<T>,
+    ) {
+        let mut link = LinkState::fixed(t.turned(Vec2::of(self.along.conj())));
         if ORDER >= VELOCITY {
+            let o = state.points[self.pivot.index()];
+            let b = state.points[self.pin.index()];
+            let e = T::of(self.offset);
             let n = t.perp();
-            let scale = 1.0 / s;
+            let scale = T::exactly(1.0) / s;
             let dv = b.v - o.v;
             link.w = n.dot(dv) * scale;
             if ORDER >= ACCELERATION {
                 let rate = t.dot(dv) + e * link.w;
                 let da = b.a - o.a;
-                link.a = (n.dot(da) - 2.0 * rate * link.w + e * link.w * link.w) * scale;
+                link.a = (n.dot(da) - (rate * link.w).scaled(2.0) + e * link.w * link.w) * scale;
             }
         }
         state.links[self.link.index()] = link;
-        Outcome::Done
+    }
+
+    /// The guide across the line from pivot to pin, if within rounding it reaches it.
+    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
+        let (w, d, d2, slack) = self.reach(state);
+        // Where the pin stands on the pivot no direction exists. Written so that NaN is open.
+        if !(d - self.offset.hi.abs() >= -slack) || d2 == 0.0 {
+            return Outcome::Open;
+        }
+        let t = w.turned(Vec2::new(0.0, -self.offset.hi)) * (1.0 / d2);
+        self.place::<f64, { super::POSITION }>(t, 0.0, state);
+        Outcome::Stretched
     }
 }

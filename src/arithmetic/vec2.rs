@@ -1,68 +1,75 @@
 //! Plane vectors, and the few products that planar kinematics is written in.
 
+use crate::{Double, Number};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// A vector of the plane: a position, a displacement, a direction or a rate of one of these.
 ///
 /// Read as the complex number `x + i y` it also stands for a rotation: see [`Vec2::turned`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Vec2 {
+pub struct Vec2<T = f64> {
     /// Component along the frame's x axis.
-    pub x: f64,
+    pub x: T,
     /// Component along the frame's y axis.
-    pub y: f64,
+    pub y: T,
 }
 
-impl Vec2 {
-    /// The null vector.
-    pub const ZERO: Vec2 = Vec2::new(0.0, 0.0);
-    /// The unit vector along x: as a rotation, none at all.
-    pub const X: Vec2 = Vec2::new(1.0, 0.0);
-
+impl<T> Vec2<T> {
     /// The vector (x, y).
+    #[inline]
     #[must_use]
-    pub const fn new(x: f64, y: f64) -> Self {
+    pub const fn new(x: T, y: T) -> Self {
         Vec2 { x, y }
+    }
+
+    /// Each component by itself.
+    #[inline]
+    #[must_use]
+    pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vec2<U> {
+        Vec2::new(f(self.x), f(self.y))
+    }
+}
+
+impl<T: Number> Vec2<T> {
+    /// A constant vector.
+    #[inline]
+    #[must_use]
+    pub fn of(constant: Vec2<Double>) -> Self {
+        constant.map(T::of)
     }
 
     /// The scalar product.
     #[inline]
     #[must_use]
-    pub fn dot(self, other: Vec2) -> f64 {
+    pub fn dot(self, other: Vec2<T>) -> T {
         self.x * other.x + self.y * other.y
     }
 
     /// The out-of-plane component of the vector product: positive where `other` lies to the left.
     #[inline]
     #[must_use]
-    pub fn cross(self, other: Vec2) -> f64 {
+    pub fn cross(self, other: Vec2<T>) -> T {
         self.x * other.y - self.y * other.x
     }
 
     /// `k x self`: turned by +90 degrees, counter-clockwise.
     #[inline]
     #[must_use]
-    pub fn perp(self) -> Vec2 {
+    pub fn perp(self) -> Vec2<T> {
         Vec2::new(-self.y, self.x)
     }
 
     /// The square of the length.
     #[inline]
     #[must_use]
-    pub fn norm2(self) -> f64 {
+    pub fn norm2(self) -> T {
         self.dot(self)
-    }
-
-    /// The length, without overflow.
-    #[must_use]
-    pub fn norm(self) -> f64 {
-        self.x.hypot(self.y)
     }
 
     /// Turned by the angle of the unit vector `direction`: the complex product.
     #[inline]
     #[must_use]
-    pub fn turned(self, direction: Vec2) -> Vec2 {
+    pub fn turned(self, direction: Vec2<T>) -> Vec2<T> {
         Vec2::new(
             direction.x * self.x - direction.y * self.y,
             direction.x * self.y + direction.y * self.x,
@@ -72,8 +79,35 @@ impl Vec2 {
     /// Mirrored in the x axis: as a rotation, the one that undoes it.
     #[inline]
     #[must_use]
-    pub fn conj(self) -> Vec2 {
+    pub fn conj(self) -> Vec2<T> {
         Vec2::new(self.x, -self.y)
+    }
+
+    /// Times a power of two, exactly.
+    #[inline]
+    #[must_use]
+    pub fn scaled(self, power_of_two: f64) -> Vec2<T> {
+        self.map(|v| v.scaled(power_of_two))
+    }
+
+    /// The nearest vector of doubles.
+    #[inline]
+    #[must_use]
+    pub fn nearest(self) -> Vec2 {
+        self.map(T::nearest)
+    }
+}
+
+impl Vec2 {
+    /// The null vector.
+    pub const ZERO: Vec2 = Vec2::new(0.0, 0.0);
+    /// The unit vector along x: as a rotation, none at all.
+    pub const X: Vec2 = Vec2::new(1.0, 0.0);
+
+    /// The length, without overflow.
+    #[must_use]
+    pub fn norm(self) -> f64 {
+        self.x.hypot(self.y)
     }
 
     /// The direction in radians, from -pi to pi; 0 for the null vector.
@@ -87,51 +121,58 @@ impl Vec2 {
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()
     }
+
+    /// The same vector in another arithmetic.
+    #[inline]
+    #[must_use]
+    pub fn exactly<T: Number>(self) -> Vec2<T> {
+        self.map(T::exactly)
+    }
 }
 
-impl Add for Vec2 {
-    type Output = Vec2;
+impl<T: Number> Add for Vec2<T> {
+    type Output = Vec2<T>;
     #[inline]
-    fn add(self, o: Vec2) -> Vec2 {
+    fn add(self, o: Vec2<T>) -> Vec2<T> {
         Vec2::new(self.x + o.x, self.y + o.y)
     }
 }
 
-impl AddAssign for Vec2 {
+impl<T: Number> AddAssign for Vec2<T> {
     #[inline]
-    fn add_assign(&mut self, o: Vec2) {
+    fn add_assign(&mut self, o: Vec2<T>) {
         *self = *self + o;
     }
 }
 
-impl Sub for Vec2 {
-    type Output = Vec2;
+impl<T: Number> Sub for Vec2<T> {
+    type Output = Vec2<T>;
     #[inline]
-    fn sub(self, o: Vec2) -> Vec2 {
+    fn sub(self, o: Vec2<T>) -> Vec2<T> {
         Vec2::new(self.x - o.x, self.y - o.y)
     }
 }
 
-impl Neg for Vec2 {
-    type Output = Vec2;
+impl<T: Number> Neg for Vec2<T> {
+    type Output = Vec2<T>;
     #[inline]
-    fn neg(self) -> Vec2 {
+    fn neg(self) -> Vec2<T> {
         Vec2::new(-self.x, -self.y)
     }
 }
 
-impl Mul<f64> for Vec2 {
-    type Output = Vec2;
+impl<T: Number> Mul<T> for Vec2<T> {
+    type Output = Vec2<T>;
     #[inline]
-    fn mul(self, s: f64) -> Vec2 {
+    fn mul(self, s: T) -> Vec2<T> {
         Vec2::new(self.x * s, self.y * s)
     }
 }
 
-impl Div<f64> for Vec2 {
-    type Output = Vec2;
+impl<T: Number> Div<T> for Vec2<T> {
+    type Output = Vec2<T>;
     #[inline]
-    fn div(self, s: f64) -> Vec2 {
+    fn div(self, s: T) -> Vec2<T> {
         Vec2::new(self.x / s, self.y / s)
     }
 }

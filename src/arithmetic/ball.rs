@@ -1,0 +1,191 @@
+//! Numbers with a bound on their error.
+
+use crate::{Double, Number, Vec2, angle};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// The unit roundoff, 2^-53: half an ulp of 1.
+const U: f64 = 0.5 * f64::EPSILON;
+/// Radii are sums of positive terms, each rounded: this part more covers some ten million of these
+/// roundings, and what underflows.
+const INFLATION: f64 = 1.0 + 1e-9;
+const TINY: f64 = 1e-290;
+
+/// All numbers within `radius` of `mid`: what is computed, and how far the truth can be from it.
+///
+/// The operations are those of running error analysis (Higham, Accuracy and Stability of Numerical
+/// Algorithms, 2nd ed., chapter 3): the radius of a result covers what the operands' radii do to it
+/// and the rounding of the operation itself. Where nothing can be said, the radius is infinite or
+/// not a number.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ball {
+    /// The middle.
+    pub mid: f64,
+    /// How far the truth can be from it.
+    pub radius: f64,
+}
+
+impl Ball {
+    /// A ball.
+    #[inline]
+    #[must_use]
+    pub const fn new(mid: f64, radius: f64) -> Ball {
+        Ball { mid, radius }
+    }
+
+    /// How far the truth can be from `value`; `None` where nothing can be said.
+    #[must_use]
+    pub fn bound(self, value: f64) -> Option<f64> {
+        let bound = ((value - self.mid).abs() + self.radius) * INFLATION + TINY;
+        (bound < f64::MAX).then_some(bound)
+    }
+
+    /// Widened by `more` on both sides.
+    #[inline]
+    #[must_use]
+    pub fn widened(self, more: f64) -> Ball {
+        Ball::new(self.mid, self.radius + more)
+    }
+
+    /// The largest size in the ball.
+    #[inline]
+    #[must_use]
+    pub fn largest(self) -> f64 {
+        self.mid.abs() + self.radius
+    }
+
+    /// The smallest size in the ball, 0 where it holds zero.
+    #[inline]
+    #[must_use]
+    pub fn smallest(self) -> f64 {
+        (self.mid.abs() - self.radius).max(0.0)
+    }
+}
+
+impl Add for Ball {
+    type Output = Ball;
+    #[inline]
+    fn add(self, o: Ball) -> Ball {
+        let mid = self.mid + o.mid;
+        Ball::new(mid, self.radius + o.radius + U * mid.abs())
+    }
+}
+
+impl AddAssign for Ball {
+    #[inline]
+    fn add_assign(&mut self, o: Ball) {
+        *self = *self + o;
+    }
+}
+
+impl Sub for Ball {
+    type Output = Ball;
+    #[inline]
+    fn sub(self, o: Ball) -> Ball {
+        self + -o
+    }
+}
+
+impl Neg for Ball {
+    type Output = Ball;
+    #[inline]
+    fn neg(self) -> Ball {
+        Ball::new(-self.mid, self.radius)
+    }
+}
+
+impl Mul for Ball {
+    type Output = Ball;
+    #[inline]
+    fn mul(self, o: Ball) -> Ball {
+        let mid = self.mid * o.mid;
+        let carried = self.mid.abs() * o.radius + self.radius * (o.mid.abs() + o.radius);
+        Ball::new(mid, carried + U * mid.abs())
+    }
+}
+
+impl Div for Ball {
+    type Output = Ball;
+    #[inline]
+    fn div(self, o: Ball) -> Ball {
+        let mid = self.mid / o.mid;
+        let least = o.mid.abs() - o.radius;
+        if !(least > 0.0) {
+            return Ball::new(mid, f64::INFINITY);
+        }
+        let carried = (self.radius + mid.abs() * o.radius) / least;
+        Ball::new(mid, carried + U * mid.abs())
+    }
+}
+
+impl Number for Ball {
+    #[inline]
+    fn of(constant: Double) -> Ball {
+        // What lies beyond the second double is far below the rounding of the first.
+        Ball::new(constant.hi, constant.lo.abs() * (1.0 + 4.0 * U))
+    }
+
+    #[inline]
+    fn nearest(self) -> f64 {
+        self.mid
+    }
+
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> Ball {
+        Ball::new(self.mid * power_of_two, self.radius * power_of_two.abs())
+    }
+
+    /// |sqrt(v + d) - sqrt(v)| = |d| / (sqrt(v) + sqrt(v + d)).
+    #[inline]
+    fn sqrt(self) -> Ball {
+        let mid = self.mid.sqrt();
+        let least = self.mid - self.radius;
+        if !(least > 0.0) {
+            return Ball::new(mid, f64::INFINITY);
+        }
+        Ball::new(mid, self.radius / (mid + least.sqrt()) + U * mid)
+    }
+
+    #[inline]
+    fn abs(self) -> Ball {
+        Ball::new(self.mid.abs(), self.radius)
+    }
+
+    #[inline]
+    fn min(self, other: Ball) -> Ball {
+        Ball::new(self.mid.min(other.mid), self.radius.max(other.radius))
+    }
+
+    #[inline]
+    fn exceeds(self, other: Ball) -> bool {
+        self.mid - self.radius > other.mid + other.radius
+    }
+
+    /// Of an angle that is a double: each component within 1 ulp, exact where the other is zero.
+    #[inline]
+    fn unit(degrees: Ball) -> Vec2<Ball> {
+        let Vec2 { x, y } = angle::unit(degrees.mid);
+        let ulp = if x == 0.0 || y == 0.0 { 0.0 } else { 2.0 * U };
+        let ball = |v: f64| Ball::new(v, ulp * v.abs());
+        Vec2::new(ball(x), ball(y))
+    }
+
+    /// A vector that can be off by r across its length n and by s along it is off by an angle of
+    /// at most r / (n - s).
+    fn degrees(direction: Vec2<Ball>) -> Ball {
+        let Vec2 { x, y } = direction;
+        let mid = angle::degrees(Vec2::new(x.mid, y.mid));
+        let length = x.mid.hypot(y.mid) * (1.0 - 4.0 * U);
+        let across = (x.mid.abs() * y.radius + y.mid.abs() * x.radius) / length;
+        let least = length - (x.radius + y.radius);
+        if !(least > 0.0) {
+            return Ball::new(mid, f64::INFINITY);
+        }
+        // The platform's atan2 is right to an ulp; then come the conversion and, below the x axis,
+        // the turn that is added.
+        let rounding = 6.0 * U * mid + if y.mid < 0.0 { U * angle::TURN } else { 0.0 };
+        Ball::new(
+            mid,
+            (across / least).to_degrees() * (1.0 + 4.0 * U) + rounding,
+        )
+    }
+}

@@ -1,0 +1,157 @@
+//! What the solver's formulas are written in: doubles, and whatever else can stand in for them.
+//!
+//! Every formula of a step is written once, over [`Number`]. In doubles it gives figures, in
+//! [`Double`] figures of twice the precision, in [`Ball`](crate::Ball) figures with a bound.
+
+use crate::{Double, Vec2, angle};
+use std::fmt::Debug;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// An arithmetic: its four operations, roots, and how constants come into it.
+pub trait Number:
+    Copy
+    + Debug
+    + Default
+    + Add<Output = Self>
+    + AddAssign
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// A constant that is known to twice the precision: each arithmetic takes what it can hold.
+    fn of(constant: Double) -> Self;
+
+    /// A double, exactly.
+    #[inline]
+    #[must_use]
+    fn exactly(value: f64) -> Self {
+        Self::of(Double::exactly(value))
+    }
+
+    /// The nearest double.
+    fn nearest(self) -> f64;
+
+    /// Times a power of two, exactly.
+    #[must_use]
+    fn scaled(self, power_of_two: f64) -> Self;
+
+    /// The square root.
+    #[must_use]
+    fn sqrt(self) -> Self;
+
+    /// The size.
+    #[must_use]
+    fn abs(self) -> Self;
+
+    /// The smaller of two.
+    #[must_use]
+    fn min(self, other: Self) -> Self;
+
+    /// Whether it is certainly above another; not where one is no number.
+    fn exceeds(self, other: Self) -> bool;
+
+    /// The unit vector at an angle in degrees, exactly reduced.
+    fn unit(degrees: Self) -> Vec2<Self>;
+
+    /// The direction of a vector in degrees, from 0 to below 360.
+    fn degrees(direction: Vec2<Self>) -> Self;
+}
+
+impl Number for f64 {
+    #[inline]
+    fn of(constant: Double) -> f64 {
+        constant.hi
+    }
+
+    #[inline]
+    fn nearest(self) -> f64 {
+        self
+    }
+
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> f64 {
+        self * power_of_two
+    }
+
+    #[inline]
+    fn sqrt(self) -> f64 {
+        f64::sqrt(self)
+    }
+
+    #[inline]
+    fn abs(self) -> f64 {
+        f64::abs(self)
+    }
+
+    #[inline]
+    fn min(self, other: f64) -> f64 {
+        f64::min(self, other)
+    }
+
+    #[inline]
+    fn exceeds(self, other: f64) -> bool {
+        self > other
+    }
+
+    #[inline]
+    fn unit(degrees: f64) -> Vec2 {
+        angle::unit(degrees)
+    }
+
+    #[inline]
+    fn degrees(direction: Vec2) -> f64 {
+        angle::degrees(direction)
+    }
+}
+
+impl Number for Double {
+    #[inline]
+    fn of(constant: Double) -> Double {
+        constant
+    }
+
+    #[inline]
+    fn nearest(self) -> f64 {
+        self.hi
+    }
+
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> Double {
+        Double::scaled(self, power_of_two)
+    }
+
+    #[inline]
+    fn sqrt(self) -> Double {
+        Double::sqrt(self)
+    }
+
+    #[inline]
+    fn abs(self) -> Double {
+        Double::abs(self)
+    }
+
+    #[inline]
+    fn min(self, other: Double) -> Double {
+        if (self - other).hi < 0.0 { self } else { other }
+    }
+
+    #[inline]
+    fn exceeds(self, other: Double) -> bool {
+        (self - other).hi > 0.0
+    }
+
+    /// Of an angle that is a double.
+    fn unit(degrees: Double) -> Vec2<Double> {
+        Double::unit(degrees.hi)
+    }
+
+    fn degrees(direction: Vec2<Double>) -> Double {
+        let degrees = Double::degrees(direction);
+        if degrees.hi < 0.0 {
+            degrees + Double::exactly(angle::TURN)
+        } else {
+            degrees
+        }
+    }
+}
