@@ -5,7 +5,7 @@
 use crate::nearest::nearest;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Condition, Demand, Order, State};
-use crate::{Input, LinkId, PointId, SlideId, Vec2, angle};
+use crate::{Input, LinkId, Number, PointId, SlideId, Vec2};
 use thiserror::Error;
 
 /// What a quantity is about.
@@ -136,7 +136,7 @@ pub struct Quantity {
 impl Quantity {
     /// The value in this state, or `None` where none exists.
     #[must_use]
-    pub fn value(&self, state: &State) -> Option<f64> {
+    pub fn value<T: Number>(&self, state: &State<T>) -> Option<T> {
         value(self.subject, self.aspect, state)
     }
 
@@ -151,7 +151,7 @@ impl Quantity {
 /// rates, without an assembly there is nothing but the driver, and a subject has no figures that are
 /// not its own (a point does not turn, a link keeps its length).
 #[must_use]
-pub fn value(subject: Subject, aspect: Aspect, state: &State) -> Option<f64> {
+pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> Option<T> {
     let exists = match state.condition() {
         Condition::Ok | Condition::ChangePoint => true,
         Condition::DeadPoint => aspect.order() == Order::Position,
@@ -165,7 +165,7 @@ pub fn value(subject: Subject, aspect: Aspect, state: &State) -> Option<f64> {
         Subject::Slide(slide) => slide_value(slide, aspect, state),
         Subject::Between(tail, head) => between_value(tail, head, aspect, state),
     };
-    value.filter(|v| v.is_finite())
+    value.filter(|v| v.nearest().is_finite())
 }
 
 /// What a state is, in the word that the `state` column uses.
@@ -179,7 +179,7 @@ pub fn state_word(condition: Condition) -> &'static str {
     }
 }
 
-fn driver_value(aspect: Aspect, state: &State) -> f64 {
+fn driver_value<T: Number>(aspect: Aspect, state: &State<T>) -> T {
     match aspect.order() {
         Order::Position => state.at(),
         Order::Velocity => state.driver_speed(),
@@ -187,7 +187,7 @@ fn driver_value(aspect: Aspect, state: &State) -> f64 {
     }
 }
 
-fn point_value(point: PointId, aspect: Aspect, state: &State) -> Option<f64> {
+fn point_value<T: Number>(point: PointId, aspect: Aspect, state: &State<T>) -> Option<T> {
     match aspect {
         Aspect::X => Some(state.position(point).x),
         Aspect::Y => Some(state.position(point).y),
@@ -204,7 +204,7 @@ fn point_value(point: PointId, aspect: Aspect, state: &State) -> Option<f64> {
     }
 }
 
-fn link_value(link: LinkId, aspect: Aspect, state: &State) -> Option<f64> {
+fn link_value<T: Number>(link: LinkId, aspect: Aspect, state: &State<T>) -> Option<T> {
     match aspect {
         Aspect::Angle => Some(state.angle(link)),
         Aspect::Omega => Some(state.omega(link)),
@@ -221,14 +221,14 @@ fn link_value(link: LinkId, aspect: Aspect, state: &State) -> Option<f64> {
     }
 }
 
-fn slide_value(slide: SlideId, aspect: Aspect, state: &State) -> Option<f64> {
+fn slide_value<T: Number>(slide: SlideId, aspect: Aspect, state: &State<T>) -> Option<T> {
     let travel = state.travel(slide);
     match aspect {
         Aspect::Length => Some(travel.position),
         Aspect::Rate => Some(travel.rate),
         Aspect::Accel => Some(travel.accel),
         // The vector runs from the sliding point back to `through`, against the guide.
-        Aspect::Angle => Some(angle::degrees(-travel.guide)),
+        Aspect::Angle => Some(T::degrees(-travel.guide)),
         Aspect::Omega => Some(travel.omega),
         Aspect::Alpha => Some(travel.alpha),
         Aspect::X | Aspect::Y | Aspect::Vx | Aspect::Vy | Aspect::Ax | Aspect::Ay => None,
@@ -236,11 +236,16 @@ fn slide_value(slide: SlideId, aspect: Aspect, state: &State) -> Option<f64> {
 }
 
 /// Of r = head - tail: r' = r.v / |r|, omega = (r x v) / r.r, and once more for the second rates.
-fn between_value(tail: PointId, head: PointId, aspect: Aspect, state: &State) -> Option<f64> {
+fn between_value<T: Number>(
+    tail: PointId,
+    head: PointId,
+    aspect: Aspect,
+    state: &State<T>,
+) -> Option<T> {
     let r = state.position(head) - state.position(tail);
     let length = r.norm();
     // Velocity and acceleration of the head as seen from the tail, along r and across it.
-    let split = |vector: Vec2| ((r / length).dot(vector), (r / length).cross(vector));
+    let split = |vector: Vec2<T>| ((r / length).dot(vector), (r / length).cross(vector));
     let first = || split(state.velocity(head) - state.velocity(tail));
     let second = || split(state.acceleration(head) - state.acceleration(tail));
     match aspect {
@@ -250,12 +255,12 @@ fn between_value(tail: PointId, head: PointId, aspect: Aspect, state: &State) ->
             let omega = first().1 / length;
             Some(second().0 + length * omega * omega)
         }
-        Aspect::Angle => Some(angle::degrees(r)),
+        Aspect::Angle => Some(T::degrees(r)),
         Aspect::Omega => Some(first().1 / length),
         Aspect::Alpha => {
             let (rate, across) = first();
             let omega = across / length;
-            Some((second().1 - 2.0 * rate * omega) / length)
+            Some((second().1 - (rate * omega).scaled(2.0)) / length)
         }
         Aspect::X | Aspect::Y | Aspect::Vx | Aspect::Vy | Aspect::Ax | Aspect::Ay => None,
     }

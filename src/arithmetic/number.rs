@@ -54,6 +54,12 @@ pub trait Number:
     /// The unit vector at an angle in degrees, exactly reduced.
     fn unit(degrees: Self) -> Vec2<Self>;
 
+    /// The length of a vector.
+    #[must_use]
+    fn norm(vector: Vec2<Self>) -> Self {
+        vector.norm2().sqrt()
+    }
+
     /// The direction of a vector in degrees, from 0 to below 360.
     fn degrees(direction: Vec2<Self>) -> Self;
 }
@@ -97,6 +103,12 @@ impl Number for f64 {
     #[inline]
     fn unit(degrees: f64) -> Vec2 {
         angle::unit(degrees)
+    }
+
+    /// Without overflow.
+    #[inline]
+    fn norm(vector: Vec2) -> f64 {
+        vector.x.hypot(vector.y)
     }
 
     #[inline]

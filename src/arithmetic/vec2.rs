@@ -66,6 +66,12 @@ impl<T: Number> Vec2<T> {
         self.dot(self)
     }
 
+    /// The length.
+    #[must_use]
+    pub fn norm(self) -> T {
+        T::norm(self)
+    }
+
     /// Turned by the angle of the unit vector `direction`: the complex product.
     #[inline]
     #[must_use]
@@ -103,12 +109,6 @@ impl Vec2 {
     pub const ZERO: Vec2 = Vec2::new(0.0, 0.0);
     /// The unit vector along x: as a rotation, none at all.
     pub const X: Vec2 = Vec2::new(1.0, 0.0);
-
-    /// The length, without overflow.
-    #[must_use]
-    pub fn norm(self) -> f64 {
-        self.x.hypot(self.y)
-    }
 
     /// The direction in radians, from -pi to pi; 0 for the null vector.
     #[must_use]

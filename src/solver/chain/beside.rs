@@ -31,7 +31,7 @@ impl Chain<'_> {
         match row {
             Row::Along { link, end } => {
                 let (from, arm) = self.seen_from(link, end)?;
-                let length = arm.norm2().sqrt();
+                let length = arm.norm();
                 Some(Gauge::Distance {
                     from,
                     to: end,
@@ -40,7 +40,7 @@ impl Chain<'_> {
             }
             Row::Across { link, end } => {
                 let (from, arm) = self.seen_from(link, end)?;
-                let along = arm / arm.norm2().sqrt();
+                let along = arm / arm.norm();
                 Some(Gauge::Direction {
                     from,
                     to: end,

@@ -194,7 +194,7 @@ impl<'a> Maker<'a> {
     fn add_distance(&mut self, link: LinkId) {
         let ends: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
         if let [a, b] = ends[..] {
-            let length = (self.local(link, a) - self.local(link, b)).norm2().sqrt();
+            let length = (self.local(link, a) - self.local(link, b)).norm();
             if let (Some(a), Some(b)) = (self.spot(a), self.spot(b)) {
                 self.equations.push(Equation::Distance { a, b, length });
             }

@@ -57,7 +57,7 @@ impl Arm {
     pub(super) fn new(pivot: PointId, link: LinkId, local: Vec2<Double>) -> Arm {
         Arm {
             pivot,
-            length: local.norm2().sqrt(),
+            length: local.norm(),
             link,
             factor: local.conj() / local.norm2(),
         }
