@@ -5,7 +5,7 @@
 use crate::nearest::nearest;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Condition, Demand, Order, State};
-use crate::{Input, LinkId, Number, PointId, SlideId, Vec2};
+use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Vec2, angle};
 use thiserror::Error;
 
 /// What a quantity is about.
@@ -140,6 +140,13 @@ impl Quantity {
         value(self.subject, self.aspect, state)
     }
 
+    /// How far the value in this state can be from the true one, in the same unit; `None` where
+    /// there is no value, or no bound can be proved.
+    #[must_use]
+    pub fn bound(&self, state: &State, enclosure: &State<Ball>) -> Option<f64> {
+        bound(self.subject, self.aspect, state, enclosure)
+    }
+
     /// The name with the unit in brackets, as a column's header.
     #[must_use]
     pub fn header(&self) -> String {
@@ -166,6 +173,26 @@ pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> O
         Subject::Between(tail, head) => between_value(tail, head, aspect, state),
     };
     value.filter(|v| v.nearest().is_finite())
+}
+
+/// How far a figure of this state can be from the true one, if that can be proved; `enclosure` is
+/// what [`Solver::enclose`](crate::solver::Solver::enclose) made of the state.
+#[must_use]
+pub fn bound(
+    subject: Subject,
+    aspect: Aspect,
+    state: &State,
+    enclosure: &State<Ball>,
+) -> Option<f64> {
+    let value = value(subject, aspect, state)?;
+    let ball = self::value(subject, aspect, enclosure)?;
+    // Directions just before and just after a full turn are close.
+    let turn = if aspect == Aspect::Angle && (value - ball.mid).abs() > angle::TURN / 2.0 {
+        angle::TURN.copysign(ball.mid - value)
+    } else {
+        0.0
+    };
+    ball.bound(value + turn)
 }
 
 /// What a state is, in the word that the `state` column uses.

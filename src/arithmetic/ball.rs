@@ -35,7 +35,11 @@ impl Ball {
     /// How far the truth can be from `value`; `None` where nothing can be said.
     #[must_use]
     pub fn bound(self, value: f64) -> Option<f64> {
-        let bound = ((value - self.mid).abs() + self.radius) * INFLATION + TINY;
+        let bound = (value - self.mid).abs() + self.radius;
+        if bound == 0.0 {
+            return Some(0.0);
+        }
+        let bound = bound * INFLATION + TINY;
         (bound < f64::MAX).then_some(bound)
     }
 

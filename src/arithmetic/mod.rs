@@ -9,5 +9,6 @@ mod vec2;
 
 pub use ball::Ball;
 pub use double::Double;
+pub(crate) use double::{two_product, two_sum};
 pub use number::Number;
 pub use vec2::Vec2;

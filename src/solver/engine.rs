@@ -67,6 +67,7 @@ impl Engine {
                 numbers: vec![T::default(); coupled.iter().map(|c| c.room()).sum()],
                 pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
                 first: vec![0.0; coupled.len()],
+                work: Vec::new(),
             },
             frame: self.frame,
             rates,

@@ -6,6 +6,7 @@
 //! coordinate, in any order, without a history and without allocating.
 
 mod assemble;
+mod bounds;
 mod chain;
 mod classify;
 mod coupled;
@@ -21,6 +22,7 @@ mod passage;
 mod plan;
 mod state;
 mod step;
+mod twice;
 
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;

@@ -5,8 +5,10 @@
 //! derivatives are exact. With J the matrix of the equations' rates: J z' = -(rates with z' = 0),
 //! J z'' = -(second rates with z'' = 0).
 
+mod enclose;
 mod equations;
 mod maker;
+mod twice;
 
 use super::frame::Frame;
 use super::lu;
@@ -126,6 +128,8 @@ pub(super) struct Scratch<T = f64> {
     pub pivots: Vec<usize>,
     /// The first correction of every group when it was last solved.
     pub first: Vec<f64>,
+    /// Room for what bounds need.
+    pub work: Vec<f64>,
 }
 
 /// z, z' and z'' of a group: free joints as they are, angles as unit vectors with rates.

@@ -164,9 +164,15 @@ struct Triangle<T> {
 }
 
 impl Cylinder {
+    /// The square of the arm.
+    #[inline]
+    pub(in crate::solver) fn arm_square<T: Number>(&self, q: T) -> T {
+        (Vec2::of(self.through) + Vec2::of(self.along) * q).norm2()
+    }
+
     #[inline]
     fn triangle<T: Number>(&self, q: T, state: &State<T>) -> Triangle<T> {
-        let rho2 = (Vec2::of(self.through) + Vec2::of(self.along) * q).norm2();
+        let rho2 = self.arm_square(q);
         let (rho, c) = (rho2.sqrt(), T::of(self.far.length));
         let u = state.points[self.far.pivot.index()].p - state.points[self.pivot.index()].p;
         let d2 = u.norm2();

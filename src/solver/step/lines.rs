@@ -142,22 +142,22 @@ impl CircleLine {
             return Outcome::Unclear;
         }
         let root = state.signs[self.group] * chord.product.sqrt();
-        self.place::<T, ORDER>(&guide, guide.t.dot(from) + root, h0, root, state);
+        let e = guide.t * root - guide.n * h0;
+        self.place::<T, ORDER>(&guide, guide.t.dot(from) + root, e, [h0, root], state);
         Outcome::Done
     }
 
-    /// Writes the dyad with X at s along the guide. The constraint n.(V - V_line) = 0 gives
-    /// w n.(k x e) = w root.
+    /// Writes the dyad with X = P + e at s along the guide, e = root t - h0 n. The constraint
+    /// n.(V - V_line) = 0 gives w n.(k x e) = w root.
     #[inline]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         guide: &Guide<T>,
         s: T,
-        h0: T,
-        root: T,
+        e: Vec2<T>,
+        [h0, root]: [T; 2],
         state: &mut State<T>,
     ) {
-        let e = guide.t * root - guide.n * h0;
         let mut link = LinkState::fixed(e.turned(Vec2::of(self.arm.factor)));
         let (mut rate, mut second) = (T::default(), T::default());
         if ORDER >= VELOCITY {
@@ -183,7 +183,8 @@ impl CircleLine {
         if chord.is_open() {
             return Outcome::Open;
         }
-        self.place::<f64, { super::POSITION }>(&guide, guide.t.dot(from), h0, 0.0, state);
+        let e = -guide.n * h0;
+        self.place::<f64, { super::POSITION }>(&guide, guide.t.dot(from), e, [h0, 0.0], state);
         Outcome::Stretched
     }
 }
@@ -234,23 +235,23 @@ impl CircleRail {
             return Outcome::Unclear;
         }
         let root = state.signs[self.group] * chord.product.sqrt();
-        let s = Vec2::of(self.along).dot(from) + root;
-        self.place::<T, ORDER>(s, h0, root, state);
+        let t = Vec2::of(self.along);
+        let e = t * root - t.perp() * h0;
+        self.place::<T, ORDER>(t.dot(from) + root, e, [h0, root], state);
         Outcome::Done
     }
 
-    /// Writes the dyad with X at s along the rail.
+    /// Writes the dyad with X = P + e at s along the rail.
     #[inline]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         s: T,
-        h0: T,
-        root: T,
+        e: Vec2<T>,
+        [h0, root]: [T; 2],
         state: &mut State<T>,
     ) {
         let t = Vec2::of(self.along);
         let n = t.perp();
-        let e = t * root - n * h0;
         let mut link = LinkState::fixed(e.turned(Vec2::of(self.arm.factor)));
         let mut point = PointState::fixed(Vec2::of(self.through) + t * s);
         if ORDER >= VELOCITY {
@@ -274,8 +275,9 @@ impl CircleRail {
         if chord.is_open() {
             return Outcome::Open;
         }
-        let s = self.along.nearest().dot(from);
-        self.place::<f64, { super::POSITION }>(s, h0, 0.0, state);
+        let t = self.along.nearest();
+        let e = -t.perp() * h0;
+        self.place::<f64, { super::POSITION }>(t.dot(from), e, [h0, 0.0], state);
         Outcome::Stretched
     }
 }

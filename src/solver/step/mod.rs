@@ -45,8 +45,9 @@ pub(super) enum Outcome {
 pub(super) struct Arm {
     /// The known end.
     pub pivot: PointId,
-    /// Its length.
+    /// Its length, and the square of it.
     pub length: Double,
+    pub square: Double,
     /// The link whose direction it tells.
     pub link: LinkId,
     /// The conjugate of the arm in the link's frame over the square of its length.
@@ -58,6 +59,7 @@ impl Arm {
         Arm {
             pivot,
             length: local.norm(),
+            square: local.norm2(),
             link,
             factor: local.conj() / local.norm2(),
         }

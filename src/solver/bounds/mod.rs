@@ -1,0 +1,129 @@
+//! How far a state can be from the truth.
+//!
+//! The figures of a state come from formulas that are fast; here each group is looked at once more,
+//! from the outside. The residuals of its constraints at the computed position, to twice the
+//! precision, go through the inverse of its own matrix; Krawczyk's operator proves that a solution
+//! lies within what comes out, and how near (Rump, Verification methods, Acta Numerica 19, 2010,
+//! section 13). What follows from positions - riders, rates, later groups - is computed in balls.
+//! The bound of a figure is its distance from the farthest point of its ball: it does not matter how
+//! the figure was come by.
+//!
+//! The bounds are for the scene as its numbers are stored, for the assembly that the figure is near
+//! to, and for the driver's coordinate as a double. They trust the platform's square root to be
+//! rounded correctly and its arctangent to an ulp.
+
+mod pairs;
+
+use super::engine::Engine;
+use super::state::{Condition, State};
+use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::{Order, Solver};
+use crate::{Ball, LinkId, Number, PointId, Vec2};
+
+/// Nothing is known.
+const UNKNOWN: Ball = Ball {
+    mid: 0.0,
+    radius: f64::INFINITY,
+};
+
+impl Solver {
+    /// Room for a state with bounds.
+    #[must_use]
+    pub fn enclosure(&self) -> State<Ball> {
+        let mut enclosure: State<Ball> = self.engine.state(self.slides);
+        let groups = self.engine.program.coupled.iter();
+        let work = groups.map(|g| g.work()).max().unwrap_or(0);
+        enclosure.scratch.work = vec![0.0; work];
+        enclosure
+    }
+
+    /// Encloses what the solver has just put into `state`: every figure that is read from
+    /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
+    /// proved. `order` is the one that the state was solved to, or less. Allocates nothing.
+    pub fn enclose(&self, state: &State, order: Order, enclosure: &mut State<Ball>) {
+        enclosure.at = Ball::exactly(state.at);
+        enclosure.condition = state.condition;
+        if state.condition == Condition::NoAssembly {
+            return;
+        }
+        for (ball, &sign) in enclosure.signs.iter_mut().zip(&state.signs) {
+            *ball = Ball::exactly(sign);
+        }
+        match order {
+            Order::Position => self.engine.enclose::<POSITION>(state, enclosure),
+            Order::Velocity => self.engine.enclose::<VELOCITY>(state, enclosure),
+            Order::Acceleration => self.engine.enclose::<ACCELERATION>(state, enclosure),
+        }
+    }
+}
+
+impl Engine {
+    fn enclose<const ORDER: u8>(&self, state: &State, enclosure: &mut State<Ball>) {
+        let (q, direction) = self.coordinate(enclosure.at);
+        for step in &self.program.steps {
+            let proved = match step {
+                Step::Circles(c) => c.enclose::<ORDER>(state, enclosure),
+                Step::CircleLine(c) => c.enclose::<ORDER>(state, enclosure),
+                Step::CircleRail(c) => c.enclose::<ORDER>(state, enclosure),
+                Step::Cylinder(c) => c.enclose::<ORDER>(q, state, enclosure),
+                Step::Coupled { index } => {
+                    self.program.coupled[*index].enclose(q, ORDER, state, enclosure)
+                }
+                Step::Crank { .. }
+                | Step::Spin { .. }
+                | Step::Ride { .. }
+                | Step::Push { .. }
+                | Step::Aim { .. }
+                | Step::Lock { .. }
+                | Step::Swing(_)
+                | Step::Lines { .. }
+                | Step::Travel { .. } => {
+                    step.run::<Ball, ORDER>(q, direction, enclosure) == Outcome::Done
+                }
+            };
+            if !proved {
+                self.forget(step, enclosure);
+            }
+        }
+    }
+
+    /// Nothing is known of what a step places.
+    #[cold]
+    fn forget(&self, step: &Step, enclosure: &mut State<Ball>) {
+        let point = |p: PointId, enclosure: &mut State<Ball>| {
+            let nowhere = Vec2::new(UNKNOWN, UNKNOWN);
+            let place = &mut enclosure.points[p.index()];
+            (place.p, place.v, place.a) = (nowhere, nowhere, nowhere);
+        };
+        let link = |l: LinkId, enclosure: &mut State<Ball>| {
+            let link = &mut enclosure.links[l.index()];
+            (link.d, link.w, link.a) = (Vec2::new(UNKNOWN, UNKNOWN), UNKNOWN, UNKNOWN);
+        };
+        let (placed, turned) = step.outputs();
+        placed.into_iter().for_each(|p| point(p, enclosure));
+        turned
+            .into_iter()
+            .flatten()
+            .for_each(|l| link(l, enclosure));
+        match step {
+            Step::Lines { point: p, .. } => point(*p, enclosure),
+            Step::Coupled { index } => {
+                let group = &self.program.coupled[*index];
+                group.joints().for_each(|p| point(p, enclosure));
+                group.turning().iter().for_each(|&l| link(l, enclosure));
+            }
+            Step::Circles(_)
+            | Step::CircleLine(_)
+            | Step::CircleRail(_)
+            | Step::Cylinder(_)
+            | Step::Swing(_)
+            | Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Travel { .. } => {}
+        }
+    }
+}

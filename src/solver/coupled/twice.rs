@@ -1,0 +1,115 @@
+//! A coupled group in twice the precision.
+
+use super::{Coupled, Room};
+use crate::solver::lu;
+use crate::solver::state::State;
+use crate::solver::step::{ACCELERATION, VELOCITY};
+use crate::{Double, Vec2};
+
+/// Corrections from a state in doubles: each gains the digits of a double, less those that the
+/// condition of the matrix costs.
+const CORRECTIONS: usize = 4;
+
+impl Coupled {
+    /// Refines what was found in doubles; whether it could.
+    pub(in crate::solver) fn refine(
+        &self,
+        q: Double,
+        order: u8,
+        state: &State,
+        twice: &mut State<Double>,
+    ) -> bool {
+        let mut scratch = std::mem::take(&mut twice.scratch);
+        let mut work = std::mem::take(&mut scratch.work);
+        let mut room = self.open(&mut scratch);
+        let numbers = &state.scratch.numbers[self.offset..];
+        let (width, n) = (self.width(), self.unknowns());
+        let copy = |from: usize, to: &mut [Double]| {
+            let from = &numbers[from..from + to.len()];
+            to.iter_mut()
+                .zip(from)
+                .for_each(|(t, &f)| *t = Double::exactly(f));
+        };
+        copy(0, room.z);
+        copy(width, room.first);
+        copy(width + n, room.second);
+        let solved = self.refine_in(q, order, twice, &mut room, &mut work);
+        if solved {
+            self.write(q, twice, &room);
+        }
+        scratch.work = work;
+        twice.scratch = scratch;
+        solved
+    }
+
+    fn refine_in(
+        &self,
+        q: Double,
+        order: u8,
+        twice: &State<Double>,
+        room: &mut Room<'_, Double>,
+        work: &mut [f64],
+    ) -> bool {
+        let n = self.unknowns();
+        let (matrix, right) = work.split_at_mut(n * n);
+        let right = &mut right[..n];
+        self.jacobian(q, twice, room);
+        for (copy, value) in matrix.iter_mut().zip(&*room.matrix) {
+            *copy = value.hi;
+        }
+        if lu::factor(matrix, room.pivots, n).is_none() {
+            return false;
+        }
+        for _ in 0..CORRECTIONS {
+            self.residuals(q, twice, room);
+            self.correction(matrix, right, room);
+            self.turn(room.z, right);
+        }
+        for _ in 0..CORRECTIONS {
+            if order >= VELOCITY {
+                self.rates(q, twice, room, 1);
+                self.correction(matrix, right, room);
+                add(right, room.first);
+            }
+        }
+        for _ in 0..CORRECTIONS {
+            if order >= ACCELERATION {
+                self.rates(q, twice, room, 2);
+                self.correction(matrix, right, room);
+                add(right, room.second);
+            }
+        }
+        true
+    }
+
+    /// What the residuals in the room ask for, in doubles.
+    fn correction(&self, matrix: &[f64], right: &mut [f64], room: &Room<'_, Double>) {
+        for (to, from) in right.iter_mut().zip(&*room.right) {
+            *to = -from.hi;
+        }
+        lu::solve(matrix, room.pivots, right, self.unknowns());
+    }
+
+    /// Adds a change of the unknowns to z; directions are turned and keep their length.
+    fn turn(&self, z: &mut [Double], change: &[f64]) {
+        let joints = 2 * self.free;
+        add(&change[..joints], z);
+        for (i, &angle) in change[joints..].iter().enumerate() {
+            let at = joints + 2 * i;
+            let d = Vec2::new(z[at], z[at + 1]);
+            let mut unit = d + d.perp() * Double::exactly(angle);
+            for _ in 0..2 {
+                // Newton for the length: each step doubles its digits.
+                let off = (Double::exactly(3.0) - unit.norm2()).scaled(0.5);
+                unit = unit * off;
+            }
+            (z[at], z[at + 1]) = (unit.x, unit.y);
+        }
+    }
+}
+
+fn add(change: &[f64], to: &mut [Double]) {
+    for (to, &change) in to.iter_mut().zip(change) {
+        *to += Double::exactly(change);
+    }
+}

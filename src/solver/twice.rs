@@ -1,0 +1,48 @@
+//! The same states in twice the precision: to hold others against.
+
+use super::engine::Engine;
+use super::state::{Condition, State};
+use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::{Order, Solver};
+use crate::Double;
+
+impl Solver {
+    /// Room for a state in twice the precision.
+    #[must_use]
+    pub fn twice(&self) -> State<Double> {
+        let mut twice: State<Double> = self.engine.state(self.slides);
+        let groups = self.engine.program.coupled.iter();
+        let work = groups.map(|g| g.unknowns() * (g.unknowns() + 1)).max();
+        twice.scratch.work = vec![0.0; work.unwrap_or(0)];
+        twice
+    }
+
+    /// Solves what is in `state` once more, in twice the precision: dyads by their formulas, coupled
+    /// groups by corrections to what was found in doubles. Whether it could be solved: not at the
+    /// limits of the motion, and not at change points. Allocates nothing.
+    pub fn solve_twice(&self, state: &State, order: Order, twice: &mut State<Double>) -> bool {
+        twice.at = Double::exactly(state.at);
+        twice.condition = state.condition;
+        if state.condition != Condition::Ok {
+            return false;
+        }
+        for (sign, &of) in twice.signs.iter_mut().zip(&state.signs) {
+            *sign = Double::exactly(of);
+        }
+        match order {
+            Order::Position => self.engine.run_twice::<POSITION>(state, twice),
+            Order::Velocity => self.engine.run_twice::<VELOCITY>(state, twice),
+            Order::Acceleration => self.engine.run_twice::<ACCELERATION>(state, twice),
+        }
+    }
+}
+
+impl Engine {
+    fn run_twice<const ORDER: u8>(&self, state: &State, twice: &mut State<Double>) -> bool {
+        let (q, direction) = self.coordinate(twice.at);
+        self.program.steps.iter().all(|step| match step {
+            Step::Coupled { index } => self.program.coupled[*index].refine(q, ORDER, state, twice),
+            _ => step.run::<Double, ORDER>(q, direction, twice) == Outcome::Done,
+        })
+    }
+}
