@@ -12,6 +12,7 @@
 //! to, and for the driver's coordinate as a double. They trust the platform's square root to be
 //! rounded correctly and its arctangent to an ulp.
 
+mod arm;
 mod pairs;
 
 use super::engine::Engine;
@@ -20,6 +21,8 @@ use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver};
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 
+/// The unit roundoff, 2^-53.
+const U: f64 = 0.5 * f64::EPSILON;
 /// Nothing is known.
 const UNKNOWN: Ball = Ball {
     mid: 0.0,
@@ -66,6 +69,7 @@ impl Engine {
                 Step::CircleLine(c) => c.enclose::<ORDER>(state, enclosure),
                 Step::CircleRail(c) => c.enclose::<ORDER>(state, enclosure),
                 Step::Cylinder(c) => c.enclose::<ORDER>(q, state, enclosure),
+                Step::Swing(s) => s.enclose::<ORDER>(state, enclosure),
                 Step::Coupled { index } => {
                     self.program.coupled[*index].enclose(q, ORDER, state, enclosure)
                 }
@@ -75,7 +79,6 @@ impl Engine {
                 | Step::Push { .. }
                 | Step::Aim { .. }
                 | Step::Lock { .. }
-                | Step::Swing(_)
                 | Step::Lines { .. }
                 | Step::Travel { .. } => {
                     step.run::<Ball, ORDER>(q, direction, enclosure) == Outcome::Done

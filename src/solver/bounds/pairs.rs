@@ -1,12 +1,11 @@
 //! Bounds of the dyads that place a joint by two constraints: circles and lines.
 
+use super::U;
 use crate::arithmetic::{two_product, two_sum};
 use crate::solver::state::{PointState, State};
 use crate::solver::step::{CircleLine, CircleRail, Circles, Cylinder};
 use crate::{Ball, Double, Vec2};
 
-/// The unit roundoff.
-const U: f64 = 0.5 * f64::EPSILON;
 /// What the residuals in twice the precision still round, in parts of the square of the length.
 const RESIDUAL: f64 = 32.0 * U * U;
 /// The part of a bound by which it may grow from what the matrix changes within it: beyond, nothing

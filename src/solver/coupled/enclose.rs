@@ -6,6 +6,7 @@
 //! are solutions of linear equations with the same matrix, and are enclosed likewise.
 
 use super::{Coupled, Room, Scratch};
+use crate::arithmetic::{two_product, two_sum};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::solver::step::{ACCELERATION, VELOCITY};
@@ -13,8 +14,6 @@ use crate::{Ball, Number};
 
 /// Half an ulp of 1.
 const U: f64 = 0.5 * f64::EPSILON;
-/// How far a stored direction's length may be from 1: some roundings.
-const UNIT: f64 = 4.0 * U;
 /// How much larger than the first step the box is that has to prove itself.
 const BOX: f64 = 2.0;
 /// No row of I - R J may be larger than this in sum; with the box twice the step it then proves
@@ -50,6 +49,15 @@ impl Coupled {
         enclosure.scratch = scratch;
         proved
     }
+}
+
+/// How far a stored direction can be from the unit vector of its angle: (|d|^2 - 1) / 2, to twice
+/// the precision.
+fn off_unit(x: f64, y: f64) -> f64 {
+    let ((xx, xx_rest), (yy, yy_rest)) = (two_product(x, x), two_product(y, y));
+    let (sum, lost) = two_sum(xx, yy);
+    let excess = (sum - 1.0) + (lost + xx_rest + yy_rest);
+    0.5 * excess.abs() * (1.0 + 4.0 * U) + U * U
 }
 
 impl Coupled {
@@ -98,8 +106,12 @@ impl Coupled {
     /// The computed z, as it is.
     fn centre(&self, z: &[f64], room: &mut Room<'_, Ball>) {
         let joints = 2 * self.free;
-        for (i, (ball, &z)) in room.z.iter_mut().zip(z).enumerate() {
-            *ball = Ball::new(z, if i < joints { 0.0 } else { UNIT });
+        for (ball, &z) in room.z.iter_mut().zip(z) {
+            *ball = Ball::exactly(z);
+        }
+        for direction in room.z[joints..].chunks_exact_mut(2) {
+            let off = off_unit(direction[0].mid, direction[1].mid);
+            direction.iter_mut().for_each(|d| d.radius = off);
         }
         room.first.fill(Ball::default());
         room.second.fill(Ball::default());
@@ -121,9 +133,9 @@ impl Coupled {
         for i in 0..self.turning.len() {
             let (angle, at) = (shift(joints + i), joints + 2 * i);
             let (x, y) = (z[at], z[at + 1]);
-            // The turned direction to the second order, which is far below the radius' own rounding
-            // wherever something can be proved.
-            let off = radius(joints + i) + angle * angle + UNIT;
+            // Turned to the first order; and the truth is a unit vector.
+            let off =
+                radius(joints + i) + angle * angle + off_unit(x, y) + 2.0 * U * angle.abs() + U;
             balls[at] = Ball::new(x - angle * y, off);
             balls[at + 1] = Ball::new(y + angle * x, off);
         }
@@ -200,8 +212,8 @@ impl Inverse<'_> {
             column.fill(0.0);
             column[j] = 1.0;
             lu::solve(matrix, pivots, column, n);
-            for i in 0..n {
-                self.rows[i * n + j] = column[i];
+            for (row, &value) in self.rows.chunks_exact_mut(n).zip(&*column) {
+                row[j] = value;
             }
         }
         Some(())

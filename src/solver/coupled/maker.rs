@@ -50,7 +50,7 @@ impl<'a> Maker<'a> {
         let body = self.part.network.link(link);
         self.part
             .frame
-            .local(body.and_then(|l| l.local(point)).unwrap_or(Vec2::default()))
+            .local(body.and_then(|l| l.local(point)).unwrap_or_default())
     }
 
     fn spot(&self, point: PointId) -> Option<Spot> {
