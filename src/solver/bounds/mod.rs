@@ -130,3 +130,60 @@ impl Engine {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Double;
+    use crate::scene::{Scene, presets};
+
+    /// The balls come from the residuals of whatever is in the state: where that is far off, they
+    /// must hold the truth all the same, and not by being wide.
+    #[test]
+    fn a_state_that_is_off_is_brought_back_to_the_truth() {
+        const OFF: f64 = 1e-7;
+        for preset in presets::all() {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let (mut state, mut balls) = (solver.state(), solver.enclosure());
+            let mut truth = solver.twice();
+            let at = scene.mechanism.driver().start;
+            solver.solve(at, Order::Position, &mut state);
+            assert!(solver.solve_twice(&state, Order::Position, &mut truth));
+            let off = |k: usize| OFF * (1.0 + k as f64).sin();
+            for (k, point) in state.points.iter_mut().enumerate() {
+                point.p += Vec2::new(off(2 * k), off(2 * k + 1));
+            }
+            for (k, link) in state.links.iter_mut().enumerate() {
+                link.d = link.d.turned(crate::angle::unit(off(3 * k).to_degrees()));
+            }
+            for group in &solver.engine.program.coupled {
+                // Its joints; its directions must stay unit vectors.
+                for k in 0..group.width() - 2 * group.turning().len() {
+                    state.scratch.numbers[group.offset + k] += off(k);
+                }
+            }
+            solver.enclose(&state, Order::Position, &mut balls);
+            let check = |ball: Ball, truth: Double, of: &str| {
+                let miss = (truth - Double::exactly(ball.mid)).abs().hi;
+                assert!(
+                    miss <= ball.radius,
+                    "{} {of}: {miss:e} {ball:?}",
+                    preset.name
+                );
+                // To the second order of what it was off by, and what long chains make of it.
+                assert!(ball.radius < 0.1 * OFF, "{} {of}: {ball:?}", preset.name);
+            };
+            for point in scene.mechanism.point_ids() {
+                let (ball, truth) = (&balls.points[point.index()], &truth.points[point.index()]);
+                check(ball.p.x, truth.p.x, "x");
+                check(ball.p.y, truth.p.y, "y");
+            }
+            for link in scene.mechanism.link_ids() {
+                let (ball, truth) = (&balls.links[link.index()], &truth.links[link.index()]);
+                check(ball.d.x, truth.d.x, "cos");
+                check(ball.d.y, truth.d.y, "sin");
+            }
+        }
+    }
+}
