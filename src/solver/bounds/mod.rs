@@ -14,6 +14,7 @@
 
 mod arm;
 mod pairs;
+mod stretched;
 
 use super::engine::Engine;
 use super::state::{Condition, State};
@@ -60,6 +61,29 @@ impl Solver {
     }
 }
 
+impl Step {
+    /// Positions alone, where a dyad's assemblies are too close to be told apart.
+    #[cold]
+    fn enclose_stretched(&self, enclosure: &mut State<Ball>) -> bool {
+        match self {
+            Step::Circles(c) => c.enclose_stretched(enclosure),
+            Step::CircleLine(c) => c.enclose_stretched(enclosure),
+            Step::CircleRail(c) => c.enclose_stretched(enclosure),
+            Step::Swing(s) => s.enclose_stretched(enclosure),
+            Step::Cylinder(_)
+            | Step::Coupled { .. }
+            | Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Lines { .. }
+            | Step::Travel { .. } => false,
+        }
+    }
+}
+
 impl Engine {
     fn enclose<const ORDER: u8>(&self, state: &State, enclosure: &mut State<Ball>) {
         let (q, direction) = self.coordinate(enclosure.at);
@@ -84,7 +108,7 @@ impl Engine {
                     step.run::<Ball, ORDER>(q, direction, enclosure) == Outcome::Done
                 }
             };
-            if !proved {
+            if !proved && !step.enclose_stretched(enclosure) {
                 self.forget(step, enclosure);
             }
         }
@@ -171,8 +195,8 @@ mod tests {
                     "{} {of}: {miss:e} {ball:?}",
                     preset.name
                 );
-                // To the second order of what it was off by, and what long chains make of it.
-                assert!(ball.radius < 0.1 * OFF, "{} {of}: {ball:?}", preset.name);
+                // Of the second order of what it was off by; but long chains widen what they carry.
+                assert!(ball.radius < 0.2 * OFF, "{} {of}: {ball:?}", preset.name);
             };
             for point in scene.mechanism.point_ids() {
                 let (ball, truth) = (&balls.points[point.index()], &truth.points[point.index()]);
