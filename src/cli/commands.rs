@@ -1,14 +1,14 @@
 //! The commands that take a line or two each.
 
 use super::args::{CheckArgs, CheckFormat, Cli, Format, TableArgs};
-use super::failure::Failure;
+use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::quantity::Catalogue;
-use crate::report::{Check, Tables, TextStyle, range_text};
+use crate::report::{Check, Tables, TextStyle, near_misses, range_text};
 use crate::scene::{Scene, harmless, presets};
-use crate::solver::{Condition, Order};
+use crate::solver::{Condition, Order, Solver};
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 
@@ -51,6 +51,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
             range_text(solver.motion().range, driver)
         )));
     }
+    tell_of_near_misses(&scene, &solver, screen);
     let tables = Tables::new(&scene, &state);
     let style = TextStyle {
         digits: usize::from(args.figures.digits),
@@ -62,6 +63,16 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         Format::Csv => tables.write_csv(style.units, out),
         Format::Json => writeln!(out, "{:#}", tables.to_json(style.units)),
     })
+}
+
+/// Near a change point the lengths' last digits decide which way the motion goes: whoever reads its
+/// figures should know.
+pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: Screen) {
+    let catalogue = Catalogue::new(scene);
+    let unit = &catalogue.driver().unit;
+    for miss in near_misses(scene, solver) {
+        note(&miss.text(unit), screen);
+    }
 }
 
 /// `krank completions`.

@@ -1,6 +1,7 @@
 //! `krank sweep`: which columns, which rows, and what to say about them.
 
 use super::args::{Format, SweepArgs};
+use super::commands::tell_of_near_misses;
 use super::failure::{Failure, note};
 use super::output::write_to;
 use super::screen::Screen;
@@ -32,6 +33,7 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     let outcome = write_to(args.output.output.as_deref(), |out| {
         write_sweep(&scene, &solver, &columns, &steps, format, out)
     })?;
+    tell_of_near_misses(&scene, &solver, screen);
     judge(outcome, &range_text(range, catalogue.driver()), screen)
 }
 

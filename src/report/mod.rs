@@ -18,7 +18,8 @@ mod tables_text;
 mod text;
 
 pub use check::{
-    Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
+    Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
+    SlideFacts, SliderKind, TransmissionFacts, near_misses, range_text,
 };
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Columns, Outcome, RowFormat, write_sweep};

@@ -98,6 +98,11 @@ impl Engine {
         }
     }
 
+    /// The finest difference of the driver's coordinate that states can tell apart, near zero too.
+    pub(super) fn finest(&self) -> f64 {
+        f64::EPSILON * if self.turns { 1.0 } else { self.frame.scale }
+    }
+
     /// Runs every step; a coupled group starts from the z that is in the scratch.
     pub(super) fn run(&self, at: f64, order: Order, state: &mut State) -> Condition {
         let steps = 0..self.program.steps.len();

@@ -22,13 +22,15 @@ mod passage;
 mod plan;
 mod state;
 mod step;
+mod transmission;
 mod twice;
 
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
-pub use motion::{Motion, Range};
+pub use motion::{Motion, NearMiss, Range};
 pub use plan::{Group, GroupKind, Plan};
 pub use state::{Condition, State, Travel};
+pub use transmission::{Extreme, Transmission};
 
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};
 use engine::Engine;

@@ -113,7 +113,7 @@ impl Walker<'_> {
     }
 
     /// A dyad's rate of stretch, from its inputs: it may be open itself.
-    fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
+    pub(super) fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
         self.aim_at(at);
         let inputs = self
             .engine

@@ -9,8 +9,10 @@ mod anchors;
 mod change;
 mod limits;
 mod walk;
+mod zero;
 
 pub(super) use anchors::{Anchors, positive_remainder};
+pub(super) use zero::zero;
 
 use super::engine::Engine;
 use super::fault::Fault;
@@ -37,6 +39,18 @@ pub enum Range {
     },
 }
 
+/// Where the two assemblies of a group all but meet: lengths that differ by the square of the sine, as
+/// a part of a link, would make it a change point or a dead point. The motion keeps its assembly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearMiss {
+    /// The group, by its place in [`super::Plan::groups`].
+    pub group: usize,
+    /// The sine of its transmission angle, the smallest there is around.
+    pub sine: f64,
+    /// The driver's coordinate, in degrees or the scene's length unit.
+    pub at: f64,
+}
+
 /// The whole motion of a mechanism, found once.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -47,10 +61,16 @@ pub struct Motion {
     pub dead_points: Vec<f64>,
     /// Where two assemblies meet and the motion passes smoothly, within one period.
     pub change_points: Vec<f64>,
+    /// Where the motion comes close to a change point or a dead point, and passes by.
+    pub near_misses: Vec<NearMiss>,
+    /// The coordinates at which the walk has been.
+    pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
     pub(super) passages: Passages,
 }
 
+/// Two walks find a near miss twice, with this between the coordinates at the most.
+const ONE_MISS: f64 = 1e-6;
 /// A coordinate this near to a dead point, as a part of it, is the dead point.
 const SAME: f64 = f64::EPSILON;
 
@@ -88,6 +108,8 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         start,
         sense: 1.0,
         passages: Vec::new(),
+        samples: Vec::new(),
+        misses: Vec::new(),
     };
     walker.check_fit()?;
     let up = walker.walk()?;
@@ -119,6 +141,8 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
     };
     let passages = Passages::new(walker.passages, start, period);
     Ok(Motion {
+        near_misses: near_misses(walker.misses, range),
+        samples: walker.samples,
         range,
         dead_points: dead_points(range, engine, start),
         change_points: passages.coordinates(),
@@ -154,4 +178,15 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
                 .collect()
         }
     }
+}
+
+/// Each near miss once, by its coordinate.
+fn near_misses(mut misses: Vec<NearMiss>, range: Range) -> Vec<NearMiss> {
+    if let Range::Full { period } = range {
+        let reduce = |miss: &mut NearMiss| miss.at = positive_remainder(miss.at, period);
+        misses.iter_mut().for_each(reduce);
+    }
+    misses.sort_by(|a, b| a.at.total_cmp(&b.at));
+    misses.dedup_by(|a, b| a.group == b.group && (a.at - b.at).abs() < ONE_MISS);
+    misses
 }

@@ -1,5 +1,6 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
+use super::NearMiss;
 use super::anchors::Anchors;
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
@@ -57,6 +58,9 @@ pub(super) struct Walker<'e> {
     pub(super) start: f64,
     pub(super) sense: f64,
     pub(super) passages: Vec<Passage>,
+    /// The coordinates that have been reached.
+    pub(super) samples: Vec<f64>,
+    pub(super) misses: Vec<NearMiss>,
 }
 
 /// Why the motion goes no further.
@@ -132,6 +136,7 @@ impl Walker<'_> {
     /// Notes a state on the other side of the start, so that a minimum at the start shows.
     fn look_behind(&mut self, step: f64) {
         let (at_start, kept) = (self.state.clone(), self.anchors.len());
+        let walked = self.samples.len();
         let behind = self.start - self.sense * step;
         self.seen.clear();
         if self.advance(self.start, behind).is_ok() {
@@ -142,12 +147,14 @@ impl Walker<'_> {
         self.state = at_start;
         // What lies behind is walked in its turn; a change point there is only passed then.
         self.anchors.truncate(self.engine, kept);
+        self.samples.truncate(walked);
         self.note(self.start);
     }
 
     /// Keeps the state that was reached as a sample and as an anchor.
     pub(super) fn note(&mut self, at: f64) {
         self.anchors.push(self.engine, at, &mut self.state);
+        self.samples.push(at);
         if self.seen.len() == SAMPLES {
             self.seen.rotate_left(1);
             self.seen.pop();

@@ -1,8 +1,5 @@
-//! Motions that pass through exact change points, where the two assemblies of a dyad meet.
-//!
-//! Exact values: hard cases H01, H02, H03, H13 and H21.
-
-#![allow(clippy::unwrap_used, reason = "a test may stop")]
+//! Motions that pass through exact change points, where the two assemblies of a group meet, and
+//! close by.
 
 use krank::solver::{Condition, Order, Range, Solver, State};
 use krank::{Body, Builder, Driver, Input, LinkId, PointId, Vec2};
@@ -209,6 +206,52 @@ fn h21_a_near_miss_keeps_its_sign() {
     let c = bar.place(-10.0);
     close(c.x, 3.940_584_982_472_821, 1e-12, "C.x");
     close(c.y, 0.339_558_378_996_311_1, 1e-12, "C.y");
+    let other = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, Vec2::new(2.86, -0.99));
+    for (bar, at, x, y) in [
+        (&bar, 60.0, 3.5, 0.866_025_404_939_139_3),
+        (
+            &other,
+            60.0,
+            2.857_142_856_428_571_4,
+            -0.989_743_319_518_051_8,
+        ),
+        (
+            &other,
+            -10.0,
+            3.984_807_753_012_208,
+            -0.173_648_183_425_701_25,
+        ),
+    ] {
+        let c = bar.place(at);
+        close(c.x, x, 4e-15, "C.x");
+        close(c.y, y, 4e-15, "C.y");
+    }
+}
+
+/// Without this a reader would take the crossed shape beyond 0 degrees for a fault.
+#[test]
+fn h21_a_near_miss_is_told_of() {
+    let bar = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, Vec2::new(3.5, 0.87));
+    let [first, second] = bar.solver.motion().near_misses[..] else {
+        panic!("{:?}", bar.solver.motion().near_misses);
+    };
+    // d(sin)/sin is that of the gap of 1e-9, which has the rounding of c: 1e-16 of it.
+    assert_eq!((first.group, first.at), (1, 0.0));
+    close(first.sine, 0.000_036_514_838_648_729_05, 1e-11, "|sin mu|");
+    assert_eq!((second.group, second.at), (1, 180.0));
+    let [mu] = bar.solver.transmission()[..] else {
+        panic!()
+    };
+    assert_eq!(mu.smallest.at, 0.0);
+    close(
+        mu.smallest.angle.to_radians().sin(),
+        first.sine,
+        1e-15,
+        "mu",
+    );
+    // The lecture's four-bar misses nothing: its smallest angle is 65 degrees.
+    let bar = four_bar([100.0, 300.0, 250.0, 400.0], 60.0, Vec2::new(310.0, 230.0));
+    assert!(bar.solver.motion().near_misses.is_empty());
 }
 
 #[test]
