@@ -8,6 +8,7 @@
 mod enclose;
 mod equations;
 mod maker;
+mod singular;
 mod twice;
 
 use super::frame::Frame;

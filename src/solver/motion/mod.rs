@@ -7,6 +7,7 @@
 
 mod anchors;
 mod change;
+mod ends;
 mod limits;
 mod walk;
 mod zero;

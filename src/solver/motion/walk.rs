@@ -101,8 +101,9 @@ impl Walker<'_> {
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
                     return Ok(End::Closed(turns));
                 }
+                let last = self.state.clone();
                 let Some(beyond) = self.pass(limit) else {
-                    return Ok(End::Limit(limit));
+                    return Ok(End::Limit(self.refined(limit, &last)));
                 };
                 // The steps between have been taken on the wrong side.
                 (from, closed) = (beyond, None);
