@@ -15,5 +15,6 @@ mod coupled;
 mod dyads;
 mod four_bar;
 mod invariance;
+mod passages;
 mod plant;
 mod transmission;

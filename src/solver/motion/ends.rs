@@ -5,9 +5,11 @@
 //! function that is smooth: of a dyad the measure, in twice the precision; of a coupled group the
 //! system of a fold.
 
+use super::Folded;
 use super::walk::Walker;
 use super::zero;
 use crate::solver::Order;
+use crate::solver::coupled::Correction;
 use crate::solver::state::{Condition, State};
 use crate::solver::step::{Outcome, POSITION, Step};
 use crate::{Double, Number};
@@ -44,7 +46,13 @@ impl Walker<'_> {
                     | Step::Lines { .. }
                     | Step::Travel { .. } => None,
                 });
-        refined.unwrap_or(limit)
+        // A start within rounding of a limit belongs to the motion.
+        let refined = refined.unwrap_or(limit);
+        if self.ahead(refined) < 0.0 {
+            self.start
+        } else {
+            refined
+        }
     }
 
     fn ulp(&self, at: f64) -> f64 {
@@ -148,14 +156,18 @@ impl Walker<'_> {
             let mut scratch = std::mem::take(&mut self.state.scratch);
             let correction = group.approach(&mut fold, q, &self.state, &mut scratch);
             self.state.scratch = scratch;
-            let (size, dq) = correction?;
+            let Correction { size, dq } = correction?;
             at = self.engine.moved(at, dq);
             if size < FOLDED || size >= last && size < FOLDED.sqrt() {
                 break;
             }
             last = size;
         }
-        let is_here = self.engine.difference(limit, at).abs() < SAME_FOLD;
-        is_here.then_some(at)
+        if self.engine.difference(limit, at).abs() >= SAME_FOLD {
+            return None;
+        }
+        let z = group.open(&mut self.state.scratch).z.to_vec();
+        self.folds.push(Folded { at, index, z });
+        Some(at)
     }
 }

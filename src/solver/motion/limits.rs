@@ -9,9 +9,10 @@ use crate::solver::state::Condition;
 const SUSPICIOUS: f64 = 0.05;
 /// A measure below this part of its largest, some u, touches zero.
 const TOUCH: f64 = 1e-14;
-/// A measure that goes down to less than this, and not to zero, is a near miss: the sine of the
-/// transmission angle is below 0.032, 1.8 degrees. A gap of some 5e-4 of a link, 0.05 mm in 100, is as
-/// much as workshops leave open; without it the motion would end there, or could change its assembly.
+/// A measure that goes down to less than this part of its largest, and not to zero, is a near miss: a
+/// sine below 0.032, which is a transmission angle of 1.8 degrees. A gap of some 5e-4 of a link, 0.05 mm
+/// in 100, is as much as workshops leave open; without it the motion would end there, or could change
+/// its assembly.
 const NEAR: f64 = 1e-3;
 /// Sections that narrow a minimum down to the square root of the rounding.
 const GOLDEN_SECTIONS: usize = 44;
@@ -50,8 +51,8 @@ impl Walker<'_> {
         let measure = self.measure(group, lowest);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
         if !is_open {
-            let touches = measure < TOUCH * self.peaks[group];
-            if !touches && measure < NEAR {
+            let touches = self.touches(group, lowest, measure);
+            if !touches && measure < NEAR * self.peaks[group] {
                 let (sine, at) = (measure.sqrt(), lowest);
                 self.misses.push(NearMiss { group, sine, at });
             }
@@ -67,6 +68,9 @@ impl Walker<'_> {
     fn measure(&mut self, group: usize, at: f64) -> f64 {
         self.aim_at(at);
         let condition = self.engine.run(at, Order::Position, &mut self.state);
+        if condition == Condition::Ok && self.is_coupled(group) {
+            self.engine.measure_coupled(at, &mut self.state);
+        }
         let measure = self.state.measures[group];
         match condition {
             Condition::Ok => measure,
@@ -102,6 +106,21 @@ impl Walker<'_> {
             }
         }
         if at_c < at_d { c } else { d }
+    }
+
+    /// Whether a group whose measure is smallest here is stretched to its limit.
+    fn touches(&mut self, group: usize, at: f64, measure: f64) -> bool {
+        if self.is_coupled(group) {
+            return false;
+        }
+        let mut steps = self.engine.program.steps.iter();
+        let dyad = steps.position(|step| step.choice() == Some(group));
+        measure < TOUCH * self.peaks[group] || dyad.is_some_and(|i| self.is_stretched(i, group, at))
+    }
+
+    fn is_coupled(&self, group: usize) -> bool {
+        let mut coupled = self.engine.program.coupled.iter();
+        coupled.any(|c| c.group == group)
     }
 
     /// Where a dyad's stretch is extreme, if it is between two coordinates.

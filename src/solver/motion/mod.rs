@@ -7,6 +7,7 @@
 
 mod anchors;
 mod change;
+mod crossing;
 mod ends;
 mod limits;
 mod walk;
@@ -68,6 +69,18 @@ pub struct Motion {
     pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
     pub(super) passages: Passages,
+    /// The part of a limited range in which states are found: some ulps less than the range, where all
+    /// that is left of a group's equations at a limit is rounding.
+    settled: Option<[f64; 2]>,
+    folds: Vec<Folded>,
+}
+
+/// A limit at which a coupled group folds: its own matrix is singular there, so that its state is kept.
+#[derive(Clone, Debug)]
+pub(super) struct Folded {
+    pub(super) at: f64,
+    pub(super) index: usize,
+    pub(super) z: Vec<f64>,
 }
 
 /// Two walks find a near miss twice, with this between the coordinates at the most.
@@ -81,6 +94,19 @@ impl Motion {
         self.dead_points
             .iter()
             .any(|&dead| (at - dead).abs() <= SAME * dead.abs())
+    }
+
+    /// The coordinate nearest to this one at which a state is found.
+    pub(super) fn inside(&self, at: f64) -> f64 {
+        match self.settled {
+            Some([low, high]) => at.max(low).min(high),
+            None => at,
+        }
+    }
+
+    /// The fold at a coordinate.
+    pub(super) fn fold_at(&self, at: f64) -> Option<&Folded> {
+        self.folds.iter().find(|fold| fold.at == at)
     }
 
     /// Whether the motion from the scene's assembly comes to this coordinate.
@@ -111,6 +137,7 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         passages: Vec::new(),
         samples: Vec::new(),
         misses: Vec::new(),
+        folds: Vec::new(),
     };
     walker.check_fit()?;
     let up = walker.walk()?;
@@ -130,17 +157,18 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         }
     };
     let anchors = walker.anchors.sorted(engine, period);
-    let range = match range {
-        Range::Full { .. } => range,
-        Range::Limited { low, high } => {
-            let mut settle = |end| settled_end(end, start, engine, &anchors, &mut walker.state);
-            Range::Limited {
-                low: settle(low),
-                high: settle(high),
-            }
-        }
-    };
     let passages = Passages::new(walker.passages, start, period);
+    let settled = match range {
+        Range::Full { .. } => None,
+        Range::Limited { low, high } => Some([low, high].map(|end| {
+            let mut exists = |at: f64| {
+                anchors.aim(engine, at, &mut walker.state);
+                passages.choose(engine, at, &mut walker.state.signs);
+                engine.run(at, Order::Position, &mut walker.state) != Condition::NoAssembly
+            };
+            settled_end(end, start, &mut exists)
+        })),
+    };
     Ok(Motion {
         near_misses: near_misses(walker.misses, range),
         samples: walker.samples,
@@ -149,21 +177,19 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         change_points: passages.coordinates(),
         anchors,
         passages,
+        settled,
+        folds: walker.folds,
     })
 }
 
-/// The end of a range, drawn back by the few ulps by which a state that is predicted from another
-/// anchor than in the walk may miss it.
-fn settled_end(end: f64, start: f64, engine: &Engine, anchors: &Anchors, state: &mut State) -> f64 {
+/// The end of a range, drawn back by the few ulps by which a state may not be found there: predicted
+/// from another anchor than in the walk, or by the rounding of a later group that ends there too.
+fn settled_end(end: f64, start: f64, exists: &mut impl FnMut(f64) -> bool) -> f64 {
     let ulp = f64::EPSILON * end.abs().max(start.abs());
     let back = |k: i32| end - (end - start).signum() * ulp * (f64::from(k).exp2() - 1.0);
-    let mut exists = |&at: &f64| {
-        anchors.aim(engine, at, state);
-        engine.run(at, Order::Position, state) != Condition::NoAssembly
-    };
     let candidates = (0..MOST_DRAWS).map(back);
     let mut inside = candidates.take_while(|at| (at - start) * (end - start) > 0.0);
-    inside.find(|at| exists(at)).unwrap_or(end)
+    inside.find(|&at| exists(at)).unwrap_or(end)
 }
 
 /// The ends of a range, but for those at which a slide was merely followed no further.

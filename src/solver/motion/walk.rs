@@ -1,7 +1,7 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
-use super::NearMiss;
 use super::anchors::Anchors;
+use super::{Folded, NearMiss};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::passage::Passage;
@@ -61,6 +61,7 @@ pub(super) struct Walker<'e> {
     /// The coordinates that have been reached.
     pub(super) samples: Vec<f64>,
     pub(super) misses: Vec<NearMiss>,
+    pub(super) folds: Vec<Folded>,
 }
 
 /// Why the motion goes no further.
@@ -154,6 +155,7 @@ impl Walker<'_> {
 
     /// Keeps the state that was reached as a sample and as an anchor.
     pub(super) fn note(&mut self, at: f64) {
+        self.engine.measure_coupled(at, &mut self.state);
         self.anchors.push(self.engine, at, &mut self.state);
         self.samples.push(at);
         if self.seen.len() == SAMPLES {
