@@ -24,6 +24,8 @@ impl Scene {
             } => over_constrained(self, *element, *misfit, *at),
             Fault::Open { point, links, gap } => open(self, *point, links, *gap),
             Fault::Vague { point, choices } => vague(self, *point, choices),
+            Fault::ChangePoint { group } => change_point(self, *group),
+            Fault::NoChoice { group, found } => no_choice(self, *group, *found),
             Fault::NotAssembled { points, gap } => not_assembled(self, points, *gap),
             Fault::Singular { elements } => singular(self, elements),
         };
@@ -216,6 +218,47 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
         "give a rough position, one of:\n[start]\n{}",
         lines.join("   # or\n")
     ))
+}
+
+fn change_point(scene: &Scene, group: Element) -> Diagnostic {
+    let name = element_name(scene, group);
+    let option = |sign| format!("`--assembly {}={sign}`", group_text(scene, group));
+    let coordinate = match scene.mechanism.driver().input {
+        crate::Input::Turn(_) => "angle",
+        crate::Input::Push(_) => "position",
+    };
+    Diagnostic::new(format!(
+        "the scene opens at a change point, where the two assemblies of {name} meet and both lead on"
+    ))
+    .at(scene.place(group), "which way does it go on?")
+    .help(format!(
+        "choose the side beyond it by {} or {}",
+        option('+'),
+        option('-')
+    ))
+    .help(format!(
+        "or open the scene elsewhere, at another `{coordinate}` of the driver"
+    ))
+}
+
+/// A group as the command line names it.
+fn group_text(scene: &Scene, group: Element) -> String {
+    element_name(scene, group)
+        .rsplit(' ')
+        .next()
+        .unwrap_or_default()
+        .trim_matches('`')
+        .to_owned()
+}
+
+fn no_choice(scene: &Scene, group: Element, found: usize) -> Diagnostic {
+    let name = element_name(scene, group);
+    let says = match found {
+        0 => format!("{name} names no group that could be assembled in another way"),
+        1 => format!("{name} has one assembly alone here"),
+        n => format!("{name} has {n} assemblies here, and not the one that was picked"),
+    };
+    Diagnostic::new(says).at(scene.place(group), "picked here")
 }
 
 fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {

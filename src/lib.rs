@@ -81,6 +81,7 @@
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
 mod arithmetic;
+pub mod assembly;
 pub mod cli;
 pub mod drawing;
 mod explain;

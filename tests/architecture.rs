@@ -11,12 +11,13 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 13] = [
+const PLACES: [(&str, u8); 14] = [
     ("nearest", 0),
     ("arithmetic", 0),
     ("mechanism", 2),
     ("scene", 3),
     ("solver", 3),
+    ("assembly", 4),
     ("explain", 4),
     ("quantity", 4),
     ("study", 5),

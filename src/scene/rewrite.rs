@@ -249,10 +249,7 @@ mod tests {
         assert_eq!(rewritten(BODY), format!("{BODY}{lines}"));
         assert_eq!(rewritten(BODY.trim_end()), format!("{BODY}{lines}"));
         let empty = format!("[start] # none\n{BODY}");
-        let filled = empty.replace(
-            "# none\n",
-            "# none\nC = [58.25, -123.457]\nB = [50, 0]\n",
-        );
+        let filled = empty.replace("# none\n", "# none\nC = [58.25, -123.457]\nB = [50, 0]\n");
         assert_eq!(rewritten(&empty), filled);
     }
 
@@ -263,7 +260,10 @@ mod tests {
                 "start = { C = [1, 2] }\n",
                 "start = { C = [58.25, -123.457], B = [50, 0] }\n",
             ),
-            ("start = {}\n", "start = { C = [58.25, -123.457], B = [50, 0] }\n"),
+            (
+                "start = {}\n",
+                "start = { C = [58.25, -123.457], B = [50, 0] }\n",
+            ),
             (
                 "start.C = [1, 2] # so\n",
                 "start.C = [58.25, -123.457] # so\nstart.B = [50, 0]\n",
