@@ -103,6 +103,12 @@ impl Walker<'_> {
         } else {
             b
         };
+        // So close to 0 the rates underflow, and the coordinate that is meant is 0.
+        let nearer = if nearer.abs() < f64::EPSILON * EXTREME {
+            0.0
+        } else {
+            nearer
+        };
         self.stretch_rate(step, nearer);
         let at = self
             .engine
