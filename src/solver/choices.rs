@@ -48,7 +48,12 @@ impl Solver {
     /// where the group has none, where the motion does not come, and in a solver with something left out.
     #[must_use]
     pub fn choices(&self, mechanism: &Mechanism, at: f64, group: usize) -> Vec<Choice> {
-        let Some(present) = self.present(mechanism, at, group) else {
+        let groups = &self.plan.groups;
+        let Some(present) = groups
+            .get(group)
+            .filter(|g| g.has_choices())
+            .and_then(|_| self.present(mechanism, at))
+        else {
             return Vec::new();
         };
         let network = Network::new(mechanism);
@@ -89,7 +94,7 @@ impl Solver {
     #[must_use]
     pub fn assemblies(&self, mechanism: &Mechanism, at: f64) -> Assemblies {
         let mut found = Assemblies::default();
-        let Some(present) = self.present(mechanism, at, 0) else {
+        let Some(present) = self.present(mechanism, at) else {
             return found;
         };
         let network = Network::new(mechanism);
@@ -166,7 +171,7 @@ impl Solver {
                 .unwrap_or(Element::Driver),
             found: 0,
         };
-        let present = self.present(mechanism, at, group).ok_or_else(nothing)?;
+        let present = self.present(mechanism, at).ok_or_else(nothing)?;
         let mut picks: Vec<(Element, Pick)> = Vec::new();
         for (number, of) in self.plan.groups.iter().enumerate() {
             let own = if number == group {
@@ -217,10 +222,10 @@ impl Solver {
     }
 
     /// The assembly at a coordinate; `None` where there is nothing to choose from.
-    fn present(&self, mechanism: &Mechanism, at: f64, group: usize) -> Option<Present> {
+    fn present(&self, mechanism: &Mechanism, at: f64) -> Option<Present> {
         let whole =
             self.engine.program.group_starts.last() == Some(&self.engine.program.steps.len());
-        if !whole || group >= self.plan.groups.len() {
+        if !whole {
             return None;
         }
         let mut state = self.state();

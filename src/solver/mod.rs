@@ -152,8 +152,11 @@ impl Solver {
         let mut engine = Engine::new(mechanism, frame, program);
         let mut state = engine.state(slides);
         let request = Request::new(&plan, at, near, picks)?;
-        let start = assemble::assemble(&mut engine, network, &plan, &request, &mut state)?;
-        let motion = motion::explore(&engine, start, &state)?;
+        let begun = assemble::assemble(&mut engine, network, &plan, &request, &mut state)?;
+        let motion = motion::explore(&engine, begun.at, &state)?;
+        if let Some(stuck) = begun.stuck.filter(|_| !motion.covers(at)) {
+            return Err(stuck);
+        }
         let first_loop = classify::classify(&engine, network);
         Ok(Solver {
             first_loop,

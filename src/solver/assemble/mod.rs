@@ -22,8 +22,8 @@ use crate::{PointId, Vec2};
 /// Two ways whose distances from the rough places differ by less than this part are not told apart.
 const TIE: f64 = 1e-6;
 /// A motion that opens where a dyad is stretched is begun so far beside, in radians or scaled lengths:
-/// far enough for the dyad to have digits, near enough for no other group to be elsewhere.
-const BESIDE: f64 = 1e-3;
+/// farther than a change point is passed in one step, near enough for no other group to be elsewhere.
+const BESIDE: f64 = 5e-3;
 
 /// One of the ways in which a group can be placed.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,8 +50,17 @@ impl From<Fault> for Halt {
     }
 }
 
-/// Settles the signs of all dyads and a solution of every coupled group; the coordinate at which the
-/// state then is, and from which the motion is followed: the one asked for, or one close to it.
+/// Where a motion is followed from.
+#[derive(Debug)]
+pub(super) struct Beginning {
+    /// The coordinate that was asked for, or one close to it.
+    pub at: f64,
+    /// Of a beginning beside: what is wrong if the motion does not come to what was asked for.
+    pub stuck: Option<Fault>,
+}
+
+/// Settles the signs of all dyads and a solution of every coupled group, and leaves the state where the
+/// motion is followed from.
 ///
 /// # Errors
 /// What keeps the first group concerned from being placed, or its ways from being told apart.
@@ -61,7 +70,7 @@ pub(super) fn assemble(
     plan: &Plan,
     request: &Request<'_>,
     state: &mut State,
-) -> Result<f64, Fault> {
+) -> Result<Beginning, Fault> {
     let assembler = Assembler {
         network,
         plan,
@@ -69,7 +78,10 @@ pub(super) fn assemble(
         order: Order::Acceleration,
     };
     match assembler.settle_all(engine, state) {
-        Ok(()) => Ok(request.at),
+        Ok(()) => Ok(Beginning {
+            at: request.at,
+            stuck: None,
+        }),
         Err(Halt::Fault(fault)) => Err(fault),
         Err(Halt::Stretched(group)) => assembler.begin_beside(group, engine, state),
     }
@@ -313,7 +325,7 @@ impl Assembler<'_> {
         stretched: usize,
         engine: &mut Engine,
         state: &mut State,
-    ) -> Result<f64, Fault> {
+    ) -> Result<Beginning, Fault> {
         let looking = Assembler {
             order: Order::Position,
             ..*self
@@ -353,19 +365,21 @@ impl Assembler<'_> {
             Some((at, engine, state))
         });
         let passes = ends.iter().all(Option::is_some);
+        // Stretched wherever it goes, or only here.
+        let point = self.group(stretched).point.unwrap_or(here(0));
+        let choices = vec![state.position(point); 2];
+        let stuck = Fault::Vague { point, choices };
         let Some((at, there, found)) = ends.into_iter().flatten().next() else {
-            // Stretched wherever it goes, or stuck.
-            let place = self.group(stretched).point.unwrap_or(here(0));
-            return Err(Fault::Vague {
-                point: place,
-                choices: vec![state.position(place); 2],
-            });
+            return Err(stuck);
         };
         if let (true, None, Some(group)) = (passes, picked, self.group(stretched).name()) {
             return Err(Fault::ChangePoint { group });
         }
         (*engine, *state) = (there, found);
-        Ok(at)
+        Ok(Beginning {
+            at,
+            stuck: Some(stuck),
+        })
     }
 
     // ---- rough places
