@@ -88,6 +88,7 @@ mod explain;
 mod mechanism;
 mod nearest;
 pub mod quantity;
+mod replace;
 pub mod report;
 pub mod scene;
 pub mod solver;
