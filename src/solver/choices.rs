@@ -300,7 +300,7 @@ impl Present {
         let own = index.map(|i| &engine.program.coupled[i]);
         own.is_some_and(|c| {
             let numbers = &self.state.scratch.numbers[c.offset..c.offset + c.width()];
-            super::assemble::is_same(numbers, z)
+            super::coupled::is_same(numbers, z)
         })
     }
 }

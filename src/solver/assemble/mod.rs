@@ -8,7 +8,6 @@ mod request;
 mod roots;
 
 pub(super) use request::Request;
-pub(super) use roots::is_same;
 
 use super::Order;
 use super::engine::Engine;

@@ -1,15 +1,15 @@
 //! The ways of a coupled group: its solutions.
 
 use super::{Assembler, Halt, Way, miss};
-use crate::solver::coupled::Coupled;
+use crate::solver::coupled::{Coupled, is_same};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::plan::Pick;
 use crate::solver::state::State;
 use crate::{PointId, Vec2};
 
-/// Two solutions nearer than this, in units of about the longest link, are one.
-const SAME: f64 = 1e-6;
+/// The grain of the order of solutions, in units of about the longest link and in degrees.
+const GRAIN: f64 = 1e-6;
 /// Directions tried for a link of a coupled group of which too little is known.
 const TRIED_DIRECTIONS: usize = 12;
 /// Combinations of such directions at the most.
@@ -17,6 +17,17 @@ const MOST_TRIALS: usize = 1728;
 /// Less for large groups: a trial costs up to the cube of the unknowns, and all of them together no
 /// more than about half a second.
 const TRIAL_WORK: usize = 5_000_000;
+
+/// Trials by the slower way at the most.
+const MOST_CAREFUL: usize = 32;
+
+/// How a solution is approached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Care {
+    Newton,
+    /// Where Newton's method found none.
+    TrustRegion,
+}
 
 impl Assembler<'_> {
     fn coupled_of<'e>(&self, number: usize, engine: &'e Engine) -> Option<&'e Coupled> {
@@ -72,7 +83,11 @@ impl Assembler<'_> {
             return Ok(Way::Only);
         };
         let wanted = self.wanted(number, engine);
-        let mut roots = self.roots_near(number, &wanted, engine, state);
+        let near = |care, state: &mut State| self.roots_near(number, &wanted, care, engine, state);
+        let mut roots = near(Care::Newton, state);
+        if roots.is_empty() {
+            roots = near(Care::TrustRegion, state);
+        }
         if roots.is_empty() && !wanted.is_empty() {
             roots = self.all_roots(number, engine, state);
         }
@@ -107,10 +122,15 @@ impl Assembler<'_> {
         engine: &Engine,
         state: &mut State,
     ) -> Vec<Vec<f64>> {
-        let mut roots = self.roots_near(number, &[], engine, state);
-        if let Some(group) = self.coupled_of(number, engine) {
-            roots.sort_by_key(|z| rank(group, z));
-        }
+        let roots = self.roots_near(number, &[], Care::Newton, engine, state);
+        let Some(group) = self.coupled_of(number, engine) else {
+            return roots;
+        };
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let mut scratch = std::mem::take(&mut state.scratch);
+        let mut roots = group.relatives(q, roots, state, &mut scratch);
+        state.scratch = scratch;
+        roots.sort_by_key(|z| rank(group, z));
         roots
     }
 
@@ -119,6 +139,7 @@ impl Assembler<'_> {
         &self,
         number: usize,
         wanted: &[(PointId, Vec2)],
+        care: Care,
         engine: &Engine,
         state: &mut State,
     ) -> Vec<Vec<f64>> {
@@ -128,13 +149,21 @@ impl Assembler<'_> {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let mut roots: Vec<Vec<f64>> = Vec::new();
         let middles = self.middles(number, state, wanted);
-        for directions in self.guesses(number, group, wanted, state) {
+        let most = match care {
+            Care::Newton => usize::MAX,
+            Care::TrustRegion => MOST_CAREFUL,
+        };
+        for directions in self.guesses(number, group, wanted, state).iter().take(most) {
             for &middle in &middles {
                 let mut scratch = std::mem::take(&mut state.scratch);
                 let near = |p: PointId| wanted.iter().find(|w| w.0 == p).map_or(middle, |w| w.1);
-                group.set_guess(group.open(&mut scratch).z, near, &directions);
-                let settled = group.correct(q, state, &mut scratch).settled
-                    && group.finish(q, crate::solver::step::POSITION, state, &mut scratch);
+                group.set_guess(group.open(&mut scratch).z, near, directions);
+                let settled = match care {
+                    Care::Newton => group.correct(q, state, &mut scratch).settled,
+                    Care::TrustRegion => group.approach(q, state, &mut scratch),
+                };
+                let settled =
+                    settled && group.finish(q, crate::solver::step::POSITION, state, &mut scratch);
                 let z = group.open(&mut scratch).z.to_vec();
                 state.scratch = scratch;
                 if settled && !roots.iter().any(|other| is_same(other, &z)) {
@@ -239,18 +268,14 @@ fn rank(group: &Coupled, z: &[f64]) -> Vec<i64> {
     let (joints, directions) = z.split_at(z.len() - 2 * group.turning().len());
     let angles = directions.chunks_exact(2).map(|d| {
         let angle = crate::angle::degrees(Vec2::new(d[0], d[1]));
-        #[expect(clippy::cast_possible_truncation, reason = "below 360 / SAME")]
-        let place = (angle / SAME).round() as i64;
+        #[expect(clippy::cast_possible_truncation, reason = "below 360 / GRAIN")]
+        let place = (angle / GRAIN).round() as i64;
         place
     });
     #[expect(
         clippy::cast_possible_truncation,
         reason = "saturates far outside any linkage"
     )]
-    let joints = joints.iter().map(|v| (v / SAME).round() as i64);
+    let joints = joints.iter().map(|v| (v / GRAIN).round() as i64);
     angles.chain(joints).collect()
-}
-
-pub(in crate::solver) fn is_same(a: &[f64], b: &[f64]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
 }

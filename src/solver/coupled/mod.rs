@@ -5,9 +5,13 @@
 //! derivatives are exact. With J the matrix of the equations' rates: J z' = -(rates with z' = 0),
 //! J z'' = -(second rates with z'' = 0).
 
+mod approach;
 mod enclose;
 mod equations;
 mod maker;
+mod relatives;
+
+pub(super) use relatives::is_same;
 mod twice;
 
 use super::frame::Frame;
