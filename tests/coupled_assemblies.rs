@@ -197,10 +197,23 @@ fn a_rough_start_is_put_together_however_rough() {
     for _ in 0..300 {
         let triad = numbers.triad();
         let rough = [(); 3].map(|()| numbers.place(3.0));
-        let (mechanism, _) = triad.build(Some(rough));
-        if let Err(fault) = Solver::new(&mechanism) {
-            panic!("{fault:?}: {triad:?} from {rough:?}");
-        }
+        let (mechanism, tops) = triad.build(Some(rough));
+        let solver = match Solver::new(&mechanism) {
+            Ok(solver) => solver,
+            Err(fault) => panic!("{fault:?}: {triad:?} from {rough:?}"),
+        };
+        // It is the nearest of all that there are.
+        let choices = solver.choices(&mechanism, 0.0, coupled(&solver));
+        let miss = |c: &krank::solver::Choice| -> f64 {
+            let place = tops.map(|p| c.state.position(p));
+            (0..3).map(|i| (place[i] - rough[i]).norm2()).sum()
+        };
+        let current = choices.iter().find(|c| c.is_current).map(miss);
+        let least = choices.iter().map(miss).fold(f64::INFINITY, f64::min);
+        assert!(
+            current.is_some_and(|c| c <= least * (1.0 + 1e-9)),
+            "{triad:?} {rough:?}"
+        );
     }
 }
 

@@ -18,6 +18,9 @@ const MOST_TRIALS: usize = 1728;
 /// more than about half a second.
 const TRIAL_WORK: usize = 5_000_000;
 
+/// A start that is off by more than this for each of its points, in units of about the longest link, is
+/// so rough that all solutions are looked for.
+const ROUGH: f64 = 0.05;
 /// Trials by the slower way at the most.
 const MOST_CAREFUL: usize = 32;
 
@@ -88,8 +91,18 @@ impl Assembler<'_> {
         if roots.is_empty() {
             roots = near(Care::TrustRegion, state);
         }
-        if roots.is_empty() && !wanted.is_empty() {
-            roots = self.all_roots(number, engine, state);
+        // From far away Newton's method need not come to the nearest one.
+        let allowed = ROUGH * ROUGH * wanted.len() as f64;
+        let is_near = roots.iter().any(|root| {
+            self.show_root(group, root, engine, state);
+            miss(&wanted, state) <= allowed
+        });
+        if !is_near && !wanted.is_empty() {
+            for root in self.all_roots(number, engine, state) {
+                if !roots.iter().any(|other| is_same(other, &root)) {
+                    roots.push(root);
+                }
+            }
         }
         let subject = self.group(number).point.unwrap_or(PointId::new(0));
         let mut found = Vec::new();
