@@ -14,7 +14,7 @@ macro_rules! keys_help {
 Keys of the workbench:
   space play or pause   . one step on   , one step back   r the other way
   g type where to go    2 all tables    n the next preset t other characters
-  ? all keys            q leave
+  a other assemblies    ? all keys        q leave
 
 "
     };
