@@ -1,6 +1,7 @@
 //! The choices of groups, whole assemblies, and what follows from picking another one.
 
 #![allow(clippy::unwrap_used, reason = "a test may stop")]
+#![allow(clippy::excessive_precision, reason = "the digits of the hard cases")]
 
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Fault, Order, Pick, Range, Solver, State};

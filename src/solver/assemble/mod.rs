@@ -341,11 +341,11 @@ impl Assembler<'_> {
             .collect();
         let picked = self.request.picks[stretched];
         let mut picks = self.request.picks.clone();
-        for number in 0..picks.len() {
+        for (number, pick) in picks.iter_mut().enumerate() {
             let key = self.key(number, engine);
             let ends = key.map(|key| looking.closing(key, engine, state));
             if ends == Some(Outcome::Stretched) {
-                picks[number] = picks[number].or(Some(Pick::Plus));
+                *pick = pick.or(Some(Pick::Plus));
             }
         }
         let at = |side: f64| engine.moved(self.request.at, side * BESIDE);

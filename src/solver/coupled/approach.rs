@@ -71,9 +71,9 @@ impl Region {
             .collect();
         let largest = self.square(room.matrix);
         let damping = *self.damping.get_or_insert(DAMPING * largest);
-        for i in 0..n {
+        for (i, slope) in slope.iter().enumerate() {
             self.matrix[i * n + i] += damping;
-            self.step[i] = -slope[i];
+            self.step[i] = -slope;
         }
         if lu::factor(&mut self.matrix, &mut self.pivots, n).is_none() {
             return false;

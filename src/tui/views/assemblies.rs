@@ -86,7 +86,7 @@ fn render_row(
         print(buffer, x, area.y, room, text, style);
         x = x.saturating_add(width + GAP);
     };
-    put(if under_cursor { ">" } else { " " }, 0, part(Part::Key));
+    put(if under_cursor { ">" } else { " " }, 1, part(Part::Key));
     put(
         &shown(&name(row), app.glyphs()),
         widths.name,
