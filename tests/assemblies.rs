@@ -101,6 +101,58 @@ fn h21_both_sides_of_a_near_miss_can_be_picked() {
     }
 }
 
+/// Each mode of a coupled group has a motion of its own, closed over a turn or with its own limits, and
+/// is found again from any angle of it.
+#[test]
+fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
+    let text = presets::find("stephenson-six-bar").unwrap().text;
+    for text in [
+        text.to_owned(),
+        // Hard case H18: the crank no longer turns fully.
+        text.replace("length = 30 }", "length = 90 }")
+            .replace("length = 190 }", "length = 230 }"),
+    ] {
+        let scene = scene(&text);
+        let e = point(&scene, "E");
+        let first = Solver::new(&scene.mechanism).unwrap();
+        let choices = first.choices(&scene.mechanism, 60.0, 1);
+        assert!(choices.len() >= 2);
+        for choice in &choices {
+            let solver = picked(&scene, "E", choice.pick).unwrap();
+            let place = at(&solver, 60.0).position(e);
+            assert!((place - choice.state.position(e)).norm() < 1e-9);
+            let range = match solver.motion().range {
+                Range::Full { period } => {
+                    assert_eq!(at(&solver, 60.0 + period).position(e), place);
+                    (0.0, period)
+                }
+                Range::Limited { low, high } => (low, high),
+            };
+            // Step by step or at once, it is the same way around.
+            let mut before = place;
+            for k in 0..=400 {
+                let angle = 60.0 + (range.1 - 60.0) * f64::from(k) / 400.0;
+                let now = at(&solver, angle).position(e);
+                assert!((now - before).norm() < 20.0, "a jump at {angle}");
+                before = now;
+            }
+            // From elsewhere to another mode there, and back.
+            let angle = 60.0 + 0.5 * (range.1 - 60.0);
+            let there = solver.choices(&scene.mechanism, angle, 1);
+            let own = there.iter().find(|c| c.is_current).unwrap().pick;
+            for other in there.iter().filter(|c| !c.is_current) {
+                let switched = solver
+                    .switched(&scene.mechanism, angle, 1, other.pick)
+                    .unwrap();
+                let seen = at(&switched, angle).position(e);
+                assert!((seen - other.state.position(e)).norm() < 1e-9);
+                let back = switched.switched(&scene.mechanism, angle, 1, own).unwrap();
+                assert!((at(&back, 60.0).position(e) - place).norm() < 1e-9);
+            }
+        }
+    }
+}
+
 #[test]
 fn choices_are_listed_with_the_one_that_is_followed() {
     let scene = preset("four-bar");

@@ -185,7 +185,6 @@ fn the_search_finds_as_many_assemblies_as_a_fine_scan() {
         }
         seen[count / 2] += 1;
     }
-    println!("two, four and six assemblies: {seen:?}");
     assert!(seen[1] > 20 && seen[2] > 5 && seen[3] > 0, "{seen:?}");
 }
 
@@ -240,7 +239,7 @@ fn h18_a_coupled_group_opens_close_to_its_limit() {
         let group = coupled(&solver);
         let choices = solver.choices(&scene.mechanism, angle, group);
         assert!(
-            choices.len() >= 2 && choices.len() % 2 == 0,
+            choices.len() >= 2 && choices.len().is_multiple_of(2),
             "{digits}: {}",
             choices.len()
         );

@@ -436,6 +436,7 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
         "9",
         "e",
         "Enter",
+        "a",
         "Backspace",
         "Ctrl-U",
     ];

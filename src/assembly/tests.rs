@@ -52,12 +52,12 @@ fn what_cannot_be_meant_is_told_with_what_can() {
         ),
         (
             "press",
-            &["E=+"],
+            &["B=+"],
             "`B` names no group with a choice; there are `C`, `F`",
         ),
         (
             "scotch-yoke",
-            &["E=+"],
+            &["B=+"],
             "`B` names no group with a choice; there is none in this scene",
         ),
         (
