@@ -1,13 +1,11 @@
 //! Joins what the solver found wrong, by ids, to names and lines of the scene file.
 
-use crate::scene::{Diagnostic, Diagnostics, Scene};
+use crate::scene::{Diagnostic, Diagnostics, Scene, figure, key};
 use crate::solver::Fault;
 use crate::{Body, Element, LinkId, PointId, SlideId, Slider, Vec2};
 
 /// Elements that one message points at.
 const POINTED_AT: usize = 6;
-/// Significant digits of a figure in a message.
-const DIGITS: usize = 6;
 
 impl Scene {
     /// Says in the words of the scene file why its mechanism cannot be solved, and what would mend it.
@@ -26,6 +24,8 @@ impl Scene {
             } => over_constrained(self, *element, *misfit, *at),
             Fault::Open { point, links, gap } => open(self, *point, links, *gap),
             Fault::Vague { point, choices } => vague(self, *point, choices),
+            Fault::ChangePoint { group } => change_point(self, *group),
+            Fault::NoChoice { group, found } => no_choice(self, *group, *found),
             Fault::NotAssembled { points, gap } => not_assembled(self, points, *gap),
             Fault::Singular { elements } => singular(self, elements),
         };
@@ -220,6 +220,47 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
     ))
 }
 
+fn change_point(scene: &Scene, group: Element) -> Diagnostic {
+    let name = element_name(scene, group);
+    let option = |sign| format!("`--assembly {}={sign}`", group_text(scene, group));
+    let coordinate = match scene.mechanism.driver().input {
+        crate::Input::Turn(_) => "angle",
+        crate::Input::Push(_) => "position",
+    };
+    Diagnostic::new(format!(
+        "the scene opens at a change point, where the two assemblies of {name} meet and both lead on"
+    ))
+    .at(scene.place(group), "which way does it go on?")
+    .help(format!(
+        "choose the side beyond it by {} or {}",
+        option('+'),
+        option('-')
+    ))
+    .help(format!(
+        "or open the scene elsewhere, at another `{coordinate}` of the driver"
+    ))
+}
+
+/// A group as the command line names it.
+fn group_text(scene: &Scene, group: Element) -> String {
+    element_name(scene, group)
+        .rsplit(' ')
+        .next()
+        .unwrap_or_default()
+        .trim_matches('`')
+        .to_owned()
+}
+
+fn no_choice(scene: &Scene, group: Element, found: usize) -> Diagnostic {
+    let name = element_name(scene, group);
+    let says = match found {
+        0 => format!("{name} names no group that could be assembled in another way"),
+        1 => format!("{name} has one assembly alone here"),
+        n => format!("{name} has {n} assemblies here, and not the one that was picked"),
+    };
+    Diagnostic::new(says).at(scene.place(group), "picked here")
+}
+
 fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
     let names: Vec<String> = points.iter().map(|&p| point_name(scene, p)).collect();
     let mut item = Diagnostic::new(format!(
@@ -347,15 +388,6 @@ fn element_name(scene: &Scene, element: Element) -> String {
     }
 }
 
-/// A name as a key of TOML.
-fn key(name: &str) -> String {
-    if name.contains('\'') {
-        format!("\"{name}\"")
-    } else {
-        name.to_owned()
-    }
-}
-
 fn plural(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
@@ -373,35 +405,6 @@ fn coordinate(scene: &Scene, at: f64) -> String {
 
 fn pair(at: Vec2, open: &str, close: &str) -> String {
     format!("{open}{}, {}{close}", figure(at.x), figure(at.y))
-}
-
-/// A number with a few significant digits, as TOML may read it back.
-fn figure(value: f64) -> String {
-    let size = value.abs();
-    if size == 0.0 {
-        return "0".to_owned();
-    }
-    if !(1e-4..1e9).contains(&size) {
-        let text = format!("{value:.*e}", DIGITS - 1);
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        return format!("{}e{exponent}", trimmed(mantissa));
-    }
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "between 0 and 10"
-    )]
-    let decimals = (DIGITS as f64 - 1.0 - size.log10().floor()).max(0.0) as usize;
-    trimmed(&format!("{value:.decimals$}")).to_owned()
-}
-
-/// Without the zeros at the end of a decimal fraction.
-fn trimmed(decimal: &str) -> &str {
-    if decimal.contains('.') {
-        decimal.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        decimal
-    }
 }
 
 #[cfg(test)]

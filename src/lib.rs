@@ -81,12 +81,14 @@
 #![cfg_attr(test, allow(clippy::unwrap_used))]
 
 mod arithmetic;
+pub mod assembly;
 pub mod cli;
 pub mod drawing;
 mod explain;
 mod mechanism;
 mod nearest;
 pub mod quantity;
+mod replace;
 pub mod report;
 pub mod scene;
 pub mod solver;

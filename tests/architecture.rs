@@ -11,12 +11,14 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 13] = [
+const PLACES: [(&str, u8); 15] = [
     ("nearest", 0),
     ("arithmetic", 0),
+    ("replace", 0),
     ("mechanism", 2),
     ("scene", 3),
     ("solver", 3),
+    ("assembly", 4),
     ("explain", 4),
     ("quantity", 4),
     ("study", 5),
@@ -42,10 +44,10 @@ const FOREIGN: [(&str, &[&str]); 17] = [
     ("serde_json", &["report"]),
     ("serde", &["report"]),
     ("petgraph", &["solver"]),
-    ("std::fs", &["cli", "tui"]),
-    ("std::io", &["report", "cli", "tui"]),
+    ("std::fs", &["cli", "tui", "replace"]),
+    ("std::io", &["report", "cli", "tui", "replace"]),
     ("std::env", &["cli", "tui", "main"]),
-    ("std::process", &["cli", "tui", "main"]),
+    ("std::process", &["cli", "tui", "main", "replace"]),
 ];
 
 fn place(module: &str) -> Option<u8> {

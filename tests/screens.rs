@@ -436,6 +436,7 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
         "9",
         "e",
         "Enter",
+        "a",
         "Backspace",
         "Ctrl-U",
     ];
@@ -475,4 +476,117 @@ proptest! {
         session.terminal = emulator(size.1.get(), size.0.get());
         prop_assert_eq!(shown, session.look());
     }
+}
+
+/// The other assemblies: listed in the place of the tables, and drawn in points.
+#[test]
+fn shows_the_other_assemblies_as_ghosts() {
+    for (name, glyphs) in [
+        ("ascii", Glyphs::Ascii),
+        ("line", Glyphs::Line),
+        ("braille", Glyphs::Braille),
+    ] {
+        let screen = four_bar(glyphs, 80, 24).press("a").look();
+        insta::assert_snapshot!(format!("assemblies-{name}-80x24"), screen);
+    }
+    let screen = four_bar(Glyphs::Ascii, 40, 12).press("a").look();
+    insta::assert_snapshot!("assemblies-ascii-40x12", screen);
+    let mut coupled = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
+    insta::assert_snapshot!("assemblies-coupled-80x24", coupled.press("a Up").look());
+}
+
+#[test]
+fn an_assembly_is_taken_and_stays() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let before = session.look();
+    let closed = session.press("a Esc").look();
+    assert_eq!(closed, before, "a look changes nothing");
+    let line = session.press("a Enter").last_line();
+    assert!(line.contains("C=- now; w saves it"), "{line}");
+    let crossed = session.look();
+    // The coupler's direction at 60 deg, now and a full turn later.
+    assert!(crossed.contains("302.825"), "{crossed}");
+    session.press("space").pass(4.0).press("space g 6 0 Enter");
+    let later = session.look();
+    assert!(later.contains("302.825"), "{later}");
+    // The list now has the cursor on the other one: back again.
+    let again = session.press("a Enter").look();
+    assert!(again.contains("29.379"), "{again}");
+}
+
+#[test]
+fn what_does_not_close_is_not_taken() {
+    let mut session = Session::new(preset("press"), Glyphs::Ascii, 80, 24);
+    let screen = session.press("a Up Up Up").look();
+    let row = screen.lines().find(|l| l.contains(" C - ")).unwrap();
+    assert!(row.trim_end().ends_with("open"), "{row}");
+    let line = session.press("Down Enter").last_line();
+    assert!(line.contains("the rest does not close with C=-"), "{line}");
+    let mut yoke = Session::new(preset("scotch-yoke"), Glyphs::Ascii, 80, 24);
+    let line = yoke.press("a").last_line();
+    assert!(line.contains("there is no other assembly here"), "{line}");
+}
+
+#[test]
+fn an_assembly_is_saved_after_a_question() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("saving");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("mine.toml");
+    let text = presets::find("four-bar").unwrap().text;
+    let text = text.replace("[start]", "# rough\n[start]");
+    std::fs::write(&file, &text).unwrap();
+    let opened = open(&text, Origin::File(file.clone()));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let line = session.press("a Enter w").last_line();
+    assert!(
+        line.contains("write [start] of mine.toml?  Enter write  Esc cancel"),
+        "{line}"
+    );
+    session.press("Esc");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text, "cancelled");
+    let line = session.press("w Enter").last_line();
+    assert!(line.contains("written to "), "{line}");
+    let saved = std::fs::read_to_string(&file).unwrap();
+    assert!(
+        saved.contains("# rough\n[start]\nC = [212.622, -165.497]"),
+        "{saved}"
+    );
+    // Once more, with what is in the file now; and not where somebody has changed it meanwhile.
+    let line = session.press("a Enter w Enter").last_line();
+    assert!(line.contains("written to "), "{line}");
+    std::fs::write(&file, text.replace("15 rad/s", "16 rad/s")).unwrap();
+    let line = session.press("a Enter w Enter").last_line();
+    assert!(line.contains("has changed since"), "{line}");
+    assert!(std::fs::read_to_string(&file).unwrap().contains("16 rad/s"));
+}
+
+#[test]
+fn a_preset_is_saved_under_a_name_that_is_typed() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let line = session.press("w").last_line();
+    assert!(line.contains("write to: four-bar.toml"), "{line}");
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("saving-as");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("new.toml");
+    let keys: Vec<String> = file.to_str().unwrap().chars().map(String::from).collect();
+    session.press("Ctrl-U").press(&keys.join(" "));
+    let line = session.press("Enter").last_line();
+    assert!(line.contains("written to "), "{line}");
+    assert!(std::fs::read_to_string(&file).unwrap().contains("[start]"));
+    // It is the scene's own file now.
+    let line = session.press("w").last_line();
+    assert!(line.contains("write [start] of new.toml?"), "{line}");
+    // Another scene does not write over it unasked.
+    let mut other = Session::new(preset("press"), Glyphs::Ascii, 40, 12);
+    other.press("w Ctrl-U").press(&keys.join(" "));
+    let line = other.press("Enter").last_line();
+    assert!(line.contains("write over new.toml?"), "{line}");
+    other.press("Esc");
+    assert!(
+        !std::fs::read_to_string(&file)
+            .unwrap()
+            .contains("[links]\nr5")
+    );
 }

@@ -1,5 +1,6 @@
 //! The command line as its users write it.
 
+use crate::assembly::Wish;
 use crate::report::Decimal;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -13,7 +14,7 @@ macro_rules! keys_help {
 Keys of the workbench:
   space play or pause   . one step on   , one step back   r the other way
   g type where to go    2 all tables    n the next preset t other characters
-  ? all keys            q leave
+  a other assemblies    ? all keys        q leave
 
 "
     };
@@ -65,6 +66,8 @@ pub(super) struct Cli {
 pub(super) struct WorkbenchArgs {
     #[arg(help = SCENE_HELP, default_value = "four-bar")]
     pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
     /// Where to open: deg of the driven link, or the position of the driven slide
     #[cfg(feature = "tui")]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
@@ -124,6 +127,7 @@ Example:
     #[command(after_help = "\
 Examples:
   krank check four-bar
+  krank check four-bar --assembly C=-
   krank check my-press.toml --format json
   krank check - < my-press.toml")]
     Check(CheckArgs),
@@ -132,7 +136,8 @@ Examples:
 Examples:
   krank table four-bar --at 60
   krank table slider-crank --at 30 --digits 10
-  krank table four-bar --format json")]
+  krank table four-bar --format json
+  krank table four-bar --at 240 --assembly C=-")]
     Table(TableArgs),
     /// Write figures over the driver's angle, row by row
     #[command(after_help = "\
@@ -148,6 +153,17 @@ no-assembly. A value that does not exist is an empty cell (null in JSON).
 Without --from and --to a sweep covers the motion range and ends on its limits,
 or after one period.")]
     Sweep(SweepArgs),
+    /// Print a scene with the [start] of another assembly
+    #[command(after_help = "\
+Examples:
+  krank start four-bar --assembly C=- > crossed.toml
+  krank start my-press.toml --assembly C=-,F=+ -o my-press.toml
+
+Only [start] changes: comments, order and everything else stay as they are. The
+file is written at once or not at all, and may be the scene itself. Where the
+motion of the assembly does not come to where the scene opens, the opening of
+the driver changes too.")]
+    Start(StartArgs),
     /// Print a completion script for a shell
     #[command(after_help = "\
 Example:
@@ -171,6 +187,8 @@ Examples:
 pub(super) struct CheckArgs {
     #[arg(help = SCENE_HELP)]
     pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
     /// How to write it
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub(super) format: CheckFormat,
@@ -200,6 +218,8 @@ pub(super) enum Format {
 pub(super) struct TableArgs {
     #[arg(help = SCENE_HELP)]
     pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
     /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(super) at: Option<Decimal>,
@@ -216,6 +236,8 @@ pub(super) struct TableArgs {
 pub(super) struct SweepArgs {
     #[arg(help = SCENE_HELP)]
     pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
     /// The first row [default: the beginning of the motion range]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(super) from: Option<Decimal>,
@@ -245,6 +267,24 @@ pub(super) struct FigureArgs {
     /// Leave the units out
     #[arg(long)]
     pub(super) no_units: bool,
+}
+
+/// The assembly that is meant.
+#[derive(Debug, Args)]
+pub(super) struct AssemblyArgs {
+    /// The assembly of a group where the scene opens, as check lists them; separated by commas
+    #[arg(long = "assembly", value_name = "GROUP=CHOICE", value_delimiter = ',')]
+    pub(super) wishes: Vec<Wish>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct StartArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
 }
 
 #[derive(Debug, Args)]

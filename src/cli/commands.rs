@@ -1,8 +1,8 @@
 //! The commands that take a line or two each.
 
-use super::args::{CheckArgs, CheckFormat, Cli, Format, TableArgs};
+use super::args::{CheckArgs, CheckFormat, Cli, Format, StartArgs, TableArgs};
 use super::failure::{Failure, note};
-use super::output::{write_text, write_to};
+use super::output::{replace, write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::quantity::Catalogue;
@@ -27,7 +27,7 @@ pub(super) fn list(screen: Screen) -> Result<(), Failure> {
 
 /// `krank check`: what was understood of a scene.
 pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene)?;
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
     let check = Check::new(&scene, &solver);
     let text = match args.format {
         CheckFormat::Text => check.to_text(screen.ascii),
@@ -38,7 +38,7 @@ pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
 
 /// `krank table`: position, velocity and acceleration at one coordinate of the driver.
 pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene)?;
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
     let start = scene.mechanism.driver().start;
     let at = args.at.map_or(start, |at| at.value());
     let mut state = solver.state();
@@ -72,6 +72,18 @@ pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: Screen
     let unit = &catalogue.driver().unit;
     for miss in near_misses(scene, solver) {
         note(&miss.text(unit), screen);
+    }
+}
+
+/// `krank start`: the scene with the start positions of an assembly.
+pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let start = scene.mechanism.driver().start;
+    match scene.with_start_of(&solver, start) {
+        Some(text) => replace(args.output.output.as_deref(), &text),
+        None => Err(Failure::Cannot(
+            "no start positions tell this assembly from the others where the scene opens".into(),
+        )),
     }
 }
 

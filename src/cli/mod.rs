@@ -72,6 +72,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Check(args)) => commands::check(args, screen),
         Some(Command::Table(args)) => commands::table(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
+        Some(Command::Start(args)) => commands::start(args),
         Some(Command::Completions { shell }) => commands::completions(*shell),
         Some(Command::Man { command }) => commands::man(command.as_deref()),
     }

@@ -1,6 +1,7 @@
 //! Where results go: standard output or a file.
 
 use super::failure::Failure;
+use crate::replace::replace_file;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, Write, stdout};
 use std::path::Path;
@@ -30,6 +31,15 @@ pub(super) fn write_to<T>(
 /// The same for a text that is ready.
 pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
     write_to(path, |out| out.write_all(text.as_bytes()))
+}
+
+/// Puts a text in the place of a file, at once or not at all; without a file it is printed.
+pub(super) fn replace(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match path.filter(|path| *path != Path::new("-")) {
+        None => write_text(None, text),
+        Some(path) => replace_file(path, text.as_bytes())
+            .map_err(|e| Failure::Output(Some(path.to_owned()), e)),
+    }
 }
 
 fn through<T>(

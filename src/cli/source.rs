@@ -2,10 +2,11 @@
 
 use super::args::Cli;
 use super::failure::Failure;
+use crate::assembly::Wish;
 use crate::nearest::nearest;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{LARGEST_FILE, Scene};
-use crate::solver::Solver;
+use crate::solver::{Fault, Plan, Solver};
 use clap::{Command, CommandFactory};
 use std::fs::File;
 use std::io::{self, Read};
@@ -17,17 +18,36 @@ pub(super) struct Opened {
     pub(super) solver: Solver,
 }
 
-/// Reads, checks and assembles the scene that the command line names.
-pub(super) fn open(name: &Path) -> Result<Opened, Failure> {
-    load(&find(name)?)
+/// Reads, checks and assembles the scene that the command line names, in the assembly that it wishes.
+pub(super) fn open(name: &Path, wishes: &[Wish]) -> Result<Opened, Failure> {
+    load(&find(name)?, wishes)
 }
 
 /// The scene of a source, checked and assembled.
-pub(super) fn load(source: &Source) -> Result<Opened, Failure> {
+pub(super) fn load(source: &Source, wishes: &[Wish]) -> Result<Opened, Failure> {
     let scene = read(source)?;
-    let solver =
-        Solver::new(&scene.mechanism).map_err(|fault| Failure::Scene(scene.explain(&fault)))?;
+    let solver = assembled(&scene, wishes)?;
     Ok(Opened { scene, solver })
+}
+
+fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
+    let broken = |fault: &Fault| Failure::Scene(scene.explain(fault));
+    if wishes.is_empty() {
+        return Solver::new(&scene.mechanism).map_err(|fault| broken(&fault));
+    }
+    let plan = Plan::of(&scene.mechanism).map_err(|fault| broken(&fault))?;
+    let misread = |e| Failure::Usage(format!("--assembly: {e}"));
+    let picks = scene.picks(&plan, wishes).map_err(misread)?;
+    Solver::with_assembly(&scene.mechanism, &picks).map_err(|fault| {
+        // The scene is sound if it opens without the wish: then it cannot fulfil that.
+        if Solver::new(&scene.mechanism).is_err() {
+            return broken(&fault);
+        }
+        let wishes: Vec<String> = wishes.iter().map(ToString::to_string).collect();
+        let fault = scene.explain(&fault);
+        let why = fault.items.first().map_or("", |item| item.message.as_str());
+        Failure::Cannot(format!("--assembly {}: {why}", wishes.join(",")))
+    })
 }
 
 /// Where a scene comes from.

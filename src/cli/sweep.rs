@@ -17,7 +17,7 @@ use crate::solver::Range;
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene)?;
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);

@@ -9,7 +9,7 @@ use crate::tui::{self, Colours, Options, Origin};
 /// Opens the scene on the terminal and returns when the workbench is left.
 pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
     let source = find(&args.scene)?;
-    let Opened { scene, solver } = load(&source)?;
+    let Opened { scene, solver } = load(&source, &args.assembly.wishes)?;
     let origin = match source {
         Source::Stdin => Origin::Stdin,
         Source::Preset(preset) => Origin::Preset(preset.name.to_owned()),

@@ -26,6 +26,8 @@ pub enum Role {
     Rider,
     /// A centre of mass.
     CentreOfMass,
+    /// Where the linkage could be as well.
+    Ghost,
     /// A name.
     Label,
 }

@@ -176,7 +176,8 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     let mut sum = 0;
     for c in col..end {
         sum += match raster.cell(c, row)?.role {
-            Role::Empty => 0,
+            // Names stay where they are when ghosts come and go.
+            Role::Empty | Role::Ghost => 0,
             Role::Ground | Role::Guide => OVER_GROUND,
             Role::Link | Role::Driver => OVER_LINE,
             Role::Joint
@@ -190,7 +191,7 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     for c in [col - 1, end] {
         let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
         sum += match role {
-            Role::Empty | Role::Ground | Role::Guide => 0,
+            Role::Empty | Role::Ground | Role::Guide | Role::Ghost => 0,
             Role::Link | Role::Driver => BESIDE_LINE,
             Role::Joint | Role::GroundPin | Role::Slider | Role::Rider | Role::CentreOfMass => {
                 TOUCHING

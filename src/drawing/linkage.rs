@@ -55,6 +55,35 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     sketch.figure
 }
 
+/// Adds the links that are elsewhere in another state of the same scene, to be drawn below everything.
+pub fn add_ghost(figure: &mut Figure, scene: &Scene, now: &State, other: &State) {
+    let mechanism = &scene.mechanism;
+    let points = || mechanism.point_ids();
+    let size = points()
+        .map(|p| now.position(p).norm())
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let moved = |m: &Member| (now.position(m.point) - other.position(m.point)).norm() > SEEN * size;
+    let roles = roles(mechanism);
+    for link in mechanism.links() {
+        let solid = || link.members.iter().filter(|m| link.com != Some(m.point));
+        if !solid().any(moved) {
+            continue;
+        }
+        let corner = |m: &Member| Corner {
+            at: other.position(m.point),
+            block: roles[m.point.index()] == Role::Slider,
+        };
+        outline::draw(
+            figure,
+            &solid().map(corner).collect::<Vec<_>>(),
+            Role::Ghost,
+        );
+    }
+}
+
+/// What differs by less than this part of the largest coordinate is in the same place to any eye.
+const SEEN: f64 = 1e-6;
+
 /// What each point is drawn as.
 fn roles(mechanism: &Mechanism) -> Vec<Role> {
     let role = |point: &Point| match (point.ground, point.links.len()) {

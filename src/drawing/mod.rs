@@ -40,7 +40,7 @@ mod view;
 
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
-pub use linkage::{Layers, linkage};
+pub use linkage::{Layers, add_ghost, linkage};
 pub use raster::{Cell, Raster};
 pub use reach::Reach;
 pub use render::{Glyphs, render, render_into};

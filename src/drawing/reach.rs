@@ -54,6 +54,18 @@ impl Reach {
         reach
     }
 
+    /// The same with room for some more states.
+    #[must_use]
+    pub fn with<'s>(&self, scene: &Scene, states: impl IntoIterator<Item = &'s State>) -> Reach {
+        let mut reach = self.clone();
+        for state in states {
+            for point in scene.mechanism.point_ids() {
+                reach.moving.include(state.position(point));
+            }
+        }
+        reach
+    }
+
     fn at_rest(scene: &Scene) -> Reach {
         let mechanism = &scene.mechanism;
         let mut ground = Bounds::default();

@@ -23,6 +23,7 @@ pub enum Glyphs {
 /// Layers from the lowest to the highest.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Layer {
+    Ghosts,
     Ground,
     Guides,
     Links,
@@ -31,7 +32,8 @@ enum Layer {
     Labels,
 }
 
-const LAYERS: [Layer; 5] = [
+const LAYERS: [Layer; 6] = [
+    Layer::Ghosts,
     Layer::Ground,
     Layer::Guides,
     Layer::Links,
@@ -44,6 +46,7 @@ fn layer(shape: &Shape) -> Layer {
         Shape::Support { .. } | Shape::Hatching { .. } => Layer::Ground,
         Shape::Line { role, .. } | Shape::Outline { role, .. } => match role {
             Role::Guide => Layer::Guides,
+            Role::Ghost => Layer::Ghosts,
             _ => Layer::Links,
         },
         Shape::Barrel { .. } => Layer::Links,

@@ -18,6 +18,9 @@ const CLIMB: f64 = 0.36;
 /// Draws the line from `a` to `b`, in cell coordinates.
 pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: Role) {
     match glyphs {
+        Glyphs::Ascii if role == Role::Ghost => points(raster, a, b, '.'),
+        // Console fonts have it: it is in Latin-1.
+        Glyphs::Line if role == Role::Ghost => points(raster, a, b, '\u{b7}'),
         Glyphs::Ascii => strokes(raster, a, b, role, ('-', '|')),
         Glyphs::Line => strokes(raster, a, b, role, ('─', '│')),
         Glyphs::Braille => dots(raster, a, b, role),
@@ -199,6 +202,16 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, (flat, upright): (
     }
 }
 
+/// A line of points, which no colour needs to tell from one of strokes.
+fn points(raster: &mut Raster, a: Vec2, b: Vec2, glyph: char) {
+    for (col, row) in cells(raster, a, b) {
+        raster.put(col, row, glyph, Role::Ghost);
+    }
+}
+
+/// One dot of so many is set in the line of a ghost.
+const SPARSE: usize = 3;
+
 /// The Braille pattern without a dot; the next 255 follow.
 const BLANK: u32 = 0x2800;
 
@@ -211,7 +224,8 @@ fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
     };
     let fine = |p: Vec2| Vec2::new(p.x * 2.0, p.y * 4.0);
     let course = Course::new(fine(a), fine(b));
-    for cell in course.cells() {
+    let spacing = if role == Role::Ghost { SPARSE } else { 1 };
+    for cell in course.cells().step_by(spacing) {
         let (x, y) = course.cell(cell, course.middle(cell).floor() as i32);
         dot(raster, x, y, role);
     }

@@ -171,6 +171,7 @@ fn glyph_of(role: Role) -> char {
         Role::Joint | Role::GroundPin | Role::Slider => 'o',
         Role::Rider => '*',
         Role::CentreOfMass => 'x',
+        Role::Ghost => '.',
         Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
     }
 }

@@ -1,5 +1,6 @@
 //! What krank understood of a scene: its parts, its mobility, its groups and its range.
 
+use super::choice_facts::ChoiceList;
 use super::loop_facts::LoopFacts;
 use super::number::concise;
 use crate::quantity::{Catalogue, Quantity};
@@ -153,6 +154,9 @@ pub struct Check {
     pub redundant: Vec<String>,
     /// The groups in the order in which they are solved.
     pub groups: Vec<GroupFacts>,
+    /// What each group, and the whole, could choose where the scene opens.
+    #[serde(flatten)]
+    pub choices: ChoiceList,
     /// The lower and the upper end of the driver's range, in deg or the scene's unit.
     pub range: [f64; 2],
     /// The degrees after which the motion repeats; `None` if the driver cannot turn fully.
@@ -247,6 +251,7 @@ impl Check {
             mobility: plan.mobility,
             redundant: plan.redundant.iter().map(|&e| names.element(e)).collect(),
             groups: plan.groups.iter().map(|g| names.group(g)).collect(),
+            choices: ChoiceList::new(scene, solver),
             range,
             period,
             dead_points: solver.motion().dead_points.clone(),

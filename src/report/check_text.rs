@@ -40,6 +40,8 @@ impl Check {
         let groups = self.groups.iter().enumerate();
         let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, self.group_text(group)));
         out.facts("groups", groups);
+        out.facts("choices", self.choices.group_lines());
+        out.facts("assemblies", self.choices.whole_text());
         if let Some(first) = &self.first_loop {
             out.facts("loop", first.lines(self.unit));
         }

@@ -8,6 +8,7 @@
 
 mod check;
 mod check_text;
+mod choice_facts;
 mod loop_facts;
 mod number;
 mod steps;
@@ -21,6 +22,7 @@ pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
     SlideFacts, SliderKind, TransmissionFacts, near_misses, range_text,
 };
+pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};

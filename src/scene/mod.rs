@@ -101,11 +101,14 @@ pub mod presets;
 mod rate;
 mod reader;
 mod resolve;
+mod rewrite;
 mod syntax;
 mod unit;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub use harmless::{harmless, is_harmful};
+pub use rewrite::Precision;
+pub(crate) use rewrite::{figure, key};
 pub use unit::Unit;
 
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};

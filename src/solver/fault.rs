@@ -42,6 +42,21 @@ pub enum Fault {
         /// Where it can be.
         choices: Vec<Vec2>,
     },
+    /// The scene opens exactly where two assemblies of a dyad meet and the motion passes: no position
+    /// tells which way it goes on.
+    #[error("the start is a change point, where two ways lead on")]
+    ChangePoint {
+        /// What names the dyad.
+        group: Element,
+    },
+    /// A pick that its group does not have.
+    #[error("the group has no such assembly, but {found}")]
+    NoChoice {
+        /// What names the group.
+        group: Element,
+        /// How many assemblies it has here; 0 where nothing of that name has any choice.
+        found: usize,
+    },
     /// A coupled group for which no assembly was found near the start.
     #[error("no assembly was found near the start")]
     NotAssembled {

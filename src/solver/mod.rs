@@ -8,6 +8,7 @@
 mod assemble;
 mod bounds;
 mod chain;
+mod choices;
 mod classify;
 mod coupled;
 mod demand;
@@ -25,14 +26,16 @@ mod step;
 mod transmission;
 mod twice;
 
+pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
 pub use motion::{Motion, NearMiss, Range};
-pub use plan::{Group, GroupKind, Plan};
+pub use plan::{Group, GroupKind, Pick, Plan};
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
 
-use crate::{Element, LinkId, Mechanism, PointId, SlideId};
+use crate::{Element, LinkId, Mechanism, PointId, SlideId, Vec2};
+use assemble::Request;
 use engine::Engine;
 use frame::Frame;
 use network::Network;
@@ -81,43 +84,81 @@ impl Solver {
     /// # Errors
     /// What makes the mechanism impossible as a whole: see [`Fault`].
     pub fn new(mechanism: &Mechanism) -> Result<Solver, Fault> {
-        let network = Network::new(mechanism);
+        Solver::with_assembly(mechanism, &[])
+    }
+
+    /// As [`Solver::new`], where the groups that are named ([`Group::name`]) take what was picked for
+    /// them at the driver's start; the others go by the mechanism's start.
+    ///
+    /// # Errors
+    /// See [`Fault`]; a pick that its group does not have among them.
+    pub fn with_assembly(
+        mechanism: &Mechanism,
+        picks: &[(Element, Pick)],
+    ) -> Result<Solver, Fault> {
         let start = mechanism.driver().start;
+        Solver::open(mechanism, start, mechanism.start(), picks)
+    }
+
+    /// Assembles the mechanism at a coordinate, near rough places, and follows its motion from there.
+    fn open(
+        mechanism: &Mechanism,
+        at: f64,
+        near: &[(PointId, Vec2)],
+        picks: &[(Element, Pick)],
+    ) -> Result<Solver, Fault> {
+        let network = Network::new(mechanism);
         if let Some(clash) = network.clash {
             let element = Element::Slide(clash.slide);
             let misfit = clash.misfit.abs();
             return Err(Fault::OverConstrained {
                 element,
                 misfit,
-                at: start,
+                at,
             });
         }
         let ordering = order::ordering(&network, None)?;
-        let first = Solver::with(&network, &ordering);
+        let with = |ordering: &Ordering| Solver::with(&network, ordering, at, near, picks);
+        let first = with(&ordering);
         // Only numbers tell which of several constraints repeats the others: where the one that was
         // set aside leaves a group that cannot be solved, another is tried in its stead.
         let tries = match first {
             Err(Fault::Singular { .. }) => MOST_RIVALS,
             Err(Fault::NotAssembled { .. } | Fault::OverConstrained { .. }) => FEW_RIVALS,
-            Ok(_) | Err(Fault::Mobility { .. } | Fault::Open { .. } | Fault::Vague { .. }) => 0,
+            Ok(_)
+            | Err(
+                Fault::Mobility { .. }
+                | Fault::Open { .. }
+                | Fault::Vague { .. }
+                | Fault::ChangePoint { .. }
+                | Fault::NoChoice { .. },
+            ) => 0,
         };
         let mut rivals = ordering.rivals.iter().rev().take(tries);
         rivals
-            .find_map(|&row| {
-                Solver::with(&network, &order::ordering(&network, Some(row)).ok()?).ok()
-            })
+            .find_map(|&row| with(&order::ordering(&network, Some(row)).ok()?).ok())
             .map_or(first, Ok)
     }
 
-    fn with(network: &Network<'_>, ordering: &Ordering) -> Result<Solver, Fault> {
+    fn with(
+        network: &Network<'_>,
+        ordering: &Ordering,
+        at: f64,
+        near: &[(PointId, Vec2)],
+        picks: &[(Element, Pick)],
+    ) -> Result<Solver, Fault> {
         let mechanism = network.mechanism;
         let frame = Frame::of(mechanism);
         let (plan, program) = chain::build(network, frame, ordering)?;
         let slides = mechanism.slides().len();
         let mut engine = Engine::new(mechanism, frame, program);
         let mut state = engine.state(slides);
-        assemble::assemble(&mut engine, network, &plan, &mut state)?;
-        let motion = motion::explore(&engine, mechanism.driver().start, &state)?;
+        let request = Request::new(&plan, at, near, picks)?;
+        let begun = assemble::assemble(&mut engine, network, &plan, &request, &mut state)?;
+        let motion = motion::explore(&engine, begun.at, &state)?;
+        if let Some(stuck) = begun.stuck.filter(|_| !motion.covers(at)) {
+            return Err(stuck);
+        }
         let first_loop = classify::classify(&engine, network);
         Ok(Solver {
             first_loop,

@@ -1,8 +1,11 @@
 //! The plan of a mechanism: groups in their order, for people; steps, for the solver.
 
 use super::coupled::Coupled;
+use super::fault::Fault;
+use super::frame::Frame;
+use super::network::Network;
 use super::step::Step;
-use crate::{Constant, Element, LinkId, PointId, Vec2};
+use crate::{Constant, Element, LinkId, Mechanism, PointId, Vec2};
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,6 +29,21 @@ pub enum GroupKind {
     },
 }
 
+/// Which of its assemblies a group is to take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pick {
+    /// Of a dyad with two links: its joint lies on the left of the line from the pivot of its first
+    /// link to that of its second, first as in the mechanism. Of one with a guide: the joint lies
+    /// further along the guide than the foot of the link's pivot, or the arm's guide runs from its
+    /// pivot towards the pin. Where the dyad is at a change point, it will be so just beyond it, the
+    /// driver's coordinate growing.
+    Plus,
+    /// The other one.
+    Minus,
+    /// Of a coupled group, counted from 1 in the order of [`super::Solver::choices`].
+    Number(usize),
+}
+
 /// A smallest set of links and points that is solved at once.
 #[derive(Clone, Debug)]
 pub struct Group {
@@ -39,6 +57,32 @@ pub struct Group {
     pub points: Vec<PointId>,
 }
 
+impl Group {
+    /// What names it: the joint of a dyad, the first of a coupled group, the arm of an RPR.
+    #[must_use]
+    pub fn name(&self) -> Option<Element> {
+        let arm = self.links.first().map(|&link| Element::Link(link));
+        match self.kind {
+            GroupKind::Driver => None,
+            GroupKind::Rpr => arm,
+            GroupKind::Rrr
+            | GroupKind::Rrp
+            | GroupKind::Prp
+            | GroupKind::Rpp
+            | GroupKind::Coupled { .. } => self.point.map(Element::Point).or(arm),
+        }
+    }
+
+    /// Whether it can have more than one assembly.
+    #[must_use]
+    pub fn has_choices(&self) -> bool {
+        match self.kind {
+            GroupKind::Driver | GroupKind::Prp | GroupKind::Rpp => false,
+            GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr | GroupKind::Coupled { .. } => true,
+        }
+    }
+}
+
 /// The groups of a mechanism in the order in which they are solved.
 #[derive(Clone, Debug)]
 pub struct Plan {
@@ -48,6 +92,26 @@ pub struct Plan {
     pub mobility: usize,
     /// Elements with a constraint that repeats others and was set aside.
     pub redundant: Vec<Element>,
+}
+
+impl Plan {
+    /// The groups of a mechanism, whether or not it can be assembled.
+    ///
+    /// # Errors
+    /// What makes the mechanism impossible by its structure: see [`Fault`].
+    pub fn of(mechanism: &Mechanism) -> Result<Plan, Fault> {
+        let network = Network::new(mechanism);
+        let ordering = super::order::ordering(&network, None)?;
+        let (plan, _) = super::chain::build(&network, Frame::of(mechanism), &ordering)?;
+        Ok(plan)
+    }
+
+    /// The group of a name, if there is one with choices.
+    #[must_use]
+    pub fn group(&self, name: Element) -> Option<usize> {
+        let mut groups = self.groups.iter();
+        groups.position(|g| g.has_choices() && g.name() == Some(name))
+    }
 }
 
 /// A constraint that must hold whether or not the steps are built on it.

@@ -26,6 +26,10 @@ pub(crate) enum Action {
     GoTo,
     /// Back to where the scene opens.
     Opening,
+    /// List the assemblies.
+    Assemblies,
+    /// Save the start positions.
+    Save,
     /// The next preset.
     NextPreset,
     /// The preset before.
@@ -88,7 +92,7 @@ const fn entry(
 /// All actions with their keys, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static ACTIONS: [Entry; 26] = {
+pub(crate) static ACTIONS: [Entry; 28] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     [
@@ -102,6 +106,8 @@ pub(crate) static ACTIONS: [Entry; 26] = {
         entry(A::Reverse, "reverse", "play the other way", &[Char('r')]),
         entry(A::GoTo, "go to", "type where to go", &[Char('g')]),
         entry(A::Opening, "opening", "where the scene opens", &[Key::Home]),
+        entry(A::Assemblies, "assemblies", "other assemblies", &[Char('a')]),
+        entry(A::Save, "save", "save this assembly", &[Char('w')]),
         entry(A::NextPreset, "next", "the next preset", &[Char('n')]),
         entry(A::PreviousPreset, "previous", "the preset before", &[Char('p')]),
         entry(A::Glyphs, "glyphs", "ASCII, lines, Braille", &[Char('t')]),

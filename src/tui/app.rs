@@ -6,13 +6,15 @@ use super::figures::coordinate;
 use super::key::Key;
 use super::line::Line;
 use super::playback::Playback;
+use super::saving;
 use super::stage::{Stage, open_preset};
 use super::steps::Steps;
 use super::views;
-use super::{Opened, terminal::Capability};
+use super::{Opened, Origin, terminal::Capability};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// What keys go to.
@@ -24,6 +26,12 @@ pub(crate) enum Mode {
     Help(usize),
     /// The line in which a coordinate is typed.
     GoTo(Line),
+    /// The list of assemblies, with the cursor on this one.
+    Assemblies(usize),
+    /// The line in which the name of a new file is typed.
+    SaveAs(Line),
+    /// The question whether to write to this file.
+    Confirm(PathBuf),
 }
 
 /// What is looked at.
@@ -155,7 +163,7 @@ impl App {
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
     pub(crate) fn paste(&mut self, text: &str) {
-        if let Mode::GoTo(line) = &mut self.mode {
+        if let Mode::GoTo(line) | Mode::SaveAs(line) = &mut self.mode {
             text.chars().for_each(|c| line.push(c));
         }
     }
@@ -200,14 +208,24 @@ impl App {
             Action::Help => {
                 self.mode = match self.mode {
                     Mode::Help(_) => Mode::Normal,
-                    Mode::Normal | Mode::GoTo(_) => Mode::Help(0),
+                    Mode::Normal
+                    | Mode::GoTo(_)
+                    | Mode::Assemblies(_)
+                    | Mode::SaveAs(_)
+                    | Mode::Confirm(_) => Mode::Help(0),
                 }
             }
             Action::LineUp => self.scroll_by(-1),
             Action::LineDown => self.scroll_by(1),
             Action::PageUp => self.scroll_by(-self.page()),
             Action::PageDown => self.scroll_by(self.page()),
+            Action::Save if matches!(self.mode, Mode::Normal | Mode::Assemblies(_)) => self.ask(),
+            Action::Assemblies if matches!(self.mode, Mode::Assemblies(_)) => {
+                self.mode = Mode::Normal;
+            }
             _ if self.mode != Mode::Normal => {}
+            Action::Save => {}
+            Action::Assemblies => self.list_assemblies(),
             Action::Play | Action::Slower | Action::Faster | Action::Reverse => {
                 self.play(action, now);
             }
@@ -215,8 +233,11 @@ impl App {
             Action::StepForward => self.step(self.steps.size(), now),
             Action::SmallerStep => self.steps.smaller(),
             Action::LargerStep => self.steps.larger(),
-            Action::GoTo => self.mode = Mode::GoTo(Line::default()),
-            Action::Opening => self.arrive(self.stage.course().opening(), now),
+            Action::GoTo => self.mode = Mode::GoTo(Line::for_number()),
+            Action::Opening => {
+                let course = self.stage.course();
+                self.arrive(course.clamp(course.opening()), now);
+            }
             Action::NextPreset => self.open(1),
             Action::PreviousPreset => self.open(-1),
             Action::Glyphs => self.next_glyphs(),
@@ -229,7 +250,19 @@ impl App {
 
     /// Keys of the line in which a coordinate is typed; `None` for those that mean the same everywhere.
     fn type_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let Mode::GoTo(line) = &mut self.mode else {
+        if let (Mode::Assemblies(cursor), Key::Enter) = (&self.mode, key) {
+            self.take_assembly(*cursor, now);
+            return Some(Effect::Show);
+        }
+        if let Mode::Confirm(to) = &self.mode {
+            if key == Key::Enter {
+                let to = to.clone();
+                self.write(&to);
+                return Some(Effect::Show);
+            }
+            return None;
+        }
+        let (Mode::GoTo(line) | Mode::SaveAs(line)) = &mut self.mode else {
             return None;
         };
         match key {
@@ -240,7 +273,10 @@ impl App {
             Key::Char(c) => line.push(c),
             Key::Enter => {
                 let line = line.clone();
-                self.accept(&line, now);
+                match self.mode {
+                    Mode::SaveAs(_) => self.accept_file(&line),
+                    _ => self.accept(&line, now),
+                }
                 return Some(Effect::Show);
             }
             _ => {}
@@ -262,6 +298,74 @@ impl App {
                 self.message = Some(format!("not a number of {unit}: {}", line.text()));
             }
         }
+    }
+
+    /// Lists the assemblies beside the drawing, which stands still meanwhile.
+    fn list_assemblies(&mut self) {
+        self.playback.pause();
+        match self.stage.look_around() {
+            Some(panel) => {
+                self.mode = Mode::Assemblies(panel.first());
+                self.view = View::Motion;
+            }
+            None => self.message = Some("there is no other assembly here".into()),
+        }
+    }
+
+    /// Takes the assembly under the cursor.
+    fn take_assembly(&mut self, cursor: usize, now: Duration) {
+        let Some(row) = self.stage.panel().and_then(|p| p.rows().get(cursor)) else {
+            return;
+        };
+        let (group, choice, wish) = (row.group, &row.choice, row.wish());
+        if choice.is_current {
+            self.mode = Mode::Normal;
+            return;
+        }
+        if !choice.closes {
+            self.message = Some(format!("the rest does not close with {wish}"));
+            return;
+        }
+        match self.stage.switched(group, choice.pick) {
+            Ok(stage) => {
+                self.stage = stage;
+                self.opened += 1;
+                self.mode = Mode::Normal;
+                let at = self.stage.at();
+                self.playback.rebase(now, at);
+                let key = &action::entry_of(Action::Save).keys[0];
+                self.message = Some(format!("{wish} now; {key} saves it"));
+            }
+            Err(why) => self.message = Some(format!("{wish}: {why}")),
+        }
+    }
+
+    /// Asks whether to write to the scene's own file, or to which.
+    fn ask(&mut self) {
+        self.playback.pause();
+        self.mode = match self.stage.origin() {
+            Origin::File(path) => Mode::Confirm(path.clone()),
+            Origin::Preset(name) => Mode::SaveAs(Line::for_file(&format!("{name}.toml"))),
+            Origin::Stdin => Mode::SaveAs(Line::for_file("scene.toml")),
+        };
+    }
+
+    /// The name of a new file was typed; an old one is not written over unasked.
+    fn accept_file(&mut self, line: &Line) {
+        let to = PathBuf::from(line.text().trim());
+        if to.as_os_str().is_empty() {
+            self.mode = Mode::Normal;
+        } else if to.exists() {
+            self.mode = Mode::Confirm(to);
+        } else {
+            self.write(&to);
+        }
+    }
+
+    fn write(&mut self, to: &Path) {
+        self.mode = Mode::Normal;
+        let done = saving::save(&mut self.stage, to);
+        self.message = Some(done.unwrap_or_else(|why| why));
     }
 
     /// Goes to a coordinate, if it can be reached; says so if not.
@@ -354,10 +458,15 @@ impl App {
 
     /// Scrolls what is on top, within its limits.
     fn scroll_by(&mut self, lines: isize) {
-        let most = views::most_scroll(self);
+        let most = match self.mode {
+            Mode::Assemblies(_) => self.stage.panel().map_or(0, |p| p.rows().len() - 1),
+            _ => views::most_scroll(self),
+        };
         let scroll = match &mut self.mode {
-            Mode::Help(scroll) => scroll,
-            Mode::Normal | Mode::GoTo(_) => &mut self.scroll[self.view as usize],
+            Mode::Help(scroll) | Mode::Assemblies(scroll) => scroll,
+            Mode::Normal | Mode::GoTo(_) | Mode::SaveAs(_) | Mode::Confirm(_) => {
+                &mut self.scroll[self.view as usize]
+            }
         };
         *scroll = scroll.saturating_add_signed(lines).min(most);
     }

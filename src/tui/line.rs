@@ -1,35 +1,58 @@
 //! A line that is typed.
 
 /// Longer than any number that means something.
-const LONGEST: usize = 24;
+const LONGEST_NUMBER: usize = 24;
+/// Longer than any name of a file that a person types.
+const LONGEST_NAME: usize = 200;
 
-/// A short line of 7-bit text, edited at its end.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Line(String);
+/// A line of 7-bit text, edited at its end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Line {
+    text: String,
+    longest: usize,
+}
 
 impl Line {
+    /// An empty line for a number.
+    pub(crate) fn for_number() -> Line {
+        Line {
+            text: String::new(),
+            longest: LONGEST_NUMBER,
+        }
+    }
+
+    /// A line for the name of a file, with a proposal in it.
+    pub(crate) fn for_file(proposal: &str) -> Line {
+        let mut line = Line {
+            text: String::new(),
+            longest: LONGEST_NAME,
+        };
+        proposal.chars().for_each(|c| line.push(c));
+        line
+    }
+
     pub(crate) fn text(&self) -> &str {
-        &self.0
+        &self.text
     }
 
     /// Appends a character; what is not printable or no longer fits is left out.
     pub(crate) fn push(&mut self, c: char) {
-        if (c == ' ' || c.is_ascii_graphic()) && self.0.len() < LONGEST {
-            self.0.push(c);
+        if (c == ' ' || c.is_ascii_graphic()) && self.text.len() < self.longest {
+            self.text.push(c);
         }
     }
 
     pub(crate) fn erase(&mut self) {
-        self.0.pop();
+        self.text.pop();
     }
 
     pub(crate) fn clear(&mut self) {
-        self.0.clear();
+        self.text.clear();
     }
 
     /// The number that was typed, its unit allowed behind it, a comma taken for the point.
     pub(crate) fn number(&self, unit: &str) -> Option<f64> {
-        let text = self.0.trim();
+        let text = self.text.trim();
         let text = text.strip_suffix(unit).unwrap_or(text).trim_end();
         let number: f64 = text.replace(',', ".").parse().ok()?;
         number.is_finite().then_some(number)
@@ -41,7 +64,7 @@ mod tests {
     use super::*;
 
     fn number(text: &str) -> Option<f64> {
-        let mut line = Line::default();
+        let mut line = Line::for_number();
         text.chars().for_each(|c| line.push(c));
         line.number("deg")
     }
@@ -58,10 +81,10 @@ mod tests {
 
     #[test]
     fn nothing_unprintable_gets_in_and_nothing_endless() {
-        let mut line = Line::default();
+        let mut line = Line::for_number();
         "\u{1b}1\u{e4}2\n".chars().for_each(|c| line.push(c));
         assert_eq!(line.text(), "12");
         (0..1000).for_each(|_| line.push('9'));
-        assert_eq!(line.text().len(), LONGEST);
+        assert_eq!(line.text().len(), LONGEST_NUMBER);
     }
 }

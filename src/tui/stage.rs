@@ -1,13 +1,15 @@
 //! A scene on the stage: what is found once when it opens, and what follows from the driver's coordinate.
 
 use super::course::Course;
+use super::panel::Panel;
 use super::sheet::Sheet;
 use super::{Opened, Origin};
 use crate::drawing::Reach;
 use crate::report::Tables;
 use crate::scene::presets::{self, Preset};
-use crate::scene::{Scene, harmless};
-use crate::solver::{Condition, Order, Solver, State};
+use crate::scene::{Diagnostics, Scene, harmless};
+use crate::solver::{Condition, Order, Pick, Solver, State};
+use std::path::PathBuf;
 
 /// States that the tables' columns are fitted to; fewer where a state has very many figures.
 const SAMPLES: u16 = 72;
@@ -24,6 +26,8 @@ pub(crate) struct Stage {
     at: f64,
     state: State,
     tables: Tables,
+    /// The assemblies of the groups, while they are looked at.
+    panel: Option<Panel>,
 }
 
 impl Stage {
@@ -43,7 +47,52 @@ impl Stage {
             reach,
             at,
             state,
+            panel: None,
         }
+    }
+
+    /// The same scene in another assembly of a group, at the same coordinate; in words why it cannot be.
+    pub(crate) fn switched(&self, group: usize, pick: Pick) -> Result<Stage, String> {
+        let Opened {
+            scene,
+            solver,
+            origin,
+        } = &self.opened;
+        let switched = solver.switched(&scene.mechanism, self.at, group, pick);
+        let solver = switched.map_err(|fault| first_words(&scene.explain(&fault)))?;
+        let (scene, origin) = (scene.clone(), origin.clone());
+        let mut stage = Stage::new(Opened {
+            scene,
+            solver,
+            origin,
+        });
+        stage.go(self.at);
+        Ok(stage)
+    }
+
+    /// Looks for the assemblies of all groups here.
+    pub(crate) fn look_around(&mut self) -> Option<&Panel> {
+        let Opened { scene, solver, .. } = &self.opened;
+        self.panel = Panel::new(scene, solver, self.at, &self.reach);
+        self.panel.as_ref()
+    }
+
+    /// What [`Stage::look_around`] has found.
+    pub(crate) fn panel(&self) -> Option<&Panel> {
+        self.panel.as_ref()
+    }
+
+    /// The text of the scene with the start positions of this assembly.
+    pub(crate) fn saved_text(&self) -> Option<String> {
+        let Opened { scene, solver, .. } = &self.opened;
+        scene.with_start_of(solver, self.at)
+    }
+
+    /// The scene is another text now, of the same mechanism, and has a file of its own.
+    pub(crate) fn rename(&mut self, scene: Scene, file: PathBuf) {
+        self.opened.scene = scene;
+        self.opened.origin = Origin::File(file);
+        self.course = Course::new(&self.opened.scene, &self.opened.solver);
     }
 
     /// Moves the driver to a coordinate, wherever that is.
@@ -52,6 +101,7 @@ impl Stage {
         let solver = &self.opened.solver;
         solver.solve(at, Order::Acceleration, &mut self.state);
         self.tables = Tables::new(&self.opened.scene, &self.state);
+        self.panel = None;
     }
 
     pub(crate) fn scene(&self) -> &Scene {
@@ -120,8 +170,7 @@ impl Stage {
 /// Opens a preset; in words what is wrong with it, which a test keeps from happening.
 pub(crate) fn open_preset(preset: &Preset) -> Result<Opened, String> {
     let fault = |what: &str| format!("the preset {} cannot be opened: {what}", preset.name);
-    let scene = Scene::parse(preset.text, preset.name)
-        .map_err(|d| fault(d.items.first().map_or("", |item| item.message.as_str())))?;
+    let scene = Scene::parse(preset.text, preset.name).map_err(|d| fault(&first_words(&d)))?;
     let solver = Solver::new(&scene.mechanism).map_err(|f| fault(&f.to_string()))?;
     let origin = Origin::Preset(preset.name.to_owned());
     Ok(Opened {
@@ -129,6 +178,12 @@ pub(crate) fn open_preset(preset: &Preset) -> Result<Opened, String> {
         solver,
         origin,
     })
+}
+
+/// What a message begins with.
+fn first_words(diagnostics: &Diagnostics) -> String {
+    let first = diagnostics.items.first();
+    first.map_or_else(String::new, |item| item.message.clone())
 }
 
 /// The tables at coordinates spread over the whole motion, the opening first.

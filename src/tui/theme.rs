@@ -44,7 +44,7 @@ pub(crate) fn role(role: Role) -> Style {
     let style = Style::new();
     match role {
         Role::Empty | Role::Link | Role::Guide | Role::Label => style,
-        Role::Ground => style.add_modifier(Modifier::DIM),
+        Role::Ground | Role::Ghost => style.add_modifier(Modifier::DIM),
         Role::Driver => style.fg(Color::Red),
         Role::Joint | Role::GroundPin | Role::Slider => style.add_modifier(Modifier::BOLD),
         Role::Rider | Role::CentreOfMass => style.fg(Color::Magenta),

@@ -147,6 +147,7 @@ pub(crate) fn open(
         {
             None
         }
+        Err(Fault::ChangePoint { .. }) if stretched => None,
         Err(fault) => panic!("{fault}: {fault:?}"),
     }
 }

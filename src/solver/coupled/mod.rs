@@ -5,12 +5,16 @@
 //! derivatives are exact. With J the matrix of the equations' rates: J z' = -(rates with z' = 0),
 //! J z'' = -(second rates with z'' = 0).
 
+mod approach;
 mod enclose;
 mod equations;
 mod maker;
+mod relatives;
 mod series;
 mod singular;
 mod twice;
+
+pub(super) use relatives::is_same;
 
 use super::frame::Frame;
 use super::lu;

@@ -82,7 +82,7 @@ impl Coupled {
         sign * det
     }
 
-    /// A start for [`Coupled::approach`]: close to a fold the group moves along its null vector.
+    /// A start for [`Coupled::approach_fold`]: close to a fold the group moves along its null vector.
     pub(in crate::solver) fn fold(&self, scratch: &mut Scratch) -> Option<Fold> {
         let room = self.open(scratch);
         let length = dot(room.first, room.first).sqrt();
@@ -94,7 +94,7 @@ impl Coupled {
     /// One step of Newton towards a fold: corrects z in the scratch and v, and gives the size of the
     /// correction and that of the coordinate, which is left to the caller. The inputs of the group
     /// stand in `state`, with both derivatives.
-    pub(in crate::solver) fn approach(
+    pub(in crate::solver) fn approach_fold(
         &self,
         fold: &mut Fold,
         q: f64,
@@ -146,7 +146,7 @@ impl Coupled {
         })
     }
 
-    /// One step of Newton towards a crossing, as [`Coupled::approach`].
+    /// One step of Newton towards a crossing, as [`Coupled::approach_fold`].
     pub(in crate::solver) fn approach_crossing(
         &self,
         crossing: &mut Crossing,

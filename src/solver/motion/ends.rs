@@ -154,7 +154,7 @@ impl Walker<'_> {
             }
             let (q, _) = self.engine.coordinate(at);
             let mut scratch = std::mem::take(&mut self.state.scratch);
-            let correction = group.approach(&mut fold, q, &self.state, &mut scratch);
+            let correction = group.approach_fold(&mut fold, q, &self.state, &mut scratch);
             self.state.scratch = scratch;
             let Correction { size, dq } = correction?;
             at = self.engine.moved(at, dq);

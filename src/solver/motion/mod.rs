@@ -21,6 +21,7 @@ use super::fault::Fault;
 use super::passage::Passages;
 use super::state::{Condition, State};
 use super::{Order, angle_turn};
+pub(super) use walk::MISFIT;
 use walk::{End, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.

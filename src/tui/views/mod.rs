@@ -7,6 +7,7 @@
 //! mode  scene  angle  state     hints             one line
 //! ```
 
+mod assemblies;
 mod help;
 mod motion;
 mod status;

@@ -1,9 +1,9 @@
 //! The linkage, and its tables live beside or below it: wherever it is drawn larger.
 
-use super::{inset, table};
+use super::{assemblies, inset, table};
 use crate::Vec2;
 use crate::drawing::{self, Glyphs, Labels, Layers, Raster};
-use crate::tui::app::App;
+use crate::tui::app::{App, Mode};
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -141,8 +141,15 @@ impl Sketch {
         let stage = app.stage();
         let area = arrange(app, body).drawing;
         let layers = Layers::default();
-        let figure = drawing::linkage(stage.scene(), stage.reach(), stage.state(), layers);
-        let view = drawing::View::fit(stage.reach(), area.width, area.height, app.aspect());
+        let mut figure = drawing::linkage(stage.scene(), stage.reach(), stage.state(), layers);
+        let mut reach = stage.reach();
+        if let (&Mode::Assemblies(cursor), Some(panel)) = (app.mode(), stage.panel()) {
+            reach = panel.reach();
+            for ghost in panel.ghosts(cursor) {
+                drawing::add_ghost(&mut figure, stage.scene(), stage.state(), ghost);
+            }
+        }
+        let view = drawing::View::fit(reach, area.width, area.height, app.aspect());
         let Sketch { labels, raster, .. } = self;
         drawing::render_into(&figure, &view, app.glyphs(), labels, raster);
     }
@@ -152,7 +159,12 @@ pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer
     let arrangement = arrange(app, area);
     show(sketch, arrangement.drawing, buffer);
     rule(app.glyphs(), arrangement.rule, buffer);
-    table::render(app, arrangement.table, buffer);
+    match *app.mode() {
+        Mode::Assemblies(cursor) => assemblies::render(app, cursor, arrangement.table, buffer),
+        Mode::Normal | Mode::Help(_) | Mode::GoTo(_) | Mode::SaveAs(_) | Mode::Confirm(_) => {
+            table::render(app, arrangement.table, buffer);
+        }
+    }
 }
 
 fn show(sketch: &Sketch, area: Rect, buffer: &mut Buffer) {

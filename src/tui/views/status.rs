@@ -17,10 +17,14 @@ use crate::tui::stage::{Stage, shown};
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use std::path::Path;
 
 /// Longer names of scenes are cut; on short lines sooner, and left out where they would say nothing.
 const LONGEST_SCENE: usize = 20;
 const SHORTEST_SCENE: u16 = 6;
+
+/// The name of a file that is asked about keeps so many characters.
+const SHORTEST_FILE: u16 = 12;
 
 /// More turns than this are told with an exponent.
 const MANY_TURNS: f64 = 1e7;
@@ -35,9 +39,20 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         area,
     };
     line.say(&format!(" {} ", mode(app)), Part::Mode);
-    if let Mode::GoTo(typed) = app.mode() {
-        prompt(app, typed, &mut line);
-        return;
+    match app.mode() {
+        Mode::GoTo(typed) => {
+            prompt(app, typed, &mut line);
+            return;
+        }
+        Mode::SaveAs(typed) => {
+            file_prompt(app, typed, &mut line);
+            return;
+        }
+        Mode::Confirm(to) => {
+            question(app, to, &mut line);
+            return;
+        }
+        Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) => {}
     }
     let driver = driver(app.stage());
     let narrow = area.width < ROOM_FOR_GAPS;
@@ -68,15 +83,18 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         + 3 * gap
         + 1;
     let room = line.room().saturating_sub(behind);
-    if room >= SHORTEST_SCENE {
+    let listing = matches!(app.mode(), Mode::Assemblies(_));
+    if room >= SHORTEST_SCENE && !(narrow && listing) {
         let longest = usize::from(room - gap).min(LONGEST_SCENE);
         line.say(&cut(&scene(app), longest), Part::Text);
         line.gap(gap);
     }
     line.say(&driver, Part::Text);
     line.gap(gap);
-    line.say(state, part);
-    line.gap(gap);
+    if !(narrow && listing && app.condition() == Condition::Ok) {
+        line.say(state, part);
+        line.gap(gap);
+    }
     hints(app, &mut line);
 }
 
@@ -84,6 +102,8 @@ fn mode(app: &App) -> &'static str {
     match (app.mode(), app.view()) {
         (Mode::Help(_), _) => "help",
         (Mode::GoTo(_), _) => "go to",
+        (Mode::Assemblies(_), _) => "choose",
+        (Mode::SaveAs(_) | Mode::Confirm(_), _) => "save",
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
     }
@@ -156,10 +176,47 @@ fn prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
+/// Where the name of a new file is typed; of a long one its end is seen.
+fn file_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
+    line.say(" write to: ", Part::Text);
+    let room = usize::from(line.room().saturating_sub(1));
+    let skipped = typed.text().len().saturating_sub(room);
+    line.say(typed.text().get(skipped..).unwrap_or_default(), Part::Text);
+    line.say(" ", Part::Caret);
+    line.gap(3);
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), "write");
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
+/// Whether to write over a file.
+fn question(app: &App, to: &Path, line: &mut Writer<'_>) {
+    let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
+    let what = match app.stage().origin() {
+        Origin::File(own) if own == to => "[start] of",
+        Origin::File(_) | Origin::Preset(_) | Origin::Stdin => "over",
+    };
+    let name = shown(&name, app.glyphs());
+    // The keys are what a question is good for.
+    let keys = columns("Enter write  Esc cancel");
+    let room = line
+        .room()
+        .saturating_sub(keys + columns(what) + columns(" write  ?  "));
+    let name = cut(&name, usize::from(room.max(SHORTEST_FILE)));
+    line.say(&format!(" write {what} {name}?"), Part::Text);
+    line.gap(2);
+    line.hint(&Key::Enter.to_string(), "write");
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
 /// What to offer now, the most important first: the last ones are dropped where there is no room.
 fn offered(app: &App) -> &'static [Action] {
     match (app.mode(), app.view()) {
         (Mode::Help(_), _) => &[Action::Back, Action::LineDown, Action::Quit],
+        (Mode::Assemblies(_), _) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
         (_, View::Motion) => &[
             Action::Help,
             Action::Play,
@@ -180,7 +237,11 @@ fn offered(app: &App) -> &'static [Action] {
 }
 
 fn hints(app: &App, line: &mut Writer<'_>) {
-    let can_scroll = most_scroll(app) > 0;
+    let listing = matches!(app.mode(), Mode::Assemblies(_));
+    let can_scroll = listing || most_scroll(app) > 0;
+    if listing {
+        line.hint(&Key::Enter.to_string(), "take");
+    }
     for &action in offered(app) {
         if action == Action::LineDown && !can_scroll {
             continue;

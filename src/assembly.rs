@@ -1,0 +1,249 @@
+//! Assemblies by name: which group a person means, and what is picked for it.
+
+use crate::nearest::did_you_mean;
+use crate::scene::{Precision, Scene};
+use crate::solver::{Condition, Group, GroupKind, Order, Pick, Plan, Solver, State};
+use crate::{Element, PointId, Slider, Vec2};
+use std::fmt;
+use std::str::FromStr;
+
+/// `C=-`: an assembly for the group of this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wish {
+    /// What names the group.
+    pub group: String,
+    /// What is picked for it.
+    pub pick: Pick,
+}
+
+/// Why an assembly cannot be asked for so.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Misread {
+    /// Not of the form.
+    #[error("write NAME=+ or NAME=-, and for a coupled group NAME=NUMBER")]
+    Form,
+    /// No group has this name.
+    #[error("`{name}` names no group with a choice; {mend}")]
+    Unknown {
+        /// What was written.
+        name: String,
+        /// The name that was probably meant, or all there are.
+        mend: String,
+    },
+    /// A number for a dyad, or a sign for a coupled group.
+    #[error("`{name}` is chosen by {options}")]
+    Kind {
+        /// The group.
+        name: String,
+        /// What it is chosen by.
+        options: String,
+    },
+    /// The same group twice.
+    #[error("`{name}` is given twice")]
+    Twice {
+        /// The group.
+        name: String,
+    },
+}
+
+impl FromStr for Wish {
+    type Err = Misread;
+
+    fn from_str(text: &str) -> Result<Wish, Misread> {
+        let (group, pick) = text.split_once('=').ok_or(Misread::Form)?;
+        let pick = match pick.trim() {
+            "+" => Pick::Plus,
+            "-" => Pick::Minus,
+            number => match number.parse() {
+                Ok(n) if n > 0 => Pick::Number(n),
+                _ => return Err(Misread::Form),
+            },
+        };
+        let group = group.trim().to_owned();
+        if group.is_empty() {
+            return Err(Misread::Form);
+        }
+        Ok(Wish { group, pick })
+    }
+}
+
+impl fmt::Display for Wish {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}={}", self.group, pick_text(self.pick))
+    }
+}
+
+/// A pick as it is written: `+`, `-` or a number.
+#[must_use]
+pub fn pick_text(pick: Pick) -> String {
+    match pick {
+        Pick::Plus => "+".to_owned(),
+        Pick::Minus => "-".to_owned(),
+        Pick::Number(n) => n.to_string(),
+    }
+}
+
+/// Names of groups that are listed where none is near.
+const LISTED: usize = 12;
+
+impl Scene {
+    /// The name of a group of the plan: that of its point, or of a link where it has none.
+    #[must_use]
+    pub fn group_name(&self, group: &Group) -> &str {
+        let link = || group.links.first().map_or("", |&l| self.link_name(l));
+        match group.name() {
+            Some(Element::Point(point)) => self.name_or_slider(point).unwrap_or_else(link),
+            Some(Element::Link(link)) => self.link_name(link),
+            Some(Element::Slide(_) | Element::Driver) | None => link(),
+        }
+    }
+
+    /// A point's name, or that of the sliding link whose hidden origin it is.
+    fn name_or_slider(&self, point: PointId) -> Option<&str> {
+        let slides = self.mechanism.slides().iter();
+        let mut slid = slides.filter_map(|slide| match slide.slider {
+            Slider::Link { link, origin, .. } if origin == point => Some(self.link_name(link)),
+            Slider::Link { .. } | Slider::Pin(_) => None,
+        });
+        self.point_name(point).or_else(|| slid.next())
+    }
+
+    /// The groups that are meant, as the solver takes them.
+    ///
+    /// # Errors
+    /// The first wish that no group can fulfil, whatever its numbers.
+    pub fn picks(&self, plan: &Plan, wishes: &[Wish]) -> Result<Vec<(Element, Pick)>, Misread> {
+        let groups = || plan.groups.iter().filter(|g| g.has_choices());
+        let mut picks: Vec<(Element, Pick)> = Vec::new();
+        for wish in wishes {
+            let name = wish.group.clone();
+            let Some(group) = groups().find(|g| self.group_name(g) == wish.group) else {
+                let names: Vec<&str> = groups().map(|g| self.group_name(g)).collect();
+                let mend = did_you_mean(&name, names.iter().copied());
+                let mend = mend.unwrap_or_else(|| listed(&names));
+                return Err(Misread::Unknown { name, mend });
+            };
+            if !suits(wish.pick, group) {
+                let options = options(&name, group);
+                return Err(Misread::Kind { name, options });
+            }
+            let Some(element) = group.name() else {
+                continue;
+            };
+            if picks.iter().any(|(other, _)| *other == element) {
+                return Err(Misread::Twice { name });
+            }
+            picks.push((element, wish.pick));
+        }
+        Ok(picks)
+    }
+
+    /// The scene's text with the `[start]` of the assembly that this solver follows. The driver opens
+    /// where it did, or at `at` where the motion does not come there or it tells too little.
+    ///
+    /// Nothing is given that was not read back, opened, and found to be that assembly; `None` where that
+    /// could not be had.
+    #[must_use]
+    pub fn with_start_of(&self, solver: &Solver, at: f64) -> Option<String> {
+        let opening = self.mechanism.driver().start;
+        [
+            (opening, Precision::Rough),
+            (opening, Precision::Exact),
+            (at, Precision::Rough),
+            (at, Precision::Exact),
+        ]
+        .into_iter()
+        .find_map(|(at, precision)| self.started(solver, at, precision))
+    }
+
+    /// The same, opened at one coordinate.
+    fn started(&self, solver: &Solver, at: f64, precision: Precision) -> Option<String> {
+        let mut state = solver.state();
+        if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
+            return None;
+        }
+        let opening = (at != self.mechanism.driver().start).then_some(at);
+        let start = self.telling(solver.plan(), &state);
+        let text = self.rewritten(&start, opening, precision)?;
+        let scene = Scene::parse(&text, self.origin()).ok()?;
+        let again = Solver::new(&scene.mechanism).ok()?;
+        let mut found = again.state();
+        let same = again.solve(at, Order::Position, &mut found) == Condition::Ok
+            && self.agree(&state, &found);
+        same.then_some(text)
+    }
+
+    /// The points that tell the assemblies apart, and those that `[start]` names already.
+    fn telling(&self, plan: &Plan, state: &State) -> Vec<(PointId, Vec2)> {
+        let mut points: Vec<PointId> = self.mechanism.start().iter().map(|s| s.0).collect();
+        for group in plan.groups.iter().filter(|g| g.has_choices()) {
+            let named = |p: &&PointId| self.point_name(**p).is_some() && !self.is_com(**p);
+            let placed = group.points.iter().filter(named).copied();
+            let told = match group.kind {
+                GroupKind::Coupled { .. } => usize::MAX,
+                _ => 1,
+            };
+            for point in placed.take(told) {
+                if !points.contains(&point) {
+                    points.push(point);
+                }
+            }
+        }
+        points.iter().map(|&p| (p, state.position(p))).collect()
+    }
+
+    /// Centres of mass have a name of their own making, which `[start]` does not know.
+    fn is_com(&self, point: PointId) -> bool {
+        let mut links = self.mechanism.links().iter();
+        links.any(|link| link.com == Some(point))
+    }
+
+    /// Whether two states are the same but for rounding.
+    fn agree(&self, one: &State, other: &State) -> bool {
+        let place = |state: &State, p| state.position(p);
+        let points = || self.mechanism.point_ids();
+        let largest = points().map(|p| place(one, p).norm()).fold(0.0, f64::max);
+        points().all(|p| (place(one, p) - place(other, p)).norm() <= SAME * largest)
+    }
+}
+
+/// Two states whose points differ by less than this part of the largest coordinate are the same: far
+/// more than a coupled group's rounding, far less than two assemblies that a person could tell apart.
+const SAME: f64 = 1e-9;
+
+fn suits(pick: Pick, group: &Group) -> bool {
+    match (pick, group.kind) {
+        (Pick::Number(_), GroupKind::Coupled { .. }) => true,
+        (Pick::Plus | Pick::Minus, kind) => !matches!(kind, GroupKind::Coupled { .. }),
+        (Pick::Number(_), _) => false,
+    }
+}
+
+fn options(name: &str, group: &Group) -> String {
+    match group.kind {
+        GroupKind::Coupled { .. } => {
+            format!(
+                "a number, `{name}=1`: it is a coupled group, and `krank check` lists its assemblies"
+            )
+        }
+        _ => format!("its sign, `{name}=+` or `{name}=-`: it is a dyad"),
+    }
+}
+
+fn listed(names: &[&str]) -> String {
+    let shown: Vec<String> = names
+        .iter()
+        .take(LISTED)
+        .map(|n| format!("`{n}`"))
+        .collect();
+    let more = names.len() - shown.len();
+    match (&shown[..], more) {
+        ([], _) => "there is none in this scene".to_owned(),
+        ([one], 0) => format!("the only one is {one}"),
+        (_, 0) => format!("there are {}", shown.join(", ")),
+        _ => format!("there are {} and {more} more", shown.join(", ")),
+    }
+}
+
+#[cfg(test)]
+mod tests;

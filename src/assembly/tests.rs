@@ -1,0 +1,136 @@
+use super::*;
+use crate::scene::presets;
+
+fn preset(name: &str) -> Scene {
+    Scene::parse(presets::find(name).unwrap().text, name).unwrap()
+}
+
+fn told(scene: &str, wishes: &[&str]) -> Result<Vec<Pick>, String> {
+    let scene = preset(scene);
+    let plan = Plan::of(&scene.mechanism).unwrap();
+    let wishes: Vec<Wish> = wishes.iter().map(|w| w.parse().unwrap()).collect();
+    let picks = scene.picks(&plan, &wishes).map_err(|e| e.to_string())?;
+    Ok(picks.iter().map(|p| p.1).collect())
+}
+
+#[test]
+fn wishes_are_read_as_they_are_written() {
+    for text in ["C=+", "C=-", "E=2", "B'=+"] {
+        assert_eq!(text.parse::<Wish>().unwrap().to_string(), text);
+    }
+    for wrong in ["C", "C=", "=+", "C=0", "C=-1", "C=++", "C=1.5", ""] {
+        assert_eq!(wrong.parse::<Wish>(), Err(Misread::Form), "{wrong:?}");
+    }
+}
+
+#[test]
+fn groups_are_known_by_what_names_them() {
+    assert_eq!(told("four-bar", &["C=-"]), Ok(vec![Pick::Minus]));
+    assert_eq!(
+        told("press", &["F=+", "C=-"]),
+        Ok(vec![Pick::Plus, Pick::Minus])
+    );
+    assert_eq!(told("slotted-lever", &["r4=-"]), Ok(vec![Pick::Minus]));
+    assert_eq!(
+        told("stephenson-six-bar", &["E=2"]),
+        Ok(vec![Pick::Number(2)])
+    );
+}
+
+#[test]
+fn what_cannot_be_meant_is_told_with_what_can() {
+    for (scene, wishes, says) in [
+        (
+            "four-bar",
+            &["X=+"][..],
+            "`X` names no group with a choice; the only one is `C`",
+        ),
+        (
+            "four-bar",
+            &["c=+"],
+            "`c` names no group with a choice; did you mean `C`?",
+        ),
+        (
+            "press",
+            &["B=+"],
+            "`B` names no group with a choice; there are `C`, `F`",
+        ),
+        (
+            "scotch-yoke",
+            &["B=+"],
+            "`B` names no group with a choice; there is none in this scene",
+        ),
+        (
+            "four-bar",
+            &["C=1"],
+            "`C` is chosen by its sign, `C=+` or `C=-`: it is a dyad",
+        ),
+        (
+            "stephenson-six-bar",
+            &["E=+"],
+            "`E` is chosen by a number, `E=1`: it is a coupled group, and `krank check` lists its assemblies",
+        ),
+        ("four-bar", &["C=+", "C=-"], "`C` is given twice"),
+    ] {
+        assert_eq!(told(scene, wishes), Err(says.to_owned()));
+    }
+}
+
+/// Every whole assembly of every preset, written and read again, is itself; nothing else changes.
+#[test]
+fn what_is_saved_opens_as_what_it_was() {
+    let mut saved = 0;
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let start = scene.mechanism.driver().start;
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        for picks in solver
+            .assemblies(&scene.mechanism, start)
+            .list
+            .iter()
+            .take(8)
+        {
+            let named = picks
+                .iter()
+                .filter_map(|&(g, p)| Some((solver.plan().groups[g].name()?, p)));
+            let named: Vec<_> = named.collect();
+            let Ok(other) = Solver::with_assembly(&scene.mechanism, &named) else {
+                continue;
+            };
+            let text = scene.with_start_of(&other, start).expect(preset.name);
+            let again = Scene::parse(&text, preset.name).unwrap();
+            let again = Solver::new(&again.mechanism).unwrap();
+            assert_eq!(again.motion().change_points, other.motion().change_points);
+            let same = |line: &&str| preset.text.lines().any(|l| l == *line);
+            let changed = text.lines().filter(|line| !same(line));
+            assert!(
+                changed
+                    .clone()
+                    .all(|line| line.contains(" = [") || line == "[start]"),
+                "{text}"
+            );
+            saved += 1;
+        }
+    }
+    assert!(saved > 40, "{saved}");
+}
+
+/// A motion that does not come to where the scene opens takes its opening along.
+#[test]
+fn an_assembly_that_does_not_reach_the_opening_opens_elsewhere() {
+    let text = "[ground]\nA = [0, 0]\nD = [3, 0]\n[driver]\nlink = \"a\"\nangle = 0 # flat\n[links]\n\
+        a = { from = \"A\", to = \"B\", length = 1 }\nb = { from = \"B\", to = \"C\", length = 3 }\n\
+        c = { from = \"D\", to = \"C\", length = 1 }\n";
+    let scene = Scene::parse(text, "flat").unwrap();
+    let point = scene.mechanism.point_ids().nth(3).unwrap();
+    for (pick, y) in [(Pick::Plus, 1.0), (Pick::Minus, -1.0)] {
+        let picks = [(Element::Point(point), pick)];
+        let solver = Solver::with_assembly(&scene.mechanism, &picks).unwrap();
+        // At the change point itself no place tells the two ways apart.
+        assert_eq!(scene.with_start_of(&solver, 0.0), None);
+        let moved = scene.with_start_of(&solver, 90.0).unwrap();
+        assert!(moved.contains("angle = 90.0 # flat\n"), "{moved}");
+        let again = Scene::parse(&moved, "flat").unwrap();
+        assert!(again.mechanism.start()[0].1.y * y > 0.0, "{moved}");
+    }
+}

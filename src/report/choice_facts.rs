@@ -1,0 +1,162 @@
+//! The assemblies that each group could take where the scene opens, and those of the whole.
+
+use super::number::concise;
+use crate::assembly::pick_text;
+use crate::scene::Scene;
+use crate::solver::{Choice, Group, GroupKind, Pick, Solver};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::{Map, Value, json};
+
+/// Significant digits of places, as a start is written.
+const DIGITS: usize = 6;
+/// Groups whose choices are listed.
+const MOST_GROUPS: usize = 64;
+
+/// One assembly of a group.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct ChoiceFacts {
+    /// `+`, `-` or a number: what `--assembly` takes.
+    pub choice: String,
+    /// Whether it is the one that is followed.
+    pub current: bool,
+    /// Whether all other groups close with it.
+    pub closes: bool,
+    /// The place of the point that names the group, `[x, y]` in the scene's unit.
+    pub at: Option<[f64; 2]>,
+    /// Or the direction of the link that does, in deg.
+    pub angle: Option<f64>,
+}
+
+/// The assemblies of a group.
+#[derive(Clone, Debug, serde::Serialize)]
+pub struct GroupChoices {
+    /// What names the group: a point, or a link.
+    pub group: String,
+    /// Its assemblies where the scene opens.
+    pub list: Vec<ChoiceFacts>,
+}
+
+/// All that could be chosen where the scene opens.
+#[derive(Clone, Debug)]
+pub struct ChoiceList {
+    /// Group by group.
+    pub groups: Vec<GroupChoices>,
+    /// Groups that are not listed, because there are very many.
+    pub unlisted: usize,
+    /// Whole assemblies: for each the names of groups with their choices.
+    pub assemblies: Vec<Vec<(String, String)>>,
+    /// Which of them is followed.
+    pub current: Option<usize>,
+    /// Whether that is all of them.
+    pub complete: bool,
+}
+
+impl ChoiceList {
+    /// Searches for them.
+    pub(super) fn new(scene: &Scene, solver: &Solver) -> Self {
+        let (mechanism, plan) = (&scene.mechanism, solver.plan());
+        let start = mechanism.driver().start;
+        let numbered = plan.groups.iter().enumerate();
+        let having: Vec<_> = numbered.filter(|(_, g)| g.has_choices()).collect();
+        let listed = having.iter().take(MOST_GROUPS);
+        let groups = listed.map(|&(number, group)| GroupChoices {
+            group: scene.group_name(group).to_owned(),
+            list: solver
+                .choices(mechanism, start, number)
+                .iter()
+                .map(|choice| facts(group, choice))
+                .collect(),
+        });
+        let groups = groups.collect();
+        let all = solver.assemblies(mechanism, start);
+        let named = |&(group, pick): &(usize, Pick)| {
+            let name = scene.group_name(&plan.groups[group]);
+            (name.to_owned(), pick_text(pick))
+        };
+        let whole = |picks: &Vec<_>| picks.iter().map(named).collect();
+        ChoiceList {
+            groups,
+            unlisted: having.len().saturating_sub(MOST_GROUPS),
+            assemblies: all.list.iter().map(whole).collect(),
+            current: all.current,
+            complete: all.is_complete,
+        }
+    }
+
+    /// The choices of the groups, a line each.
+    pub(super) fn group_lines(&self) -> Vec<String> {
+        let lines = self.groups.iter().map(|group| {
+            let list: Vec<String> = group.list.iter().map(choice_text).collect();
+            format!("{}: {}", group.group, list.join(", "))
+        });
+        let more = (self.unlisted > 0).then(|| format!("and those of {} more", self.unlisted));
+        lines.chain(more).collect()
+    }
+
+    /// The whole assemblies as `--assembly` takes them; none where they say no more than the groups.
+    pub(super) fn whole_text(&self) -> Option<String> {
+        if self.groups.len() < 2 {
+            return None;
+        }
+        let count = self.assemblies.len();
+        if !self.complete {
+            return Some(format!("more than {count}"));
+        }
+        let texts = self.assemblies.iter().enumerate().map(|(i, picks)| {
+            let picks: Vec<String> = picks.iter().map(|(g, p)| format!("{g}={p}")).collect();
+            let now = if self.current == Some(i) { " now" } else { "" };
+            format!("{}{now}", picks.join(","))
+        });
+        let texts: Vec<String> = texts.collect();
+        Some(format!("{count}: {}", texts.join("; ")))
+    }
+
+    /// The whole assemblies as JSON.
+    fn whole_json(&self) -> Value {
+        let object = |picks: &Vec<(String, String)>| {
+            let pairs = picks.iter();
+            let pairs = pairs.map(|(g, p)| (g.clone(), Value::from(p.as_str())));
+            Value::Object(pairs.collect::<Map<_, _>>())
+        };
+        let list: Vec<Value> = self.assemblies.iter().map(object).collect();
+        json!({ "complete": self.complete, "current": self.current, "list": list })
+    }
+}
+
+/// As two keys: `choices` and `assemblies`.
+impl Serialize for ChoiceList {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        let mut map = to.serialize_map(Some(2))?;
+        map.serialize_entry("choices", &self.groups)?;
+        map.serialize_entry("assemblies", &self.whole_json())?;
+        map.end()
+    }
+}
+
+fn facts(group: &Group, choice: &Choice) -> ChoiceFacts {
+    let arm = group.links.first().filter(|_| group.kind == GroupKind::Rpr);
+    let at = group.point.filter(|_| arm.is_none());
+    let at = at.map(|point| choice.state.position(point));
+    ChoiceFacts {
+        choice: pick_text(choice.pick),
+        current: choice.is_current,
+        closes: choice.closes,
+        at: at.map(|p| [p.x + 0.0, p.y + 0.0]),
+        angle: arm.map(|&link| choice.state.angle(link)),
+    }
+}
+
+fn choice_text(facts: &ChoiceFacts) -> String {
+    let figure = |v: f64| concise(v, DIGITS);
+    let place = match (facts.at, facts.angle) {
+        (Some([x, y]), _) => format!(" at ({}, {})", figure(x), figure(y)),
+        (None, Some(angle)) => format!(" at {} deg", figure(angle)),
+        (None, None) => String::new(),
+    };
+    let says = match (facts.current, facts.closes) {
+        (true, _) => " now",
+        (false, true) => "",
+        (false, false) => " (the rest does not close)",
+    };
+    format!("{}{place}{says}", facts.choice)
+}

@@ -1,0 +1,423 @@
+//! Puts a mechanism together at one coordinate: group by group, each in the way that was picked for
+//! it, or in the one nearest to rough places.
+//!
+//! The dyads have two ways, coupled groups some, everything else one. Where a dyad is stretched its
+//! two ways meet and places tell nothing; the motion is then begun beside that coordinate.
+
+mod request;
+mod roots;
+
+pub(super) use request::Request;
+
+use super::Order;
+use super::engine::Engine;
+use super::fault::Fault;
+use super::network::Network;
+use super::plan::{Group, Pick, Plan};
+use super::state::{Condition, State};
+use super::step::{Outcome, Step};
+use crate::{PointId, Vec2};
+
+/// Two ways whose distances from the rough places differ by less than this part are not told apart.
+const TIE: f64 = 1e-6;
+/// A motion that opens where a dyad is stretched is begun so far beside, in radians or scaled lengths:
+/// farther than a change point is passed in one step, near enough for no other group to be elsewhere.
+const BESIDE: f64 = 5e-3;
+
+/// One of the ways in which a group can be placed.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Way {
+    /// There is no other.
+    Only,
+    /// Of a dyad, by its sign.
+    Side(f64),
+    /// Of a coupled group, by its unknowns.
+    Root(Vec<f64>),
+}
+
+/// Why a mechanism was not put together.
+#[derive(Debug)]
+pub(super) enum Halt {
+    Fault(Fault),
+    /// The dyad with this number is stretched, where only positions exist.
+    Stretched(usize),
+}
+
+impl From<Fault> for Halt {
+    fn from(fault: Fault) -> Halt {
+        Halt::Fault(fault)
+    }
+}
+
+/// Where a motion is followed from.
+#[derive(Debug)]
+pub(super) struct Beginning {
+    /// The coordinate that was asked for, or one close to it.
+    pub at: f64,
+    /// Of a beginning beside: what is wrong if the motion does not come to what was asked for.
+    pub stuck: Option<Fault>,
+}
+
+/// Settles the signs of all dyads and a solution of every coupled group, and leaves the state where the
+/// motion is followed from.
+///
+/// # Errors
+/// What keeps the first group concerned from being placed, or its ways from being told apart.
+pub(super) fn assemble(
+    engine: &mut Engine,
+    network: &Network<'_>,
+    plan: &Plan,
+    request: &Request<'_>,
+    state: &mut State,
+) -> Result<Beginning, Fault> {
+    let assembler = Assembler {
+        network,
+        plan,
+        request,
+        order: Order::Acceleration,
+    };
+    match assembler.settle_all(engine, state) {
+        Ok(()) => Ok(Beginning {
+            at: request.at,
+            stuck: None,
+        }),
+        Err(Halt::Fault(fault)) => Err(fault),
+        Err(Halt::Stretched(group)) => assembler.begin_beside(group, engine, state),
+    }
+}
+
+/// Someone who puts groups together.
+pub(super) struct Assembler<'a> {
+    pub network: &'a Network<'a>,
+    pub plan: &'a Plan,
+    pub request: &'a Request<'a>,
+    /// With positions alone a stretched dyad is a dyad like any other.
+    pub order: Order,
+}
+
+impl Assembler<'_> {
+    pub(super) fn settle_all(&self, engine: &mut Engine, state: &mut State) -> Result<(), Halt> {
+        for number in 0..self.plan.groups.len() {
+            self.settle(number, engine, state)?;
+        }
+        engine.run(self.request.at, self.order, state);
+        Ok(())
+    }
+
+    /// Places the groups from one on; whether they could be.
+    pub(super) fn settle_from(&self, first: usize, engine: &mut Engine, state: &mut State) -> bool {
+        (first..self.plan.groups.len()).all(|n| self.settle(n, engine, state).is_ok())
+    }
+
+    /// Places a group in the way that is meant; those before it stand.
+    pub(super) fn settle(
+        &self,
+        number: usize,
+        engine: &mut Engine,
+        state: &mut State,
+    ) -> Result<(), Halt> {
+        self.lead_in(number, engine, state);
+        let way = if self.key(number, engine).is_some() {
+            self.meant_side(number, engine, state)?
+        } else if self.coupled(number, engine).is_some() {
+            self.meant_root(number, engine, state)?
+        } else {
+            Way::Only
+        };
+        match self.take(number, &way, engine, state) {
+            Condition::NoAssembly => Err(self.singular(number).into()),
+            Condition::Ok | Condition::DeadPoint | Condition::ChangePoint => Ok(()),
+        }
+    }
+
+    /// All ways in which a group can be placed; those before it stand.
+    pub(super) fn ways(&self, number: usize, engine: &Engine, state: &mut State) -> Vec<Way> {
+        self.lead_in(number, engine, state);
+        if let Some(key) = self.key(number, engine) {
+            return match self.closing(key, engine, state) {
+                Outcome::Open | Outcome::Unclear => Vec::new(),
+                Outcome::Done | Outcome::Stretched => {
+                    let plus = side_of(engine, key, Pick::Plus).unwrap_or(1.0);
+                    vec![Way::Side(plus), Way::Side(-plus)]
+                }
+            };
+        }
+        if self.coupled(number, engine).is_some() {
+            let roots = self.all_roots(number, engine, state);
+            return roots.into_iter().map(Way::Root).collect();
+        }
+        vec![Way::Only]
+    }
+
+    /// Places a group in one of its ways; those before it stand.
+    pub(super) fn take(
+        &self,
+        number: usize,
+        way: &Way,
+        engine: &mut Engine,
+        state: &mut State,
+    ) -> Condition {
+        match way {
+            Way::Only => {}
+            Way::Side(sign) => {
+                state.signs[number] = *sign;
+                engine.signs[number] = *sign;
+            }
+            Way::Root(z) => self.take_root(number, z, engine, state),
+        }
+        engine.run_steps(steps_of(engine, number), self.request.at, self.order, state)
+    }
+
+    // ---- the steps of a group
+
+    /// Runs what a group needs before its ways part.
+    fn lead_in(&self, number: usize, engine: &Engine, state: &mut State) {
+        let steps = steps_of(engine, number);
+        let parting = self
+            .key(number, engine)
+            .or_else(|| Some(self.coupled(number, engine)?.0));
+        if let Some(parting) = parting {
+            engine.run_steps(steps.start..parting, self.request.at, self.order, state);
+        }
+    }
+
+    /// The step of a group that has two ways.
+    fn key(&self, number: usize, engine: &Engine) -> Option<usize> {
+        steps_of(engine, number).find(|&i| engine.program.steps[i].choice().is_some())
+    }
+
+    /// The step of a coupled group, and its number among these.
+    fn coupled(&self, number: usize, engine: &Engine) -> Option<(usize, usize)> {
+        steps_of(engine, number).find_map(|i| match engine.program.steps[i] {
+            Step::Coupled { index } => Some((i, index)),
+            _ => None,
+        })
+    }
+
+    fn group(&self, number: usize) -> &Group {
+        &self.plan.groups[number]
+    }
+
+    fn singular(&self, number: usize) -> Fault {
+        let group = self.group(number);
+        let links = group.links.iter().map(|&l| crate::Element::Link(l));
+        let elements = links.chain(group.point.map(crate::Element::Point));
+        Fault::Singular {
+            elements: elements.collect(),
+        }
+    }
+
+    // ---- dyads
+
+    fn closing(&self, key: usize, engine: &Engine, state: &mut State) -> Outcome {
+        engine.place_dyad(&engine.program.steps[key], self.request.at, state)
+    }
+
+    /// The side that was picked, or the one nearer to the rough places.
+    fn meant_side(
+        &self,
+        number: usize,
+        engine: &mut Engine,
+        state: &mut State,
+    ) -> Result<Way, Halt> {
+        let Some(key) = self.key(number, engine) else {
+            return Ok(Way::Only);
+        };
+        let picked = self.request.picks[number];
+        let picked = picked.map(|pick| side_of(engine, key, pick).ok_or(pick));
+        match self.closing(key, engine, state) {
+            Outcome::Open | Outcome::Unclear => {
+                return Err(self.open(number, key, engine, state).into());
+            }
+            Outcome::Stretched if self.order != Order::Position => {
+                return Err(Halt::Stretched(number));
+            }
+            Outcome::Done | Outcome::Stretched => {}
+        }
+        match picked {
+            Some(Ok(sign)) => Ok(Way::Side(sign)),
+            Some(Err(_)) => Err(self.no_choice(number, 2).into()),
+            None => self.nearer_side(number, key, engine, state),
+        }
+    }
+
+    /// Places a dyad on both sides and tells the one nearer to the rough places.
+    fn nearer_side(
+        &self,
+        number: usize,
+        key: usize,
+        engine: &mut Engine,
+        state: &mut State,
+    ) -> Result<Way, Halt> {
+        let wanted = self.wanted(number, engine);
+        let subject = self.subject(number, engine, key);
+        let mut found = [(0.0, Vec2::ZERO); 2];
+        for (found, sign) in found.iter_mut().zip([1.0, -1.0]) {
+            state.signs[number] = sign;
+            let steps = steps_of(engine, number);
+            engine.run_steps(steps, self.request.at, Order::Position, state);
+            *found = (miss(&wanted, state), state.points[subject.index()].p);
+        }
+        let [(plus, p_plus), (minus, p_minus)] = found;
+        let undecided = wanted.is_empty() || (plus - minus).abs() <= TIE * (plus + minus);
+        // Where only positions are asked for, either will do where both are one.
+        let indifferent = self.order == Order::Position || self.is_symmetric(number, engine, key);
+        if undecided && !indifferent {
+            let choices = [p_plus, p_minus].map(|p| engine.frame.place(p)).to_vec();
+            let point = subject;
+            return Err(Fault::Vague { point, choices }.into());
+        }
+        let sign = if undecided || plus < minus { 1.0 } else { -1.0 };
+        Ok(Way::Side(sign))
+    }
+
+    /// An arm without a point of its own has no start to choose by: it runs along its guide's
+    /// positive direction.
+    fn is_symmetric(&self, number: usize, engine: &Engine, key: usize) -> bool {
+        let Step::Swing(swing) = engine.program.steps[key] else {
+            return false;
+        };
+        let named = |p: &&PointId| {
+            **p != swing.pin && self.network.mechanism.points().get(p.index()).is_some()
+        };
+        self.group(number).points.iter().find(named).is_none()
+    }
+
+    /// The point whose position tells the ways apart.
+    fn subject(&self, number: usize, engine: &Engine, key: usize) -> PointId {
+        let group = self.group(number);
+        let Step::Swing(swing) = engine.program.steps[key] else {
+            return group.point.unwrap_or(PointId::new(0));
+        };
+        let mut points = group.points.iter().copied();
+        points.find(|&p| p != swing.pin).unwrap_or(swing.pin)
+    }
+
+    fn open(&self, number: usize, key: usize, engine: &Engine, state: &State) -> Fault {
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let gap = engine.program.steps[key].gap(q, state);
+        if !(gap > 0.0) {
+            // It closes, in any direction.
+            return self.singular(number);
+        }
+        let group = self.group(number);
+        Fault::Open {
+            point: group.point.unwrap_or(PointId::new(0)),
+            links: group.links.clone(),
+            gap: gap * engine.frame.scale,
+        }
+    }
+
+    fn no_choice(&self, number: usize, found: usize) -> Fault {
+        match self.group(number).name() {
+            Some(group) => Fault::NoChoice { group, found },
+            None => self.singular(number),
+        }
+    }
+
+    // ---- beginning where a dyad is stretched
+
+    /// Begins on that side of the coordinate on which the mechanism exists, or at a change point, where
+    /// it exists on both, beyond it in the way that was picked.
+    fn begin_beside(
+        &self,
+        stretched: usize,
+        engine: &mut Engine,
+        state: &mut State,
+    ) -> Result<Beginning, Fault> {
+        let looking = Assembler {
+            order: Order::Position,
+            ..*self
+        };
+        let fault = |halt: Halt| match halt {
+            Halt::Fault(fault) => fault,
+            Halt::Stretched(number) => self.singular(number),
+        };
+        looking.settle_all(engine, state).map_err(fault)?;
+        let here = PointId::new;
+        let points = self.network.mechanism.points().len();
+        let near: Vec<_> = (0..points)
+            .map(|i| (here(i), state.position(here(i))))
+            .collect();
+        let picked = self.request.picks[stretched];
+        let mut picks = self.request.picks.clone();
+        for (number, pick) in picks.iter_mut().enumerate() {
+            let key = self.key(number, engine);
+            let ends = key.map(|key| looking.closing(key, engine, state));
+            if ends == Some(Outcome::Stretched) {
+                *pick = pick.or(Some(Pick::Plus));
+            }
+        }
+        let at = |side: f64| engine.moved(self.request.at, side * BESIDE);
+        let ends = [at(1.0), at(-1.0)].map(|at| {
+            let request = Request {
+                at,
+                near: &near,
+                picks: picks.clone(),
+            };
+            let beside = Assembler {
+                request: &request,
+                ..*self
+            };
+            let (mut engine, mut state) = (engine.clone(), state.clone());
+            beside.settle_all(&mut engine, &mut state).ok()?;
+            Some((at, engine, state))
+        });
+        let passes = ends.iter().all(Option::is_some);
+        // Stretched wherever it goes, or only here.
+        let point = self.group(stretched).point.unwrap_or(here(0));
+        let choices = vec![state.position(point); 2];
+        let stuck = Fault::Vague { point, choices };
+        let Some((at, there, found)) = ends.into_iter().flatten().next() else {
+            return Err(stuck);
+        };
+        if let (true, None, Some(group)) = (passes, picked, self.group(stretched).name()) {
+            return Err(Fault::ChangePoint { group });
+        }
+        (*engine, *state) = (there, found);
+        Ok(Beginning {
+            at,
+            stuck: Some(stuck),
+        })
+    }
+
+    // ---- rough places
+
+    /// The rough places of points that a group places, in the solver's frame.
+    fn wanted(&self, number: usize, engine: &Engine) -> Vec<(PointId, Vec2)> {
+        let points = &self.group(number).points;
+        let ours = self.request.near.iter().filter(|(p, _)| points.contains(p));
+        ours.map(|&(point, near)| (point, engine.frame.inner(near).nearest()))
+            .collect()
+    }
+}
+
+/// How far the points of a state are from the places wanted for them: the sum of the squares.
+fn miss(wanted: &[(PointId, Vec2)], state: &State) -> f64 {
+    let miss = |&(p, near): &(PointId, Vec2)| (state.points[p.index()].p - near).norm2();
+    wanted.iter().map(miss).sum()
+}
+
+pub(super) fn steps_of(engine: &Engine, number: usize) -> std::ops::Range<usize> {
+    let starts = &engine.program.group_starts;
+    starts[number]..starts[number + 1]
+}
+
+/// The sign in the solver of a pick, `None` where a dyad has no such pick.
+fn side_of(engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
+    let own = handedness(&engine.program.steps[key]);
+    match pick {
+        Pick::Plus => Some(own),
+        Pick::Minus => Some(-own),
+        Pick::Number(_) => None,
+    }
+}
+
+/// What a dyad's sign in the solver is picked by: the solver counts a triangle from its shorter arm, a
+/// scene from its first link.
+pub(super) fn handedness(step: &Step) -> f64 {
+    match step.outputs() {
+        (_, [Some(first), Some(second)]) if second < first => -1.0,
+        _ => 1.0,
+    }
+}

@@ -1,0 +1,40 @@
+//! What is asked of an assembly.
+
+use crate::solver::fault::Fault;
+use crate::solver::plan::{Pick, Plan};
+use crate::{Element, PointId, Vec2};
+
+/// Where, and in which way: a pick decides for its group, rough places for the others.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct Request<'a> {
+    /// The driver's coordinate.
+    pub at: f64,
+    /// Rough places of points, in the scene's unit and frame.
+    pub near: &'a [(PointId, Vec2)],
+    /// For every group of the plan what was picked for it.
+    pub picks: Vec<Option<Pick>>,
+}
+
+impl<'a> Request<'a> {
+    /// # Errors
+    /// [`Fault::NoChoice`] where a pick names no group of the plan.
+    pub(in crate::solver) fn new(
+        plan: &Plan,
+        at: f64,
+        near: &'a [(PointId, Vec2)],
+        picks: &[(Element, Pick)],
+    ) -> Result<Request<'a>, Fault> {
+        let mut all = vec![None; plan.groups.len()];
+        for &(group, pick) in picks {
+            let number = plan.group(group);
+            *number
+                .and_then(|n| all.get_mut(n))
+                .ok_or(Fault::NoChoice { group, found: 0 })? = Some(pick);
+        }
+        Ok(Request {
+            at,
+            near,
+            picks: all,
+        })
+    }
+}

@@ -1,0 +1,294 @@
+//! The ways of a coupled group: its solutions.
+
+use super::{Assembler, Halt, Way, miss};
+use crate::solver::coupled::{Coupled, is_same};
+use crate::solver::engine::Engine;
+use crate::solver::fault::Fault;
+use crate::solver::plan::Pick;
+use crate::solver::state::State;
+use crate::{PointId, Vec2};
+
+/// The grain of the order of solutions, in units of about the longest link and in degrees.
+const GRAIN: f64 = 1e-6;
+/// Directions tried for a link of a coupled group of which too little is known.
+const TRIED_DIRECTIONS: usize = 12;
+/// Combinations of such directions at the most.
+const MOST_TRIALS: usize = 1728;
+/// Less for large groups: a trial costs up to the cube of the unknowns, and all of them together no
+/// more than about half a second.
+const TRIAL_WORK: usize = 5_000_000;
+
+/// A start that is off by more than this for each of its points, in units of about the longest link, is
+/// so rough that all solutions are looked for.
+const ROUGH: f64 = 0.05;
+/// Trials by the slower way at the most.
+const MOST_CAREFUL: usize = 32;
+
+/// How a solution is approached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Care {
+    Newton,
+    /// Where Newton's method found none.
+    TrustRegion,
+}
+
+impl Assembler<'_> {
+    fn coupled_of<'e>(&self, number: usize, engine: &'e Engine) -> Option<&'e Coupled> {
+        let (_, index) = self.coupled(number, engine)?;
+        Some(&engine.program.coupled[index])
+    }
+
+    /// Puts a solution into the state, and notes on which side of a singularity it is.
+    pub(super) fn take_root(
+        &self,
+        number: usize,
+        z: &[f64],
+        engine: &mut Engine,
+        state: &mut State,
+    ) {
+        let Some((_, index)) = self.coupled(number, engine) else {
+            return;
+        };
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let mut scratch = std::mem::take(&mut state.scratch);
+        let group = &mut engine.program.coupled[index];
+        group.open(&mut scratch).z.copy_from_slice(z);
+        group.side = group.correct(q, state, &mut scratch).side;
+        state.scratch = scratch;
+    }
+
+    /// The solution that was picked, or the one nearest to the rough places.
+    pub(super) fn meant_root(
+        &self,
+        number: usize,
+        engine: &Engine,
+        state: &mut State,
+    ) -> Result<Way, Halt> {
+        match self.request.picks[number] {
+            Some(Pick::Number(n)) => {
+                let roots = self.all_roots(number, engine, state);
+                let found = roots.len();
+                let root = roots.into_iter().nth(n.wrapping_sub(1));
+                let root = root.ok_or_else(|| self.no_choice(number, found))?;
+                Ok(Way::Root(root))
+            }
+            Some(Pick::Plus | Pick::Minus) => {
+                let found = self.all_roots(number, engine, state).len();
+                Err(self.no_choice(number, found).into())
+            }
+            None => self.nearest_root(number, engine, state),
+        }
+    }
+
+    /// Newton from the rough places; where they say too little, from a fan of directions.
+    fn nearest_root(&self, number: usize, engine: &Engine, state: &mut State) -> Result<Way, Halt> {
+        let Some(group) = self.coupled_of(number, engine) else {
+            return Ok(Way::Only);
+        };
+        let wanted = self.wanted(number, engine);
+        let near = |care, state: &mut State| self.roots_near(number, &wanted, care, engine, state);
+        let mut roots = near(Care::Newton, state);
+        if roots.is_empty() {
+            roots = near(Care::TrustRegion, state);
+        }
+        // From far away Newton's method need not come to the nearest one.
+        let allowed = ROUGH * ROUGH * wanted.len() as f64;
+        let is_near = roots.iter().any(|root| {
+            self.show_root(group, root, engine, state);
+            miss(&wanted, state) <= allowed
+        });
+        if !is_near && !wanted.is_empty() {
+            for root in self.all_roots(number, engine, state) {
+                if !roots.iter().any(|other| is_same(other, &root)) {
+                    roots.push(root);
+                }
+            }
+        }
+        let subject = self.group(number).point.unwrap_or(PointId::new(0));
+        let mut found = Vec::new();
+        for root in roots {
+            self.show_root(group, &root, engine, state);
+            let place = state.points[subject.index()].p;
+            found.push((miss(&wanted, state), root, place));
+        }
+        if wanted.is_empty() && found.len() > 1 {
+            let choices = found.iter().map(|f| engine.frame.place(f.2)).collect();
+            let point = subject;
+            return Err(Fault::Vague { point, choices }.into());
+        }
+        let best = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((_, root, _)) = best else {
+            let (q, _) = engine.coordinate::<f64>(self.request.at);
+            return Err(Fault::NotAssembled {
+                points: self.group(number).points.clone(),
+                gap: group.gap(q, state) * engine.frame.scale,
+            }
+            .into());
+        };
+        Ok(Way::Root(root))
+    }
+
+    /// Every solution that a search without any start finds, in an order of their own.
+    pub(super) fn all_roots(
+        &self,
+        number: usize,
+        engine: &Engine,
+        state: &mut State,
+    ) -> Vec<Vec<f64>> {
+        let roots = self.roots_near(number, &[], Care::Newton, engine, state);
+        let Some(group) = self.coupled_of(number, engine) else {
+            return roots;
+        };
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let mut scratch = std::mem::take(&mut state.scratch);
+        let mut roots = group.relatives(q, roots, state, &mut scratch);
+        state.scratch = scratch;
+        roots.sort_by_key(|z| rank(group, z));
+        roots
+    }
+
+    /// The solutions to which Newton comes from rough places.
+    fn roots_near(
+        &self,
+        number: usize,
+        wanted: &[(PointId, Vec2)],
+        care: Care,
+        engine: &Engine,
+        state: &mut State,
+    ) -> Vec<Vec<f64>> {
+        let Some(group) = self.coupled_of(number, engine) else {
+            return Vec::new();
+        };
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let mut roots: Vec<Vec<f64>> = Vec::new();
+        let middles = self.middles(number, state, wanted);
+        let most = match care {
+            Care::Newton => usize::MAX,
+            Care::TrustRegion => MOST_CAREFUL,
+        };
+        for directions in self.guesses(number, group, wanted, state).iter().take(most) {
+            for &middle in &middles {
+                let mut scratch = std::mem::take(&mut state.scratch);
+                let near = |p: PointId| wanted.iter().find(|w| w.0 == p).map_or(middle, |w| w.1);
+                group.set_guess(group.open(&mut scratch).z, near, directions);
+                let settled = match care {
+                    Care::Newton => group.correct(q, state, &mut scratch).settled,
+                    Care::TrustRegion => group.approach(q, state, &mut scratch),
+                };
+                let settled =
+                    settled && group.finish(q, crate::solver::step::POSITION, state, &mut scratch);
+                let z = group.open(&mut scratch).z.to_vec();
+                state.scratch = scratch;
+                if settled && !roots.iter().any(|other| is_same(other, &z)) {
+                    roots.push(z);
+                }
+            }
+        }
+        roots
+    }
+
+    /// Puts the points of a solution into the state.
+    fn show_root(&self, group: &Coupled, z: &[f64], engine: &Engine, state: &mut State) {
+        let (q, _) = engine.coordinate::<f64>(self.request.at);
+        let mut scratch = std::mem::take(&mut state.scratch);
+        group.open(&mut scratch).z.copy_from_slice(z);
+        group.finish(q, crate::solver::step::POSITION, state, &mut scratch);
+        state.scratch = scratch;
+    }
+
+    /// Places to begin from for joints without a start: amid what is known, and around it.
+    fn middles(&self, number: usize, state: &State, wanted: &[(PointId, Vec2)]) -> Vec<Vec2> {
+        let grounds = self
+            .network
+            .mechanism
+            .point_ids()
+            .filter(|&p| self.network.is_ground(p));
+        let places: Vec<Vec2> = wanted
+            .iter()
+            .map(|w| w.1)
+            .chain(grounds.map(|p| state.points[p.index()].p))
+            .collect();
+        let middle = places.iter().fold(Vec2::ZERO, |sum, &p| sum + p) / places.len().max(1) as f64;
+        // A lopsided ring: exact symmetry would make the first matrix singular.
+        let around = (0..5).map(|i| middle + crate::angle::unit(13.0 + 72.0 * f64::from(i)));
+        let near = middle + Vec2::new(0.01, 0.017);
+        let mut points = self.group(number).points.iter();
+        if points.all(|p| wanted.iter().any(|w| w.0 == *p)) {
+            vec![near]
+        } else {
+            std::iter::once(near).chain(around).collect()
+        }
+    }
+
+    /// The directions to try: read off two rough places of a link where there are two.
+    fn guesses(
+        &self,
+        number: usize,
+        group: &Coupled,
+        wanted: &[(PointId, Vec2)],
+        state: &State,
+    ) -> Vec<Vec<Vec2>> {
+        let most = (TRIAL_WORK / group.unknowns().pow(3)).min(MOST_TRIALS);
+        let mut guesses = vec![Vec::new()];
+        for &link in group.turning() {
+            let read = self.read_direction(number, link, wanted, state);
+            let fan = (0..TRIED_DIRECTIONS).map(|i| crate::angle::unit(7.0 + 30.0 * i as f64));
+            let options: Vec<Vec2> = read.map_or_else(|| fan.collect(), |d| vec![d]);
+            if guesses.len() * options.len() > most {
+                guesses.iter_mut().for_each(|g| g.push(options[0]));
+                continue;
+            }
+            guesses = guesses
+                .iter()
+                .flat_map(|g| options.iter().map(move |&d| [&g[..], &[d]].concat()))
+                .collect();
+        }
+        guesses
+    }
+
+    /// The direction of a link's class, from two of its points whose places are known or given.
+    fn read_direction(
+        &self,
+        number: usize,
+        link: crate::LinkId,
+        wanted: &[(PointId, Vec2)],
+        state: &State,
+    ) -> Option<Vec2> {
+        let ours = &self.group(number).points;
+        let placed: Vec<(Vec2, Vec2)> = self
+            .network
+            .joints(link)
+            .filter_map(|m| {
+                let given = wanted.iter().find(|w| w.0 == m.point).map(|w| w.1);
+                let known = !ours.contains(&m.point);
+                let at = given.or(known.then(|| state.points[m.point.index()].p))?;
+                Some((m.local, at))
+            })
+            .collect();
+        let [(local_a, a), (local_b, b), ..] = placed[..] else {
+            return None;
+        };
+        let seen = (b - a).turned((local_b - local_a).conj());
+        let own = seen / seen.norm();
+        let class = own.turned(self.network.turn[link.index()].nearest().conj());
+        class.is_finite().then_some(class)
+    }
+}
+
+/// By the directions of its links, from +x counter-clockwise, then by its joints: an order that depends
+/// on nothing but the solution. Finer than two solutions can lie together.
+fn rank(group: &Coupled, z: &[f64]) -> Vec<i64> {
+    let (joints, directions) = z.split_at(z.len() - 2 * group.turning().len());
+    let angles = directions.chunks_exact(2).map(|d| {
+        let angle = crate::angle::degrees(Vec2::new(d[0], d[1]));
+        #[expect(clippy::cast_possible_truncation, reason = "below 360 / GRAIN")]
+        let place = (angle / GRAIN).round() as i64;
+        place
+    });
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "saturates far outside any linkage"
+    )]
+    let joints = joints.iter().map(|v| (v / GRAIN).round() as i64);
+    angles.chain(joints).collect()
+}

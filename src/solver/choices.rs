@@ -1,0 +1,306 @@
+//! The assemblies beside the one that is followed: of a group, and of the whole mechanism.
+
+use super::assemble::{Assembler, Request, Way, handedness};
+use super::engine::Engine;
+use super::fault::Fault;
+use super::motion::MISFIT;
+use super::network::Network;
+use super::plan::Pick;
+use super::state::{Condition, State};
+use super::{Order, Solver};
+use crate::{Element, Mechanism, PointId, Vec2};
+
+/// Whole assemblies are listed as long as there are no more.
+pub const MOST_ASSEMBLIES: usize = 64;
+
+/// Ways tried in the search for whole assemblies, at the most: where later groups close with few of the
+/// ways of earlier ones, their number grows with every group though hardly any closes.
+const MOST_TRIED: usize = 10_000;
+/// Beyond a change point by this much, in radians or scaled lengths, and before the next one.
+const BEYOND: f64 = 1e-6;
+
+/// One of the assemblies of a group.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// What picks it.
+    pub pick: Pick,
+    /// Whether it is the one that the solver follows.
+    pub is_current: bool,
+    /// Whether the groups behind close with it, each in its own present assembly or near it.
+    pub closes: bool,
+    /// Positions with this choice: of everything where it closes, else up to the group itself.
+    pub state: State,
+}
+
+/// The whole assemblies of a mechanism at a coordinate.
+#[derive(Clone, Debug, Default)]
+pub struct Assemblies {
+    /// For each the picks of its groups, by their numbers in the plan, in the plan's order.
+    pub list: Vec<Vec<(usize, Pick)>>,
+    /// Which of them the solver follows.
+    pub current: Option<usize>,
+    /// Whether that is all of them: there may be more than [`MOST_ASSEMBLIES`].
+    pub is_complete: bool,
+}
+
+impl Solver {
+    /// The choices of a group of the plan at a coordinate of the driver, those of a dyad `+` and `-`. Empty
+    /// where the group has none, where the motion does not come, and in a solver with something left out.
+    #[must_use]
+    pub fn choices(&self, mechanism: &Mechanism, at: f64, group: usize) -> Vec<Choice> {
+        let groups = &self.plan.groups;
+        let Some(present) = groups
+            .get(group)
+            .filter(|g| g.has_choices())
+            .and_then(|_| self.present(mechanism, at))
+        else {
+            return Vec::new();
+        };
+        let network = Network::new(mechanism);
+        let request = present.request(at);
+        let assembler = Assembler {
+            network: &network,
+            plan: &self.plan,
+            request: &request,
+            order: Order::Position,
+        };
+        let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
+        engine.signs.clone_from(&present.signs);
+        state.signs.clone_from(&present.signs);
+        state.at = at;
+        let ways = assembler.ways(group, &engine, &mut state);
+        let numbered = ways.iter().enumerate();
+        numbered
+            .map(|(i, way)| {
+                let is_current = present.is_in(self, group, way);
+                let mut state = present.state.clone();
+                state.signs.clone_from(&present.signs);
+                let taken = assembler.take(group, way, &mut engine, &mut state);
+                let closes = taken != Condition::NoAssembly
+                    && assembler.settle_from(group + 1, &mut engine, &mut state)
+                    && engine.misfit(&state, MISFIT).is_none();
+                state.condition = Condition::Ok;
+                Choice {
+                    pick: self.pick_of(group, way, i),
+                    is_current,
+                    closes,
+                    state,
+                }
+            })
+            .collect()
+    }
+
+    /// The whole assemblies at a coordinate of the driver, as far as they are few.
+    #[must_use]
+    pub fn assemblies(&self, mechanism: &Mechanism, at: f64) -> Assemblies {
+        let mut found = Assemblies::default();
+        let Some(present) = self.present(mechanism, at) else {
+            return found;
+        };
+        let network = Network::new(mechanism);
+        let request = present.request(at);
+        let assembler = Assembler {
+            network: &network,
+            plan: &self.plan,
+            request: &request,
+            order: Order::Position,
+        };
+        let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
+        state.at = at;
+        // The ways of each group so far, and which of them is taken: an odometer.
+        let mut taken: Vec<(Vec<Way>, usize)> = Vec::new();
+        let mut tried = 0;
+        loop {
+            let number = taken.len();
+            if number < self.plan.groups.len() {
+                let ways = assembler.ways(number, &engine, &mut state);
+                taken.push((ways, 0));
+            } else {
+                if engine.misfit(&state, MISFIT).is_none() {
+                    if found.list.len() == MOST_ASSEMBLIES {
+                        return found;
+                    }
+                    self.note(&taken, &present, &mut found);
+                }
+                step(&mut taken);
+            }
+            // Take what is next; where nothing is left of a group, go on with the one before it.
+            loop {
+                let Some((ways, next)) = taken.last() else {
+                    found.is_complete = true;
+                    return found;
+                };
+                tried += 1;
+                if tried > MOST_TRIED {
+                    return found;
+                }
+                let number = taken.len() - 1;
+                let placed = ways.get(*next).map(|way| {
+                    assembler.take(number, way, &mut engine, &mut state) != Condition::NoAssembly
+                });
+                match placed {
+                    Some(true) => break,
+                    Some(false) => step(&mut taken),
+                    None => {
+                        taken.pop();
+                        step(&mut taken);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The same mechanism with another assembly of one group, picked at a coordinate of the driver; the
+    /// other groups stay as they are there, or near it. Its motion is its own.
+    ///
+    /// # Errors
+    /// See [`Fault`]: mostly that later groups do not close with it.
+    pub fn switched(
+        &self,
+        mechanism: &Mechanism,
+        at: f64,
+        group: usize,
+        pick: Pick,
+    ) -> Result<Solver, Fault> {
+        let nothing = || Fault::NoChoice {
+            group: self
+                .plan
+                .groups
+                .get(group)
+                .and_then(|g| g.name())
+                .unwrap_or(Element::Driver),
+            found: 0,
+        };
+        let present = self.present(mechanism, at).ok_or_else(nothing)?;
+        let mut picks: Vec<(Element, Pick)> = Vec::new();
+        for (number, of) in self.plan.groups.iter().enumerate() {
+            let own = if number == group {
+                Some(pick)
+            } else {
+                present.picks[number]
+            };
+            picks.extend(of.name().zip(own));
+        }
+        Solver::open(mechanism, at, &present.near, &picks)
+    }
+
+    /// What picks one of the ways of a group, the i-th of them.
+    fn pick_of(&self, group: usize, way: &Way, i: usize) -> Pick {
+        match way {
+            Way::Side(sign) => self.side_pick(group, *sign).unwrap_or(Pick::Plus),
+            Way::Root(_) | Way::Only => Pick::Number(i + 1),
+        }
+    }
+
+    /// What picks a dyad with this sign.
+    fn side_pick(&self, group: usize, sign: f64) -> Option<Pick> {
+        // One more sign is kept than there are groups.
+        self.plan.groups.get(group)?;
+        let steps = &self.engine.program.steps[super::assemble::steps_of(&self.engine, group)];
+        let key = steps.iter().find(|s| s.choice().is_some())?;
+        Some(if sign * handedness(key) > 0.0 {
+            Pick::Plus
+        } else {
+            Pick::Minus
+        })
+    }
+
+    /// Keeps a whole assembly.
+    fn note(&self, taken: &[(Vec<Way>, usize)], present: &Present, found: &mut Assemblies) {
+        let chosen = || {
+            taken
+                .iter()
+                .enumerate()
+                .map(|(n, (ways, i))| (n, &ways[*i], *i))
+        };
+        if chosen().all(|(n, way, _)| present.is_in(self, n, way)) {
+            found.current = Some(found.list.len());
+        }
+        let picks = chosen().filter(|&(n, _, _)| self.plan.groups[n].has_choices());
+        let picks = picks.map(|(n, way, i)| (n, self.pick_of(n, way, i)));
+        found.list.push(picks.collect());
+    }
+
+    /// The assembly at a coordinate; `None` where there is nothing to choose from.
+    fn present(&self, mechanism: &Mechanism, at: f64) -> Option<Present> {
+        let whole =
+            self.engine.program.group_starts.last() == Some(&self.engine.program.steps.len());
+        if !whole {
+            return None;
+        }
+        let mut state = self.state();
+        if self.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
+            return None;
+        }
+        let mut signs = self.engine.signs.clone();
+        // At a change point itself, what counts is the way on.
+        let beyond = self.engine.moved(at, BEYOND);
+        let place = if state.condition == Condition::ChangePoint {
+            beyond
+        } else {
+            at
+        };
+        self.motion.passages.choose(&self.engine, place, &mut signs);
+        let points = 0..mechanism.points().len();
+        let near = points.map(|i| (PointId::new(i), state.position(PointId::new(i))));
+        let numbered = signs.iter().enumerate();
+        let picks = numbered.map(|(n, &sign)| self.side_pick(n, sign));
+        Some(Present {
+            near: near.collect(),
+            picks: picks.take(self.plan.groups.len()).collect(),
+            signs,
+            state,
+        })
+    }
+}
+
+/// The next way of the last group.
+fn step(taken: &mut [(Vec<Way>, usize)]) {
+    if let Some((_, next)) = taken.last_mut() {
+        *next += 1;
+    }
+}
+
+/// The assembly that a solver follows, at one coordinate.
+struct Present {
+    state: State,
+    /// The sign of every group there.
+    signs: Vec<f64>,
+    /// What picks it, of the dyads.
+    picks: Vec<Option<Pick>>,
+    /// Where every point is, in the scene's frame.
+    near: Vec<(PointId, Vec2)>,
+}
+
+impl Present {
+    /// Asks for the same again.
+    fn request(&self, at: f64) -> Request<'_> {
+        Request {
+            at,
+            near: &self.near,
+            picks: self.picks.clone(),
+        }
+    }
+
+    /// Whether a group is in this way.
+    fn is_in(&self, solver: &Solver, group: usize, way: &Way) -> bool {
+        match way {
+            Way::Only => true,
+            Way::Side(sign) => sign * self.signs[group] > 0.0,
+            Way::Root(z) => self.has_root(&solver.engine, group, z),
+        }
+    }
+
+    fn has_root(&self, engine: &Engine, group: usize, z: &[f64]) -> bool {
+        let steps = &engine.program.steps[super::assemble::steps_of(engine, group)];
+        let index = steps.iter().find_map(|s| match s {
+            super::step::Step::Coupled { index } => Some(*index),
+            _ => None,
+        });
+        let own = index.map(|i| &engine.program.coupled[i]);
+        own.is_some_and(|c| {
+            let numbers = &self.state.scratch.numbers[c.offset..c.offset + c.width()];
+            super::coupled::is_same(numbers, z)
+        })
+    }
+}

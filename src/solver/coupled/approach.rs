@@ -1,0 +1,120 @@
+//! From far away: Newton's steps in a trust region, for putting a group together.
+//!
+//! Along the motion a group is predicted so well that Newton's method needs no care. A rough start may
+//! lie where the matrix is all but singular, and two solutions close together draw Newton's steps
+//! far away. There the step is the one of Levenberg and Marquardt, (J'J + m) d = -J'r, whose damping m
+//! follows from how well the last step did what it promised (Nielsen, Damping Parameter in Marquardt's
+//! Method, 1999, eq. 2.5; the rest is Madsen, Nielsen and Tingleff, Methods for Non-Linear Least
+//! Squares Problems, 2004, algorithm 3.16).
+
+use super::{Coupled, Room, Scratch};
+use crate::solver::lu;
+use crate::solver::state::State;
+
+/// Near a double solution the distance halves with every step: enough for the rounding.
+const STEPS: usize = 120;
+/// A step below this, in scaled lengths and radians, is left to Newton's method.
+const NEAR: f64 = 1e-9;
+/// The first damping, as a part of the largest entry of J'J.
+const DAMPING: f64 = 1e-3;
+
+impl Coupled {
+    /// From the z in the scratch to a solution that Newton's method settles, if there is one downhill.
+    pub(in crate::solver) fn approach(
+        &self,
+        q: f64,
+        state: &mut State,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let mut region = Region::new(self.unknowns());
+        for _ in 0..STEPS {
+            let mut room = self.open(scratch);
+            if !region.step(self, q, state, &mut room) {
+                break;
+            }
+        }
+        self.correct(q, state, scratch).settled
+    }
+}
+
+/// How far the matrix is trusted.
+struct Region {
+    n: usize,
+    damping: Option<f64>,
+    /// By what the damping grows when a step has failed: more with every failure.
+    growth: f64,
+    matrix: Vec<f64>,
+    step: Vec<f64>,
+    pivots: Vec<usize>,
+}
+
+impl Region {
+    fn new(n: usize) -> Region {
+        Region {
+            n,
+            damping: None,
+            growth: 2.0,
+            matrix: vec![0.0; n * n],
+            step: vec![0.0; n],
+            pivots: vec![0; n],
+        }
+    }
+
+    /// One step, taken where it leads downhill; whether there is more to do.
+    fn step(&mut self, group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> bool {
+        let n = self.n;
+        group.residuals(q, state, room);
+        group.jacobian(q, state, room);
+        let before = norm2(room.right);
+        let slope: Vec<f64> = (0..n)
+            .map(|j| (0..n).map(|i| room.matrix[i * n + j] * room.right[i]).sum())
+            .collect();
+        let largest = self.square(room.matrix);
+        let damping = *self.damping.get_or_insert(DAMPING * largest);
+        for (i, slope) in slope.iter().enumerate() {
+            self.matrix[i * n + i] += damping;
+            self.step[i] = -slope;
+        }
+        if lu::factor(&mut self.matrix, &mut self.pivots, n).is_none() {
+            return false;
+        }
+        lu::solve(&self.matrix, &self.pivots, &mut self.step, n);
+        let size = self.step.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        // Written so that NaN ends it, too.
+        if !(size > NEAR) {
+            return false;
+        }
+        let kept = room.z.to_vec();
+        group.shift(room.z, &self.step);
+        group.residuals(q, state, room);
+        let steps = self.step.iter().zip(&slope);
+        let promised: f64 = steps.map(|(d, g)| d * (damping * d - g)).sum();
+        let gain = (before - norm2(room.right)) / promised;
+        if gain > 0.0 {
+            let shrunk = 1.0 - (2.0 * gain - 1.0).powi(3);
+            self.damping = Some(damping * shrunk.max(1.0 / 3.0));
+            self.growth = 2.0;
+        } else {
+            room.z.copy_from_slice(&kept);
+            self.damping = Some(damping * self.growth);
+            self.growth *= 2.0;
+        }
+        true
+    }
+
+    /// J'J; its largest entry.
+    fn square(&mut self, jacobian: &[f64]) -> f64 {
+        let n = self.n;
+        for i in 0..n {
+            for j in 0..n {
+                let column = (0..n).map(|k| jacobian[k * n + i] * jacobian[k * n + j]);
+                self.matrix[i * n + j] = column.sum();
+            }
+        }
+        (0..n).fold(0.0, |m: f64, i| m.max(self.matrix[i * n + i]))
+    }
+}
+
+fn norm2(v: &[f64]) -> f64 {
+    v.iter().map(|v| v * v).sum()
+}

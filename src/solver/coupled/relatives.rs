@@ -1,0 +1,270 @@
+//! From some solutions of a group to the others: one equation is let go of, and the curve on which
+//! all others hold is followed around; wherever the equation holds again there is a solution.
+//!
+//! It is the old way with a triad - take out one leg, turn what is left, a four-bar, through its
+//! motion, and see where the leg fits - for any group, without a closed form, and in turn for every
+//! equation: what one curve does not join another may.
+
+use super::{Coupled, Scratch};
+use crate::solver::lu;
+use crate::solver::state::State;
+
+/// Steps along a curve, in scaled lengths and radians: at the most, and below which a curve is given up:
+/// there it branches.
+const LONGEST: f64 = 0.04;
+const SHORTEST: f64 = 1e-5;
+/// The correction behind a step may be this part of it: more could be another curve.
+const STRAIN: f64 = 0.1;
+/// So much a curve may turn in one step, as a cosine.
+const BEND: f64 = 0.98;
+/// Corrections from a predicted place back to the curve, and when they are small enough.
+const CORRECTIONS: usize = 6;
+const ON_CURVE: f64 = 1e-10;
+/// Closer together than two places where the equation holds mostly are: halvings between two steps.
+const SECANTS: usize = 40;
+/// Where the equation misses by less than this and begins to miss by more again, two solutions may lie
+/// within one step, or have just vanished.
+const NEAR_MISS: f64 = 0.05;
+/// A slide may run away: no joint is followed further than this, in scaled lengths.
+const FAR: f64 = 64.0;
+/// Steps in all, for a group of one unknown; a step of n unknowns counts n^3 times.
+const WORK: usize = 4_000_000;
+/// More solutions are not looked for.
+const MOST: usize = 256;
+
+/// A place on a curve: z, the curve's direction there, and by how much the equation misses.
+#[derive(Clone)]
+struct Place {
+    z: Vec<f64>,
+    along: Vec<f64>,
+    miss: f64,
+}
+
+/// Someone who follows curves of a group.
+pub(in crate::solver) struct Tracer<'a> {
+    group: &'a Coupled,
+    q: f64,
+    state: &'a mut State,
+    scratch: &'a mut Scratch,
+    work: usize,
+    roots: Vec<Vec<f64>>,
+    /// The solutions and equations whose curve has been followed.
+    followed: Vec<(usize, usize)>,
+}
+
+impl Coupled {
+    /// The solutions that can be reached from these, and these themselves.
+    pub(in crate::solver) fn relatives(
+        &self,
+        q: f64,
+        roots: Vec<Vec<f64>>,
+        state: &mut State,
+        scratch: &mut Scratch,
+    ) -> Vec<Vec<f64>> {
+        let mut tracer = Tracer {
+            group: self,
+            q,
+            state,
+            scratch,
+            work: WORK,
+            roots,
+            followed: Vec::new(),
+        };
+        let mut next = 0;
+        while next < tracer.roots.len().min(MOST) {
+            for row in 0..self.unknowns() {
+                tracer.follow(next, row);
+            }
+            next += 1;
+        }
+        tracer.roots
+    }
+}
+
+impl Tracer<'_> {
+    /// Follows the curve of an equation through a solution, once around, or to both its ends.
+    fn follow(&mut self, root: usize, row: usize) {
+        if self.followed.contains(&(root, row)) {
+            return;
+        }
+        for sense in [1.0, -1.0] {
+            if self.goes_around(root, row, sense) {
+                return;
+            }
+        }
+    }
+
+    /// Follows it one way; whether it came around.
+    fn goes_around(&mut self, root: usize, row: usize, sense: f64) -> bool {
+        let Some(mut here) = self.begin(root, row, sense) else {
+            return false;
+        };
+        let mut step = 0.25 * LONGEST;
+        // A solution is a place where nothing misses: the sign is that of the way on.
+        here.miss = 0.0;
+        let mut before = f64::INFINITY;
+        let mut is_first = true;
+        while step >= SHORTEST && self.afford() {
+            let Some(there) = self.advance(row, &here, step) else {
+                step *= 0.5;
+                continue;
+            };
+            if there.z.iter().any(|v| v.abs() > FAR) {
+                return false;
+            }
+            let met = if is_first {
+                None
+            } else if here.miss * there.miss <= 0.0 {
+                self.between(row, &here, &there, step)
+            } else if here.miss.abs() < before.min(there.miss.abs()).min(NEAR_MISS) {
+                self.settled(&here.z, true)
+            } else {
+                None
+            };
+            if let Some(z) = met {
+                let number = self.known(z);
+                if number == root {
+                    return true;
+                }
+                self.followed.push((number, row));
+            }
+            (before, is_first) = (here.miss.abs(), false);
+            here = there;
+            step = (1.5 * step).min(LONGEST);
+        }
+        false
+    }
+
+    fn afford(&mut self) -> bool {
+        let cost = self.group.unknowns().pow(3);
+        self.work = self.work.saturating_sub(cost);
+        self.work > 0
+    }
+
+    /// The number of a solution, a new one's too.
+    fn known(&mut self, z: Vec<f64>) -> usize {
+        let known = self.roots.iter().position(|other| is_same(other, &z));
+        known.unwrap_or_else(|| {
+            self.roots.push(z);
+            self.roots.len() - 1
+        })
+    }
+
+    /// A solution as a place on the curve of an equation.
+    fn begin(&mut self, root: usize, row: usize, sense: f64) -> Option<Place> {
+        let z = self.roots[root].clone();
+        // Any direction in which the equation changes: its own rates.
+        let mut room = self.group.open(self.scratch);
+        room.z.copy_from_slice(&z);
+        self.group.jacobian(self.q, self.state, &mut room);
+        let n = self.group.unknowns();
+        let mut along = room.matrix[row * n..(row + 1) * n].to_vec();
+        along.iter_mut().for_each(|v| *v *= sense);
+        self.direction(row, z, &along)
+    }
+
+    /// One step along the curve, if it is as straight as that.
+    fn advance(&mut self, row: usize, from: &Place, step: f64) -> Option<Place> {
+        let (z, strain) = self.land(row, from, step)?;
+        if strain > STRAIN * step {
+            return None;
+        }
+        let place = self.direction(row, z, &from.along)?;
+        let cosine: f64 = place
+            .along
+            .iter()
+            .zip(&from.along)
+            .map(|(a, b)| a * b)
+            .sum();
+        (cosine >= BEND).then_some(place)
+    }
+
+    /// The place of the curve beside a step along its direction; and how far beside.
+    fn land(&mut self, row: usize, from: &Place, step: f64) -> Option<(Vec<f64>, f64)> {
+        let n = self.group.unknowns();
+        let mut room = self.group.open(self.scratch);
+        room.z.copy_from_slice(&from.z);
+        let change: Vec<f64> = from.along.iter().map(|v| v * step).collect();
+        self.group.shift(room.z, &change);
+        let mut strain = None;
+        for _ in 0..CORRECTIONS {
+            self.group.residuals(self.q, self.state, &mut room);
+            self.group.jacobian(self.q, self.state, &mut room);
+            room.matrix[row * n..(row + 1) * n].copy_from_slice(&from.along);
+            room.right[row] = 0.0;
+            lu::factor(room.matrix, room.pivots, n)?;
+            lu::solve(room.matrix, room.pivots, room.right, n);
+            let size = room.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let strain = *strain.get_or_insert(size);
+            room.right.iter_mut().for_each(|v| *v = -*v);
+            self.group.shift(room.z, room.right);
+            if size <= ON_CURVE {
+                return Some((room.z.to_vec(), strain));
+            }
+        }
+        None
+    }
+
+    /// A place of the curve with its direction, onwards as seen along another.
+    fn direction(&mut self, row: usize, z: Vec<f64>, along: &[f64]) -> Option<Place> {
+        let n = self.group.unknowns();
+        let mut room = self.group.open(self.scratch);
+        room.z.copy_from_slice(&z);
+        self.group.residuals(self.q, self.state, &mut room);
+        let miss = room.right[row];
+        self.group.jacobian(self.q, self.state, &mut room);
+        room.matrix[row * n..(row + 1) * n].copy_from_slice(along);
+        room.right.fill(0.0);
+        room.right[row] = 1.0;
+        lu::factor(room.matrix, room.pivots, n)?;
+        lu::solve(room.matrix, room.pivots, room.right, n);
+        let norm = room.right.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let along = room.right.iter().map(|v| v / norm).collect();
+        norm.is_finite().then_some(Place { z, along, miss })
+    }
+
+    /// The solution between two places of a curve on whose way the equation changes its sign.
+    fn between(&mut self, row: usize, from: &Place, to: &Place, step: f64) -> Option<Vec<f64>> {
+        let (mut low, mut high) = ((0.0, from.miss), (step, to.miss));
+        let mut z = from.z.clone();
+        for i in 0..SECANTS {
+            // Halvings in between, where the secant keeps to one side.
+            let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
+            let middle = if i % 3 == 2 || !secant.is_finite() {
+                0.5 * (low.0 + high.0)
+            } else {
+                secant
+            };
+            (z, _) = self.land(row, from, middle)?;
+            let miss = self.direction(row, z.clone(), &from.along)?.miss;
+            if miss * high.1 > 0.0 {
+                high = (middle, miss);
+            } else {
+                low = (middle, miss);
+            }
+            if (high.0 - low.0).abs() <= ON_CURVE || miss == 0.0 {
+                break;
+            }
+        }
+        self.settled(&z, false)
+    }
+
+    /// The solution at a place, by Newton; or the one downhill of it.
+    fn settled(&mut self, z: &[f64], downhill: bool) -> Option<Vec<f64>> {
+        self.group.open(self.scratch).z.copy_from_slice(z);
+        let settled = if downhill {
+            self.group.approach(self.q, self.state, self.scratch)
+        } else {
+            self.group.correct(self.q, self.state, self.scratch).settled
+        };
+        let z = self.group.open(self.scratch).z.to_vec();
+        settled.then_some(z)
+    }
+}
+
+/// Two solutions nearer than this, in units of about the longest link and in radians, are one.
+const SAME: f64 = 1e-6;
+
+pub(in crate::solver) fn is_same(a: &[f64], b: &[f64]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() < SAME)
+}

@@ -1,0 +1,103 @@
+//! The list of assemblies, in the place of the tables: what each group could be, and is.
+//!
+//! ```text
+//!   C + (311.4, 233.8)  now
+//! > C - (212.6, -165.5)
+//! ```
+
+use super::{columns, print};
+use crate::assembly::pick_text;
+use crate::tui::app::App;
+use crate::tui::panel::Row;
+use crate::tui::stage::shown;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Longer names of groups are cut.
+const LONGEST_NAME: usize = 9;
+/// Columns between two parts of a row.
+const GAP: u16 = 1;
+
+pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) {
+    let Some(panel) = app.stage().panel() else {
+        return;
+    };
+    let rows = panel.rows();
+    let widths = Widths::of(rows);
+    // The cursor is seen, with a row above it where there is one.
+    let height = usize::from(area.height).max(1);
+    let most = rows.len().saturating_sub(height);
+    let first = cursor.saturating_sub(height / 2).min(most);
+    let seen = rows.iter().enumerate().skip(first);
+    for (y, (i, row)) in (area.top()..area.bottom()).zip(seen) {
+        let line = Rect {
+            y,
+            height: 1,
+            ..area
+        };
+        render_row(app, row, i == cursor, &widths, line, buffer);
+    }
+    let ends = [
+        ("^", area.top(), first > 0),
+        ("v", area.bottom().saturating_sub(1), first < most),
+    ];
+    for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
+        let x = area.right() + super::table::MARGIN - 1;
+        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
+    }
+}
+
+/// Columns of the parts of a row.
+struct Widths {
+    name: u16,
+    pick: u16,
+    place: u16,
+}
+
+impl Widths {
+    fn of(rows: &[Row]) -> Widths {
+        let widest = |text: &dyn Fn(&Row) -> u16| rows.iter().map(text).max().unwrap_or(0);
+        Widths {
+            name: widest(&|row| columns(&name(row))),
+            pick: widest(&|row| columns(&pick_text(row.choice.pick))),
+            place: widest(&|row| columns(&row.place)),
+        }
+    }
+}
+
+fn name(row: &Row) -> String {
+    super::cut(&row.name, LONGEST_NAME)
+}
+
+fn render_row(
+    app: &App,
+    row: &Row,
+    under_cursor: bool,
+    widths: &Widths,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    let part = |other| theme::part(if under_cursor { Part::Key } else { other });
+    let mut x = area.x;
+    let right = area.right();
+    let mut put = |text: &str, width: u16, style| {
+        let room = right.saturating_sub(x);
+        print(buffer, x, area.y, room, text, style);
+        x = x.saturating_add(width + GAP);
+    };
+    put(if under_cursor { ">" } else { " " }, 1, part(Part::Key));
+    put(
+        &shown(&name(row), app.glyphs()),
+        widths.name,
+        part(Part::Name),
+    );
+    put(&pick_text(row.choice.pick), widths.pick, part(Part::Text));
+    put(&row.place, widths.place, part(Part::Text));
+    let says = match (row.choice.is_current, row.choice.closes) {
+        (true, _) => "now",
+        (false, true) => "",
+        (false, false) => "open",
+    };
+    put(says, 0, part(Part::Quiet));
+}

@@ -1,0 +1,147 @@
+//! `--assembly` and `krank start`: another assembly, looked at and saved.
+
+use super::{command, done, folder, json, refused, rows, run};
+use std::fs;
+
+const CROSSED: &[&str] = &["four-bar", "--assembly", "C=-"];
+
+fn with<'a>(command: &'a str, args: &[&'a str]) -> Vec<&'a str> {
+    [&[command], CROSSED, args].concat()
+}
+
+/// The mirror value of hard case H29, from every command.
+#[test]
+fn h29_the_other_assembly_is_there_for_every_command() {
+    let table = json(&done(&with("table", &["--at", "240", "--format", "json"])));
+    let c = &table["points"]["C"];
+    assert!(table.to_string().contains("233.03106360959"), "{c}");
+    let csv = done(&with(
+        "sweep",
+        &["--from", "240", "--to", "240", "--columns", "C.x,C.y"],
+    ));
+    let row = &rows(&csv)[0];
+    let place: Vec<f64> = row[1..3].iter().map(|cell| cell.parse().unwrap()).collect();
+    assert!(
+        (place[0] - 233.031_063_609_591_44).abs() < 1e-12 * 300.0,
+        "{place:?}"
+    );
+    assert!(
+        (place[1] + 186.068_197_929_296_08).abs() < 1e-12 * 300.0,
+        "{place:?}"
+    );
+}
+
+#[test]
+fn check_lists_choices_and_whole_assemblies() {
+    let text = done(&["check", "press-ram", "--assembly", "C=-,F=+"]);
+    for line in [
+        "choices    C: + at (311.417, 233.780), - at (212.622, -165.497) now\n",
+        "\n           F: + at (560, ",
+        "assemblies 4: C=+,F=+; C=+,F=-; C=-,F=+ now; C=-,F=-\n",
+    ] {
+        assert!(text.contains(line), "{line}{text}");
+    }
+    let facts = json(&done(&["check", "press-ram", "--format", "json"]));
+    assert_eq!(facts["choices"][1]["group"], "F");
+    assert_eq!(facts["choices"][1]["list"][1]["choice"], "-");
+    assert_eq!(facts["choices"][1]["list"][1]["current"], true);
+    assert_eq!(facts["choices"][1]["list"][1]["at"][0], 560.0);
+    let whole = &facts["assemblies"];
+    assert_eq!(
+        (&whole["complete"], &whole["current"]),
+        (&true.into(), &1.into())
+    );
+    assert_eq!(whole["list"].as_array().unwrap().len(), 4);
+    assert_eq!(whole["list"][1]["F"], "-");
+    let arm = json(&done(&["check", "slotted-lever", "--format", "json"]));
+    assert!(arm["choices"][0]["list"][0]["angle"].is_f64());
+}
+
+#[test]
+fn what_cannot_be_chosen_is_refused() {
+    for (code, wish, phrase) in [
+        (
+            2,
+            "X=-",
+            "--assembly: `X` names no group with a choice; there are `C`, `F`",
+        ),
+        (2, "c=-", "did you mean `C`?"),
+        (2, "C=1", "`C` is chosen by its sign"),
+        (2, "C=+,C=-", "`C` is given twice"),
+        (2, "C:-", "write NAME=+ or NAME=-"),
+        // The scene is sound; with this wish it cannot be put together.
+        (
+            1,
+            "C=-",
+            "--assembly C=-: the linkage cannot close at the start: `F` is out of reach by",
+        ),
+    ] {
+        let message = refused(code, &["table", "press", "--assembly", wish]);
+        assert!(message.contains(phrase), "{wish}: {message}");
+    }
+}
+
+#[test]
+fn a_scene_that_opens_at_a_change_point_says_how_to_go_on() {
+    let flat = done(&["start", "parallelogram"]).replace("angle = 60", "angle = 180");
+    let here = folder("change-point");
+    fs::write(here.join("flat.toml"), flat).unwrap();
+    let heard = run(command(&["check", "flat.toml"]).current_dir(&here));
+    assert_eq!(heard.code, 2);
+    for phrase in [
+        "the scene opens at a change point",
+        "`--assembly C=+` or `--assembly C=-`",
+        "another `angle` of the driver",
+    ] {
+        assert!(heard.err.contains(phrase), "{}", heard.err);
+    }
+    for (choice, kind) in [
+        ("C=+", "C: + at (200, 0) now"),
+        ("C=-", "- at (200, 0) now"),
+    ] {
+        let mut check = command(&["check", "flat.toml", "--assembly", choice]);
+        let heard = run(check.current_dir(&here));
+        assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+        assert!(heard.out.contains(kind), "{}", heard.out);
+    }
+}
+
+#[test]
+fn start_prints_the_scene_with_another_start() {
+    let same = done(&["start", "four-bar"]);
+    let crossed = done(&with("start", &[]));
+    let changed = crossed.lines().zip(same.lines()).filter(|(a, b)| a != b);
+    let changed: Vec<_> = changed.map(|(line, _)| line).collect();
+    assert_eq!(changed, ["C = [212.622, -165.497]"]);
+    let mut check = command(&["check", "-"]);
+    let heard = run(check.write_stdin(crossed));
+    assert!(
+        heard.out.contains("- at (212.622, -165.497) now"),
+        "{}",
+        heard.out
+    );
+}
+
+#[test]
+fn start_writes_over_the_scene_itself() {
+    let here = folder("start");
+    let file = here.join("mine.toml");
+    let mine = done(&["start", "four-bar"]).replace("[start]", "# up or down\n[start] # here");
+    fs::write(&file, &mine).unwrap();
+    let mut start = command(&["start", "mine.toml", "--assembly", "C=-", "-o", "mine.toml"]);
+    let heard = run(start.current_dir(&here));
+    assert_eq!(
+        (heard.code, heard.out.as_str(), heard.err.as_str()),
+        (0, "", "")
+    );
+    let saved = fs::read_to_string(&file).unwrap();
+    assert!(
+        saved.contains("# up or down\n[start] # here\nC = [212.622, -165.497]"),
+        "{saved}"
+    );
+    assert_eq!(saved.lines().count(), mine.lines().count());
+    // A refusal leaves the file alone.
+    let mut start = command(&["start", "mine.toml", "--assembly", "X=-", "-o", "mine.toml"]);
+    assert_eq!(run(start.current_dir(&here)).code, 2);
+    assert_eq!(fs::read_to_string(&file).unwrap(), saved);
+}
