@@ -25,6 +25,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod chart;
 mod figure;
 mod labels;
 mod linkage;
@@ -38,6 +39,7 @@ mod symbol;
 mod tests;
 mod view;
 
+pub use chart::{Axis, Chart, Datum};
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
 pub use linkage::{Layers, linkage};

@@ -172,5 +172,7 @@ fn glyph_of(role: Role) -> char {
         Role::Rider => '*',
         Role::CentreOfMass => 'x',
         Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
+        // Charts draw their own.
+        Role::Axis | Role::Datum | Role::Front => '+',
     }
 }
