@@ -11,6 +11,8 @@ pub(super) struct Frame {
     origin: Vec2,
     /// A power of two: the scene's length of the solver's unit.
     pub(super) scale: f64,
+    /// The longest length in the solver's unit: in [1, 2), or 0 where there is none.
+    pub(super) longest: f64,
 }
 
 impl Frame {
@@ -39,9 +41,11 @@ impl Frame {
             };
             longest = longest.max((slide.through - from).norm());
         }
+        let scale = power_of_two_below(longest);
         Frame {
             origin,
-            scale: power_of_two_below(longest),
+            scale,
+            longest: longest / scale,
         }
     }
 

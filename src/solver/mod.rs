@@ -15,6 +15,7 @@ mod engine;
 mod fault;
 mod frame;
 mod lu;
+mod methods;
 mod motion;
 mod network;
 mod order;
@@ -26,6 +27,8 @@ mod twice;
 
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
+pub(crate) use methods::{Deviation, Drift, Methods, Runner};
+pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, Range};
 pub use plan::{Group, GroupKind, Plan};
 pub use state::{Condition, State, Travel};
@@ -33,7 +36,7 @@ pub use state::{Condition, State, Travel};
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};
 use engine::Engine;
 use frame::Frame;
-use network::Network;
+use network::{Network, Row};
 use order::Ordering;
 
 /// How far a state is solved.
@@ -71,6 +74,8 @@ pub struct Solver {
     motion: Motion,
     first_loop: Option<Loop>,
     slides: usize,
+    /// The constraint that was set aside in the place of another one.
+    rival: Option<Row>,
 }
 
 impl Solver {
@@ -91,7 +96,7 @@ impl Solver {
             });
         }
         let ordering = order::ordering(&network, None)?;
-        let first = Solver::with(&network, &ordering);
+        let first = Solver::with(&network, &ordering, None);
         // Only numbers tell which of several constraints repeats the others: where the one that was
         // set aside leaves a group that cannot be solved, another is tried in its stead.
         let tries = match first {
@@ -102,15 +107,20 @@ impl Solver {
         let mut rivals = ordering.rivals.iter().rev().take(tries);
         rivals
             .find_map(|&row| {
-                Solver::with(&network, &order::ordering(&network, Some(row)).ok()?).ok()
+                let ordering = order::ordering(&network, Some(row)).ok()?;
+                Solver::with(&network, &ordering, Some(row)).ok()
             })
             .map_or(first, Ok)
     }
 
-    fn with(network: &Network<'_>, ordering: &Ordering) -> Result<Solver, Fault> {
+    fn with(
+        network: &Network<'_>,
+        ordering: &Ordering,
+        rival: Option<Row>,
+    ) -> Result<Solver, Fault> {
         let mechanism = network.mechanism;
         let frame = Frame::of(mechanism);
-        let (plan, program) = chain::build(network, frame, ordering)?;
+        let (plan, program) = chain::build(network, frame, ordering, chain::Dyads::Closed)?;
         let slides = mechanism.slides().len();
         let mut engine = Engine::new(mechanism, frame, program);
         let mut state = engine.state(slides);
@@ -123,6 +133,7 @@ impl Solver {
             plan,
             motion,
             slides,
+            rival,
         })
     }
 

@@ -8,7 +8,10 @@
 mod enclose;
 mod equations;
 mod maker;
+mod textbook;
 mod twice;
+
+pub(super) use textbook::Closing;
 
 use super::frame::Frame;
 use super::lu;
@@ -225,16 +228,19 @@ impl Coupled {
     }
 
     /// Adds a change of the unknowns to z.
-    fn shift(&self, z: &mut [f64], change: &[f64]) {
+    fn shift<T: Number>(&self, z: &mut [T], change: &[T]) {
         let joints = 2 * self.free;
         for i in 0..joints {
             z[i] += change[i];
         }
-        for (i, &angle) in change[joints..].iter().enumerate() {
+        for (i, angle) in change[joints..].iter().enumerate() {
             let at = joints + 2 * i;
-            let turned = Vec2::new(z[at], z[at + 1]).turned(Vec2::new(angle.cos(), angle.sin()));
+            // In any arithmetic by the nearest double: what that misses, the next correction finds.
+            let angle = angle.nearest();
+            let by = Vec2::new(angle.cos(), angle.sin()).exactly();
+            let turned = Vec2::new(z[at], z[at + 1]).turned(by);
             // One step of Newton for the length: |d| stays 1 to the last bit or two.
-            let unit = turned * (1.5 - 0.5 * turned.norm2());
+            let unit = turned * (T::exactly(1.5) - turned.norm2().scaled(0.5));
             (z[at], z[at + 1]) = (unit.x, unit.y);
         }
     }
@@ -280,17 +286,17 @@ impl Coupled {
     }
 
     /// The derivatives of z by q, from the matrix at z, and everything that the group places.
-    pub(super) fn finish(
+    pub(super) fn finish<T: Number>(
         &self,
-        q: f64,
+        q: T,
         order: u8,
-        state: &mut State,
-        scratch: &mut Scratch,
+        state: &mut State<T>,
+        scratch: &mut Scratch<T>,
     ) -> bool {
         let mut room = self.open(scratch);
         let n = self.unknowns();
-        room.first.fill(0.0);
-        room.second.fill(0.0);
+        room.first.fill(T::default());
+        room.second.fill(T::default());
         if order >= super::step::VELOCITY {
             self.rates(q, state, &mut room, 1);
             self.jacobian(q, state, &mut room);
@@ -397,8 +403,8 @@ impl Coupled {
     }
 }
 
-fn negate_into(from: &[f64], to: &mut [f64]) {
+fn negate_into<T: Number>(from: &[T], to: &mut [T]) {
     for (to, from) in to.iter_mut().zip(from) {
-        *to = -from;
+        *to = -*from;
     }
 }
