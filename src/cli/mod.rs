@@ -1,5 +1,6 @@
 //! The command line: reads it, runs it, and says what went wrong.
 
+mod accuracy;
 mod args;
 mod commands;
 mod failure;
@@ -72,6 +73,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Check(args)) => commands::check(args, screen),
         Some(Command::Table(args)) => commands::table(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
+        Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         Some(Command::Completions { shell }) => commands::completions(*shell),
         Some(Command::Man { command }) => commands::man(command.as_deref()),
     }

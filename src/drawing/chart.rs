@@ -30,7 +30,7 @@ pub struct Datum {
 }
 
 /// An axis: what it counts, and what stands at each power of ten.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Axis {
     /// What it counts.
     pub title: String,

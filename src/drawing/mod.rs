@@ -37,6 +37,7 @@ mod stroke;
 mod symbol;
 #[cfg(test)]
 mod tests;
+mod trade_off;
 mod view;
 
 pub use chart::{Axis, Chart, Datum};
@@ -46,4 +47,5 @@ pub use linkage::{Layers, linkage};
 pub use raster::{Cell, Raster};
 pub use reach::Reach;
 pub use render::{Glyphs, render, render_into};
+pub use trade_off::trade_off;
 pub use view::{Bounds, View};

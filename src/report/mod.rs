@@ -6,6 +6,7 @@
 //! empty cell or `null`, never 0 and never NaN. Everything here writes plain ASCII, but for titles
 //! and notes of a scene where the reader can show them.
 
+mod accuracy;
 mod check;
 mod check_text;
 mod loop_facts;
@@ -17,6 +18,7 @@ mod tables_data;
 mod tables_text;
 mod text;
 
+pub use accuracy::{Accuracy, accuracy_notes, error_text, method_name, time_text, unfit_text};
 pub use check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
 };

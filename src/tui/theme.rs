@@ -46,7 +46,9 @@ pub(crate) fn role(role: Role) -> Style {
         Role::Empty | Role::Link | Role::Guide | Role::Label | Role::Datum => style,
         Role::Ground | Role::Axis => style.add_modifier(Modifier::DIM),
         Role::Driver => style.fg(Color::Red),
-        Role::Joint | Role::GroundPin | Role::Slider | Role::Front => style.add_modifier(Modifier::BOLD),
+        Role::Joint | Role::GroundPin | Role::Slider | Role::Front => {
+            style.add_modifier(Modifier::BOLD)
+        }
         Role::Rider | Role::CentreOfMass => style.fg(Color::Magenta),
     }
 }
