@@ -14,20 +14,20 @@ use std::io::{self, Write};
 const ERROR_DIGITS: usize = 2;
 const TIME_DIGITS: usize = 3;
 /// Columns of the text.
-const NAME: usize = 20;
+const NAME: usize = 19;
 const TIME: usize = 7;
 const SPREAD: usize = 11;
 const ERROR: usize = 7;
-const FAILED: usize = 6;
+const FAILED: usize = 7;
 /// Significant digits of the longest length.
 const LENGTH_DIGITS: usize = 6;
 
-/// The name of a method, in at most 20 characters without a comma.
+/// The name of a method, in at most 19 characters without a comma.
 #[must_use]
 pub fn method_name(method: Method) -> String {
     match method {
         Method::ClosedForm => "closed form".into(),
-        Method::Polished => "closed form polished".into(),
+        Method::Polished => "closed and polished".into(),
         Method::Anchored => "Newton from anchors".into(),
         Method::Bounded => "with bounds".into(),
         Method::Single => "single precision".into(),

@@ -26,3 +26,5 @@ pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TextStyle;
+#[cfg(feature = "tui")]
+pub(crate) use text::wrapped;

@@ -58,6 +58,10 @@ impl Stage {
         &self.opened.scene
     }
 
+    pub(crate) fn solver(&self) -> &Solver {
+        &self.opened.solver
+    }
+
     pub(crate) fn origin(&self) -> &Origin {
         &self.opened.origin
     }
