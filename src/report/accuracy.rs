@@ -117,8 +117,7 @@ impl Accuracy<'_> {
         } = self.findings;
         let longest = concise(*longest, LENGTH_DIGITS);
         let mut text = format!(
-            "{}\n{positions} positions over the cycle; errors of positions over the longest length, \
-             {longest} {}\n\n{}",
+            "{}\n{positions} positions over the cycle; the longest length is {longest} {}\n\n{}",
             harmless(&self.scene.name, ascii),
             self.scene.unit.symbol(),
             heading(),

@@ -1,6 +1,7 @@
 //! The program from outside: every command, every exit code, and what stands on which stream.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod accuracy;
 mod readme;
 mod scenes;
 mod streams;
@@ -107,7 +108,16 @@ fn rows(csv: &str) -> Vec<Vec<String>> {
 
 #[test]
 fn help_has_an_example_for_each_command() {
-    for command in ["", "list", "check", "table", "sweep", "completions", "man"] {
+    for command in [
+        "",
+        "list",
+        "check",
+        "table",
+        "sweep",
+        "accuracy",
+        "completions",
+        "man",
+    ] {
         let args = [command, "--help"];
         let out = done(&args[usize::from(command.is_empty())..]);
         let example = format!("\n  krank {command}");
@@ -155,6 +165,7 @@ fn unknown_options_and_values_are_refused() {
         (&["table", "four-bar", "--digits", "0"], "--digits"),
         (&["table", "four-bar", "--at", "sixty"], "--at"),
         (&["list", "four-bar"], "four-bar"),
+        (&["accuracy", "--positions", "0"], "--positions"),
         (&["four-bar", "--glyphs", "crayon"], "--glyphs"),
         (&["completions", "tcsh"], "tcsh"),
         (&["man", "motor"], "motor"),
