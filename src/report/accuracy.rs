@@ -294,3 +294,105 @@ fn cells(figures: &Figures) -> String {
         figures.failures,
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    fn figures(median: f64, failures: u64) -> Figures {
+        Figures {
+            time: Some(Spread {
+                low: 0.9 * median,
+                median,
+                high: 1.1 * median,
+            }),
+            errors: (failures < 3600).then_some(Errors {
+                position: 2.34e-16,
+                velocity: 5e-7,
+                acceleration: 0.0,
+            }),
+            tried: 3600,
+            failures,
+        }
+    }
+
+    fn finding(key: char, method: Method, verdict: Verdict) -> Finding {
+        Finding {
+            key,
+            method,
+            verdict,
+            best: key == 'a',
+        }
+    }
+
+    fn lines(methods: Vec<Finding>) -> Vec<String> {
+        let preset = presets::find("stephenson-six-bar").unwrap();
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let findings = Findings {
+            methods,
+            longest: 400.0,
+            positions: 3600,
+            finished: false,
+        };
+        let accuracy = Accuracy {
+            scene: &scene,
+            findings: &findings,
+        };
+        let text = accuracy.to_text(true);
+        text.lines().skip(4).map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn every_method_has_a_line_whatever_became_of_it() {
+        let point = Scene::parse(presets::find("four-bar").unwrap().text, "four-bar").unwrap();
+        let point = point.mechanism.point_ids().nth(3);
+        let lines = lines(vec![
+            finding(
+                'a',
+                Method::ClosedForm,
+                Verdict::Measured(figures(71e-9, 0)),
+            ),
+            finding(
+                'b',
+                Method::Bisection,
+                Verdict::Measured(figures(3.9994e-6, 3600)),
+            ),
+            finding('c', Method::Polished, Verdict::Unfit(Unfit::Coupled(point))),
+            finding('d', Method::Single, Verdict::Pending),
+        ]);
+        let expected = [
+            "a * closed form          71.0 ns    63.9-78.1  2.3e-16   5.0e-7        0      0",
+            "b   bisection            4.00 us    3.60-4.40        -        -        -   3600",
+        ];
+        assert_eq!(lines[..2], expected);
+        assert!(
+            lines[2].starts_with("c   closed and polished  - the group at "),
+            "{}",
+            lines[2]
+        );
+        assert!(lines[2].ends_with(" has no closed form"), "{}", lines[2]);
+        assert_eq!(lines[3], "d   single precision     - not measured");
+    }
+
+    #[test]
+    fn names_fit_their_column_and_need_no_quotes() {
+        for method in crate::study::all_methods() {
+            let name = method_name(method);
+            assert!(name.len() <= NAME && !name.contains(','), "{name}");
+        }
+    }
+
+    #[test]
+    fn times_take_the_unit_in_which_they_are_short() {
+        let told = [9.994e-7, 9.996e-7, 1e-9, 0.0123, 2.0].map(time_text);
+        assert_eq!(told, ["999 ns", "1.00 us", "1.00 ns", "12.3 ms", "2.00 s"]);
+        // A wild sample stays in the unit of the median.
+        let wild = Spread {
+            low: 5e-8,
+            median: 6e-8,
+            high: 4.5e-6,
+        };
+        assert_eq!(spread_text(&wild), "50.0-4500");
+    }
+}
