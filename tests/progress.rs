@@ -164,3 +164,18 @@ fn it_is_not_shown_where_it_would_be_in_the_way() {
         assert!(!bytes.windows(2).any(|two| two == b" %"), "{sweep}");
     }
 }
+
+/// The same line while methods are measured; Ctrl-C leaves nothing of it, and no half results.
+#[test]
+fn a_study_tells_how_far_it_has_come_and_ends_cleanly() {
+    let script = "trap : INT; $KRANK accuracy scissor-lift; echo code $?";
+    let mut terminal = Terminal::run(script, "linux", 80);
+    terminal.wait_for(" of 1,000 parts  ");
+    terminal.type_in("\x03");
+    terminal.wait_for("code 130");
+    let left: Vec<String> = terminal.contents().lines().map(str::to_owned).collect();
+    assert!(
+        ["code 130", "^Ccode 130"].contains(&left.concat().as_str()),
+        "{left:?}"
+    );
+}

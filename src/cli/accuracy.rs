@@ -3,6 +3,7 @@
 use super::args::{AccuracyArgs, Format};
 use super::failure::Failure;
 use super::output::write_to;
+use super::progress::Progress;
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::drawing::{Glyphs, trade_off};
@@ -12,12 +13,15 @@ use std::time::{Duration, Instant};
 
 /// Between two looks at how far it has come.
 const SLICE: Duration = Duration::from_millis(50);
+/// How finely that is told.
+const PARTS: u64 = 1000;
 /// The chart below the table.
 const CHART: (u16, u16) = (80, 20);
 
 pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failure> {
     let Opened { scene, solver } = open(&args.scene)?;
-    let findings = measured(Study::new(&scene.mechanism, &solver, args.positions));
+    let study = Study::new(&scene.mechanism, &solver, args.positions);
+    let findings = measured(study, screen);
     let accuracy = Accuracy {
         scene: &scene,
         findings: &findings,
@@ -32,9 +36,19 @@ pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failur
     })
 }
 
-fn measured(mut study: Study) -> Findings {
+fn measured(mut study: Study, screen: Screen) -> Findings {
     let begun = Instant::now();
-    while study.advance(&mut || begun.elapsed(), SLICE) {}
+    // Results come only at the end: the line stands in nobody's way.
+    let mut progress = Progress::new(PARTS, "parts", screen, false);
+    while study.advance(&mut || begun.elapsed(), SLICE) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 0 to 1 times a thousand"
+        )]
+        progress.tell((study.progress() * PARTS as f64) as u64);
+    }
+    progress.end();
     study.findings()
 }
 

@@ -1,7 +1,7 @@
 //! What a study of methods has found, as text, CSV and JSON.
 
 use super::number::{concise, significant};
-use super::sweep::plain;
+use super::rows::plain;
 use super::text::{WIDTH, wrapped};
 use crate::PointId;
 use crate::scene::{Scene, harmless};
