@@ -14,6 +14,7 @@
 //!   -> solver     once: which groups, in which order, over which range
 //!                 then: the driver's coordinate -> a state, without a history and without allocating
 //!   -> quantity   everything that has a name, a unit and a value
+//!   -> study      every method that could solve it, timed and held against a reference
 //!   -> report     tables, CSV, JSON      -> drawing, tui   the linkage in characters, live tables
 //! ```
 //!
@@ -92,6 +93,7 @@ mod replace;
 pub mod report;
 pub mod scene;
 pub mod solver;
+pub mod study;
 #[cfg(feature = "tui")]
 pub mod tui;
 

@@ -8,6 +8,7 @@ use krank::scene::{Scene, presets};
 use krank::solver::Solver;
 use krank::tui::{Colours, Opened, Origin, Workbench};
 use proptest::prelude::*;
+use std::cell::Cell;
 use std::num::NonZeroU16;
 use std::time::Duration;
 
@@ -45,6 +46,15 @@ fn open(text: &str, origin: Origin) -> Opened {
 fn preset(name: &str) -> Opened {
     let text = presets::find(name).unwrap().text;
     open(text, Origin::Preset(name.into()))
+}
+
+/// A clock on which everything takes 5 ms: a study goes on by a few pieces of work a frame, and finds
+/// the same times on every machine.
+fn made_up() -> Duration {
+    // Tests that run beside this one do not move it.
+    thread_local!(static NOW: Cell<Duration> = const { Cell::new(Duration::ZERO) });
+    NOW.set(NOW.get() + Duration::from_millis(5));
+    NOW.get()
 }
 
 /// The keys of the workbench are the same wherever they are written down.
@@ -88,7 +98,8 @@ struct Session {
 impl Session {
     fn new(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
         Session {
-            workbench: Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows),
+            workbench: Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows)
+                .timed_by(made_up),
             terminal: emulator(cols, rows),
         }
     }
@@ -158,6 +169,91 @@ fn shows_all_tables() {
     insta::assert_snapshot!("tables-ascii-40x12-scrolled", scrolled);
 }
 
+/// The screen with the digits of errors masked: rounding may change with a formula.
+fn masked(screen: &str) -> String {
+    let mut masked = String::new();
+    let mut rest = screen;
+    while let Some(at) = rest.find("e-1") {
+        let (before, behind) = rest.split_at(at);
+        let kept = before.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
+        let digits = before.len() - kept.len();
+        masked.push_str(kept);
+        // Labels of the axis have a single digit.
+        masked.push_str(if digits == 3 {
+            "#.#"
+        } else {
+            &before[kept.len()..]
+        });
+        masked.push_str(&behind[..3]);
+        rest = &behind[3..];
+    }
+    masked + rest
+}
+
+/// The list of methods without the chart beside it.
+fn list_of_methods(screen: &str) -> String {
+    let lines = screen.lines().skip(1).take(22);
+    let list = lines.map(|line| line.chars().skip(40).collect::<String>());
+    masked(&list.collect::<Vec<_>>().join("\n"))
+}
+
+#[test]
+fn measures_speed_against_error_while_keys_stay_live() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let line = session.press("5").last_line();
+    assert!(
+        line.starts_with(" accuracy  four-bar  measuring  0 %"),
+        "{line}"
+    );
+    assert!(line.contains("Esc stop"), "{line}");
+    // A study is no reason to wait: everything else goes on.
+    assert!(session.press("1").last_line().contains("60.00 deg  ok"));
+    assert!(session.press(".").last_line().contains("65.00 deg  ok"));
+    session.press("5");
+    for _ in 0..2000 {
+        session.workbench.pass(Duration::from_millis(40));
+        if session.last_line().contains("measuring 25 %") {
+            break;
+        }
+    }
+    let line = session.press("Esc").last_line();
+    assert!(
+        line.contains("stopped at 25 %    ? help  5 go on"),
+        "{line}"
+    );
+    let before = session.workbench.frames();
+    session.pass(10.0).paint();
+    assert_eq!(session.workbench.frames(), before, "stopped is stopped");
+    let screen = session.look();
+    insta::assert_snapshot!("accuracy-list-ascii-80x24", list_of_methods(&screen));
+    for axis in ["error  ", "  time  ", "1e-16+"] {
+        assert!(screen.contains(axis), "{screen}");
+    }
+    assert!(session.press("5").last_line().contains("measuring 25 %"));
+}
+
+#[test]
+fn another_scene_is_measured_anew_and_the_smallest_screen_scrolls() {
+    let mut session = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 40, 12);
+    session.press("5");
+    for _ in 0..1200 {
+        session.workbench.pass(Duration::from_millis(40));
+    }
+    let screen = session.press("Down").look();
+    assert!(
+        screen.contains("\n   the group at E has no closed form"),
+        "{screen}"
+    );
+    assert!(
+        screen.lines().all(|line| line.chars().count() <= 40),
+        "{screen}"
+    );
+    let end = session.press(&"PgDn ".repeat(20)).look();
+    assert!(end.contains("v RK4 3600 x 1000"), "{end}");
+    let line = session.press("n").last_line();
+    assert!(line.contains("measuring  0 %"), "{line}");
+}
+
 #[test]
 fn shows_the_keys() {
     let mut session = four_bar(Glyphs::Braille, 80, 24);
@@ -190,7 +286,7 @@ fn the_key_of_the_help_is_always_named() {
         for (cols, rows) in [(40, 12), (60, 16), (80, 24)] {
             let opened = open(preset.text, Origin::Preset(preset.name.into()));
             let mut session = Session::new(opened, Glyphs::Ascii, cols, rows);
-            for view in ["1", "2"] {
+            for view in ["1", "2", "5"] {
                 let line = session.press(view).last_line();
                 assert!(line.contains("? help"), "{}: {line}", preset.name);
             }
@@ -345,11 +441,12 @@ fn every_preset_is_shown_at_every_size_while_it_plays() {
     for preset in presets::all() {
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             let opened = open(preset.text, Origin::Preset(preset.name.into()));
-            let mut workbench = Workbench::new(opened, glyphs, Colours::None, 80, 24);
+            let workbench = Workbench::new(opened, glyphs, Colours::None, 80, 24);
+            let mut workbench = workbench.timed_by(made_up);
             workbench.press("space");
             for (cols, rows) in sizes {
                 workbench.resize(cols, rows);
-                for view in ["1", "2", "?", "PgDn", "Esc"] {
+                for view in ["1", "2", "5", "?", "PgDn", "Esc"] {
                     workbench.press(view);
                     workbench.pass(Duration::from_millis(130));
                     let frame = workbench.paint();
@@ -425,6 +522,7 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
         "Tab",
         "1",
         "2",
+        "5",
         "Up",
         "Down",
         "PgUp",

@@ -174,3 +174,63 @@ impl Number for Double {
         }
     }
 }
+
+/// Single precision, for comparison.
+impl Number for f32 {
+    #[inline]
+    fn of(constant: Constant) -> f32 {
+        f64::of(constant) as f32
+    }
+
+    #[inline]
+    fn exactly(value: f64) -> f32 {
+        value as f32
+    }
+
+    #[inline]
+    fn nearest(self) -> f64 {
+        f64::from(self)
+    }
+
+    #[inline]
+    fn scaled(self, power_of_two: f64) -> f32 {
+        self * power_of_two as f32
+    }
+
+    #[inline]
+    fn sqrt(self) -> f32 {
+        f32::sqrt(self)
+    }
+
+    #[inline]
+    fn abs(self) -> f32 {
+        f32::abs(self)
+    }
+
+    #[inline]
+    fn min(self, other: f32) -> f32 {
+        f32::min(self, other)
+    }
+
+    #[inline]
+    fn exceeds(self, other: f32) -> bool {
+        self > other
+    }
+
+    /// Of a finite angle; a remainder is exact.
+    #[inline]
+    fn unit(degrees: f32) -> Vec2<f32> {
+        let (sin, cos) = (degrees % 360.0).to_radians().sin_cos();
+        Vec2::new(cos, sin)
+    }
+
+    #[inline]
+    fn degrees(direction: Vec2<f32>) -> f32 {
+        let degrees = direction.y.atan2(direction.x).to_degrees();
+        if degrees < 0.0 {
+            degrees + 360.0
+        } else {
+            degrees
+        }
+    }
+}

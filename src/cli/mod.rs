@@ -1,10 +1,16 @@
 //! The command line: reads it, runs it, and says what went wrong.
 
+mod accuracy;
 mod args;
 mod commands;
 mod failure;
 mod misuse;
 mod output;
+#[cfg(feature = "tui")]
+mod progress;
+#[cfg(not(feature = "tui"))]
+#[path = "no_progress.rs"]
+mod progress;
 mod screen;
 mod source;
 mod sweep;
@@ -73,6 +79,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Table(args)) => commands::table(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Start(args)) => commands::start(args),
+        Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         Some(Command::Completions { shell }) => commands::completions(*shell),
         Some(Command::Man { command }) => commands::man(command.as_deref()),
     }

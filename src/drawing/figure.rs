@@ -30,6 +30,12 @@ pub enum Role {
     Ghost,
     /// A name.
     Label,
+    /// An axis of a chart and its labels.
+    Axis,
+    /// A point of a chart.
+    Datum,
+    /// A point of a chart's best front, and the steps that join them.
+    Front,
 }
 
 /// A primitive in world units, y upwards.

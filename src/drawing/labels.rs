@@ -185,7 +185,10 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
             | Role::Slider
             | Role::Rider
             | Role::CentreOfMass
-            | Role::Label => return None,
+            | Role::Label
+            | Role::Axis
+            | Role::Datum
+            | Role::Front => return None,
         };
     }
     for c in [col - 1, end] {
@@ -197,7 +200,7 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
                 TOUCHING
             }
             // `B` beside `C` would read as one name.
-            Role::Label => return None,
+            Role::Label | Role::Axis | Role::Datum | Role::Front => return None,
         };
     }
     Some(sum)

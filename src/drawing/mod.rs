@@ -25,6 +25,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod chart;
 mod figure;
 mod labels;
 mod linkage;
@@ -36,12 +37,15 @@ mod stroke;
 mod symbol;
 #[cfg(test)]
 mod tests;
+mod trade_off;
 mod view;
 
+pub use chart::{Axis, Chart, Datum};
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
 pub use linkage::{Layers, add_ghost, linkage};
 pub use raster::{Cell, Raster};
 pub use reach::Reach;
 pub use render::{Glyphs, render, render_into};
+pub use trade_off::trade_off;
 pub use view::{Bounds, View};

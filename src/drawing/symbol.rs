@@ -173,5 +173,7 @@ fn glyph_of(role: Role) -> char {
         Role::CentreOfMass => 'x',
         Role::Ghost => '.',
         Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
+        // Charts draw their own.
+        Role::Axis | Role::Datum | Role::Front => '+',
     }
 }

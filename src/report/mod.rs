@@ -6,11 +6,13 @@
 //! empty cell or `null`, never 0 and never NaN. Everything here writes plain ASCII, but for titles
 //! and notes of a scene where the reader can show them.
 
+mod accuracy;
 mod check;
 mod check_text;
 mod choice_facts;
 mod loop_facts;
 mod number;
+mod rows;
 mod steps;
 mod sweep;
 mod tables;
@@ -18,12 +20,15 @@ mod tables_data;
 mod tables_text;
 mod text;
 
+pub use accuracy::{Accuracy, accuracy_notes, error_text, method_name, time_text, unfit_text};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
     SlideFacts, SliderKind, TransmissionFacts, near_misses, range_text,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
-pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
+pub use sweep::{Columns, Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TextStyle;
+#[cfg(feature = "tui")]
+pub(crate) use text::wrapped;

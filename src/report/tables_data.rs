@@ -1,7 +1,7 @@
 //! The tables for other programs: CSV, a line per figure, and JSON.
 
 use super::number::shortest;
-use super::sweep::plain;
+use super::rows::plain;
 use super::tables::{Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 use super::tables_text::index;
 use crate::quantity::{Aspect, state_word};
@@ -197,7 +197,7 @@ impl<W: Write> Lines<W> {
     ) -> io::Result<()> {
         let mut text = String::new();
         if let Some(value) = value {
-            shortest(value, &mut text).map_err(io::Error::other)?;
+            shortest(value, &mut text);
         }
         let entry = if given { "given" } else { "found" };
         self.record([name, &text, unit, entry])

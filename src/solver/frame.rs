@@ -14,6 +14,8 @@ pub(super) struct Frame {
     /// The largest given coordinate on the ground, in the solver's unit: far along the plan lengths are
     /// no better known than the rounding of this.
     pub(super) far: f64,
+    /// The longest length in the solver's unit: in [1, 2), or 0 where there is none.
+    pub(super) longest: f64,
 }
 
 impl Frame {
@@ -47,6 +49,7 @@ impl Frame {
             origin,
             scale,
             far: furthest(mechanism) / scale,
+            longest: longest / scale,
         }
     }
 

@@ -1,12 +1,14 @@
 //! Gauss' elimination with partial pivoting, in place: the few lines that a coupled group needs,
 //! since solving must not allocate.
 
+use crate::Number;
+
 /// Factors the n x n `matrix` (by rows) into L U; `pivots[k]` is the row that came to place k. Gives
 /// the sign of the determinant, 1 or -1. `None` where a column has no pivot: the matrix is singular, or not finite.
-pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Option<f64> {
+pub(super) fn factor<T: Number>(matrix: &mut [T], pivots: &mut [usize], n: usize) -> Option<f64> {
     let mut sign = 1.0;
     for k in 0..n {
-        let size = |row: usize, m: &[f64]| m[row * n + k].abs();
+        let size = |row: usize, m: &[T]| m[row * n + k].nearest().abs();
         let pivot = (k..n).max_by(|&i, &j| size(i, matrix).total_cmp(&size(j, matrix)))?;
         let largest = size(pivot, matrix);
         if !(largest > 0.0 && largest.is_finite()) {
@@ -18,13 +20,13 @@ pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Opti
             let (upper, lower) = matrix.split_at_mut(pivot * n);
             upper[k * n..(k + 1) * n].swap_with_slice(&mut lower[..n]);
         }
-        sign *= matrix[k * n + k].signum();
-        let inverse = 1.0 / matrix[k * n + k];
+        sign *= matrix[k * n + k].nearest().signum();
+        let inverse = T::exactly(1.0) / matrix[k * n + k];
         for i in k + 1..n {
             let factor = matrix[i * n + k] * inverse;
             matrix[i * n + k] = factor;
             for j in k + 1..n {
-                matrix[i * n + j] -= factor * matrix[k * n + j];
+                matrix[i * n + j] = matrix[i * n + j] - factor * matrix[k * n + j];
             }
         }
     }
@@ -32,13 +34,13 @@ pub(super) fn factor(matrix: &mut [f64], pivots: &mut [usize], n: usize) -> Opti
 }
 
 /// Solves with what [`factor`] left; the answer takes the place of `right`.
-pub(super) fn solve(matrix: &[f64], pivots: &[usize], right: &mut [f64], n: usize) {
+pub(super) fn solve<T: Number>(matrix: &[T], pivots: &[usize], right: &mut [T], n: usize) {
     for (k, &pivot) in pivots.iter().enumerate() {
         right.swap(k, pivot);
     }
     for i in 1..n {
         let (done, rest) = right.split_at_mut(i);
-        rest[0] -= dot(&matrix[i * n..i * n + i], done);
+        rest[0] = rest[0] - dot(&matrix[i * n..i * n + i], done);
     }
     for i in (0..n).rev() {
         let (rest, done) = right.split_at_mut(i + 1);
@@ -47,8 +49,9 @@ pub(super) fn solve(matrix: &[f64], pivots: &[usize], right: &mut [f64], n: usiz
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+fn dot<T: Number>(a: &[T], b: &[T]) -> T {
+    let products = a.iter().zip(b).map(|(&a, &b)| a * b);
+    products.fold(T::default(), |sum, product| sum + product)
 }
 
 #[cfg(test)]

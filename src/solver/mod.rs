@@ -16,6 +16,7 @@ mod engine;
 mod fault;
 mod frame;
 mod lu;
+mod methods;
 mod motion;
 mod network;
 mod order;
@@ -29,6 +30,8 @@ mod twice;
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
+pub(crate) use methods::{Deviation, Drift, Methods, Runner};
+pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
 pub use plan::{Group, GroupKind, Pick, Plan};
 pub use state::{Condition, State, Travel};
@@ -38,7 +41,7 @@ use crate::{Element, LinkId, Mechanism, PointId, SlideId, Vec2};
 use assemble::Request;
 use engine::Engine;
 use frame::Frame;
-use network::Network;
+use network::{Network, Row};
 use order::Ordering;
 
 /// How far a state is solved.
@@ -76,6 +79,8 @@ pub struct Solver {
     motion: Motion,
     first_loop: Option<Loop>,
     slides: usize,
+    /// The constraint that was set aside in the place of another one.
+    rival: Option<Row>,
 }
 
 impl Solver {
@@ -118,8 +123,9 @@ impl Solver {
             });
         }
         let ordering = order::ordering(&network, None)?;
-        let with = |ordering: &Ordering| Solver::with(&network, ordering, at, near, picks);
-        let first = with(&ordering);
+        let with =
+            |ordering: &Ordering, rival| Solver::with(&network, ordering, rival, at, near, picks);
+        let first = with(&ordering, None);
         // Only numbers tell which of several constraints repeats the others: where the one that was
         // set aside leaves a group that cannot be solved, another is tried in its stead.
         let tries = match first {
@@ -136,20 +142,24 @@ impl Solver {
         };
         let mut rivals = ordering.rivals.iter().rev().take(tries);
         rivals
-            .find_map(|&row| with(&order::ordering(&network, Some(row)).ok()?).ok())
+            .find_map(|&row| {
+                let ordering = order::ordering(&network, Some(row)).ok()?;
+                with(&ordering, Some(row)).ok()
+            })
             .map_or(first, Ok)
     }
 
     fn with(
         network: &Network<'_>,
         ordering: &Ordering,
+        rival: Option<Row>,
         at: f64,
         near: &[(PointId, Vec2)],
         picks: &[(Element, Pick)],
     ) -> Result<Solver, Fault> {
         let mechanism = network.mechanism;
         let frame = Frame::of(mechanism);
-        let (plan, program) = chain::build(network, frame, ordering)?;
+        let (plan, program) = chain::build(network, frame, ordering, chain::Dyads::Closed)?;
         let slides = mechanism.slides().len();
         let mut engine = Engine::new(mechanism, frame, program);
         let mut state = engine.state(slides);
@@ -166,6 +176,7 @@ impl Solver {
             plan,
             motion,
             slides,
+            rival,
         })
     }
 

@@ -102,7 +102,8 @@ impl Plan {
     pub fn of(mechanism: &Mechanism) -> Result<Plan, Fault> {
         let network = Network::new(mechanism);
         let ordering = super::order::ordering(&network, None)?;
-        let (plan, _) = super::chain::build(&network, Frame::of(mechanism), &ordering)?;
+        let dyads = super::chain::Dyads::Closed;
+        let (plan, _) = super::chain::build(&network, Frame::of(mechanism), &ordering, dyads)?;
         Ok(plan)
     }
 

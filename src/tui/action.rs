@@ -42,6 +42,8 @@ pub(crate) enum Action {
     MotionView,
     /// The tables view.
     TablesView,
+    /// The view of speed against error.
+    AccuracyView,
     /// A line up.
     LineUp,
     /// A line down.
@@ -92,7 +94,7 @@ const fn entry(
 /// All actions with their keys, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static ACTIONS: [Entry; 28] = {
+pub(crate) static ACTIONS: [Entry; 29] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     [
@@ -114,6 +116,7 @@ pub(crate) static ACTIONS: [Entry; 28] = {
         entry(A::NextView, "view", "the next view", &[Key::Tab]),
         entry(A::MotionView, "motion", "motion and live tables", &[Char('1')]),
         entry(A::TablesView, "tables", "all tables", &[Char('2')]),
+        entry(A::AccuracyView, "accuracy", "speed against error", &[Char('5')]),
         entry(A::LineUp, "up", "scroll up", &[Key::Up, Char('k')]),
         entry(A::LineDown, "scroll", "scroll down", &[Key::Down, Char('j')]),
         entry(A::PageUp, "page up", "scroll a screen up", &[Key::PageUp]),

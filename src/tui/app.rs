@@ -9,13 +9,15 @@ use super::playback::Playback;
 use super::saving;
 use super::stage::{Stage, open_preset};
 use super::steps::Steps;
+use super::survey::{Clock, Phase, Survey};
 use super::views;
 use super::{Opened, Origin, terminal::Capability};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::sync::LazyLock;
+use std::time::{Duration, Instant};
 
 /// What keys go to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,6 +43,8 @@ pub(crate) enum View {
     Motion,
     /// All tables.
     Tables,
+    /// Speed against error.
+    Accuracy,
 }
 
 /// What the terminal has to do after an action.
@@ -69,8 +73,10 @@ pub(crate) struct App {
     playback: Playback,
     view: View,
     mode: Mode,
-    /// Lines that each view is scrolled by: motion, tables.
-    scroll: [usize; 2],
+    /// The study of the open scene.
+    survey: Survey,
+    /// Lines that each view is scrolled by: motion, tables, accuracy.
+    scroll: [usize; 3],
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -93,7 +99,8 @@ impl App {
             playback: Playback::new(),
             view: View::Motion,
             mode: Mode::Normal,
-            scroll: [0; 2],
+            survey: Survey::new(wall_clock),
+            scroll: [0; 3],
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -117,6 +124,20 @@ impl App {
 
     pub(crate) fn playback(&self) -> &Playback {
         &self.playback
+    }
+
+    pub(crate) fn survey(&self) -> &Survey {
+        &self.survey
+    }
+
+    /// Takes the time of studies from another clock.
+    pub(crate) fn set_clock(&mut self, clock: Clock) {
+        self.survey = Survey::new(clock);
+    }
+
+    /// Whether there is work to do between two frames, whoever waits: only in its view.
+    pub(crate) fn is_working(&self) -> bool {
+        self.view == View::Accuracy && self.survey.phase() == Phase::Running
     }
 
     pub(crate) fn view(&self) -> View {
@@ -175,8 +196,11 @@ impl App {
         self.scroll_by(0);
     }
 
-    /// Time has passed: if a frame is due, what is played moves to where it is now.
+    /// Time has passed: if a frame is due, what is played moves to where it is now. A study goes on.
     pub(crate) fn tick(&mut self, now: Duration) {
+        if self.is_working() {
+            self.survey.work();
+        }
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }
@@ -204,7 +228,7 @@ impl App {
             Action::Quit | Action::Leave => return Effect::Quit,
             Action::Suspend => return Effect::Suspend,
             Action::Redraw => return Effect::Redraw,
-            Action::Back => self.mode = Mode::Normal,
+            Action::Back => self.back(),
             Action::Help => {
                 self.mode = match self.mode {
                     Mode::Help(_) => Mode::Normal,
@@ -242,8 +266,12 @@ impl App {
             Action::PreviousPreset => self.open(-1),
             Action::Glyphs => self.next_glyphs(),
             Action::NextView => self.next_view(),
-            Action::MotionView => self.view = View::Motion,
-            Action::TablesView => self.view = View::Tables,
+            Action::MotionView => self.look(View::Motion),
+            Action::TablesView => self.look(View::Tables),
+            Action::AccuracyView => {
+                self.look(View::Accuracy);
+                self.study();
+            }
         }
         Effect::Show
     }
@@ -330,6 +358,8 @@ impl App {
             Ok(stage) => {
                 self.stage = stage;
                 self.opened += 1;
+                self.survey.forget();
+                self.look(self.view);
                 self.mode = Mode::Normal;
                 let at = self.stage.at();
                 self.playback.rebase(now, at);
@@ -428,7 +458,9 @@ impl App {
                 self.opened += 1;
                 self.steps = steps_of(&self.stage);
                 self.playback = Playback::new();
-                self.scroll = [0; 2];
+                self.survey.forget();
+                self.look(self.view);
+                self.scroll = [0; 3];
             }
             Err(message) => self.message = Some(message),
         }
@@ -446,10 +478,33 @@ impl App {
     }
 
     fn next_view(&mut self) {
-        self.view = match self.view {
+        self.look(match self.view {
             View::Motion => View::Tables,
-            View::Tables => View::Motion,
-        };
+            View::Tables => View::Accuracy,
+            View::Accuracy => View::Motion,
+        });
+    }
+
+    /// Looks at a view. A study begins when it is looked at for the first time.
+    fn look(&mut self, view: View) {
+        self.view = view;
+        if view == View::Accuracy && self.survey.phase() == Phase::Idle {
+            self.study();
+        }
+    }
+
+    /// Begins a study, goes on with it or repeats it.
+    fn study(&mut self) {
+        self.survey.go_on(self.stage.scene(), self.stage.solver());
+    }
+
+    /// One level back: out of a mode, or a study is stopped.
+    fn back(&mut self) {
+        if self.mode != Mode::Normal {
+            self.mode = Mode::Normal;
+        } else if self.is_working() {
+            self.survey.stop();
+        }
     }
 
     fn page(&self) -> isize {
@@ -475,6 +530,12 @@ impl App {
     pub(crate) fn condition(&self) -> Condition {
         self.stage.condition()
     }
+}
+
+/// The clock by which studies are timed.
+fn wall_clock() -> Duration {
+    static BEGUN: LazyLock<Instant> = LazyLock::new(Instant::now);
+    BEGUN.elapsed()
 }
 
 /// The height of a cell for its width in most fonts.

@@ -16,6 +16,7 @@ mod saving;
 mod sheet;
 mod stage;
 mod steps;
+mod survey;
 mod terminal;
 mod theme;
 mod views;
@@ -215,6 +216,10 @@ impl Session {
     /// Until when to wait, if nothing happens before.
     fn deadline(&mut self, owed: bool) -> Option<Instant> {
         let ready = self.gate.ready_at();
+        // There is work to do, whether or not a slow line takes the next frame.
+        if self.workbench.app().is_working() {
+            return Some(Instant::now());
+        }
         if owed {
             return ready;
         }

@@ -108,6 +108,10 @@ impl Stage {
         &self.opened.scene
     }
 
+    pub(crate) fn solver(&self) -> &Solver {
+        &self.opened.solver
+    }
+
     pub(crate) fn origin(&self) -> &Origin {
         &self.opened.origin
     }

@@ -43,10 +43,12 @@ pub(crate) fn part(part: Part) -> Style {
 pub(crate) fn role(role: Role) -> Style {
     let style = Style::new();
     match role {
-        Role::Empty | Role::Link | Role::Guide | Role::Label => style,
-        Role::Ground | Role::Ghost => style.add_modifier(Modifier::DIM),
+        Role::Empty | Role::Link | Role::Guide | Role::Label | Role::Datum => style,
+        Role::Ground | Role::Ghost | Role::Axis => style.add_modifier(Modifier::DIM),
         Role::Driver => style.fg(Color::Red),
-        Role::Joint | Role::GroundPin | Role::Slider => style.add_modifier(Modifier::BOLD),
+        Role::Joint | Role::GroundPin | Role::Slider | Role::Front => {
+            style.add_modifier(Modifier::BOLD)
+        }
         Role::Rider | Role::CentreOfMass => style.fg(Color::Magenta),
     }
 }

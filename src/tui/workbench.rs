@@ -34,6 +34,13 @@ impl Workbench {
         Workbench::on(opened, None, capability, Size::new(cols, rows))
     }
 
+    /// Takes the time by which methods are compared from another clock, which only goes forward.
+    #[must_use]
+    pub fn timed_by(mut self, clock: fn() -> Duration) -> Self {
+        self.app.set_clock(clock);
+        self
+    }
+
     /// Opens a scene at `at`, or where it says.
     pub(super) fn on(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
         Workbench {

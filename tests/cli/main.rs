@@ -1,6 +1,7 @@
 //! The program from outside: every command, every exit code, and what stands on which stream.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod accuracy;
 mod assembly;
 mod readme;
 mod scenes;
@@ -115,6 +116,7 @@ fn help_has_an_example_for_each_command() {
         "table",
         "sweep",
         "start",
+        "accuracy",
         "completions",
         "man",
     ] {
@@ -165,6 +167,7 @@ fn unknown_options_and_values_are_refused() {
         (&["table", "four-bar", "--digits", "0"], "--digits"),
         (&["table", "four-bar", "--at", "sixty"], "--at"),
         (&["list", "four-bar"], "four-bar"),
+        (&["accuracy", "--positions", "0"], "--positions"),
         (&["four-bar", "--glyphs", "crayon"], "--glyphs"),
         (&["completions", "tcsh"], "tcsh"),
         (&["man", "motor"], "motor"),

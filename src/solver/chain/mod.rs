@@ -23,10 +23,20 @@ struct Scope {
     slides: Vec<SlideId>,
 }
 
+/// What becomes of a block that a dyad solves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Dyads {
+    /// It is recognised, and solved in closed form.
+    Closed,
+    /// It is a list of rows as any other block.
+    AsRows,
+}
+
 /// Builds the program block by block.
 pub(super) struct Chain<'n> {
     network: &'n Network<'n>,
     frame: Frame,
+    dyads: Dyads,
     point_known: Vec<bool>,
     class_known: Vec<bool>,
     /// Whether a link stands in its group already.
@@ -47,8 +57,9 @@ pub(super) fn build(
     network: &Network<'_>,
     frame: Frame,
     ordering: &Ordering,
+    dyads: Dyads,
 ) -> Result<(Plan, Program), Fault> {
-    let mut chain = Chain::new(network, frame);
+    let mut chain = Chain::new(network, frame, dyads);
     chain.drive();
     for block in &ordering.blocks {
         chain.settle_block(block)?;
@@ -67,7 +78,7 @@ pub(super) fn build(
 }
 
 impl<'n> Chain<'n> {
-    fn new(network: &'n Network<'n>, frame: Frame) -> Self {
+    fn new(network: &'n Network<'n>, frame: Frame, dyads: Dyads) -> Self {
         let mechanism = network.mechanism;
         let place = |p: &crate::Point| p.ground.map_or(Vec2::default(), |g| frame.inner(g));
         let points: Vec<Vec2<Constant>> = mechanism.points().iter().map(place).collect();
@@ -80,6 +91,7 @@ impl<'n> Chain<'n> {
         Chain {
             network,
             frame,
+            dyads,
             point_known: mechanism
                 .points()
                 .iter()
@@ -293,13 +305,7 @@ impl<'n> Chain<'n> {
         let scope = self.scope(block);
         while self.settle_links(&scope.links) || self.push_slide(&scope.slides) {}
         loop {
-            let moved = self.aim_links(&scope.links)
-                || self.circles(&scope)
-                || self.circle_line(&scope)
-                || self.swing(&scope)
-                || self.cylinder(&scope)
-                || self.lines(&scope);
-            if !moved {
+            if !(self.aim_links(&scope.links) || self.dyad(&scope)) {
                 break;
             }
             while self.settle_links(&scope.links) || self.push_slide(&scope.slides) {}
@@ -308,6 +314,19 @@ impl<'n> Chain<'n> {
             Ok(())
         } else {
             self.couple(block, &scope)
+        }
+    }
+
+    fn dyad(&mut self, scope: &Scope) -> bool {
+        match self.dyads {
+            Dyads::AsRows => false,
+            Dyads::Closed => {
+                self.circles(scope)
+                    || self.circle_line(scope)
+                    || self.swing(scope)
+                    || self.cylinder(scope)
+                    || self.lines(scope)
+            }
         }
     }
 

@@ -12,9 +12,11 @@ mod maker;
 mod relatives;
 mod series;
 mod singular;
+mod textbook;
 mod twice;
 
 pub(super) use relatives::is_same;
+pub(super) use textbook::Closing;
 
 use super::frame::Frame;
 use super::lu;
@@ -236,16 +238,19 @@ impl Coupled {
     }
 
     /// Adds a change of the unknowns to z.
-    fn shift(&self, z: &mut [f64], change: &[f64]) {
+    fn shift<T: Number>(&self, z: &mut [T], change: &[T]) {
         let joints = 2 * self.free;
         for i in 0..joints {
             z[i] += change[i];
         }
-        for (i, &angle) in change[joints..].iter().enumerate() {
+        for (i, angle) in change[joints..].iter().enumerate() {
             let at = joints + 2 * i;
-            let turned = Vec2::new(z[at], z[at + 1]).turned(Vec2::new(angle.cos(), angle.sin()));
+            // In any arithmetic by the nearest double: what that misses, the next correction finds.
+            let angle = angle.nearest();
+            let by = Vec2::new(angle.cos(), angle.sin()).exactly();
+            let turned = Vec2::new(z[at], z[at + 1]).turned(by);
             // One step of Newton for the length: |d| stays 1 to the last bit or two.
-            let unit = turned * (1.5 - 0.5 * turned.norm2());
+            let unit = turned * (T::exactly(1.5) - turned.norm2().scaled(0.5));
             (z[at], z[at + 1]) = (unit.x, unit.y);
         }
     }
@@ -291,17 +296,17 @@ impl Coupled {
     }
 
     /// The derivatives of z by q, from the matrix at z, and everything that the group places.
-    pub(super) fn finish(
+    pub(super) fn finish<T: Number>(
         &self,
-        q: f64,
+        q: T,
         order: u8,
-        state: &mut State,
-        scratch: &mut Scratch,
+        state: &mut State<T>,
+        scratch: &mut Scratch<T>,
     ) -> bool {
         let mut room = self.open(scratch);
         let n = self.unknowns();
-        room.first.fill(0.0);
-        room.second.fill(0.0);
+        room.first.fill(T::default());
+        room.second.fill(T::default());
         if order >= super::step::VELOCITY {
             self.rates(q, state, &mut room, 1);
             self.jacobian(q, state, &mut room);
@@ -365,6 +370,22 @@ impl Coupled {
         }
     }
 
+    /// Takes z from what the group has placed: the inverse of writing it.
+    pub(in crate::solver) fn read(&self, state: &State, room: &mut Room<'_>) {
+        for (point, spot) in &self.spots {
+            if let (Base::Free(i), None) = (spot.base, spot.arm) {
+                let Vec2 { x, y } = state.points[point.index()].p;
+                (room.z[2 * i], room.z[2 * i + 1]) = (x, y);
+            }
+        }
+        for (i, (link, turn)) in self.turning.iter().zip(&self.turns).enumerate() {
+            let at = 2 * (self.free + i);
+            let d = state.links[link.index()].d;
+            let Vec2 { x, y } = d.turned(turn.nearest().conj());
+            (room.z[at], room.z[at + 1]) = (x, y);
+        }
+    }
+
     /// How far the equations are from holding at the z in the scratch, as a length.
     pub(super) fn gap(&self, q: f64, state: &mut State) -> f64 {
         let mut scratch = std::mem::take(&mut state.scratch);
@@ -408,8 +429,8 @@ impl Coupled {
     }
 }
 
-fn negate_into(from: &[f64], to: &mut [f64]) {
+fn negate_into<T: Number>(from: &[T], to: &mut [T]) {
     for (to, from) in to.iter_mut().zip(from) {
-        *to = -from;
+        *to = -*from;
     }
 }

@@ -6,7 +6,7 @@
 //! that is the quadratic of the second-order tangents, one root for each of the branches that meet;
 //! beyond, it is linear.
 
-use super::{Base, Coupled, Room, Scratch, lu};
+use super::{Coupled, Room, Scratch, lu};
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
@@ -109,24 +109,6 @@ impl Coupled {
         }
         state.scratch = own;
         done
-    }
-}
-
-impl Coupled {
-    /// Takes z from what the group has placed: the inverse of writing it.
-    pub(in crate::solver) fn read(&self, state: &State, room: &mut Room<'_>) {
-        for (point, spot) in &self.spots {
-            if let (Base::Free(i), None) = (spot.base, spot.arm) {
-                let Vec2 { x, y } = state.points[point.index()].p;
-                (room.z[2 * i], room.z[2 * i + 1]) = (x, y);
-            }
-        }
-        for (i, (link, turn)) in self.turning.iter().zip(&self.turns).enumerate() {
-            let at = 2 * (self.free + i);
-            let d = state.links[link.index()].d;
-            let Vec2 { x, y } = d.turned(turn.nearest().conj());
-            (room.z[at], room.z[at + 1]) = (x, y);
-        }
     }
 }
 

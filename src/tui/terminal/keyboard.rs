@@ -23,6 +23,7 @@ const LONGEST_SEQUENCE: usize = 256;
 /// What a paste may bring into an input line; the front of a longer one is thrown away.
 const LONGEST_PASTE: usize = 64 * 1024;
 
+const ESC: u8 = 0x1b;
 const PASTE_BEGINS: &[u8] = b"\x1b[200~";
 
 /// What the terminal sent.
@@ -50,6 +51,11 @@ impl Keyboard {
     /// Takes bytes that came `now`, and appends what they mean.
     pub(crate) fn feed(&mut self, bytes: &[u8], now: Instant, inputs: &mut Vec<Input>) {
         for &byte in bytes {
+            // An ESC upon a lone ESC begins something new. Often that is the answer to a frame; the
+            // parser would take both for one key, and the rest of the answer for typed characters.
+            if byte == ESC && self.held == [ESC] {
+                self.give_up(inputs);
+            }
             self.parser.parse(&[byte], true);
             self.held.push(byte);
             self.take(inputs);
@@ -227,6 +233,16 @@ mod tests {
         keyboard.give_up(&mut inputs);
         assert_eq!(inputs, vec![Input::Key(Key::Escape)]);
         assert_eq!(keyboard.deadline(), None);
+    }
+
+    /// While frames follow each other the answer to one comes upon the heels of a key: the key used to
+    /// be lost, and the answer with it.
+    #[test]
+    fn an_escape_before_an_answer_is_a_key() {
+        let both = vec![Input::Key(Key::Escape), Input::Answer];
+        assert_eq!(key_of(b"\x1b\x1b[0n"), both);
+        assert_eq!(keys_of(&[b"\x1b", b"\x1b[0n"]), both);
+        assert_eq!(keys_of(&[b"\x1b", b"\x1b[0", b"n"]), both);
     }
 
     /// The parser alone waits for ever after these: Alt-], Alt-P, Alt-[ and noise.

@@ -43,7 +43,7 @@ pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) 
         ("v", area.bottom().saturating_sub(1), first < most),
     ];
     for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
-        let x = area.right() + super::table::MARGIN - 1;
+        let x = area.right() + super::MARGIN - 1;
         print(buffer, x, y, 1, glyph, theme::part(Part::Key));
     }
 }

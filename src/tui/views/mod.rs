@@ -7,6 +7,7 @@
 //! mode  scene  angle  state     hints             one line
 //! ```
 
+mod accuracy;
 mod assemblies;
 mod help;
 mod motion;
@@ -19,6 +20,10 @@ use super::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect, Size};
 use ratatui::style::Style;
+
+/// Columns at the right of what can be scrolled that are kept free: one blank, and one for a mark where
+/// there is more to see.
+const MARGIN: u16 = 2;
 
 /// Below this nothing sensible can be shown.
 const SMALLEST: Size = Size::new(40, 12);
@@ -53,6 +58,7 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
     match app.view() {
         View::Motion => motion::render(app, sketch, body(area), &mut buffer),
         View::Tables => table::render(app, inset(body(area)), &mut buffer),
+        View::Accuracy => accuracy::render(app, body(area), &mut buffer),
     }
     if let Mode::Help(scroll) = *app.mode() {
         help::render(app, scroll, body(area), &mut buffer);
@@ -83,6 +89,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (Mode::Help(_), _) => help::extent(body),
         (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
         (_, View::Tables) => table::extent(app, inset(body)),
+        (_, View::Accuracy) => accuracy::extent(app, body),
     }
 }
 
@@ -107,8 +114,20 @@ fn body(area: Rect) -> Rect {
 fn inset(area: Rect) -> Rect {
     Rect {
         x: area.x + 1,
-        width: area.width.saturating_sub(1 + table::MARGIN),
+        width: area.width.saturating_sub(1 + MARGIN),
         ..area
+    }
+}
+
+/// Marks in the margin at the right of what is scrolled that there is more above, or below.
+fn mark_more(area: Rect, above: bool, below: bool, buffer: &mut Buffer) {
+    let ends = [
+        ("^", area.top(), above),
+        ("v", area.bottom().saturating_sub(1), below),
+    ];
+    for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
+        let x = area.right() + MARGIN - 1;
+        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
     }
 }
 

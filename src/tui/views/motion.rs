@@ -43,7 +43,7 @@ fn beside(app: &App, area: Rect) -> Option<Arrangement> {
     let (narrow, wide) = app.stage().sheet().widths(app.glyphs());
     let [narrow, wide] = [narrow, wide].map(|w| u16::try_from(w).unwrap_or(u16::MAX));
     // The blanks beside the tables, and the rule.
-    let sides = 1 + 1 + table::MARGIN;
+    let sides = 1 + 1 + super::MARGIN;
     let most = area.width.checked_sub(narrow.checked_add(sides)?)?;
     if most < NARROWEST_DRAWING {
         return None;

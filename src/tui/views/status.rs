@@ -14,6 +14,7 @@ use crate::tui::key::Key;
 use crate::tui::line::Line;
 use crate::tui::sheet::FOUND;
 use crate::tui::stage::{Stage, shown};
+use crate::tui::survey::Phase;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -54,9 +55,13 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) => {}
     }
-    let driver = driver(app.stage());
+    let studied = studied(app);
+    let driver = studied.clone().unwrap_or_else(|| driver(app.stage()));
     let narrow = area.width < ROOM_FOR_GAPS;
-    let (state, part) = state(app.condition(), narrow);
+    let (state, part) = match studied {
+        Some(_) => ("", Part::Text),
+        None => state(app.condition(), narrow),
+    };
     if let Some(message) = app.message() {
         line.gap(1);
         line.say(&driver, Part::Text);
@@ -106,6 +111,7 @@ fn mode(app: &App) -> &'static str {
         (Mode::SaveAs(_) | Mode::Confirm(_), _) => "save",
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
+        (Mode::Normal, View::Accuracy) => "accuracy",
     }
 }
 
@@ -143,6 +149,19 @@ fn driver(stage: &Stage) -> String {
             format!("{turns:+.3e}")
         };
         format!("{text:>6} {unit} {turns} turn{plural}")
+    }
+}
+
+/// How far the study has come, in the view that shows it: there, the driver is of no interest.
+fn studied(app: &App) -> Option<String> {
+    let survey = app.survey();
+    let percent = (survey.progress() * 100.0).floor();
+    match survey.phase() {
+        _ if app.view() != View::Accuracy || *app.mode() != Mode::Normal => None,
+        Phase::Idle => None,
+        Phase::Running => Some(format!("measuring {percent:>2} %")),
+        Phase::Stopped => Some(format!("stopped at {percent} %")),
+        Phase::Done => Some("all measured".into()),
     }
 }
 
@@ -225,6 +244,22 @@ fn offered(app: &App) -> &'static [Action] {
             Action::GoTo,
             Action::NextPreset,
         ],
+        (_, View::Accuracy) => match app.survey().phase() {
+            Phase::Running => &[
+                Action::Help,
+                Action::Back,
+                Action::LineDown,
+                Action::MotionView,
+                Action::Quit,
+            ],
+            Phase::Idle | Phase::Stopped | Phase::Done => &[
+                Action::Help,
+                Action::AccuracyView,
+                Action::LineDown,
+                Action::MotionView,
+                Action::Quit,
+            ],
+        },
         (_, View::Tables) => &[
             Action::Help,
             Action::MotionView,
@@ -259,6 +294,9 @@ fn hint_of(app: &App, action: Action) -> (String, &'static str) {
     let entry = entry_of(action);
     let name = match action {
         Action::Play if app.playback().is_playing() => "pause",
+        Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
+        Action::AccuracyView if app.survey().phase() == Phase::Stopped => "go on",
+        Action::AccuracyView if app.survey().phase() == Phase::Done => "again",
         _ => entry.name,
     };
     (entry.keys[0].to_string(), name)

@@ -1,16 +1,12 @@
 //! Figures in columns: beside or below the drawing, and as a view of their own.
 
-use super::{columns, print, print_right};
+use super::{columns, mark_more, print, print_right};
 use crate::tui::app::App;
 use crate::tui::sheet::Line;
 use crate::tui::stage::shown;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-
-/// Columns at the right of the tables that are kept free: one blank, and one for a mark where there is
-/// more to see.
-pub(super) const MARGIN: u16 = 2;
 
 /// The tables at this width, scrolled as the view is.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
@@ -19,15 +15,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let most = lines.len().saturating_sub(area.height.into());
     let scroll = app.scroll().min(most);
     let seen = lines.iter().skip(scroll);
-    // In the margin at the right: there is more above, or below.
-    let ends = [
-        ("^", area.top(), scroll > 0),
-        ("v", area.bottom().saturating_sub(1), scroll < most),
-    ];
-    for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
-        let x = area.right() + MARGIN - 1;
-        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
-    }
+    mark_more(area, scroll > 0, scroll < most, buffer);
     for (y, line) in (area.top()..area.bottom()).zip(seen) {
         render_line(
             app,

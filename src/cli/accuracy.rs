@@ -1,0 +1,58 @@
+//! `krank accuracy`: measures, and writes what was found.
+
+use super::args::{AccuracyArgs, Format};
+use super::failure::Failure;
+use super::output::write_to;
+use super::progress::Progress;
+use super::screen::Screen;
+use super::source::{Opened, open};
+use crate::drawing::{Glyphs, trade_off};
+use crate::report::{Accuracy, accuracy_notes};
+use crate::study::{Findings, Study};
+use std::time::{Duration, Instant};
+
+/// Between two looks at how far it has come.
+const SLICE: Duration = Duration::from_millis(50);
+/// How finely that is told.
+const PARTS: u64 = 1000;
+/// The chart below the table.
+const CHART: (u16, u16) = (80, 20);
+
+pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let study = Study::new(&scene.mechanism, &solver, args.positions);
+    let findings = measured(study, screen);
+    let accuracy = Accuracy {
+        scene: &scene,
+        findings: &findings,
+    };
+    write_to(args.output.output.as_deref(), |out| match args.format {
+        Format::Text => {
+            let table = accuracy.to_text(screen.ascii);
+            write!(out, "{table}\n{}\n{}", chart(&findings), accuracy_notes())
+        }
+        Format::Csv => accuracy.write_csv(out),
+        Format::Json => writeln!(out, "{:#}", accuracy.to_json()),
+    })
+}
+
+fn measured(mut study: Study, screen: Screen) -> Findings {
+    let begun = Instant::now();
+    // Results come only at the end: the line stands in nobody's way.
+    let mut progress = Progress::new(PARTS, "parts", screen, false);
+    while study.advance(&mut || begun.elapsed(), SLICE) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 0 to 1 times a thousand"
+        )]
+        progress.tell((study.progress() * PARTS as f64) as u64);
+    }
+    progress.end();
+    study.findings()
+}
+
+fn chart(findings: &Findings) -> String {
+    let (cols, rows) = CHART;
+    trade_off(findings).render(cols, rows, Glyphs::Ascii).text()
+}

@@ -1,0 +1,59 @@
+//! The chart of a study: time against error, a letter for every method.
+
+use super::chart::{Axis, Chart, Datum};
+use crate::study::Findings;
+
+/// Smaller errors, and none at all, stand here: below the rounding of one double.
+const LEAST_ERROR: f64 = 1e-17;
+const NANOSECONDS: f64 = 1e9;
+
+/// The chart of what was found.
+#[must_use]
+pub fn trade_off(findings: &Findings) -> Chart {
+    let datum = |finding: &crate::study::Finding| {
+        let figures = finding.figures()?;
+        Some(Datum {
+            x: figures.time?.median * NANOSECONDS,
+            y: figures.errors?.position.max(LEAST_ERROR),
+            letter: finding.key,
+            best: finding.best,
+        })
+    };
+    Chart {
+        x: Axis {
+            title: "time".into(),
+            label: time,
+        },
+        y: Axis {
+            title: "error".into(),
+            label: |power| format!("1e{power}"),
+        },
+        data: findings.methods.iter().filter_map(datum).collect(),
+    }
+}
+
+/// Ten to this power in nanoseconds, in the largest unit of which it is a whole number.
+fn time(power: i32) -> String {
+    let (unit, power) = match power {
+        ..0 => return format!("1e{power} ns"),
+        0..3 => ("ns", power),
+        3..6 => ("us", power - 3),
+        6..9 => ("ms", power - 6),
+        _ => ("s", power - 9),
+    };
+    format!("1{} {unit}", "0".repeat(power.unsigned_abs() as usize))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::time;
+
+    #[test]
+    fn powers_of_ten_are_told_in_round_units() {
+        let told: Vec<_> = (0..5).chain([9, 10]).map(time).collect();
+        assert_eq!(
+            told,
+            ["1 ns", "10 ns", "100 ns", "1 us", "10 us", "1 s", "10 s"]
+        );
+    }
+}

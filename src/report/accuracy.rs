@@ -1,0 +1,398 @@
+//! What a study of methods has found, as text, CSV and JSON.
+
+use super::number::{concise, significant};
+use super::rows::plain;
+use super::text::{WIDTH, wrapped};
+use crate::PointId;
+use crate::scene::{Scene, harmless};
+use crate::solver::{Method, Start, Unfit};
+use crate::study::{Errors, Figures, Finding, Findings, Spread, Verdict};
+use serde_json::{Map, Value, json};
+use std::io::{self, Write};
+
+/// Significant digits of an error, and of a time.
+const ERROR_DIGITS: usize = 2;
+const TIME_DIGITS: usize = 3;
+/// Columns of the text.
+const NAME: usize = 19;
+const TIME: usize = 7;
+const SPREAD: usize = 11;
+const ERROR: usize = 7;
+const FAILED: usize = 7;
+/// Significant digits of the longest length.
+const LENGTH_DIGITS: usize = 6;
+
+/// The name of a method, in at most 19 characters without a comma.
+#[must_use]
+pub fn method_name(method: Method) -> String {
+    match method {
+        Method::ClosedForm => "closed form".into(),
+        Method::Polished => "closed and polished".into(),
+        Method::Anchored => "Newton from anchors".into(),
+        Method::Bounded => "with bounds".into(),
+        Method::Single => "single precision".into(),
+        Method::Newton { tolerance, start } => {
+            let start = match start {
+                Start::Warm => "warm",
+                Start::Cold => "cold",
+            };
+            format!("Newton {tolerance:e} {start}")
+        }
+        Method::Bisection => "bisection".into(),
+        Method::Integration { steps, turns } => format!("RK4 {steps} x {turns}"),
+    }
+}
+
+/// An error to two digits: `2.3e-16`.
+#[must_use]
+pub fn error_text(error: f64) -> String {
+    if error == 0.0 {
+        "0".into()
+    } else {
+        format!("{error:.*e}", ERROR_DIGITS - 1)
+    }
+}
+
+/// A time to three digits, in ns, us, ms or s: `61.2 ns`.
+#[must_use]
+pub fn time_text(seconds: f64) -> String {
+    let (scale, unit) = time_unit(seconds);
+    format!("{} {unit}", significant(seconds * scale, TIME_DIGITS))
+}
+
+/// Units in a second, and the unit, in which a time has at most three digits in front of the point.
+fn time_unit(seconds: f64) -> (f64, &'static str) {
+    let units = [(1e9, "ns"), (1e6, "us"), (1e3, "ms")];
+    let small = |(scale, _): &(f64, &str)| seconds * scale < 999.5;
+    units.into_iter().find(small).unwrap_or((1.0, "s"))
+}
+
+/// The quartiles in the unit of the median: `60.8-62.0`.
+fn spread_text(time: &Spread) -> String {
+    let (scale, _) = time_unit(time.median);
+    let whole = |t: f64| {
+        if t < 999.5 {
+            significant(t, TIME_DIGITS)
+        } else {
+            format!("{t:.0}")
+        }
+    };
+    let [low, high] = [time.low, time.high].map(|t| whole(t * scale));
+    format!("{low}-{high}")
+}
+
+/// Why a method cannot be used for this scene.
+#[must_use]
+pub fn unfit_text(unfit: Unfit, scene: &Scene) -> String {
+    let group = |point: Option<PointId>| {
+        let name = point.and_then(|p| scene.point_name(p));
+        name.map_or_else(|| "a group".into(), |name| format!("the group at {name}"))
+    };
+    match unfit {
+        Unfit::Coupled(point) => format!("{} has no closed form", group(point)),
+        Unfit::AllClosed => "not needed: every group has a closed form".into(),
+        Unfit::Conditions { point, unknowns } => {
+            format!("{} closes by {unknowns} conditions at once", group(point))
+        }
+        Unfit::Limits => "the driver has limits, and cannot turn fully".into(),
+        Unfit::NoRows => "the constraints of a group give no rows of their own".into(),
+    }
+}
+
+/// A study's findings and the scene that they are about.
+#[derive(Clone, Copy, Debug)]
+pub struct Accuracy<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// What was found.
+    pub findings: &'a Findings,
+}
+
+impl Accuracy<'_> {
+    /// The scene, and a line per method.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        let Findings {
+            longest, positions, ..
+        } = self.findings;
+        let longest = concise(*longest, LENGTH_DIGITS);
+        let mut text = format!(
+            "{}\n{positions} positions over the cycle; the longest length is {longest} {}\n\n{}",
+            harmless(&self.scene.name, ascii),
+            self.scene.unit.symbol(),
+            heading(),
+        );
+        for finding in &self.findings.methods {
+            text.push_str(&self.line(finding));
+        }
+        text
+    }
+
+    fn line(&self, finding: &Finding) -> String {
+        let name = method_name(finding.method);
+        let best = if finding.best { '*' } else { ' ' };
+        let told = match &finding.verdict {
+            Verdict::Measured(figures) => cells(figures),
+            Verdict::Unfit(unfit) => format!("  - {}", unfit_text(*unfit, self.scene)),
+            Verdict::Pending => "  - not measured".into(),
+        };
+        let line = format!("{} {best} {name:NAME$}{told}", finding.key);
+        line.trim_end().to_owned() + "\n"
+    }
+
+    /// Writes a row per method; what does not exist is an empty cell.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write_csv(&self, to: impl Write) -> io::Result<()> {
+        let mut csv = csv::Writer::from_writer(to);
+        csv.write_record(COLUMNS).map_err(plain)?;
+        for finding in &self.findings.methods {
+            let row = self.record(finding);
+            let cells = COLUMNS.iter().map(|column| match row.get(*column) {
+                None | Some(Value::Null) => String::new(),
+                Some(Value::String(text)) => text.clone(),
+                Some(other) => other.to_string(),
+            });
+            csv.write_record(cells).map_err(plain)?;
+        }
+        csv.flush()
+    }
+
+    /// One object.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let methods = self.findings.methods.iter().map(|f| self.record(f));
+        json!({
+            "scene": self.scene.name,
+            "unit": self.scene.unit.symbol(),
+            "longest": self.findings.longest,
+            "positions": self.findings.positions,
+            "finished": self.findings.finished,
+            "methods": methods.map(Value::Object).collect::<Vec<_>>(),
+        })
+    }
+
+    fn record(&self, finding: &Finding) -> Map<String, Value> {
+        let figures = finding.figures();
+        let time = figures.and_then(|f| f.time);
+        let time = |part: fn(&Spread) -> f64| time.map(|t| part(&t) * 1e9);
+        let errors = figures.and_then(|f| f.errors);
+        let error = |part: fn(&Errors) -> f64| errors.map(|e| part(&e));
+        let reason = match finding.verdict {
+            Verdict::Measured(_) => None,
+            Verdict::Unfit(unfit) => Some(unfit_text(unfit, self.scene)),
+            Verdict::Pending => Some("not measured".into()),
+        };
+        let values = [
+            json!(finding.key),
+            json!(method_name(finding.method)),
+            json!(time(|t| t.median)),
+            json!(time(|t| t.low)),
+            json!(time(|t| t.high)),
+            json!(error(|e| e.position)),
+            json!(error(|e| e.velocity)),
+            json!(error(|e| e.acceleration)),
+            json!(figures.map(|f| f.tried)),
+            json!(figures.map(|f| f.failures)),
+            json!(finding.best),
+            json!(reason),
+        ];
+        COLUMNS
+            .iter()
+            .map(|c| (*c).to_owned())
+            .zip(values)
+            .collect()
+    }
+}
+
+/// How the figures are meant.
+#[must_use]
+pub fn accuracy_notes() -> String {
+    let lines = NOTES.iter().flat_map(|(name, note)| {
+        let lines = wrapped(note, WIDTH - NOTE);
+        let names = std::iter::once(*name).chain(std::iter::repeat(""));
+        let told = |(name, line): (&str, String)| format!("{name:NOTE$}{line}\n");
+        names.zip(lines).map(told).collect::<Vec<_>>()
+    });
+    lines.collect()
+}
+
+/// Columns of what a note is about.
+const NOTE: usize = 14;
+
+const NOTES: [(&str, &str); 7] = [
+    (
+        "time",
+        "of one position with its velocities and accelerations: the median, and between what half of \
+         all samples lie; of RK4, of a step",
+    ),
+    (
+        "pos vel acc",
+        "the largest errors against a run in twice the precision: of points, over the longest length, \
+         and over the largest velocity and acceleration of the cycle",
+    ),
+    (
+        "fail",
+        "positions at which nothing was found, or another assembly; they count in no error",
+    ),
+    (
+        "*",
+        "the best front: never fails, and no other such method is both faster and nearer",
+    ),
+    (
+        "with bounds",
+        "as krank solves it, and a proven bound of every figure; fails where none is proved",
+    ),
+    (
+        "warm, cold",
+        "Newton's method begins at the position before, a degree or a 360th of the range away, or \
+         where the scene opens; it ends with a step below the tolerance, in radians and parts of the \
+         longest length",
+    ),
+    (
+        "RK4 n x m",
+        "the velocities integrated by Runge and Kutta, n steps in 360 deg, looked at in the m-th cycle",
+    ),
+];
+
+/// The columns of CSV, and the keys of a method in JSON.
+const COLUMNS: [&str; 12] = [
+    "key",
+    "method",
+    "time [ns]",
+    "time.low [ns]",
+    "time.high [ns]",
+    "position",
+    "velocity",
+    "acceleration",
+    "tried",
+    "failures",
+    "best",
+    "reason",
+];
+
+fn heading() -> String {
+    format!(
+        "    {:NAME$}  {:>TIME$}  {:>SPREAD$}  {:>ERROR$}  {:>ERROR$}  {:>ERROR$}{:>FAILED$}\n",
+        "method", "time", "quartiles", "pos", "vel", "acc", "fail"
+    )
+}
+
+fn cells(figures: &Figures) -> String {
+    let time = figures.time.map(|t| (time_text(t.median), spread_text(&t)));
+    let (time, spread) = time.unwrap_or_else(|| ("-".into(), "-".into()));
+    let error = |part: fn(&Errors) -> f64| {
+        let error = figures.errors.as_ref().map(part);
+        error.map_or_else(|| "-".into(), error_text)
+    };
+    format!(
+        "  {time:>TIME$}  {spread:>SPREAD$}  {:>ERROR$}  {:>ERROR$}  {:>ERROR$}{:>FAILED$}",
+        error(|e| e.position),
+        error(|e| e.velocity),
+        error(|e| e.acceleration),
+        figures.failures,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    fn figures(median: f64, failures: u64) -> Figures {
+        Figures {
+            time: Some(Spread {
+                low: 0.9 * median,
+                median,
+                high: 1.1 * median,
+            }),
+            errors: (failures < 3600).then_some(Errors {
+                position: 2.34e-16,
+                velocity: 5e-7,
+                acceleration: 0.0,
+            }),
+            tried: 3600,
+            failures,
+        }
+    }
+
+    fn finding(key: char, method: Method, verdict: Verdict) -> Finding {
+        Finding {
+            key,
+            method,
+            verdict,
+            best: key == 'a',
+        }
+    }
+
+    fn lines(methods: Vec<Finding>) -> Vec<String> {
+        let preset = presets::find("stephenson-six-bar").unwrap();
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let findings = Findings {
+            methods,
+            longest: 400.0,
+            positions: 3600,
+            finished: false,
+        };
+        let accuracy = Accuracy {
+            scene: &scene,
+            findings: &findings,
+        };
+        let text = accuracy.to_text(true);
+        text.lines().skip(4).map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn every_method_has_a_line_whatever_became_of_it() {
+        let point = Scene::parse(presets::find("four-bar").unwrap().text, "four-bar").unwrap();
+        let point = point.mechanism.point_ids().nth(3);
+        let lines = lines(vec![
+            finding(
+                'a',
+                Method::ClosedForm,
+                Verdict::Measured(figures(71e-9, 0)),
+            ),
+            finding(
+                'b',
+                Method::Bisection,
+                Verdict::Measured(figures(3.9994e-6, 3600)),
+            ),
+            finding('c', Method::Polished, Verdict::Unfit(Unfit::Coupled(point))),
+            finding('d', Method::Single, Verdict::Pending),
+        ]);
+        let expected = [
+            "a * closed form          71.0 ns    63.9-78.1  2.3e-16   5.0e-7        0      0",
+            "b   bisection            4.00 us    3.60-4.40        -        -        -   3600",
+        ];
+        assert_eq!(lines[..2], expected);
+        assert!(
+            lines[2].starts_with("c   closed and polished  - the group at "),
+            "{}",
+            lines[2]
+        );
+        assert!(lines[2].ends_with(" has no closed form"), "{}", lines[2]);
+        assert_eq!(lines[3], "d   single precision     - not measured");
+    }
+
+    #[test]
+    fn names_fit_their_column_and_need_no_quotes() {
+        for method in crate::study::all_methods() {
+            let name = method_name(method);
+            assert!(name.len() <= NAME && !name.contains(','), "{name}");
+        }
+    }
+
+    #[test]
+    fn times_take_the_unit_in_which_they_are_short() {
+        let told = [9.994e-7, 9.996e-7, 1e-9, 0.0123, 2.0].map(time_text);
+        assert_eq!(told, ["999 ns", "1.00 us", "1.00 ns", "12.3 ms", "2.00 s"]);
+        // A wild sample stays in the unit of the median.
+        let wild = Spread {
+            low: 5e-8,
+            median: 6e-8,
+            high: 4.5e-6,
+        };
+        assert_eq!(spread_text(&wild), "50.0-4500");
+    }
+}

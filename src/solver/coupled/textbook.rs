@@ -1,0 +1,215 @@
+//! The ways in which textbooks solve a group's equations, for comparison: Newton's method at a
+//! tolerance, one correction from a better residual, and halving an interval.
+
+use super::{Base, Coupled, Equation, Room, Scratch, Spot, Turning};
+use crate::solver::lu;
+use crate::solver::state::State;
+use crate::{Double, Number, Vec2};
+
+/// Newton's method has failed where it needs more steps: quadratic convergence takes four or five.
+const MOST_STEPS: usize = 50;
+/// Halvings of half a turn after which no double lies between the ends.
+const MOST_HALVINGS: usize = 60;
+
+/// How the one unknown of a group is an angle.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Closing(Way);
+
+#[derive(Clone, Copy, Debug)]
+enum Way {
+    /// It is one: a link turns until the only equation holds.
+    Turn,
+    /// A free joint goes round a known place until the other equation holds.
+    Circle {
+        /// The place, and how far from it the joint is.
+        centre: Spot,
+        length: f64,
+        /// The row of the other equation.
+        row: usize,
+    },
+}
+
+impl Coupled {
+    /// Puts a z changed by so much into the scratch.
+    pub(in crate::solver) fn put(&self, base: &[f64], change: &[f64], scratch: &mut Scratch) {
+        let room = self.open(scratch);
+        room.z.copy_from_slice(base);
+        self.shift(room.z, change);
+    }
+
+    /// Full steps from the z in the scratch until one is no larger than the tolerance; whether that
+    /// came to pass.
+    pub(in crate::solver) fn newton<T: Number>(
+        &self,
+        q: T,
+        tolerance: f64,
+        state: &State<T>,
+        scratch: &mut Scratch<T>,
+    ) -> bool {
+        let mut room = self.open(scratch);
+        for _ in 0..MOST_STEPS {
+            self.residuals(q, state, &mut room);
+            let Some(size) = self.step(q, state, &mut room) else {
+                return false;
+            };
+            if size <= tolerance {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// One step of Newton's method from the residuals in the room, and its largest component; `None`
+    /// where the matrix is singular.
+    fn step<T: Number>(&self, q: T, state: &State<T>, room: &mut Room<'_, T>) -> Option<f64> {
+        let n = self.unknowns();
+        self.jacobian(q, state, room);
+        lu::factor(room.matrix, room.pivots, n)?;
+        lu::solve(room.matrix, room.pivots, room.right, n);
+        for v in room.right.iter_mut() {
+            *v = -*v;
+        }
+        self.shift(room.z, room.right);
+        let sizes = room.right.iter().map(|v| v.nearest().abs());
+        // Written so that NaN is no size.
+        sizes
+            .reduce(|a, b| if a >= b { a } else { b })
+            .filter(|size| size.is_finite())
+    }
+
+    /// One correction of the z in the scratch, from residuals in twice the precision. `exact` and its
+    /// scratch lend the room; the rest is done in doubles.
+    pub(in crate::solver) fn polish(
+        &self,
+        q: f64,
+        state: &State,
+        scratch: &mut Scratch,
+        exact: &State<Double>,
+        exact_scratch: &mut Scratch<Double>,
+    ) -> bool {
+        let mut room = self.open(scratch);
+        let mut fine = self.open(exact_scratch);
+        for (fine, z) in fine.z.iter_mut().zip(room.z.iter()) {
+            *fine = Double::exactly(*z);
+        }
+        self.residuals(Double::exactly(q), exact, &mut fine);
+        for (right, fine) in room.right.iter_mut().zip(fine.right.iter()) {
+            *right = fine.nearest();
+        }
+        self.step(q, state, &mut room).is_some()
+    }
+
+    /// The sign of the determinant at the z in the scratch; 0 where it is singular.
+    pub(in crate::solver) fn side_at(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
+        let mut room = self.open(scratch);
+        self.jacobian(q, state, &mut room);
+        lu::factor(room.matrix, room.pivots, self.unknowns()).unwrap_or(0.0)
+    }
+
+    // ---- one unknown angle
+
+    /// How the group has one unknown angle and one condition by which it closes, if it has.
+    pub(in crate::solver) fn closing(&self) -> Option<Closing> {
+        match (self.free, self.turning.len(), &self.equations[..]) {
+            (0, 1, [Equation::Distance { .. } | Equation::Slot { .. }]) => Some(Closing(Way::Turn)),
+            (1, 0, [one, two]) => {
+                let first = circle(one, 1).filter(|_| two.count() == 1);
+                first.or_else(|| circle(two, 0).filter(|_| one.count() == 1))
+            }
+            _ => None,
+        }
+    }
+
+    /// Halves half a turn in which the condition changes its sign once, the one that the side tells (the
+    /// sign of the determinant), and puts the angle found into z. Whether there was a change of sign.
+    ///
+    /// The condition is a + b cos(angle - c) in all its forms, so that its extremes, between which
+    /// exactly one closing lies on either side, follow from three values.
+    pub(in crate::solver) fn bisect(
+        &self,
+        Closing(way): Closing,
+        side: f64,
+        q: f64,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> bool {
+        let mut room = self.open(scratch);
+        let mut value = |angle: f64| {
+            let (sin, cos) = angle.sin_cos();
+            self.condition(way, Vec2::new(cos, sin), q, state, &mut room)
+        };
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let [east, north, west] = [0.0, quarter, 2.0 * quarter].map(&mut value);
+        let middle = 0.5 * (east + west);
+        let highest = (north - middle).atan2(east - middle);
+        // From the highest value down, clockwise where the condition grows with the angle.
+        let sense = match way {
+            Way::Circle { row: 0, .. } => side,
+            Way::Turn | Way::Circle { .. } => -side,
+        };
+        let (mut above, mut below) = (highest, highest + sense * 2.0 * quarter);
+        if !(value(above) >= 0.0 && value(below) <= 0.0) {
+            return false;
+        }
+        for _ in 0..MOST_HALVINGS {
+            let middle = 0.5 * (above + below);
+            if middle == above || middle == below {
+                break;
+            }
+            if value(middle) > 0.0 {
+                above = middle;
+            } else {
+                below = middle;
+            }
+        }
+        value(below);
+        true
+    }
+
+    /// Puts the group at an angle, and says how far the condition is from holding there.
+    fn condition(
+        &self,
+        way: Way,
+        direction: Vec2,
+        q: f64,
+        state: &State,
+        room: &mut Room<'_>,
+    ) -> f64 {
+        let (at, row) = match way {
+            Way::Turn => (direction, 0),
+            Way::Circle {
+                centre,
+                length,
+                row,
+            } => {
+                let centre = self.moving(&centre, q, state, room).p;
+                (centre + direction * length, row)
+            }
+        };
+        (room.z[0], room.z[1]) = (at.x, at.y);
+        self.residuals(q, state, room);
+        room.right[row]
+    }
+}
+
+/// The circle on which an equation keeps a free joint, if it does; `row` is that of the other one.
+fn circle(equation: &Equation, row: usize) -> Option<Closing> {
+    let Equation::Distance { a, b, length } = equation else {
+        return None;
+    };
+    let is_free = |spot: &Spot| matches!(spot.base, Base::Free(_)) && spot.arm.is_none();
+    let is_known = |spot: &Spot| {
+        let is_still = !matches!(spot.arm, Some((Turning::Unknown(_), _)));
+        matches!(spot.base, Base::Known(_)) && is_still
+    };
+    let centre = match (a, b) {
+        (free, centre) | (centre, free) if is_free(free) && is_known(centre) => *centre,
+        _ => return None,
+    };
+    let length = length.nearest();
+    Some(Closing(Way::Circle {
+        centre,
+        length,
+        row,
+    }))
+}

@@ -1,0 +1,214 @@
+//! A method at work: it solves one position after the other and keeps what it needs between them.
+
+use super::{Deviation, Method, Methods, Rows, Start, follow, run};
+use crate::solver::state::State;
+use crate::solver::step::ACCELERATION;
+use crate::solver::{Condition, Order};
+use crate::{Ball, Double, Number};
+
+/// A method with all the room that it needs: solving allocates nothing.
+pub(crate) struct Runner {
+    work: Work,
+}
+
+#[expect(
+    clippy::large_enum_variant,
+    reason = "there are a score of them, each made once"
+)]
+enum Work {
+    /// What the solver itself does.
+    Solver(State),
+    Bounded {
+        state: State,
+        enclosure: State<Ball>,
+    },
+    Single {
+        guide: State,
+        state: State<f32>,
+    },
+    Polished {
+        closed: State,
+        state: State,
+        exact: State<Double>,
+    },
+    Newton {
+        state: State,
+        tolerance: f64,
+        start: Start,
+    },
+    Bisection {
+        state: State,
+        /// The signs of the dyads in closed form, which tell the side of a change point.
+        signs: Vec<f64>,
+    },
+}
+
+impl Methods {
+    /// A runner of a method that is usable and solves positions; `None` for any other.
+    pub(crate) fn runner(&self, method: Method) -> Option<Runner> {
+        self.usable(method).ok()?;
+        let rows = || {
+            self.rows
+                .as_ref()
+                .map(|rows| rows.engine.state(self.slides))
+        };
+        let work = match method {
+            Method::ClosedForm | Method::Anchored => Work::Solver(self.solver.state()),
+            Method::Bounded => Work::Bounded {
+                state: self.solver.state(),
+                enclosure: self.solver.enclosure(),
+            },
+            Method::Single => Work::Single {
+                guide: self.solver.state(),
+                state: self.solver.engine.state(self.slides),
+            },
+            Method::Polished => Work::Polished {
+                closed: self.solver.state(),
+                state: rows()?,
+                exact: self.rows.as_ref()?.engine.state(self.slides),
+            },
+            Method::Newton { tolerance, start } => Work::Newton {
+                state: rows()?,
+                tolerance,
+                start,
+            },
+            Method::Bisection => Work::Bisection {
+                state: rows()?,
+                signs: self.solver.engine.signs.clone(),
+            },
+            Method::Integration { .. } => return None,
+        };
+        Some(Runner { work })
+    }
+}
+
+impl Runner {
+    /// Puts a method that goes on from the position before to the one that was looked up last.
+    pub(crate) fn begin(&mut self, methods: &Methods) {
+        if let (Work::Newton { state, .. }, Some(rows)) = (&mut self.work, &methods.rows) {
+            for group in &rows.engine.program.coupled {
+                group.read(&methods.guide, &mut group.open(&mut state.scratch));
+            }
+        }
+    }
+
+    /// Solves for the driver's coordinate; whether the method found something.
+    pub(crate) fn solve(&mut self, methods: &Methods, at: f64) -> bool {
+        let Methods { solver, rows, .. } = methods;
+        match (&mut self.work, rows) {
+            (Work::Solver(state), _) => {
+                solver.solve(at, Order::Acceleration, state) == Condition::Ok
+            }
+            (Work::Bounded { state, enclosure }, _) => {
+                let solved = solver.solve(at, Order::Acceleration, state) == Condition::Ok;
+                solver.enclose(state, Order::Acceleration, enclosure);
+                solved
+            }
+            (Work::Single { guide, state }, _) => single(methods, at, guide, state),
+            (
+                Work::Polished {
+                    closed,
+                    state,
+                    exact,
+                },
+                Some(rows),
+            ) => {
+                solver.solve(at, Order::Position, closed) == Condition::Ok
+                    && polished(rows, at, closed, state, exact)
+            }
+            (
+                Work::Newton {
+                    state,
+                    tolerance,
+                    start,
+                },
+                Some(rows),
+            ) => {
+                if *start == Start::Cold {
+                    state.scratch.numbers.copy_from_slice(&rows.opening.numbers);
+                }
+                run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
+                    group.newton(q, *tolerance, state, scratch)
+                })
+            }
+            (Work::Bisection { state, signs }, Some(rows)) => {
+                solver.motion.passages.choose(&solver.engine, at, signs);
+                let mut closings = rows.closings.iter().enumerate();
+                run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
+                    closings.next().is_some_and(|(number, closing)| {
+                        let side = group.side * rows.flip(number, solver, signs);
+                        closing.is_some_and(|way| group.bisect(way, side, q, state, scratch))
+                    })
+                })
+            }
+            (Work::Polished { .. } | Work::Newton { .. } | Work::Bisection { .. }, None) => false,
+        }
+    }
+
+    /// How far the last result is from the state that was looked up last; `None` where it is another
+    /// assembly, or where a bound was to be proved and was not.
+    pub(crate) fn deviation(&mut self, methods: &mut Methods) -> Option<Deviation> {
+        if let Work::Newton { state, .. } | Work::Bisection { state, .. } = &mut self.work
+            && !methods.is_same_assembly(state)
+        {
+            return None;
+        }
+        let (subjects, reference) = (&methods.subjects, &methods.reference);
+        if let Work::Bounded { enclosure, .. } = &self.work
+            && !subjects.hold(enclosure, reference)
+        {
+            return None;
+        }
+        Some(match &self.work {
+            Work::Single { state, .. } => subjects.deviation(state, reference),
+            Work::Solver(state)
+            | Work::Bounded { state, .. }
+            | Work::Polished { state, .. }
+            | Work::Newton { state, .. }
+            | Work::Bisection { state, .. } => subjects.deviation(state, reference),
+        })
+    }
+}
+
+/// The closed forms in single precision; coupled groups from the solver's anchors. The assembly is
+/// that of the solver, which chooses it without solving anything.
+fn single(methods: &Methods, at: f64, guide: &mut State, state: &mut State<f32>) -> bool {
+    /// Steps of Newton's method no longer shrink below the rounding of single precision.
+    const TOLERANCE: f64 = 1e-5;
+    let solver = &methods.solver;
+    solver.motion.anchors.aim(&solver.engine, at, guide);
+    solver
+        .motion
+        .passages
+        .choose(&solver.engine, at, &mut guide.signs);
+    follow(guide, state);
+    let at = f32::exactly(at);
+    run::<_, ACCELERATION>(&solver.engine, at, state, |group, q, state, scratch| {
+        group.newton(q, TOLERANCE, state, scratch)
+    })
+}
+
+/// Group by group from the closed form, each from the corrected places of those before.
+fn polished(
+    rows: &Rows,
+    at: f64,
+    closed: &State,
+    state: &mut State,
+    exact: &mut State<Double>,
+) -> bool {
+    let mut inputs = rows.inputs.iter();
+    run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
+        let (points, links) = inputs.next().map_or((&[][..], &[][..]), |(p, l)| (p, l));
+        for point in points {
+            exact.points[point.index()].p = state.points[point.index()].p.exactly();
+        }
+        for link in links {
+            exact.links[link.index()].d = state.links[link.index()].d.exactly();
+        }
+        group.read(closed, &mut group.open(scratch));
+        let mut fine = std::mem::take(&mut exact.scratch);
+        let done = group.polish(q, state, scratch, exact, &mut fine);
+        exact.scratch = fine;
+        done
+    })
+}

@@ -1,0 +1,46 @@
+//! The best front: what no other beats in time and error at once.
+
+/// An error counts as smaller from this factor on: the largest of some thousand errors of rounding is
+/// itself a matter of chance.
+const GRAIN: f64 = 1.2;
+
+/// For every pair of time and error whether it is of the best front: no other is faster and not
+/// clearly further off, or as fast and nearer. `None` takes no part.
+pub(super) fn front(costs: &[Option<[f64; 2]>]) -> Vec<bool> {
+    let beats = |[time, error]: &[f64; 2], own: &[f64; 2]| {
+        (*time < own[0] && *error <= GRAIN * own[1]) || (*time <= own[0] && *error < own[1])
+    };
+    let is_best = |own: &[f64; 2]| !costs.iter().flatten().any(|other| beats(other, own));
+    costs
+        .iter()
+        .map(|own| own.as_ref().is_some_and(is_best))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_front_is_what_nothing_beats() {
+        let costs = [
+            Some([25.0, 1.7e-7]),
+            Some([57.0, 3.0e-16]),
+            Some([97.0, 1.0e-16]),
+            Some([157.0, 3.4e-16]),
+            Some([5869.0, 6.9e-16]),
+            None,
+            Some([97.0, 2.0e-16]),
+            // Slower, and nearer by no more than chance.
+            Some([120.0, 0.9e-16]),
+        ];
+        let best = [true, true, true, false, false, false, false, false];
+        assert_eq!(front(&costs), best);
+    }
+
+    #[test]
+    fn equals_do_not_beat_each_other() {
+        assert_eq!(front(&[Some([1.0, 1.0]), Some([1.0, 1.0])]), [true, true]);
+        assert!(front(&[]).is_empty());
+    }
+}

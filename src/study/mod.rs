@@ -1,0 +1,387 @@
+//! Speed against error: every method that could solve a mechanism, measured on it.
+//!
+//! A [`Study`] is done in small pieces, so that whoever runs it can show how far it has come, answer
+//! keys in between, or stop: what has been measured so far can be read at any time. First all methods
+//! are held against a reference of twice the precision, position by position; then they are timed, in
+//! rounds, so that whatever else the machine does meets them all alike; then the integrations run.
+//!
+//! Nothing here solves anything: the methods are the solver's, on the same rows. Time comes in from
+//! outside, and no text goes out.
+
+mod cycle;
+mod findings;
+mod front;
+mod rk4;
+mod spread;
+mod tally;
+
+pub use crate::solver::{Method, Start, Unfit};
+pub use findings::{Errors, Figures, Finding, Findings, Verdict};
+pub use spread::Spread;
+
+use crate::Mechanism;
+use crate::solver::{Deviation, Methods, Range, Runner, Solver};
+use cycle::Cycle;
+use std::hint::black_box;
+use std::time::Duration;
+use tally::{Stopwatch, Tally};
+
+/// Positions over 360 degrees, or over the range, where nothing else is asked for.
+pub const USUAL_POSITIONS: u32 = 3600;
+
+/// Samples of a method's time.
+const SAMPLES: usize = 21;
+
+/// Tolerances of Newton's method.
+const TOLERANCES: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-14];
+/// Steps of an integration in 360 degrees, and the cycles in which its error is looked at.
+const STEPS: [u16; 3] = [36, 360, 3600];
+const TURNS: [u16; 2] = [1, 1000];
+
+/// How much of the study is done when the errors are known, and when the times are, too: as measured
+/// on the four-bar of the lectures.
+const ERRORS_DONE: f64 = 0.1;
+const TIMES_DONE: f64 = 0.25;
+
+/// All methods, in the order of their letters.
+#[must_use]
+pub fn all_methods() -> Vec<Method> {
+    let newton = |start| TOLERANCES.map(|tolerance| Method::Newton { tolerance, start });
+    let integration = |steps| TURNS.map(|turns| Method::Integration { steps, turns });
+    let closed = [
+        Method::ClosedForm,
+        Method::Anchored,
+        Method::Bounded,
+        Method::Polished,
+        Method::Single,
+    ];
+    let mut methods = closed.to_vec();
+    methods.extend([Start::Warm, Start::Cold].into_iter().flat_map(newton));
+    methods.push(Method::Bisection);
+    methods.extend(STEPS.into_iter().flat_map(integration));
+    methods
+}
+
+/// A method and what has been measured of it.
+struct Contender {
+    method: Method,
+    work: Work,
+    tally: Tally,
+    watch: Stopwatch,
+}
+
+enum Work {
+    Unfit(Unfit),
+    /// It solves positions; `next` is the one that is timed next.
+    Solves {
+        runner: Box<Runner>,
+        next: usize,
+    },
+    /// It goes through cycles; `None` before it has begun, and where it could not.
+    Integrates(Option<Box<Cycle>>),
+}
+
+/// What is done next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    Errors { place: usize },
+    Times { round: usize, contender: usize },
+    Cycles { contender: usize },
+    Done,
+}
+
+/// A study of the methods by which a mechanism can be solved.
+pub struct Study {
+    methods: Methods,
+    contenders: Vec<Contender>,
+    /// In the order in which they are visited.
+    places: Vec<f64>,
+    /// Those of them at which there is something to compare.
+    sound: Vec<f64>,
+    /// Whether methods that go on from the position before have to be put there.
+    anew: bool,
+    /// The largest velocity and acceleration.
+    sizes: Deviation,
+    stage: Stage,
+}
+
+impl Study {
+    /// A study of all methods at `positions` positions in 360 degrees, or over the range; rounded up to
+    /// a multiple of 360.
+    #[must_use]
+    pub fn new(mechanism: &Mechanism, solver: &Solver, positions: u32) -> Study {
+        Study::of(&all_methods(), mechanism, solver, positions)
+    }
+
+    /// The same for some methods.
+    #[must_use]
+    pub fn of(list: &[Method], mechanism: &Mechanism, solver: &Solver, positions: u32) -> Study {
+        let methods = Methods::new(mechanism, solver);
+        let contender = |&method: &Method| Contender {
+            method,
+            work: match (methods.usable(method), methods.runner(method)) {
+                (Err(unfit), _) => Work::Unfit(unfit),
+                (Ok(()), Some(runner)) => Work::Solves {
+                    runner: Box::new(runner),
+                    next: 0,
+                },
+                (Ok(()), None) => Work::Integrates(None),
+            },
+            tally: Tally::default(),
+            watch: Stopwatch::default(),
+        };
+        Study {
+            contenders: list.iter().map(contender).collect(),
+            places: places(methods.range(), positions),
+            methods,
+            sound: Vec::new(),
+            anew: true,
+            sizes: Deviation::default(),
+            stage: Stage::Errors { place: 0 },
+        }
+    }
+
+    /// Works for about as long as `budget`, by a clock that only goes forward; whether there is more to
+    /// do. A piece of work takes a millisecond or so.
+    pub fn advance(&mut self, clock: &mut dyn FnMut() -> Duration, budget: Duration) -> bool {
+        let end = clock() + budget;
+        while self.stage != Stage::Done {
+            self.piece(clock);
+            if clock() >= end {
+                break;
+            }
+        }
+        self.stage != Stage::Done
+    }
+
+    /// How much is done, from 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        let part = |done: usize, all: usize| done as f64 / all.max(1) as f64;
+        match self.stage {
+            Stage::Errors { place } => ERRORS_DONE * part(place, self.places.len()),
+            Stage::Times { round, .. } => {
+                ERRORS_DONE + (TIMES_DONE - ERRORS_DONE) * part(round, SAMPLES)
+            }
+            Stage::Cycles { .. } => TIMES_DONE + (1.0 - TIMES_DONE) * self.integrated(),
+            Stage::Done => 1.0,
+        }
+    }
+
+    /// The method that is measured now, where it is one alone.
+    #[must_use]
+    pub fn current(&self) -> Option<Method> {
+        match self.stage {
+            Stage::Cycles { contender } => self.contenders.get(contender).map(|c| c.method),
+            Stage::Errors { .. } | Stage::Times { .. } | Stage::Done => None,
+        }
+    }
+
+    /// What has been measured so far.
+    #[must_use]
+    pub fn findings(&self) -> Findings {
+        let found = |(key, contender): (char, &Contender)| Finding {
+            key,
+            method: contender.method,
+            verdict: self.verdict(contender),
+            best: false,
+        };
+        let mut methods: Vec<_> = ('a'..).zip(&self.contenders).map(found).collect();
+        findings::mark_best(&mut methods);
+        Findings {
+            methods,
+            longest: self.methods.longest(),
+            positions: self.sound.len(),
+            finished: self.stage == Stage::Done,
+        }
+    }
+
+    fn verdict(&self, contender: &Contender) -> Verdict {
+        let Contender { tally, watch, .. } = contender;
+        match &contender.work {
+            Work::Unfit(unfit) => Verdict::Unfit(*unfit),
+            _ if tally.tried == 0 => Verdict::Pending,
+            Work::Solves { .. } | Work::Integrates(_) => Verdict::Measured(Figures {
+                time: Spread::of(watch.samples()),
+                errors: tally.errors(self.sizes),
+                tried: tally.tried,
+                failures: tally.failures,
+            }),
+        }
+    }
+
+    // ---- pieces of work
+
+    fn piece(&mut self, clock: &mut dyn FnMut() -> Duration) {
+        self.stage = match self.stage {
+            Stage::Errors { place } => match self.places.get(place) {
+                Some(&at) => {
+                    self.compare(at);
+                    Stage::Errors { place: place + 1 }
+                }
+                None => Stage::Times {
+                    round: 0,
+                    contender: 0,
+                },
+            },
+            Stage::Times { round, .. } if round == SAMPLES || self.sound.is_empty() => {
+                Stage::Cycles { contender: 0 }
+            }
+            Stage::Times { round, contender } if contender == self.contenders.len() => {
+                Stage::Times {
+                    round: round + 1,
+                    contender: 0,
+                }
+            }
+            Stage::Times { round, contender } => {
+                let taken = self.time(contender, clock);
+                let contender = contender + usize::from(taken);
+                Stage::Times { round, contender }
+            }
+            Stage::Cycles { contender } if contender == self.contenders.len() => Stage::Done,
+            Stage::Cycles { contender } => {
+                let done = self.integrate(contender, clock);
+                let contender = contender + usize::from(done);
+                Stage::Cycles { contender }
+            }
+            Stage::Done => Stage::Done,
+        };
+    }
+
+    /// Holds every method that solves positions against the reference.
+    fn compare(&mut self, at: f64) {
+        let methods = &mut self.methods;
+        if !methods.look_up(at) {
+            self.anew = true;
+            return;
+        }
+        self.sound.push(at);
+        self.sizes = self.sizes.max(methods.sizes());
+        for Contender { work, tally, .. } in &mut self.contenders {
+            let Work::Solves { runner, .. } = work else {
+                continue;
+            };
+            if self.anew {
+                runner.begin(methods);
+            }
+            let found = runner.solve(methods, at);
+            let deviation = found.then(|| runner.deviation(methods)).flatten();
+            let met = tally.note(deviation);
+            if !met {
+                runner.begin(methods);
+            }
+        }
+        self.anew = false;
+    }
+
+    /// Takes one sample of a method's time; false where it was too short to count, and the next one
+    /// will be longer.
+    fn time(&mut self, contender: usize, clock: &mut dyn FnMut() -> Duration) -> bool {
+        let (methods, sound) = (&mut self.methods, &self.sound);
+        let Contender { work, watch, .. } = &mut self.contenders[contender];
+        let Work::Solves { runner, next } = work else {
+            return true;
+        };
+        watch.take(clock, usize::MAX, |count| {
+            for _ in 0..count {
+                let at = sound[*next % sound.len()];
+                *next += 1;
+                if !black_box(runner.solve(methods, black_box(at))) {
+                    methods.guide_to(at);
+                    runner.begin(methods);
+                }
+            }
+        })
+    }
+
+    /// Goes on with an integration; whether it is finished.
+    fn integrate(&mut self, contender: usize, clock: &mut dyn FnMut() -> Duration) -> bool {
+        let (methods, sound) = (&mut self.methods, &self.sound);
+        let Contender {
+            method,
+            work,
+            tally,
+            watch,
+        } = &mut self.contenders[contender];
+        let (Work::Integrates(cycle), &mut Method::Integration { steps, turns }) = (work, method)
+        else {
+            return true;
+        };
+        match cycle {
+            Some(cycle) => cycle.go_on(methods, tally, watch, clock),
+            None => {
+                let start = sound.first().copied().unwrap_or_default();
+                *cycle = Cycle::begin(methods, start, steps, turns).map(Box::new);
+                if cycle.is_none() {
+                    tally.note(None);
+                }
+                cycle.is_none()
+            }
+        }
+    }
+
+    /// How much of all integrations is done.
+    fn integrated(&self) -> f64 {
+        let (mut done, mut all) = (0.0, 0.0);
+        for (i, contender) in self.contenders.iter().enumerate() {
+            if let (Work::Integrates(cycle), Method::Integration { steps, turns }) =
+                (&contender.work, contender.method)
+            {
+                let share = f64::from(steps) * f64::from(turns);
+                let is_past = matches!(self.stage, Stage::Cycles { contender } if i < contender);
+                let own = cycle.as_ref().map_or(0.0, |cycle| cycle.progress());
+                done += share * if is_past { 1.0 } else { own };
+                all += share;
+            }
+        }
+        if all > 0.0 { done / all } else { 1.0 }
+    }
+}
+
+/// The study's state; what is behind it is long and says nothing to a reader.
+impl std::fmt::Debug for Study {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Study")
+            .field("stage", &self.stage)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Steps of one pass: Newton's method, begun at the position before, has a degree to go.
+const PASS: u32 = 360;
+
+/// The positions in the order of the visit: several passes in steps of a degree, or of a 360th of the
+/// range, each a little beside the one before. Where there are limits, to and fro.
+fn places(range: Range, positions: u32) -> Vec<f64> {
+    let passes = positions.div_ceil(PASS).max(1);
+    let share = |k: u32, pass: u32, offset: f64| {
+        f64::from(k) + (f64::from(pass) + offset) / f64::from(passes)
+    };
+    match range {
+        Range::Full { period } => {
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a few turns"
+            )]
+            let degrees = period as u32;
+            let pass = |pass| (0..degrees).map(move |k| share(k, pass, 0.0));
+            (0..passes).flat_map(pass).collect()
+        }
+        Range::Limited { low, high } => {
+            // Neither end is a place: there, rates do not exist.
+            let at = |k, pass| low + (high - low) * (share(k, pass, 0.5) / f64::from(PASS));
+            let pass = |pass: u32| {
+                let on = (0..PASS).map(move |k| {
+                    if pass.is_multiple_of(2) {
+                        k
+                    } else {
+                        PASS - 1 - k
+                    }
+                });
+                on.map(move |k| at(k, pass))
+            };
+            (0..passes).flat_map(pass).collect()
+        }
+    }
+}
