@@ -2,6 +2,10 @@
 //!
 //! Tables, plots, CSV columns, JSON keys and the demand given to the solver all come from here.
 
+mod sensitivity;
+
+pub use sensitivity::{Derivatives, Sensitivity};
+
 use crate::nearest::nearest;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Condition, Demand, Order, State};

@@ -16,6 +16,7 @@ mod fault;
 mod frame;
 mod lu;
 mod motion;
+mod neighbour;
 mod network;
 mod order;
 mod passage;
@@ -27,6 +28,7 @@ mod twice;
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
 pub use motion::{Motion, Range};
+pub use neighbour::Neighbour;
 pub use plan::{Group, GroupKind, Plan};
 pub use state::{Condition, State, Travel};
 
@@ -67,6 +69,8 @@ const FEW_RIVALS: usize = 8;
 #[derive(Clone)]
 pub struct Solver {
     engine: Engine,
+    /// What the groups were made from, to make them again for other lengths.
+    ordering: Ordering,
     plan: Plan,
     motion: Motion,
     first_loop: Option<Loop>,
@@ -120,6 +124,7 @@ impl Solver {
         Ok(Solver {
             first_loop,
             engine,
+            ordering: ordering.clone(),
             plan,
             motion,
             slides,

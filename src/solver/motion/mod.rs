@@ -11,6 +11,7 @@ mod limits;
 mod walk;
 
 pub(super) use anchors::{Anchors, positive_remainder};
+pub(super) use walk::MISFIT;
 
 use super::engine::Engine;
 use super::fault::Fault;

@@ -9,7 +9,7 @@ use crate::solver::{Order, angle_turn};
 
 /// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
 /// in units of about the longest link.
-const MISFIT: f64 = 1e-11;
+pub(in crate::solver) const MISFIT: f64 = 1e-11;
 /// No link turns more than this (as the length of the change of its unit vector) in one step.
 const TURN_STEP: f64 = 0.2;
 /// A coupled group's first correction may be this part of the predicted move: else the step could
