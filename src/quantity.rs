@@ -379,6 +379,16 @@ impl Catalogue {
         &self.quantities[0]
     }
 
+    /// All but those of the driver.
+    #[must_use]
+    pub fn figures(&self) -> Vec<Quantity> {
+        let figures = self.quantities.iter();
+        figures
+            .filter(|q| q.subject != Subject::Driver)
+            .cloned()
+            .collect()
+    }
+
     /// The quantities that match the patterns, in the order of the patterns, each once; `*` stands
     /// for any run of characters. The driver's coordinate is left out: it always comes first.
     ///

@@ -1,12 +1,12 @@
 //! The commands that take a line or two each.
 
 use super::args::{CheckArgs, CheckFormat, Cli, Format, TableArgs};
-use super::failure::Failure;
+use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
-use crate::quantity::Catalogue;
-use crate::report::{Check, Tables, TextStyle, range_text};
+use crate::quantity::{Catalogue, Sensitivity};
+use crate::report::{Answers, Check, NO_ANSWER, Tables, TextStyle, range_text};
 use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order};
 use clap::{Command, CommandFactory};
@@ -51,7 +51,16 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
             range_text(solver.motion().range, driver)
         )));
     }
-    let tables = Tables::new(&scene, &state);
+    let mut tables = Tables::new(&scene, &state);
+    if args.figures.sensitivity {
+        let figures = Catalogue::new(&scene).figures();
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
+        let answers = Answers::at(&mut sensitivity, tables.unit, at);
+        if answers.list.is_none() {
+            note(NO_ANSWER, screen);
+        }
+        tables.answers = Some(answers);
+    }
     let style = TextStyle {
         digits: usize::from(args.figures.digits),
         units: !args.figures.no_units,

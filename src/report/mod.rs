@@ -6,6 +6,7 @@
 //! empty cell or `null`, never 0 and never NaN. Everything here writes plain ASCII, but for titles
 //! and notes of a scene where the reader can show them.
 
+mod answers;
 mod check;
 mod check_text;
 mod loop_facts;
@@ -17,6 +18,7 @@ mod tables_data;
 mod tables_text;
 mod text;
 
+pub use answers::{Answer, Answers, NO_ANSWER};
 pub use check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
 };
@@ -24,3 +26,5 @@ pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TextStyle;
+#[cfg(feature = "tui")]
+pub(crate) use text::wrapped;

@@ -1,5 +1,6 @@
 //! The position, velocity and acceleration tables of one state, laid out as in the lectures.
 
+use super::answers::Answers;
 use crate::quantity::{Aspect, Subject, value};
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Order, State};
@@ -90,6 +91,8 @@ pub struct Tables {
     pub vectors: Vec<VectorColumn>,
     /// The named points: joints, further points and centres of mass.
     pub points: Vec<PointRow>,
+    /// What the given lengths do to the figures, where that was asked for.
+    pub answers: Option<Answers>,
 }
 
 impl Tables {
@@ -114,6 +117,7 @@ impl Tables {
             condition: state.condition(),
             vectors: vectors.chain(without_ends).collect(),
             points: point_rows(scene, state),
+            answers: None,
         }
     }
 }

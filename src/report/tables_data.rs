@@ -1,5 +1,6 @@
 //! The tables for other programs: CSV, a line per figure, and JSON.
 
+use super::answers::Answers;
 use super::number::shortest;
 use super::sweep::plain;
 use super::tables::{Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
@@ -57,7 +58,8 @@ fn vector_figures(vector: &VectorColumn) -> impl Iterator<Item = (Aspect, Entry)
 }
 
 impl Tables {
-    /// One line per figure: `name,value,unit,entry`, where `entry` tells given from found.
+    /// One line per figure: `name,value,unit,entry`, where `entry` tells given from found; where it was
+    /// asked for, `sensitivity`, the length that matters `most` and the derivative `by` it behind them.
     ///
     /// # Errors
     /// Those of the writer.
@@ -65,8 +67,12 @@ impl Tables {
         let mut lines = Lines {
             csv: csv::Writer::from_writer(to),
             units,
+            answers: self.answers.as_ref(),
         };
-        lines.record(["name", "value", "unit", "entry"])?;
+        lines.record(
+            ["name", "value", "unit", "entry"],
+            ["sensitivity", "most", "by"],
+        )?;
         for (name, value, unit) in self.driver_figures() {
             lines.figure(&name, Some(value), &unit, true)?;
         }
@@ -85,7 +91,7 @@ impl Tables {
                 }
             }
         }
-        lines.record(["state", state_word(self.condition), "", ""])?;
+        lines.record(["state", state_word(self.condition), "", ""], [""; 3])?;
         lines.csv.flush()
     }
 
@@ -122,6 +128,9 @@ impl Tables {
         object.insert("vectors".into(), vectors.collect());
         let points = self.points.iter().map(point_json);
         object.insert("points".into(), points.collect());
+        if let Some(answers) = &self.answers {
+            object.insert("sensitivity".into(), answers.to_json(units));
+        }
         Value::Object(object)
     }
 
@@ -172,20 +181,21 @@ fn point_json(point: &PointRow) -> Value {
     Value::Object(object)
 }
 
-struct Lines<W: Write> {
+struct Lines<'a, W: Write> {
     csv: csv::Writer<W>,
     units: bool,
+    answers: Option<&'a Answers>,
 }
 
-impl<W: Write> Lines<W> {
-    fn record(&mut self, cells: [&str; 4]) -> io::Result<()> {
+impl<W: Write> Lines<'_, W> {
+    /// What is always there, and what the lengths do.
+    fn record(&mut self, cells: [&str; 4], answer: [&str; 3]) -> io::Result<()> {
         let [name, value, unit, entry] = cells;
-        if self.units {
-            self.csv.write_record([name, value, unit, entry])
-        } else {
-            self.csv.write_record([name, value, entry])
-        }
-        .map_err(plain)
+        let unit = self.units.then_some(unit);
+        let answer = self.answers.map(|_| answer);
+        let cells = [name, value].into_iter().chain(unit).chain([entry]);
+        let cells = cells.chain(answer.into_iter().flatten());
+        self.csv.write_record(cells).map_err(plain)
     }
 
     fn figure(
@@ -195,11 +205,22 @@ impl<W: Write> Lines<W> {
         unit: &str,
         given: bool,
     ) -> io::Result<()> {
-        let mut text = String::new();
-        if let Some(value) = value {
-            shortest(value, &mut text).map_err(io::Error::other)?;
-        }
         let entry = if given { "given" } else { "found" };
-        self.record([name, &text, unit, entry])
+        let answer = self.answers.and_then(|answers| answers.of(name));
+        let most = answer.and_then(|answer| answer.most.as_ref());
+        let length = most.map_or("", |(length, _)| length);
+        let value = cell(value)?;
+        let worst = cell(answer.map(|answer| answer.worst))?;
+        let by = cell(most.map(|(_, derivative)| *derivative))?;
+        self.record([name, &value, unit, entry], [&worst, length, &by])
     }
+}
+
+/// The shortest form of a value; nothing where none exists.
+fn cell(value: Option<f64>) -> io::Result<String> {
+    let mut text = String::new();
+    if let Some(value) = value {
+        shortest(value, &mut text).map_err(io::Error::other)?;
+    }
+    Ok(text)
 }

@@ -30,6 +30,7 @@ impl Tables {
         parts.extend(ORDERS.map(|order| writer.vector_table(order)));
         parts.push(writer.legend());
         parts.extend(ORDERS.map(|order| writer.point_table(order)));
+        parts.extend(self.answers.iter().map(|answers| answers.to_text(style)));
         parts.retain(|part| !part.is_empty());
         parts.join("\n")
     }

@@ -80,7 +80,7 @@ impl Grid {
 }
 
 /// The words of a text in lines of at most `width` characters; a longer word has its own line.
-pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
         match lines.last_mut() {

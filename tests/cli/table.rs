@@ -37,6 +37,60 @@ r4.com                   355.708   116.890   374.422          18.1911
     assert!(text.starts_with(expected), "{text}");
 }
 
+/// A line per figure that some length changes: at the worst, and by the length that matters most.
+#[test]
+fn sensitivity_stands_apart_from_the_figures() {
+    let args = ["table", "four-bar", "--sensitivity"];
+    let text = done(&args);
+    let (tables, lengths) = text.split_once("\nchange for 1 mm").unwrap();
+    assert_eq!(format!("{tables}\n"), done(&args[..2]) + "\n");
+    assert!(
+        lengths.contains("\nC.x [mm]                       4.18    0.946  r3.length\n"),
+        "{text}"
+    );
+    assert!(!lengths.contains("A.x [mm]"), "{text}");
+
+    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    let header = csv.lines().next().unwrap();
+    assert_eq!(header, "name,value,unit,entry,sensitivity,most,by");
+    let by_name: BTreeMap<String, Vec<String>> = rows(&csv)
+        .into_iter()
+        .map(|row| (row[0].clone(), row))
+        .collect();
+    assert_eq!(by_name["C.x"][5], "r3.length");
+    assert_eq!(by_name["r2.length"][4], "");
+    assert_eq!(by_name["r2.angle"][4..], ["0", "", ""]);
+
+    let object = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let figure = &object["sensitivity"]["C.x"];
+    assert_eq!(figure["unit"], "mm per mm");
+    let by = figure["by"].as_object().unwrap();
+    let sum: f64 = by.values().map(|d| d.as_f64().unwrap().abs()).sum();
+    let worst: f64 = by_name["C.x"][4].parse().unwrap();
+    assert!((sum - worst).abs() < 1e-12, "{sum}, {worst}");
+    assert_eq!(figure["sum"].as_f64().unwrap(), worst);
+    assert!(
+        by.contains_key("D.x") && !by.contains_key("r2.com.x"),
+        "{by:?}"
+    );
+}
+
+/// With other lengths three parallel cranks would jam: nothing is made up, and it is said why.
+#[test]
+fn where_there_is_no_sensitivity_it_is_said() {
+    let mut command = command(&["table", "-", "--sensitivity", "--format", "json"]);
+    let heard = run(command.write_stdin(PARALLEL_CRANKS));
+    assert_eq!(heard.code, 0);
+    assert!(json(&heard.out)["sensitivity"].is_null(), "{}", heard.out);
+    assert!(
+        heard
+            .err
+            .starts_with("note: the figures have no derivatives"),
+        "{}",
+        heard.err
+    );
+}
+
 /// All figures of a table by name.
 fn figures(scene: &str, at: &str) -> BTreeMap<String, f64> {
     let csv = done(&["table", scene, "--at", at, "--format", "csv"]);
