@@ -158,6 +158,25 @@ fn shows_all_tables() {
     insta::assert_snapshot!("tables-ascii-40x12-scrolled", scrolled);
 }
 
+/// What a length that is off does to the figures: a view of its own, which follows the driver.
+#[test]
+fn shows_what_the_lengths_do() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    insta::assert_snapshot!("lengths-ascii-80x24", session.press("e").look());
+    let elsewhere = session.press(".").look();
+    assert!(elsewhere.contains("65.00 deg"), "{elsewhere}");
+    assert_ne!(elsewhere, session.press(".").look());
+    let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
+    insta::assert_snapshot!("lengths-ascii-40x12", tiny.press("e PgDn").look());
+    // A redundant linkage jams where a length is off, and the view says so.
+    let mut jammed = Session::new(preset("triple-parallelogram"), Glyphs::Ascii, 80, 24);
+    let screen = jammed.press("Tab Tab").look();
+    assert!(screen.contains("no derivatives by the lengths"), "{screen}");
+    // Another scene is asked the same.
+    let screen = jammed.press("n").look();
+    assert!(screen.contains("C.x [mm]"), "{screen}");
+}
+
 #[test]
 fn shows_the_keys() {
     let mut session = four_bar(Glyphs::Braille, 80, 24);

@@ -38,6 +38,8 @@ pub(crate) enum Action {
     MotionView,
     /// The tables view.
     TablesView,
+    /// The view of what the given lengths do.
+    LengthsView,
     /// A line up.
     LineUp,
     /// A line down.
@@ -88,7 +90,7 @@ const fn entry(
 /// All actions with their keys, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static ACTIONS: [Entry; 26] = {
+pub(crate) static ACTIONS: [Entry; 27] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     [
@@ -108,6 +110,7 @@ pub(crate) static ACTIONS: [Entry; 26] = {
         entry(A::NextView, "view", "the next view", &[Key::Tab]),
         entry(A::MotionView, "motion", "motion and live tables", &[Char('1')]),
         entry(A::TablesView, "tables", "all tables", &[Char('2')]),
+        entry(A::LengthsView, "lengths", "what each length does", &[Char('e')]),
         entry(A::LineUp, "up", "scroll up", &[Key::Up, Char('k')]),
         entry(A::LineDown, "scroll", "scroll down", &[Key::Down, Char('j')]),
         entry(A::PageUp, "page up", "scroll a screen up", &[Key::PageUp]),

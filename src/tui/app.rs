@@ -33,6 +33,8 @@ pub(crate) enum View {
     Motion,
     /// All tables.
     Tables,
+    /// What the given lengths do to the figures.
+    Lengths,
 }
 
 /// What the terminal has to do after an action.
@@ -61,8 +63,8 @@ pub(crate) struct App {
     playback: Playback,
     view: View,
     mode: Mode,
-    /// Lines that each view is scrolled by: motion, tables.
-    scroll: [usize; 2],
+    /// Lines that each view is scrolled by: motion, tables, lengths.
+    scroll: [usize; 3],
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -85,7 +87,7 @@ impl App {
             playback: Playback::new(),
             view: View::Motion,
             mode: Mode::Normal,
-            scroll: [0; 2],
+            scroll: [0; 3],
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -221,8 +223,9 @@ impl App {
             Action::PreviousPreset => self.open(-1),
             Action::Glyphs => self.next_glyphs(),
             Action::NextView => self.next_view(),
-            Action::MotionView => self.view = View::Motion,
-            Action::TablesView => self.view = View::Tables,
+            Action::MotionView => self.look(View::Motion),
+            Action::TablesView => self.look(View::Tables),
+            Action::LengthsView => self.look(View::Lengths),
         }
         Effect::Show
     }
@@ -324,7 +327,8 @@ impl App {
                 self.opened += 1;
                 self.steps = steps_of(&self.stage);
                 self.playback = Playback::new();
-                self.scroll = [0; 2];
+                self.scroll = [0; 3];
+                self.look(self.view);
             }
             Err(message) => self.message = Some(message),
         }
@@ -342,10 +346,17 @@ impl App {
     }
 
     fn next_view(&mut self) {
-        self.view = match self.view {
+        self.look(match self.view {
             View::Motion => View::Tables,
-            View::Tables => View::Motion,
-        };
+            View::Tables => View::Lengths,
+            View::Lengths => View::Motion,
+        });
+    }
+
+    /// Looks at a view; what the lengths do is found only while it is looked at.
+    fn look(&mut self, view: View) {
+        self.view = view;
+        self.stage.answer(view == View::Lengths);
     }
 
     fn page(&self) -> isize {

@@ -111,6 +111,20 @@ fn scientific(value: f64, width: usize) -> String {
     format!("{value:.*e}", width.saturating_sub(3 + excess))
 }
 
+/// Three significant digits within a width: a derivative that is read by eye.
+pub(crate) fn short(value: f64, width: usize) -> String {
+    let plain = format!(
+        "{value:.*}",
+        usize::try_from(2 - exponent(value)).unwrap_or(0).min(5)
+    );
+    let fits = plain.len() <= width && (value == 0.0 || value.abs() >= 1e-3);
+    match (value == 0.0, fits) {
+        (true, _) => "0".into(),
+        (false, true) => plain,
+        (false, false) => format!("{value:.2e}"),
+    }
+}
+
 /// The power of ten of the first digit.
 fn exponent(size: f64) -> i32 {
     let text = format!("{size:e}");

@@ -4,7 +4,8 @@ use super::course::Course;
 use super::sheet::Sheet;
 use super::{Opened, Origin};
 use crate::drawing::Reach;
-use crate::report::Tables;
+use crate::quantity::{Catalogue, Sensitivity};
+use crate::report::{Answers, Tables};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, harmless};
 use crate::solver::{Condition, Order, Solver, State};
@@ -24,7 +25,19 @@ pub(crate) struct Stage {
     at: f64,
     state: State,
     tables: Tables,
+    /// What the given lengths do, while that is looked at.
+    answers: Option<Asked>,
 }
+
+/// What is asked about the given lengths, and what came of it.
+#[derive(Debug)]
+struct Asked {
+    sensitivity: Sensitivity,
+    answers: Answers,
+}
+
+/// Of more lengths than this a frame would be late.
+const MOST_LENGTHS: usize = 200;
 
 impl Stage {
     /// Opens a scene where it says.
@@ -38,6 +51,7 @@ impl Stage {
         Stage {
             sheet: Sheet::new(&samples),
             tables: Tables::new(&opened.scene, &state),
+            answers: None,
             opened,
             course,
             reach,
@@ -52,6 +66,31 @@ impl Stage {
         let solver = &self.opened.solver;
         solver.solve(at, Order::Acceleration, &mut self.state);
         self.tables = Tables::new(&self.opened.scene, &self.state);
+        if let Some(asked) = &mut self.answers {
+            let unit = self.opened.scene.unit.symbol();
+            asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
+        }
+    }
+
+    /// Finds what the given lengths do, here and from now on, or ceases to.
+    pub(crate) fn answer(&mut self, wanted: bool) {
+        let Opened { scene, solver, .. } = &self.opened;
+        self.answers = None;
+        if wanted && scene.mechanism.lengths().len() <= MOST_LENGTHS {
+            let figures = Catalogue::new(scene).figures();
+            let mut sensitivity = Sensitivity::new(scene, solver, &figures);
+            let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at);
+            let answers = answers.worth_reading();
+            self.answers = Some(Asked {
+                sensitivity,
+                answers,
+            });
+        }
+    }
+
+    /// What the given lengths do, if that was asked and there are not too many.
+    pub(crate) fn answers(&self) -> Option<&Answers> {
+        self.answers.as_ref().map(|asked| &asked.answers)
     }
 
     pub(crate) fn scene(&self) -> &Scene {

@@ -8,6 +8,7 @@
 //! ```
 
 mod help;
+mod lengths;
 mod motion;
 mod status;
 mod table;
@@ -52,6 +53,7 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
     match app.view() {
         View::Motion => motion::render(app, sketch, body(area), &mut buffer),
         View::Tables => table::render(app, inset(body(area)), &mut buffer),
+        View::Lengths => lengths::render(app, inset(body(area)), &mut buffer),
     }
     if let Mode::Help(scroll) = *app.mode() {
         help::render(app, scroll, body(area), &mut buffer);
@@ -82,6 +84,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (Mode::Help(_), _) => help::extent(body),
         (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
         (_, View::Tables) => table::extent(app, inset(body)),
+        (_, View::Lengths) => lengths::extent(app, inset(body)),
     }
 }
 

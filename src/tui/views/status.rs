@@ -86,6 +86,7 @@ fn mode(app: &App) -> &'static str {
         (Mode::GoTo(_), _) => "go to",
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
+        (Mode::Normal, View::Lengths) => "lengths",
     }
 }
 
@@ -168,7 +169,7 @@ fn offered(app: &App) -> &'static [Action] {
             Action::GoTo,
             Action::NextPreset,
         ],
-        (_, View::Tables) => &[
+        (_, View::Tables | View::Lengths) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,

@@ -19,15 +19,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let most = lines.len().saturating_sub(area.height.into());
     let scroll = app.scroll().min(most);
     let seen = lines.iter().skip(scroll);
-    // In the margin at the right: there is more above, or below.
-    let ends = [
-        ("^", area.top(), scroll > 0),
-        ("v", area.bottom().saturating_sub(1), scroll < most),
-    ];
-    for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
-        let x = area.right() + MARGIN - 1;
-        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
-    }
+    more(area, scroll, lines.len(), buffer);
     for (y, line) in (area.top()..area.bottom()).zip(seen) {
         render_line(
             app,
@@ -39,6 +31,19 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             },
             buffer,
         );
+    }
+}
+
+/// Tells in the margin at the right that there is more above, or below.
+pub(super) fn more(area: Rect, scroll: usize, lines: usize, buffer: &mut Buffer) {
+    let most = lines.saturating_sub(area.height.into());
+    let ends = [
+        ("^", area.top(), scroll > 0),
+        ("v", area.bottom().saturating_sub(1), scroll < most),
+    ];
+    for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
+        let x = area.right() + MARGIN - 1;
+        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
     }
 }
 
