@@ -245,6 +245,9 @@ pub(super) struct FigureArgs {
     /// Leave the units out
     #[arg(long)]
     pub(super) no_units: bool,
+    /// Add what the error of each figure does not exceed; nothing where no bound can be proved
+    #[arg(long)]
+    pub(super) bounds: bool,
     /// Add what the given lengths do to each figure: by how much it changes for one unit of length
     #[arg(long)]
     pub(super) sensitivity: bool,

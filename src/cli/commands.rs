@@ -6,7 +6,7 @@ use super::output::{write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::quantity::{Catalogue, Sensitivity};
-use crate::report::{Answers, Check, NO_ANSWER, Tables, TextStyle, range_text};
+use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, range_text};
 use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order};
 use clap::{Command, CommandFactory};
@@ -61,15 +61,16 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         }
         tables.answers = Some(answers);
     }
-    let style = TextStyle {
+    let style = TableStyle {
         digits: usize::from(args.figures.digits),
         units: !args.figures.no_units,
+        bounds: args.figures.bounds,
         ascii: screen.ascii,
     };
     write_to(args.output.output.as_deref(), |out| match args.format {
         Format::Text => out.write_all(tables.to_text(style).as_bytes()),
-        Format::Csv => tables.write_csv(style.units, out),
-        Format::Json => writeln!(out, "{:#}", tables.to_json(style.units)),
+        Format::Csv => tables.write_csv(style, out),
+        Format::Json => writeln!(out, "{:#}", tables.to_json(style)),
     })
 }
 

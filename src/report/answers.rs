@@ -3,7 +3,7 @@
 
 use super::number::significant;
 use super::tables_data::number;
-use super::tables_text::TextStyle;
+use super::tables_text::TableStyle;
 use super::text::Grid;
 use crate::quantity::Sensitivity;
 use serde_json::{Map, Value, json};
@@ -84,7 +84,7 @@ impl Answers {
     }
 
     /// A line per figure that is worth reading.
-    pub(super) fn to_text(&self, style: TextStyle) -> String {
+    pub(super) fn to_text(&self, style: TableStyle) -> String {
         let step = if style.units {
             format!("change for 1 {}", self.unit)
         } else {

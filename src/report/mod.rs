@@ -25,6 +25,6 @@ pub use check::{
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
-pub use tables_text::TextStyle;
+pub use tables_text::TableStyle;
 #[cfg(feature = "tui")]
 pub(crate) use text::wrapped;

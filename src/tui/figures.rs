@@ -1,6 +1,9 @@
 //! Numbers in a fixed place: as many decimals as their column needs over the whole motion, so that a
 //! figure that changes does not make its neighbours dance.
 
+use crate::report::Entry;
+use std::ops::Range;
+
 /// Significant digits of a figure of usual size.
 const DIGITS: i32 = 6;
 /// More decimals than this say nothing to the eye; smaller figures take an exponent.
@@ -68,38 +71,110 @@ impl Format {
         self.width
     }
 
-    /// The figure; `-` for one that does not exist.
-    pub(crate) fn write(self, value: Option<f64>) -> String {
-        let Some(value) = value.filter(|v| v.is_finite()) else {
-            return "-".into();
+    /// The figure, and which of its digits nothing proves; `-` for one that does not exist.
+    ///
+    /// It reads as zero only where its error may be all that it is, or where nothing is known of its
+    /// error and so many decimals show none of it.
+    pub(crate) fn write(self, entry: &Entry) -> Written {
+        let Some(value) = entry.seen().filter(|v| v.is_finite()) else {
+            return Written::sure("-".into());
         };
-        let Some(decimals) = self.decimals else {
-            return scientific(value, self.width);
+        let text = self.text(value, entry.bound.is_some());
+        let unsure = match entry.bound {
+            Some(bound) => unsure(&text, bound),
+            None => Unsure::Everything,
         };
-        let text = plain(value, decimals);
-        if text.len() <= self.width {
-            text
-        } else {
-            scientific(value, self.width)
+        Written { text, unsure }
+    }
+
+    fn text(self, value: f64, proved: bool) -> String {
+        let plain = self.decimals.map(|decimals| plain(value, decimals));
+        let hidden = |text: &String| proved && value != 0.0 && !has_digits(text);
+        match plain {
+            Some(text) if text.len() <= self.width && !hidden(&text) => text,
+            _ => scientific(value, self.width),
         }
     }
 
     /// A direction in degrees; one that rounds to 360 is 0.
-    pub(crate) fn write_angle(self, value: Option<f64>) -> String {
-        let text = self.write(value);
-        if text == "360.000" {
-            "0.000".into()
+    pub(crate) fn write_angle(self, entry: &Entry) -> Written {
+        let written = self.write(entry);
+        if written.text == "360.000" {
+            let value = Some(0.0);
+            self.write(&Entry { value, ..*entry })
         } else {
-            text
+            written
         }
     }
+}
+
+/// A figure in characters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Written {
+    pub(crate) text: String,
+    pub(crate) unsure: Unsure,
+}
+
+impl Written {
+    /// Text without a digit that might be wrong.
+    pub(crate) fn sure(text: String) -> Written {
+        let unsure = Unsure::Nothing;
+        Written { text, unsure }
+    }
+}
+
+/// Which digits of a figure its bound does not cover.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Unsure {
+    /// None: all of them are proved.
+    Nothing,
+    /// Those at these places of the text.
+    Last(Range<usize>),
+    /// All: there is no bound.
+    Everything,
+}
+
+/// The last digits of a figure: those whose place counts less than twice the bound. Up to the digit
+/// before them the figure is right within one unit, rounding included.
+fn unsure(text: &str, bound: f64) -> Unsure {
+    let (digits, exponent) = match text.split_once('e') {
+        Some((digits, exponent)) => (digits, exponent.parse().unwrap_or(0)),
+        None => (text, 0),
+    };
+    let decimals = digits
+        .split_once('.')
+        .map_or(0, |(_, decimals)| decimals.len());
+    let mut place = exponent - i32::try_from(decimals).unwrap_or(0);
+    let mut from = digits.len();
+    for (at, _) in digits
+        .char_indices()
+        .rev()
+        .filter(|(_, c)| c.is_ascii_digit())
+    {
+        // Read from a decimal, a power of ten is the nearest double.
+        let counts: f64 = format!("1e{place}").parse().unwrap_or(0.0);
+        if counts >= 2.0 * bound {
+            break;
+        }
+        from = at;
+        place += 1;
+    }
+    if from == digits.len() {
+        Unsure::Nothing
+    } else {
+        Unsure::Last(from..digits.len())
+    }
+}
+
+fn has_digits(text: &str) -> bool {
+    text.bytes().any(|b| (b'1'..=b'9').contains(&b))
 }
 
 /// With so many decimals, and no sign in front of a zero.
 fn plain(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
-        Some(digits) if !digits.bytes().any(|b| (b'1'..=b'9').contains(&b)) => digits.to_owned(),
+        Some(digits) if !has_digits(digits) => digits.to_owned(),
         _ => text,
     }
 }
