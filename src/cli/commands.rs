@@ -51,7 +51,13 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
             range_text(solver.motion().range, driver)
         )));
     }
-    let mut tables = Tables::new(&scene, &state);
+    let mut enclosure = solver.enclosure();
+    solver.enclose(&state, Order::Acceleration, &mut enclosure);
+    let mut tables = Tables::bounded(&scene, &state, &enclosure);
+    if args.figures.bounds {
+        let (figures, unproved) = tables.unproved();
+        note_unproved(unproved, figures, "figures", screen);
+    }
     if args.figures.sensitivity {
         let figures = Catalogue::new(&scene).figures();
         let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
@@ -72,6 +78,18 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         Format::Csv => tables.write_csv(style, out),
         Format::Json => writeln!(out, "{:#}", tables.to_json(style)),
     })
+}
+
+/// Says how many of what was written have no bound, and why.
+pub(super) fn note_unproved(unproved: usize, all: usize, what: &str, screen: Screen) {
+    if unproved > 0 {
+        note(
+            &format!(
+                "{unproved} of {all} {what} have no bound: too close to a dead point or a change point for a proof"
+            ),
+            screen,
+        );
+    }
 }
 
 /// `krank completions`.

@@ -27,4 +27,4 @@ pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TableStyle;
 #[cfg(feature = "tui")]
-pub(crate) use text::wrapped;
+pub(crate) use {number::upwards, text::wrapped};

@@ -1,10 +1,10 @@
 //! The position, velocity and acceleration tables of one state, laid out as in the lectures.
 
 use super::answers::Answers;
-use crate::quantity::{Aspect, Subject, value};
+use crate::quantity::{Aspect, Subject, bound, value};
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Order, State};
-use crate::{Body, Input, LinkId, Mechanism, PointId, Slide, SlideId, Slider, Vec2, angle};
+use crate::{Ball, Body, Input, LinkId, Mechanism, PointId, Slide, SlideId, Slider, Vec2, angle};
 use std::f64::consts::FRAC_PI_2;
 
 /// Position, velocity and acceleration: the tables in their order.
@@ -56,9 +56,6 @@ pub(super) fn seen(value: f64, bound: Option<f64>) -> f64 {
     let nought = bound.is_some_and(|bound| value.abs() <= bound);
     if nought { 0.0 } else { value }
 }
-
-/// What the error of a figure does not exceed, where that is proved.
-pub(crate) type Bounds<'a> = &'a dyn Fn(Subject, Aspect) -> Option<f64>;
 
 /// A vector's column in the tables: entries by [`Order`].
 #[derive(Clone, Debug)]
@@ -188,13 +185,35 @@ impl Tables {
     /// Reads the tables from a state that was solved to accelerations, with nothing left out.
     #[must_use]
     pub fn new(scene: &Scene, state: &State) -> Self {
-        Tables::bounded(scene, state, &|_, _| None)
+        Tables::of(scene, state, None)
     }
 
-    /// The same, with what the errors of the figures do not exceed.
+    /// The same, with what the errors of the figures do not exceed: `enclosure` is what
+    /// [`Solver::enclose`](crate::solver::Solver::enclose) made of the state.
     #[must_use]
-    pub(crate) fn bounded(scene: &Scene, state: &State, bounds: Bounds<'_>) -> Self {
-        let reading = Reading { state, bounds };
+    pub fn bounded(scene: &Scene, state: &State, enclosure: &State<Ball>) -> Self {
+        Tables::of(scene, state, Some(enclosure))
+    }
+
+    /// The figures that exist, and of these how many have no bound.
+    #[must_use]
+    pub fn unproved(&self) -> (usize, usize) {
+        let vectors = self.vectors.iter().flat_map(|vector| {
+            let lengths = vector.length.into_iter().flatten();
+            lengths.chain(vector.direction)
+        });
+        let planes = self.points.iter().flat_map(|point| {
+            let planes = point.motion.iter().flatten();
+            planes.flat_map(|plane| plane.entries(point.fixed))
+        });
+        let exist = vectors.chain(planes).filter(|entry| entry.value.is_some());
+        exist.fold((0, 0), |(all, unproved), entry| {
+            (all + 1, unproved + usize::from(entry.bound.is_none()))
+        })
+    }
+
+    fn of(scene: &Scene, state: &State, enclosure: Option<&State<Ball>>) -> Self {
+        let reading = Reading { state, enclosure };
         let mechanism = &scene.mechanism;
         let named = scene.vectors.iter();
         let vectors = named.map(|vector| vector_column(mechanism, vector, &reading));
@@ -221,7 +240,13 @@ impl Tables {
 /// A state, and what is proved of its figures.
 struct Reading<'a> {
     state: &'a State,
-    bounds: Bounds<'a>,
+    enclosure: Option<&'a State<Ball>>,
+}
+
+impl Reading<'_> {
+    fn bound(&self, subject: Subject, aspect: Aspect) -> Option<f64> {
+        bound(subject, aspect, self.state, self.enclosure?)
+    }
 }
 
 fn driver_line(scene: &Scene, state: &State) -> DriverLine {
@@ -261,7 +286,7 @@ fn plane(point: PointId, order: Order, reading: &Reading<'_>) -> Option<Plane> {
     let subject = Subject::Point(point);
     let component = |aspect| value(subject, aspect, reading.state);
     let components = Vec2::new(component(x)?, component(y)?);
-    let bounds = [x, y].map(|aspect| (reading.bounds)(subject, aspect));
+    let bounds = [x, y].map(|aspect| reading.bound(subject, aspect));
     Some(Plane::new(components, bounds))
 }
 
@@ -287,7 +312,7 @@ fn read(subject: Subject, aspects: [Aspect; 3], known: Known, reading: &Reading<
     let entry = |aspect| Entry {
         value: value(subject, aspect, state),
         given: known != Known::Nothing,
-        bound: (reading.bounds)(subject, aspect),
+        bound: reading.bound(subject, aspect),
     };
     let [position, rate, accel] = aspects;
     let (rate, accel) = match known {

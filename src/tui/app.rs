@@ -8,8 +8,9 @@ use super::line::Line;
 use super::playback::Playback;
 use super::stage::{Stage, open_preset};
 use super::steps::Steps;
+use super::terminal::{Capability, Colours};
 use super::views;
-use super::{Opened, terminal::Capability};
+use super::{Opened, cost};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
@@ -71,6 +72,10 @@ pub(crate) struct App {
     aspect: f64,
     /// Said in the last line until the next key.
     message: Option<String>,
+    /// When the last state was weighed, and where that was; `None` before the first one.
+    weighed: Option<(Duration, usize, f64)>,
+    /// The time that was told last.
+    now: Duration,
     /// When the last frame was due.
     frame: Duration,
     /// How many scenes have been opened.
@@ -92,6 +97,8 @@ impl App {
             size,
             aspect: USUAL_ASPECT,
             message: None,
+            weighed: None,
+            now: Duration::ZERO,
             frame: Duration::ZERO,
             opened: 1,
         };
@@ -143,6 +150,10 @@ impl App {
         self.aspect
     }
 
+    pub(crate) fn colours(&self) -> Colours {
+        self.capability.colours
+    }
+
     pub(crate) fn message(&self) -> Option<&str> {
         self.message.as_deref()
     }
@@ -171,6 +182,7 @@ impl App {
 
     /// Time has passed: if a frame is due, what is played moves to where it is now.
     pub(crate) fn tick(&mut self, now: Duration) {
+        self.now = now;
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }
@@ -178,6 +190,19 @@ impl App {
             self.frame = now;
             let at = self.stage.course().on_grid(at);
             self.stage.go(at);
+        }
+    }
+
+    /// Measures what a state costs, where that is worth it: of another scene at once, of another state
+    /// after a while.
+    pub(crate) fn weigh(&mut self) {
+        let (opened, at) = (self.opened, self.stage.at());
+        let is_due = self.weighed.is_none_or(|(then, scene, place)| {
+            scene != opened || (place != at && self.now >= then + cost::PAUSE)
+        });
+        if is_due {
+            self.stage.weigh();
+            self.weighed = Some((self.now, opened, at));
         }
     }
 

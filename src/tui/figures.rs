@@ -218,8 +218,25 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    /// A figure with this bound.
+    fn proved(value: f64, bound: f64) -> Entry {
+        Entry {
+            value: Some(value),
+            given: false,
+            bound: Some(bound),
+        }
+    }
+
+    fn unproved(value: f64) -> Entry {
+        Entry {
+            bound: None,
+            ..proved(value, 0.0)
+        }
+    }
+
     fn column(sizes: &[f64], value: f64) -> String {
-        Format::of_sizes(sizes.to_vec()).write(Some(value))
+        let format = Format::of_sizes(sizes.to_vec());
+        format.write(&unproved(value)).text
     }
 
     #[test]
@@ -236,18 +253,50 @@ mod tests {
     #[test]
     fn zero_has_no_sign_and_what_does_not_exist_is_a_dash() {
         let format = Format::of_sizes(vec![100.0]);
-        assert_eq!(format.write(Some(-0.0)), "0.000");
-        assert_eq!(format.write(Some(-1e-9)), "0.000");
-        assert_eq!(format.write(None), "-");
-        assert_eq!(format.write(Some(f64::NAN)), "-");
-        assert_eq!(Format::ANGLE.write_angle(Some(359.9999)), "0.000");
+        let text = |entry: Entry| format.write(&entry).text;
+        assert_eq!(text(unproved(-0.0)), "0.000");
+        assert_eq!(text(unproved(-1e-9)), "0.000");
+        assert_eq!(text(Entry::NONE), "-");
+        assert_eq!(text(unproved(f64::NAN)), "-");
+        let around = Format::ANGLE.write_angle(&unproved(359.9999));
+        assert_eq!(around.text, "0.000");
+    }
+
+    #[test]
+    fn zero_is_shown_only_where_the_bound_allows_it() {
+        let format = Format::of_sizes(vec![100.0]);
+        assert_eq!(
+            format.write(&proved(6e-15, 1e-14)),
+            Written::sure("0.000".into())
+        );
+        assert_eq!(format.write(&proved(6e-5, 1e-14)).text, "6.0000e-5");
+        assert_eq!(format.write(&proved(-6e-14, 1e-14)).text, "-6.00e-14");
+    }
+
+    #[test]
+    fn digits_that_nothing_proves_are_told() {
+        let format = Format::of_sizes(vec![100.0]);
+        let unsure = |bound| format.write(&proved(123.456, bound)).unsure;
+        assert_eq!(unsure(1e-13), Unsure::Nothing);
+        assert_eq!(unsure(0.0005), Unsure::Nothing);
+        assert_eq!(unsure(0.0006), Unsure::Last(6..7));
+        assert_eq!(unsure(0.3), Unsure::Last(4..7));
+        assert_eq!(unsure(0.6), Unsure::Last(2..7));
+        assert_eq!(unsure(100.0), Unsure::Last(0..7));
+        assert_eq!(format.write(&unproved(1.0)).unsure, Unsure::Everything);
+        // -1.234e8: the mantissa's digits, by what they count.
+        let large = format.write(&proved(-123_456_789.0, 60_000.0));
+        assert_eq!(
+            (large.text.as_str(), large.unsure),
+            ("-1.2346e8", Unsure::Last(5..7))
+        );
     }
 
     #[test]
     fn near_a_dead_point_figures_take_an_exponent_rather_than_more_room() {
         let format = Format::of_sizes(vec![10.0, 12.0, 14.0, 20.0]);
-        assert_eq!(format.write(Some(14.0)), "14.0000");
-        assert_eq!(format.write(Some(-123_456_789.0)), "-1.2346e8");
+        assert_eq!(format.write(&unproved(14.0)).text, "14.0000");
+        assert_eq!(format.write(&unproved(-123_456_789.0)).text, "-1.2346e8");
     }
 
     #[test]
@@ -265,7 +314,51 @@ mod tests {
             value: f64,
         ) {
             let format = Format::of_sizes(sizes);
-            prop_assert!(format.write(Some(value)).len() <= format.width(), "{format:?}");
+            for entry in [unproved(value), proved(value, 0.0)] {
+                prop_assert!(format.write(&entry).text.len() <= format.width(), "{format:?}");
+            }
+        }
+
+        /// However a true value, its bound and a figure within it are drawn: the figure is right
+        /// within one unit of its last sure digit, and zero is shown only where it may be true.
+        #[test]
+        fn every_sure_digit_is_covered_by_the_bound(
+            usual in -6..7,
+            share in -1.0..1.0_f64,
+            size in -17..2,
+            off in -1.0..1.0_f64,
+        ) {
+            let scale = 10.0_f64.powi(usual);
+            let format = Format::of_sizes(vec![scale]);
+            let (truth, bound) = (share * scale, scale * 10.0_f64.powi(size));
+            let value = truth + off * bound;
+            let Written { text, unsure } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
+            let sure = match unsure {
+                Unsure::Nothing => text.clone(),
+                Unsure::Last(digits) => {
+                    let end = text.find('e').unwrap_or(text.len());
+                    prop_assert_eq!(digits.end, end);
+                    text[..digits.start].to_owned()
+                }
+                Unsure::Everything => unreachable!("there is a bound"),
+            };
+            if !has_digits(&text) {
+                prop_assert!(value.abs() <= bound * 1.001 + 1e-15 * scale, "{text} for {value:e}");
+            }
+            if sure.bytes().any(|b| b.is_ascii_digit()) {
+                let exponent: i32 = text.split_once('e').map_or(0, |(_, e)| e.parse().unwrap());
+                let whole = sure.split_once('e').map_or(sure.as_str(), |(digits, _)| digits);
+                // Digits behind the point that are sure; in front of it, those that are not.
+                let point = text.find(['.', 'e']).unwrap_or(text.len());
+                let place = if whole.len() > point {
+                    exponent - i32::try_from(whole.len() - point - 1).unwrap()
+                } else {
+                    exponent + i32::try_from(point - whole.len()).unwrap()
+                };
+                let shown: f64 = text.parse().unwrap();
+                let unit = 10.0_f64.powi(place);
+                prop_assert!((shown - truth).abs() <= unit * (1.0 + 1e-6), "{text} for {truth}, {unit:e}");
+            }
         }
     }
 }

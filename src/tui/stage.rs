@@ -1,8 +1,10 @@
 //! A scene on the stage: what is found once when it opens, and what follows from the driver's coordinate.
 
+use super::cost::Cost;
 use super::course::Course;
 use super::sheet::Sheet;
 use super::{Opened, Origin};
+use crate::Ball;
 use crate::drawing::Reach;
 use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{Answers, Tables};
@@ -24,7 +26,9 @@ pub(crate) struct Stage {
     sheet: Sheet,
     at: f64,
     state: State,
+    enclosure: State<Ball>,
     tables: Tables,
+    cost: Cost,
     /// What the given lengths do, while that is looked at.
     answers: Option<Asked>,
 }
@@ -47,11 +51,13 @@ impl Stage {
         let mut state = opened.solver.state();
         let samples = samples(&opened, &course, &mut state);
         let at = course.opening();
-        opened.solver.solve(at, Order::Acceleration, &mut state);
+        let mut enclosure = opened.solver.enclosure();
         Stage {
             sheet: Sheet::new(&samples),
-            tables: Tables::new(&opened.scene, &state),
+            tables: solved(&opened, at, &mut state, &mut enclosure),
             answers: None,
+            cost: Cost::default(),
+            enclosure,
             opened,
             course,
             reach,
@@ -63,13 +69,33 @@ impl Stage {
     /// Moves the driver to a coordinate, wherever that is.
     pub(crate) fn go(&mut self, at: f64) {
         self.at = at;
-        let solver = &self.opened.solver;
-        solver.solve(at, Order::Acceleration, &mut self.state);
-        self.tables = Tables::new(&self.opened.scene, &self.state);
+        self.tables = solved(&self.opened, at, &mut self.state, &mut self.enclosure);
         if let Some(asked) = &mut self.answers {
             let unit = self.opened.scene.unit.symbol();
             asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
         }
+    }
+
+    /// Measures what the state costs, without its bounds.
+    pub(crate) fn weigh(&mut self) {
+        let Stage {
+            opened, at, state, ..
+        } = self;
+        self.cost.measure(|| {
+            opened.solver.solve(*at, Order::Acceleration, state);
+        });
+    }
+
+    /// What the last state cost, if that was measured.
+    pub(crate) fn cost(&self) -> Option<String> {
+        self.cost.text()
+    }
+
+    /// The largest bound of a coordinate of a point; `None` where one of them has none.
+    pub(crate) fn largest_bound(&self) -> Option<f64> {
+        let places = self.tables.points.iter().filter_map(|p| p.motion[0]);
+        let mut bounds = places.flat_map(|place| [place.bounds[0], place.bounds[1]]);
+        bounds.try_fold(0.0, |most: f64, bound| Some(most.max(bound?)))
     }
 
     /// Finds what the given lengths do, here and from now on, or ceases to.
@@ -168,6 +194,13 @@ pub(crate) fn open_preset(preset: &Preset) -> Result<Opened, String> {
         solver,
         origin,
     })
+}
+
+/// The tables at a coordinate, with their bounds.
+fn solved(opened: &Opened, at: f64, state: &mut State, enclosure: &mut State<Ball>) -> Tables {
+    opened.solver.solve(at, Order::Acceleration, state);
+    opened.solver.enclose(state, Order::Acceleration, enclosure);
+    Tables::bounded(&opened.scene, state, enclosure)
 }
 
 /// The tables at coordinates spread over the whole motion, the opening first.

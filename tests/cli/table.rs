@@ -1,6 +1,6 @@
 //! `table`: the lectures' tables, and the figures that the lectures print.
 
-use super::{PARALLEL_CRANKS, command, done, json, refused, rows, run};
+use super::{PARALLEL_CRANKS, command, done, json, krank, refused, rows, run};
 use std::collections::BTreeMap;
 
 #[test]
@@ -89,6 +89,69 @@ fn where_there_is_no_sensitivity_it_is_said() {
         "{}",
         heard.err
     );
+}
+
+/// A line below the figures, two digits and never too small; in CSV and JSON beside each figure.
+#[test]
+fn bounds_stand_below_the_figures() {
+    let args = ["table", "four-bar", "--bounds"];
+    let text = done(&args);
+    let without: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.starts_with("  +-") && !line.starts_with("+-"))
+        .collect();
+    assert_eq!(without.join("\n") + "\n", done(&args[..2]));
+
+    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    assert!(csv.starts_with("name,value,unit,entry,bound\n"), "{csv}");
+    let object = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let rocker = &object["vectors"][2];
+    let bound = rocker["angle.bound"].as_f64().unwrap();
+    assert!((0.0..1e-12).contains(&bound), "{bound}");
+    let (exact, found) = (290.752_521_225_055_8, rocker["angle"].as_f64().unwrap());
+    assert!((exact - found).abs() <= bound + 1e-14, "{found}");
+    let row = rows(&csv)
+        .into_iter()
+        .find(|row| row[0] == "r4.angle")
+        .unwrap();
+    assert_eq!(row[4].parse::<f64>().unwrap(), bound);
+    let line = text
+        .lines()
+        .skip_while(|l| !l.starts_with("theta"))
+        .nth(1)
+        .unwrap();
+    let shown: f64 = line.split_whitespace().nth(3).unwrap().parse().unwrap();
+    assert!((bound..bound * 1.11).contains(&shown), "{line}");
+}
+
+/// At a change point nothing can be proved of what is a limit, and that is said.
+#[test]
+fn where_no_bound_is_proved_it_is_said() {
+    let args = ["table", "parallelogram", "--at", "0", "--bounds"];
+    let heard = krank(&args);
+    assert_eq!(heard.code, 0);
+    assert!(
+        heard.err.contains(" figures have no bound: "),
+        "{}",
+        heard.err
+    );
+    assert!(
+        heard.out.contains("  +-                      0          ?"),
+        "{}",
+        heard.out
+    );
+    let heard = krank(&[&args[..], &["--format", "csv"]].concat());
+    let row = rows(&heard.out)
+        .into_iter()
+        .find(|row| row[0] == "r4.angle");
+    assert_eq!(row.unwrap(), ["r4.angle", "0", "deg", "found", ""]);
+}
+
+/// What rounding leaves of a zero is shown as zero, and as it is where all digits are asked for.
+#[test]
+fn zero_is_shown_where_the_bound_says_so() {
+    let text = done(&["table", "scotch-yoke", "--at", "90"]);
+    assert!(!text.contains("e-1"), "{text}");
 }
 
 /// All figures of a table by name.

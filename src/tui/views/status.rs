@@ -5,6 +5,7 @@
 //! ```
 
 use super::{columns, cut, most_scroll, print};
+use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::action::{Action, entry_of};
@@ -77,7 +78,33 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     line.gap(gap);
     line.say(state, part);
     line.gap(gap);
+    let needed = gap + columns(&key) + 1 + columns(name);
+    if let Some(trust) = trust(app).filter(|t| line.room() >= columns(t) + needed) {
+        line.say(&trust, Part::Quiet);
+        line.gap(gap);
+    }
     hints(app, &mut line);
+}
+
+/// What the last state cost, where that was measured, and how far a place in it can be from the truth.
+/// Not beside what the lengths do: that is another kind of error.
+fn trust(app: &App) -> Option<String> {
+    let stage = app.stage();
+    let shows_figures = match (app.mode(), app.view()) {
+        (Mode::Help(_) | Mode::GoTo(_), _) | (Mode::Normal, View::Lengths) => false,
+        (Mode::Normal, View::Motion | View::Tables) => true,
+    };
+    if !shows_figures || app.condition() != Condition::Ok {
+        return None;
+    }
+    let bound = match stage.largest_bound() {
+        Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
+        None => "no bound".into(),
+    };
+    Some(match stage.cost() {
+        Some(cost) => format!("{cost}, {bound}"),
+        None => bound,
+    })
 }
 
 fn mode(app: &App) -> &'static str {
