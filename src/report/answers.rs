@@ -34,8 +34,7 @@ pub struct Answers {
 }
 
 /// Why there are no derivatives, in words that fit all causes.
-pub const NO_ANSWER: &str =
-    "the figures have no derivatives by the lengths: with others the mechanism cannot be here";
+pub const NO_ANSWER: &str = "the figures have no derivatives by the lengths here: with others the mechanism jams or ends before";
 
 /// Digits of a derivative that is read by eye.
 const DIGITS: usize = 3;
