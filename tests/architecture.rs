@@ -28,7 +28,7 @@ const PLACES: [(&str, u8); 13] = [
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 17] = [
+const FOREIGN: [(&str, &[&str]); 18] = [
     ("ratatui", &["tui"]),
     ("termina", &["tui"]),
     ("rustix", &["tui"]),
@@ -42,6 +42,7 @@ const FOREIGN: [(&str, &[&str]); 17] = [
     ("serde_json", &["report"]),
     ("serde", &["report"]),
     ("petgraph", &["solver"]),
+    ("zmij", &["report"]),
     ("std::fs", &["cli", "tui"]),
     ("std::io", &["report", "cli", "tui"]),
     ("std::env", &["cli", "tui", "main"]),

@@ -111,11 +111,10 @@ trait Rows {
 }
 
 /// Puts the shortest form of a value into `text`, nothing where none exists.
-fn refill(text: &mut String, value: Option<f64>) -> io::Result<()> {
+fn refill(text: &mut String, value: Option<f64>) {
     text.clear();
-    match value {
-        Some(value) => shortest(value, text).map_err(io::Error::other),
-        None => Ok(()),
+    if let Some(value) = value {
+        shortest(value, text);
     }
 }
 
@@ -147,7 +146,7 @@ impl<W: Write> CsvRows<W> {
 
 impl<W: Write> Rows for CsvRows<W> {
     fn value(&mut self, _: &Quantity, value: Option<f64>) -> io::Result<()> {
-        refill(&mut self.text, value)?;
+        refill(&mut self.text, value);
         self.csv.write_field(&self.text).map_err(plain)
     }
 
@@ -208,7 +207,7 @@ impl<W: Write> Rows for JsonRows<W> {
         self.to.write_all(before.as_bytes())?;
         self.to.write_all(self.keys[self.next].as_bytes())?;
         self.next += 1;
-        refill(&mut self.text, value)?;
+        refill(&mut self.text, value);
         let shown = value.map_or("null", |_| &self.text);
         self.to.write_all(shown.as_bytes())
     }
