@@ -7,7 +7,7 @@ use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::Input;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
-use crate::report::{Columns, Decimal, Outcome, RowFormat, Steps, range_text, write_sweep};
+use crate::report::{Columns, Decimal, Outcome, RowFormat, Steps, Sweep, range_text};
 use crate::scene::Scene;
 use crate::solver::Range;
 
@@ -29,8 +29,15 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
             digits: usize::from(args.figures.digits),
         },
     };
+    let sweep = Sweep {
+        scene: &scene,
+        solver: &solver,
+        columns: &columns,
+        steps: &steps,
+        format,
+    };
     let outcome = write_to(args.output.output.as_deref(), |out| {
-        write_sweep(&scene, &solver, &columns, &steps, format, out)
+        sweep.write(out, &mut |_| ())
     })?;
     judge(outcome, &range_text(range, catalogue.driver()), screen)
 }

@@ -1,7 +1,7 @@
 //! The tables for other programs: CSV, a line per figure, and JSON.
 
 use super::number::shortest;
-use super::sweep::plain;
+use super::rows::plain;
 use super::tables::{Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 use super::tables_text::index;
 use crate::quantity::{Aspect, state_word};
