@@ -31,8 +31,8 @@ const PLACES: [(&str, u8); 13] = [
 const FOREIGN: [(&str, &[&str]); 18] = [
     ("ratatui", &["tui"]),
     ("termina", &["tui"]),
-    ("rustix", &["tui"]),
-    ("signal_hook", &["tui"]),
+    ("rustix", &["cli", "tui"]),
+    ("signal_hook", &["cli", "tui"]),
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),
     ("clap_mangen", &["cli"]),

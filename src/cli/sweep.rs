@@ -2,7 +2,8 @@
 
 use super::args::{Format, SweepArgs};
 use super::failure::{Failure, note};
-use super::output::write_to;
+use super::output::{goes_to_terminal, write_to};
+use super::progress::Progress;
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::Input;
@@ -36,9 +37,13 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
         steps: &steps,
         format,
     };
-    let outcome = write_to(args.output.output.as_deref(), |out| {
-        sweep.write(out, &mut |_| ())
-    })?;
+    let path = args.output.output.as_deref();
+    let mut progress = Progress::new(steps.count(), "rows", screen, goes_to_terminal(path));
+    let outcome = write_to(path, |out| {
+        sweep.write(out, &mut |rows| progress.tell(rows))
+    });
+    progress.end();
+    let outcome = outcome?;
     judge(outcome, &range_text(range, catalogue.driver()), screen)
 }
 
