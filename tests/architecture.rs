@@ -28,11 +28,11 @@ const PLACES: [(&str, u8); 13] = [
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 17] = [
+const FOREIGN: [(&str, &[&str]); 18] = [
     ("ratatui", &["tui"]),
     ("termina", &["tui"]),
-    ("rustix", &["tui"]),
-    ("signal_hook", &["tui"]),
+    ("rustix", &["cli", "tui"]),
+    ("signal_hook", &["cli", "tui"]),
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),
     ("clap_mangen", &["cli"]),
@@ -42,6 +42,7 @@ const FOREIGN: [(&str, &[&str]); 17] = [
     ("serde_json", &["report"]),
     ("serde", &["report"]),
     ("petgraph", &["solver"]),
+    ("zmij", &["report"]),
     ("std::fs", &["cli", "tui"]),
     ("std::io", &["report", "cli", "tui"]),
     ("std::env", &["cli", "tui", "main"]),

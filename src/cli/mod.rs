@@ -5,6 +5,11 @@ mod commands;
 mod failure;
 mod misuse;
 mod output;
+#[cfg(feature = "tui")]
+mod progress;
+#[cfg(not(feature = "tui"))]
+#[path = "no_progress.rs"]
+mod progress;
 mod screen;
 mod source;
 mod sweep;

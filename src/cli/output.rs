@@ -2,11 +2,21 @@
 
 use super::failure::Failure;
 use std::fs::File;
-use std::io::{self, BufWriter, ErrorKind, Write, stdout};
+use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write, stdout};
 use std::path::Path;
 
 /// Bytes gathered before they are handed to the system.
 const BUFFER: usize = 1 << 16;
+
+/// The file that is meant; `None` is standard output.
+fn file(path: Option<&Path>) -> Option<&Path> {
+    path.filter(|path| *path != Path::new("-"))
+}
+
+/// Whether what is written there is seen as it comes.
+pub(super) fn goes_to_terminal(path: Option<&Path>) -> bool {
+    file(path).is_none() && stdout().is_terminal()
+}
 
 /// Runs `write` on the file, or on standard output where none is named.
 ///
@@ -16,7 +26,7 @@ pub(super) fn write_to<T>(
     path: Option<&Path>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<T>,
 ) -> Result<T, Failure> {
-    match path.filter(|path| *path != Path::new("-")) {
+    match file(path) {
         Some(path) => File::create(path)
             .and_then(|file| through(file, write))
             .map_err(|e| Failure::Output(Some(path.to_owned()), e)),

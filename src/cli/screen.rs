@@ -10,6 +10,8 @@ pub(super) struct Screen {
     pub(super) ascii: bool,
     /// Colours.
     pub(super) colour: bool,
+    /// A line can be cleared and written again.
+    pub(super) redraws: bool,
 }
 
 impl Screen {
@@ -32,6 +34,7 @@ impl Screen {
             // The Linux console speaks UTF-8, but its fonts lack most of it.
             ascii: !utf8 || plain || term == "linux",
             colour: terminal && !plain && set("NO_COLOR").is_none(),
+            redraws: terminal && !term.is_empty() && term != "dumb",
         }
     }
 }
@@ -51,9 +54,11 @@ mod tests {
         let all = Screen {
             ascii: false,
             colour: true,
+            redraws: true,
         };
         assert_eq!(screen(&variables, true), all);
-        assert!(!screen(&variables, false).colour);
+        let piped = screen(&variables, false);
+        assert!(!piped.colour && !piped.redraws);
     }
 
     #[test]
@@ -67,6 +72,14 @@ mod tests {
         let empty = [("LC_ALL", ""), ("LANG", "en_US.UTF-8"), ("TERM", "xterm")];
         assert!(!screen(&empty, true).ascii);
         assert!(screen(&[], true).ascii);
+    }
+
+    #[test]
+    fn a_terminal_without_a_cursor_that_goes_back_keeps_every_line() {
+        let redraws = |term| screen(&[("TERM", term)], true).redraws;
+        assert!(redraws("linux") && redraws("vt100"));
+        assert!(!redraws("dumb") && !redraws(""));
+        assert!(!screen(&[], true).redraws);
     }
 
     #[test]

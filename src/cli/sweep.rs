@@ -2,12 +2,13 @@
 
 use super::args::{Format, SweepArgs};
 use super::failure::{Failure, note};
-use super::output::write_to;
+use super::output::{goes_to_terminal, write_to};
+use super::progress::Progress;
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::Input;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
-use crate::report::{Columns, Decimal, Outcome, RowFormat, Steps, range_text, write_sweep};
+use crate::report::{Columns, Decimal, Outcome, RowFormat, Steps, Sweep, range_text};
 use crate::scene::Scene;
 use crate::solver::Range;
 
@@ -29,9 +30,20 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
             digits: usize::from(args.figures.digits),
         },
     };
-    let outcome = write_to(args.output.output.as_deref(), |out| {
-        write_sweep(&scene, &solver, &columns, &steps, format, out)
-    })?;
+    let sweep = Sweep {
+        scene: &scene,
+        solver: &solver,
+        columns: &columns,
+        steps: &steps,
+        format,
+    };
+    let path = args.output.output.as_deref();
+    let mut progress = Progress::new(steps.count(), "rows", screen, goes_to_terminal(path));
+    let outcome = write_to(path, |out| {
+        sweep.write(out, &mut |rows| progress.tell(rows))
+    });
+    progress.end();
+    let outcome = outcome?;
     judge(outcome, &range_text(range, catalogue.driver()), screen)
 }
 

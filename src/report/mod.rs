@@ -11,6 +11,7 @@ mod check;
 mod check_text;
 mod loop_facts;
 mod number;
+mod rows;
 mod steps;
 mod sweep;
 mod tables;
@@ -23,7 +24,7 @@ pub use check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
 };
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
-pub use sweep::{Columns, Outcome, RowFormat, write_sweep};
+pub use sweep::{Columns, Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TableStyle;
 #[cfg(feature = "tui")]

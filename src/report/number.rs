@@ -1,7 +1,5 @@
 //! How numbers are written: to as many digits as asked, or so that they read back to the same double.
 
-use std::fmt::{self, Write};
-
 /// Below this power of ten a number is written with an exponent: leading zeros are hard to count.
 const SMALLEST_FIXED: i32 = -5;
 /// From here on the shortest form takes an exponent: an f64 has no digits left behind the point.
@@ -61,25 +59,24 @@ pub(super) fn direction(degrees: f64, digits: usize) -> String {
     }
 }
 
-/// Writes the shortest decimal that reads back to the same double.
+/// Appends the shortest decimal that reads back to the same double, and of several the nearest: to
+/// 17 digits at the most, with an exponent below 1e-5 and from 1e16 on.
 ///
 /// A negative zero is written as `0`: a direction of approach that no table means. The value must
 /// be finite; what does not exist is no number and is never written by this function.
-///
-/// # Errors
-/// Those of the writer.
-pub(super) fn shortest(value: f64, to: &mut impl Write) -> fmt::Result {
+pub(super) fn shortest(value: f64, to: &mut String) {
     debug_assert!(
         value.is_finite(),
         "only values that exist are written: {value}"
     );
-    // Clears the sign of a negative zero.
-    let value = value + 0.0;
-    let size = value.abs();
-    if size == 0.0 || (1e-5..LARGEST_FIXED).contains(&size) {
-        write!(to, "{value}")
+    let mut buffer = zmij::Buffer::new();
+    // Adding zero clears the sign of a negative one.
+    let text = buffer.format_finite(value + 0.0);
+    if value.abs() < LARGEST_FIXED {
+        to.push_str(text.strip_suffix(".0").unwrap_or(text));
     } else {
-        write!(to, "{value:e}")
+        // The exponent comes with its sign, which nobody needs to read.
+        to.extend(text.split('+'));
     }
 }
 
@@ -87,9 +84,7 @@ pub(super) fn shortest(value: f64, to: &mut impl Write) -> fmt::Result {
 /// digits where that is shorter. For figures that somebody has given: `15` rather than `15.0000`.
 pub(super) fn concise(value: f64, digits: usize) -> String {
     let mut exact = String::new();
-    // Writing to a string does not fail.
-    let written = shortest(value, &mut exact);
-    debug_assert!(written.is_ok());
+    shortest(value, &mut exact);
     // No double needs more than 17 digits.
     let rounded = significant(value, digits.min(17));
     if rounded.len() < exact.len() {
@@ -133,11 +128,6 @@ mod tests {
 
     #[test]
     fn the_shortest_form_stays_short() {
-        let written = |value| {
-            let mut text = String::new();
-            shortest(value, &mut text).unwrap();
-            text
-        };
         assert_eq!(written(60.0), "60");
         assert_eq!(written(-0.0), "0");
         assert_eq!(written(0.1), "0.1");
@@ -169,6 +159,68 @@ mod tests {
         assert_eq!(upwards(0.0, 2), "0");
     }
 
+    /// The same by the standard library, which of two equally near decimals takes the larger.
+    fn by_the_library(value: f64) -> String {
+        let size = value.abs();
+        if size == 0.0 || (1e-5..1e16).contains(&size) {
+            format!("{}", value + 0.0)
+        } else {
+            format!("{value:e}")
+        }
+    }
+
+    fn digits(text: &str) -> String {
+        let mantissa = text.split('e').next().unwrap();
+        let digits: String = mantissa.chars().filter(char::is_ascii_digit).collect();
+        digits.trim_matches('0').into()
+    }
+
+    /// Whether a double lies half way between two of its shortest decimals: in full it has just one
+    /// more digit, a 5.
+    fn is_half_way(value: f64) -> bool {
+        let all = digits(&format!("{value:.60e}"));
+        all.len() == digits(&by_the_library(value)).len() + 1 && all.ends_with('5')
+    }
+
+    fn holds(value: f64) -> bool {
+        written(value) == by_the_library(value) || is_half_way(value)
+    }
+
+    fn written(value: f64) -> String {
+        let mut text = String::new();
+        shortest(value, &mut text);
+        text
+    }
+
+    /// Powers of two and ten and their neighbours: where digits run out unevenly, where two shortest
+    /// decimals are equally near, and where the form changes.
+    #[test]
+    fn the_shortest_form_is_that_of_the_standard_library() {
+        let twos = (0..2047_u64).map(|e| f64::from_bits(e << 52));
+        let tens = (-323..309).map(|e| format!("1e{e}").parse::<f64>().unwrap());
+        let smallest = (1..1000).map(f64::from_bits);
+        for value in twos.chain(tens).chain(smallest) {
+            for near in [value.next_down(), value, value.next_up()] {
+                let sizes = [near, -near, 3.0 * near].into_iter();
+                for v in sizes.filter(|v| v.is_finite()) {
+                    assert!(holds(v), "{} but {}", written(v), by_the_library(v));
+                }
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4096))]
+        #[test]
+        fn any_double_is_written_as_by_the_standard_library(bits: u64, whole: i64, places in 0..12) {
+            let decimal = whole as f64 / 10_f64.powi(places);
+            for value in [f64::from_bits(bits), whole as f64, decimal, decimal / 1e12] {
+                prop_assume!(value.is_finite());
+                prop_assert!(holds(value), "{} but {}", written(value), by_the_library(value));
+            }
+        }
+    }
+
     proptest! {
         #[test]
         fn a_written_bound_is_never_smaller(bound in prop::num::f64::POSITIVE, digits in 1_usize..4) {
@@ -181,8 +233,7 @@ mod tests {
         fn every_double_reads_back(bits: u64) {
             let value = f64::from_bits(bits);
             prop_assume!(value.is_finite() && value.to_bits() != (-0.0_f64).to_bits());
-            let mut text = String::new();
-            shortest(value, &mut text).unwrap();
+            let text = written(value);
             prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), bits);
             prop_assert!(serde_json::from_str::<serde_json::Value>(&text).unwrap().is_number());
         }

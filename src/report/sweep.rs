@@ -1,11 +1,10 @@
-//! Rows of figures over the driver's coordinate: CSV, JSON or text, written as they are solved.
+//! Rows of figures over the driver's coordinate: solved, read and written as they come.
 //!
-//! One state and one buffer of text serve all rows: a sweep of a billion rows takes the memory of
-//! one, and rows of CSV and JSON allocate nothing.
+//! One state and one line of text serve all rows: a sweep of a billion rows takes the memory of one.
 
-use super::number::{direction, shortest, significant};
+use super::rows::{CsvRows, JsonRows, Rows, TextRows};
 use super::steps::Steps;
-use crate::quantity::{self, Aspect, Quantity, Subject, demand, state_word};
+use crate::quantity::{Quantity, Subject, demand};
 use crate::scene::Scene;
 use crate::solver::{Condition, Solver};
 use std::io::{self, Write};
@@ -37,8 +36,8 @@ pub struct Outcome {
 #[derive(Clone, Debug)]
 pub struct Columns {
     /// The driver's coordinate first.
-    quantities: Vec<Quantity>,
-    units: bool,
+    pub(super) quantities: Vec<Quantity>,
+    pub(super) units: bool,
 }
 
 impl Columns {
@@ -50,235 +49,67 @@ impl Columns {
         Columns { quantities, units }
     }
 
-    fn header(&self, quantity: &Quantity) -> String {
-        if self.units {
-            quantity.header()
-        } else {
-            quantity.name.clone()
-        }
-    }
-}
-
-/// Solves and writes all rows. Nothing is solved that the columns do not need.
-///
-/// # Errors
-/// Those of the writer.
-pub fn write_sweep(
-    scene: &Scene,
-    solver: &Solver,
-    columns: &Columns,
-    steps: &Steps,
-    format: RowFormat,
-    to: impl Write,
-) -> io::Result<Outcome> {
-    match format {
-        RowFormat::Csv => run(solver, columns, steps, CsvRows::new(columns, to)?),
-        RowFormat::Json => run(solver, columns, steps, JsonRows::new(scene, columns, to)?),
-        RowFormat::Text { digits } => {
-            run(solver, columns, steps, TextRows::new(columns, digits, to)?)
-        }
-    }
-}
-
-fn run(
-    solver: &Solver,
-    columns: &Columns,
-    steps: &Steps,
-    mut rows: impl Rows,
-) -> io::Result<Outcome> {
-    let (wanted, order) = demand(&columns.quantities);
-    let solver = solver.only(&wanted);
-    let mut state = solver.state();
-    let mut outcome = Outcome::default();
-    for at in steps.iter() {
-        let condition = solver.solve(at, order, &mut state);
-        outcome.rows += 1;
-        outcome.valued += u64::from(condition != Condition::NoAssembly);
-        for quantity in &columns.quantities {
-            rows.value(quantity, quantity.value(&state))?;
-        }
-        rows.end(condition)?;
-    }
-    rows.finish()?;
-    Ok(outcome)
-}
-
-/// One way to write rows: each value of a row, then its end.
-trait Rows {
-    fn value(&mut self, quantity: &Quantity, value: Option<f64>) -> io::Result<()>;
-    fn end(&mut self, condition: Condition) -> io::Result<()>;
-    fn finish(self) -> io::Result<()>;
-}
-
-/// Puts the shortest form of a value into `text`, nothing where none exists.
-fn refill(text: &mut String, value: Option<f64>) -> io::Result<()> {
-    text.clear();
-    match value {
-        Some(value) => shortest(value, text).map_err(io::Error::other),
-        None => Ok(()),
-    }
-}
-
-/// The writer's own error: the crate's conversion would hide that a pipe was closed.
-pub(super) fn plain(error: csv::Error) -> io::Error {
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => error,
-        other => io::Error::other(format!("{other:?}")),
-    }
-}
-
-struct CsvRows<W: Write> {
-    csv: csv::Writer<W>,
-    text: String,
-}
-
-impl<W: Write> CsvRows<W> {
-    fn new(columns: &Columns, to: W) -> io::Result<Self> {
-        let mut csv = csv::Writer::from_writer(to);
-        for quantity in &columns.quantities {
-            csv.write_field(columns.header(quantity)).map_err(plain)?;
-        }
-        csv.write_field("state").map_err(plain)?;
-        csv.write_record(None::<&[u8]>).map_err(plain)?;
-        let text = String::with_capacity(32);
-        Ok(CsvRows { csv, text })
-    }
-}
-
-impl<W: Write> Rows for CsvRows<W> {
-    fn value(&mut self, _: &Quantity, value: Option<f64>) -> io::Result<()> {
-        refill(&mut self.text, value)?;
-        self.csv.write_field(&self.text).map_err(plain)
-    }
-
-    fn end(&mut self, condition: Condition) -> io::Result<()> {
-        let word = state_word(condition);
-        self.csv.write_field(word).map_err(plain)?;
-        self.csv.write_record(None::<&[u8]>).map_err(plain)
-    }
-
-    fn finish(mut self) -> io::Result<()> {
-        self.csv.flush()
-    }
-}
-
-struct JsonRows<W: Write> {
-    to: W,
-    /// `"C.x": ` and so on, ready to be written.
-    keys: Vec<String>,
-    /// The column that comes next.
-    next: usize,
-    rows: u64,
-    text: String,
-}
-
-impl<W: Write> JsonRows<W> {
-    fn new(scene: &Scene, columns: &Columns, mut to: W) -> io::Result<Self> {
-        let name = serde_json::to_string(&scene.name)?;
-        write!(to, "{{\n\"scene\": {name},\n")?;
-        if columns.units {
-            let units = columns.quantities.iter();
-            let units = units.map(|q| (q.name.clone(), q.unit.clone().into()));
-            let units = serde_json::Value::Object(units.collect());
-            writeln!(to, "\"units\": {units},")?;
-        }
-        write!(to, "\"rows\": [")?;
-        let key = |q: &Quantity| Ok(format!("{}: ", serde_json::to_string(&q.name)?));
-        Ok(JsonRows {
-            to,
-            keys: columns
-                .quantities
-                .iter()
-                .map(key)
-                .collect::<io::Result<_>>()?,
-            next: 0,
-            rows: 0,
-            text: String::with_capacity(32),
-        })
-    }
-}
-
-impl<W: Write> Rows for JsonRows<W> {
-    fn value(&mut self, _: &Quantity, value: Option<f64>) -> io::Result<()> {
-        let before = match (self.next, self.rows) {
-            (0, 0) => "\n{",
-            (0, _) => ",\n{",
-            _ => ", ",
+    /// What stands above each column but the last, the state.
+    pub(super) fn headers(&self) -> impl Iterator<Item = String> {
+        let header = |q: &Quantity| match self.units {
+            true => q.header(),
+            false => q.name.clone(),
         };
-        self.to.write_all(before.as_bytes())?;
-        self.to.write_all(self.keys[self.next].as_bytes())?;
-        self.next += 1;
-        refill(&mut self.text, value)?;
-        let shown = value.map_or("null", |_| &self.text);
-        self.to.write_all(shown.as_bytes())
-    }
-
-    fn end(&mut self, condition: Condition) -> io::Result<()> {
-        self.next = 0;
-        self.rows += 1;
-        write!(self.to, ", \"state\": \"{}\"}}", state_word(condition))
-    }
-
-    fn finish(mut self) -> io::Result<()> {
-        self.to.write_all(b"\n]\n}\n")?;
-        self.to.flush()
+        self.quantities.iter().map(header)
     }
 }
 
-/// Columns of a fixed width, since the rows to come are not known.
-struct TextRows<W: Write> {
-    to: W,
-    widths: Vec<usize>,
-    next: usize,
-    digits: usize,
+/// What is swept, and how it is written.
+#[derive(Clone, Copy, Debug)]
+pub struct Sweep<'a> {
+    /// The scene, which JSON names.
+    pub scene: &'a Scene,
+    /// Its solver.
+    pub solver: &'a Solver,
+    /// The figures of each row. Nothing is solved that they do not need.
+    pub columns: &'a Columns,
+    /// The driver's coordinate of each row.
+    pub steps: &'a Steps,
+    /// How the rows are written.
+    pub format: RowFormat,
 }
 
-/// Characters of a number beside its digits: sign, point, and an exponent such as `e-300`.
-const BESIDE_DIGITS: usize = 7;
+/// So many rows are written between two reports of how far a sweep has come: about a millisecond.
+const REPORTED: u64 = 1024;
 
-impl<W: Write> TextRows<W> {
-    fn new(columns: &Columns, digits: usize, mut to: W) -> io::Result<Self> {
-        let mut widths = Vec::with_capacity(columns.quantities.len());
-        for quantity in &columns.quantities {
-            let header = columns.header(quantity);
-            let width = header.chars().count().max(digits + BESIDE_DIGITS);
-            write!(to, "{header:>width$}  ")?;
-            widths.push(width);
+impl Sweep<'_> {
+    /// Solves and writes all rows; tells `watch` from time to time how many there are.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    pub fn write(&self, to: impl Write, watch: &mut dyn FnMut(u64)) -> io::Result<Outcome> {
+        let columns = self.columns;
+        match self.format {
+            RowFormat::Csv => self.run(CsvRows::new(columns, to)?, watch),
+            RowFormat::Json => self.run(JsonRows::new(&self.scene.name, columns, to)?, watch),
+            RowFormat::Text { digits } => self.run(TextRows::new(columns, digits, to)?, watch),
         }
-        writeln!(to, "state")?;
-        Ok(TextRows {
-            to,
-            widths,
-            next: 0,
-            digits,
-        })
-    }
-}
-
-impl<W: Write> Rows for TextRows<W> {
-    fn value(&mut self, quantity: &Quantity, value: Option<f64>) -> io::Result<()> {
-        let width = self.widths[self.next];
-        self.next += 1;
-        let shown = value.map_or_else(|| "-".into(), |v| in_text(quantity, v, self.digits));
-        write!(self.to, "{shown:>width$}  ")
     }
 
-    fn end(&mut self, condition: Condition) -> io::Result<()> {
-        self.next = 0;
-        writeln!(self.to, "{}", state_word(condition))
-    }
-
-    fn finish(mut self) -> io::Result<()> {
-        self.to.flush()
-    }
-}
-
-/// A figure in a text table; the driver's angle counts turns and is never taken for a direction.
-fn in_text(quantity: &Quantity, value: f64, digits: usize) -> String {
-    let turns = quantity.subject == quantity::Subject::Driver;
-    if quantity.aspect == Aspect::Angle && !turns {
-        direction(value, digits)
-    } else {
-        significant(value, digits)
+    fn run(&self, mut rows: impl Rows, watch: &mut dyn FnMut(u64)) -> io::Result<Outcome> {
+        let quantities = &self.columns.quantities;
+        let (wanted, order) = demand(quantities);
+        let solver = self.solver.only(&wanted);
+        let mut state = solver.state();
+        let mut cells = Vec::with_capacity(quantities.len());
+        let mut outcome = Outcome::default();
+        for at in self.steps.iter() {
+            let condition = solver.solve(at, order, &mut state);
+            cells.clear();
+            cells.extend(quantities.iter().map(|q| q.value(&state)));
+            rows.row(&cells, condition)?;
+            outcome.rows += 1;
+            outcome.valued += u64::from(condition != Condition::NoAssembly);
+            if outcome.rows % REPORTED == 0 {
+                watch(outcome.rows);
+            }
+        }
+        rows.finish()?;
+        Ok(outcome)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::answers::Answers;
 use super::number::shortest;
-use super::sweep::plain;
+use super::rows::plain;
 use super::tables::{Entry, ORDERS, PointRow, Tables, VectorColumn};
 use super::tables_text::{TableStyle, index};
 use crate::quantity::{Aspect, state_word};
@@ -203,20 +203,20 @@ impl<W: Write> Lines<'_, W> {
         let answer = self.answers.and_then(|answers| answers.of(name));
         let most = answer.and_then(|answer| answer.most.as_ref());
         let length = most.map_or("", |(length, _)| length);
-        let value = cell(figure.value)?;
-        let bound = cell(figure.proved())?;
-        let worst = cell(answer.map(|answer| answer.worst))?;
-        let by = cell(most.map(|(_, derivative)| *derivative))?;
+        let value = cell(figure.value);
+        let bound = cell(figure.proved());
+        let worst = cell(answer.map(|answer| answer.worst));
+        let by = cell(most.map(|(_, derivative)| *derivative));
         let cells = [name, &value, unit, entry];
         self.record(cells, &bound, [&worst, length, &by])
     }
 }
 
 /// The shortest form of a value; nothing where none exists.
-fn cell(value: Option<f64>) -> io::Result<String> {
+fn cell(value: Option<f64>) -> String {
     let mut text = String::new();
     if let Some(value) = value {
-        shortest(value, &mut text).map_err(io::Error::other)?;
+        shortest(value, &mut text);
     }
-    Ok(text)
+    text
 }

@@ -1,0 +1,285 @@
+//! A line on standard error that tells how far a long command has come.
+//!
+//! It is calm: it appears only when there is something to wait for, changes a few times a second, and
+//! is gone at the end, also where a signal ends the program. It is not shown where it would stand
+//! between results or in another program's way: without a terminal, where the results go to a
+//! terminal themselves, on a terminal whose cursor does not go back, and in the background.
+
+use super::failure::say;
+use super::screen::Screen;
+use rustix::process::getpgrp;
+use rustix::termios::{tcgetpgrp, tcgetwinsize};
+use signal_hook::consts::{SIGINT, SIGQUIT, SIGTERM};
+use signal_hook::iterator::Signals;
+use signal_hook::low_level::emulate_default_handler;
+use std::io;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// What is done sooner needs no line.
+const DELAY: Duration = Duration::from_millis(500);
+/// Between two changes of the line.
+const PAUSE: Duration = Duration::from_millis(100);
+/// Of a terminal that does not tell.
+const WIDTH: usize = 80;
+/// A longer bar tells no more.
+const LONGEST_BAR: usize = 40;
+/// Columns that stay free at the end of the line: for `^C`, which the terminal puts there itself, and
+/// the last one, behind which the line would wrap.
+const FREE: usize = 3;
+/// Back to the first column, and clear the line.
+const CLEAR: &str = "\r\x1b[K";
+
+/// How far a command has come, for whoever waits for it.
+pub(super) struct Progress {
+    total: u64,
+    /// What is counted: `rows`.
+    unit: &'static str,
+    ascii: bool,
+    /// `None` where nobody would see it.
+    line: Option<Arc<Mutex<Line>>>,
+    begin: Instant,
+    /// When the line is looked at again.
+    next: Duration,
+}
+
+/// What stands on the terminal; empty before the first time and at the end.
+#[derive(Default)]
+struct Line(String);
+
+impl Progress {
+    /// Nothing done of `total`. With `beside`, results go to the terminal as well: no line then.
+    pub(super) fn new(total: u64, unit: &'static str, screen: Screen, beside: bool) -> Progress {
+        let seen = screen.redraws && !beside;
+        Progress {
+            total,
+            unit,
+            ascii: screen.ascii,
+            line: seen.then(Arc::default),
+            begin: Instant::now(),
+            next: DELAY,
+        }
+    }
+
+    /// So much is done. Costs next to nothing most of the time.
+    pub(super) fn tell(&mut self, done: u64) {
+        let Some(line) = &self.line else { return };
+        let elapsed = self.begin.elapsed();
+        if elapsed < self.next {
+            return;
+        }
+        let first = self.next == DELAY;
+        self.next = elapsed + PAUSE;
+        if first && watch_for_signals(Arc::clone(line)).is_err() {
+            // A line that would be left behind is worse than none.
+            self.line = None;
+            return;
+        }
+        let counted = Counted {
+            done,
+            total: self.total,
+            unit: self.unit,
+            elapsed,
+        };
+        hold(line).show(counted.line(width(), self.ascii));
+    }
+
+    /// It is done, one way or the other: clears the line.
+    pub(super) fn end(self) {
+        if let Some(line) = &self.line {
+            hold(line).clear();
+        }
+    }
+}
+
+impl Line {
+    fn show(&mut self, text: String) {
+        if self.0 != text && in_the_foreground() {
+            say(&format!("{CLEAR}{text}"));
+            self.0 = text;
+        }
+    }
+
+    fn clear(&mut self) {
+        if !std::mem::take(&mut self.0).is_empty() && in_the_foreground() {
+            say(CLEAR);
+        }
+    }
+}
+
+/// Nobody panics with the line in hand; if one did, the line would still be as good.
+fn hold(line: &Mutex<Line>) -> MutexGuard<'_, Line> {
+    line.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// From now on the line is cleared before a signal ends the program, even where it waits for somebody
+/// to take its results.
+fn watch_for_signals(line: Arc<Mutex<Line>>) -> io::Result<()> {
+    let mut signals = Signals::new([SIGINT, SIGTERM, SIGQUIT])?;
+    let wait = move || {
+        if let Some(signal) = signals.forever().next() {
+            // Held to the end, so that nothing is drawn in between.
+            let mut line = hold(&line);
+            line.clear();
+            // Without it the program goes on; there is nobody to tell.
+            let _ = emulate_default_handler(signal);
+        }
+    };
+    thread::Builder::new().spawn(wait).map(drop)
+}
+
+/// Whether the terminal is ours to draw on, and not with a shell that has put us aside.
+fn in_the_foreground() -> bool {
+    tcgetpgrp(io::stderr()).is_ok_and(|group| group == getpgrp())
+}
+
+fn width() -> usize {
+    let told = tcgetwinsize(io::stderr()).map_or(0, |size| usize::from(size.ws_col));
+    if told == 0 { WIDTH } else { told }
+}
+
+/// What the line tells.
+struct Counted {
+    done: u64,
+    total: u64,
+    unit: &'static str,
+    elapsed: Duration,
+}
+
+impl Counted {
+    /// The line on a terminal of so many columns; what does not fit is left out, the most telling last.
+    fn line(&self, width: usize, ascii: bool) -> String {
+        let percent = self.done.saturating_mul(100) / self.total.max(1);
+        let percent = format!("{percent:3} %");
+        let left = format!("  {}", self.left());
+        let (done, total) = (in_groups(self.done), in_groups(self.total));
+        let count = format!("  {done} of {total} {}", self.unit);
+        let room = width.saturating_sub(FREE);
+        let all = format!("{percent}{count}{left}");
+        let tails = [all, percent.clone() + &left, percent];
+        // A bar is worth its place from ten characters on.
+        let fits = |tail: &&String| tail.len() + 12 <= room;
+        match tails.iter().find(fits) {
+            Some(tail) => self.bar(room - tail.len() - 1, ascii) + " " + tail,
+            None => tails[2].chars().take(room).collect(),
+        }
+    }
+
+    fn bar(&self, room: usize, ascii: bool) -> String {
+        let (full, open, ends) = if ascii {
+            ("#", ".", ["[", "]"])
+        } else {
+            ("\u{2501}", "\u{2500}", ["", ""])
+        };
+        let length = room.min(LONGEST_BAR) - ends.concat().len();
+        let share = self.done as f64 / self.total.max(1) as f64;
+        let filled = ((share * length as f64) as usize).min(length);
+        let (full, open) = (full.repeat(filled), open.repeat(length - filled));
+        format!("{}{full}{open}{}", ends[0], ends[1])
+    }
+
+    /// The time that is left if it goes on like this, in the largest unit and the next.
+    fn left(&self) -> String {
+        let rest = self.total.saturating_sub(self.done) as f64;
+        let seconds = (self.elapsed.as_secs_f64() * rest / self.done.max(1) as f64).ceil();
+        let (minutes, hours) = ((seconds / 60.0).floor(), (seconds / 3600.0).floor());
+        if minutes < 1.0 {
+            format!("{seconds} s left")
+        } else if hours < 1.0 {
+            format!("{minutes} min {} s left", seconds % 60.0)
+        } else {
+            format!("{hours} h {} min left", minutes % 60.0)
+        }
+    }
+}
+
+/// `1,000,000`.
+fn in_groups(count: u64) -> String {
+    let digits = count.to_string();
+    let mut text = String::with_capacity(digits.len() * 4 / 3);
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn counted(done: u64, seconds: f64) -> Counted {
+        Counted {
+            done,
+            total: 1_000_000,
+            unit: "rows",
+            elapsed: Duration::from_secs_f64(seconds),
+        }
+    }
+
+    #[test]
+    fn what_does_not_fit_is_left_out() {
+        let half = counted(500_000, 3.0);
+        let lines = [80, 60, 40, 24, 12, 4, 1, 0].map(|width| half.line(width, true));
+        let expected = [
+            "[###################...................]  50 %  500,000 of 1,000,000 rows  3 s left",
+            "[######......]  50 %  500,000 of 1,000,000 rows  3 s left",
+            "[#########..........]  50 %  3 s left",
+            "[######.......]  50 %",
+            " 50 %",
+            " ",
+            "",
+            "",
+        ];
+        assert_eq!(lines[1..], expected[1..]);
+        for (line, width) in lines.iter().zip([80, 60, 40, 24, 12, 4, 1, 0_usize]) {
+            assert!(
+                line.len() <= width.saturating_sub(FREE),
+                "`{line}` in {width}"
+            );
+        }
+        assert_eq!(half.line(200, true), expected[0]);
+    }
+
+    #[test]
+    fn a_bar_fills_from_end_to_end() {
+        let bars = [0, 1_000, 999_999, 1_000_000].map(|done| counted(done, 1.0).bar(12, true));
+        assert_eq!(
+            bars,
+            [
+                "[..........]",
+                "[..........]",
+                "[#########.]",
+                "[##########]"
+            ]
+        );
+        let drawn = counted(250_000, 1.0).bar(8, false);
+        assert_eq!(
+            drawn,
+            "\u{2501}\u{2501}\u{2500}\u{2500}\u{2500}\u{2500}\u{2500}\u{2500}"
+        );
+        assert!(counted(5, 1.0).line(80, true).is_ascii());
+    }
+
+    #[test]
+    fn the_time_left_takes_the_unit_that_it_needs() {
+        let left = |done, seconds| counted(done, seconds).left();
+        assert_eq!(left(500_000, 0.6), "1 s left");
+        assert_eq!(left(1_000_000, 9.0), "0 s left");
+        assert_eq!(left(10_000, 0.75), "1 min 15 s left");
+        assert_eq!(left(1_000, 10.0), "2 h 46 min left");
+        // Before the first row there is nothing to go by.
+        assert!(left(0, 0.5).ends_with("left"));
+    }
+
+    #[test]
+    fn counts_are_read_in_groups() {
+        assert_eq!(
+            [0, 999, 1_000, 12_345_678].map(in_groups),
+            ["0", "999", "1,000", "12,345,678"]
+        );
+    }
+}

@@ -1,0 +1,181 @@
+//! Rows of a sweep as text: CSV, JSON or aligned columns.
+//!
+//! Each way keeps one line of text, which is filled and handed on row by row: rows of CSV and JSON
+//! allocate nothing.
+
+use super::number::{direction, shortest, significant};
+use super::sweep::Columns;
+use crate::quantity::{Aspect, Quantity, Subject, state_word};
+use crate::solver::Condition;
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+/// One way to write rows.
+pub(super) trait Rows {
+    /// A row: a cell for every column, empty where no value exists, and what the state is.
+    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()>;
+
+    /// The end of all rows.
+    fn finish(self) -> io::Result<()>;
+}
+
+/// The writer's own error: the crate's conversion would hide that a pipe was closed.
+pub(super) fn plain(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
+}
+
+/// Comma separated values.
+pub(super) struct CsvRows<W: Write> {
+    to: W,
+    line: String,
+}
+
+impl<W: Write> CsvRows<W> {
+    pub(super) fn new(columns: &Columns, mut to: W) -> io::Result<Self> {
+        let mut csv = csv::Writer::from_writer(&mut to);
+        let headers = columns.headers().chain(["state".into()]);
+        csv.write_record(headers.map(String::into_bytes))
+            .map_err(plain)?;
+        csv.flush()?;
+        drop(csv);
+        let line = String::new();
+        Ok(CsvRows { to, line })
+    }
+}
+
+impl<W: Write> Rows for CsvRows<W> {
+    /// Numbers and the words for a state need no quotes.
+    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
+        self.line.clear();
+        for cell in cells {
+            if let Some(value) = *cell {
+                shortest(value, &mut self.line);
+            }
+            self.line.push(',');
+        }
+        self.line.push_str(state_word(condition));
+        self.line.push('\n');
+        self.to.write_all(self.line.as_bytes())
+    }
+
+    fn finish(mut self) -> io::Result<()> {
+        self.to.flush()
+    }
+}
+
+/// One object: the scene, the units, and an object per row.
+pub(super) struct JsonRows<W: Write> {
+    to: W,
+    /// `"C.x": ` and so on, ready to be written.
+    keys: Vec<String>,
+    line: String,
+    /// What stands before the next row.
+    before: &'static str,
+}
+
+impl<W: Write> JsonRows<W> {
+    pub(super) fn new(scene: &str, columns: &Columns, mut to: W) -> io::Result<Self> {
+        let scene = serde_json::to_string(scene)?;
+        write!(to, "{{\n\"scene\": {scene},\n")?;
+        if columns.units {
+            let units = columns.quantities.iter();
+            let units = units.map(|q| (q.name.clone(), q.unit.clone().into()));
+            let units = serde_json::Value::Object(units.collect());
+            writeln!(to, "\"units\": {units},")?;
+        }
+        write!(to, "\"rows\": [")?;
+        let key = |q: &Quantity| Ok(format!("{}: ", serde_json::to_string(&q.name)?));
+        let keys = columns.quantities.iter().map(key);
+        Ok(JsonRows {
+            keys: keys.collect::<io::Result<_>>()?,
+            to,
+            line: String::new(),
+            before: "\n{",
+        })
+    }
+}
+
+impl<W: Write> Rows for JsonRows<W> {
+    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
+        self.line.clear();
+        self.line.push_str(self.before);
+        self.before = ",\n{";
+        for (key, cell) in self.keys.iter().zip(cells) {
+            self.line.push_str(key);
+            match *cell {
+                Some(value) => shortest(value, &mut self.line),
+                None => self.line.push_str("null"),
+            }
+            self.line.push_str(", ");
+        }
+        self.line.push_str("\"state\": \"");
+        self.line.push_str(state_word(condition));
+        self.line.push_str("\"}");
+        self.to.write_all(self.line.as_bytes())
+    }
+
+    fn finish(mut self) -> io::Result<()> {
+        self.to.write_all(b"\n]\n}\n")?;
+        self.to.flush()
+    }
+}
+
+/// Columns of a fixed width, since the rows to come are not known.
+pub(super) struct TextRows<'c, W: Write> {
+    to: W,
+    columns: &'c Columns,
+    widths: Vec<usize>,
+    digits: usize,
+    line: String,
+}
+
+/// Characters of a number beside its digits: sign, point, and an exponent such as `e-300`.
+const BESIDE_DIGITS: usize = 7;
+
+impl<'c, W: Write> TextRows<'c, W> {
+    pub(super) fn new(columns: &'c Columns, digits: usize, mut to: W) -> io::Result<Self> {
+        let mut widths = Vec::with_capacity(columns.quantities.len());
+        for header in columns.headers() {
+            let width = header.chars().count().max(digits + BESIDE_DIGITS);
+            write!(to, "{header:>width$}  ")?;
+            widths.push(width);
+        }
+        writeln!(to, "state")?;
+        Ok(TextRows {
+            to,
+            columns,
+            widths,
+            digits,
+            line: String::new(),
+        })
+    }
+}
+
+impl<W: Write> Rows for TextRows<'_, W> {
+    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
+        self.line.clear();
+        let columns = self.columns.quantities.iter().zip(&self.widths);
+        for ((quantity, width), cell) in columns.zip(cells) {
+            let shown = cell.map_or_else(|| "-".into(), |v| in_text(quantity, v, self.digits));
+            write!(self.line, "{shown:>width$}  ").map_err(io::Error::other)?;
+        }
+        writeln!(self.to, "{}{}", self.line, state_word(condition))
+    }
+
+    fn finish(mut self) -> io::Result<()> {
+        self.to.flush()
+    }
+}
+
+/// A figure in a text table; the driver's angle counts turns and is never taken for a direction.
+fn in_text(quantity: &Quantity, value: f64, digits: usize) -> String {
+    let turns = quantity.subject == Subject::Driver;
+    if quantity.aspect == Aspect::Angle && !turns {
+        direction(value, digits)
+    } else {
+        significant(value, digits)
+    }
+}
