@@ -56,7 +56,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     let mut tables = Tables::bounded(&scene, &state, &enclosure);
     if args.figures.bounds {
         let (figures, unproved) = tables.unproved();
-        note_unproved(unproved, figures, "figures", screen);
+        note_unproved(unproved, figures, screen);
     }
     if args.figures.sensitivity {
         let figures = Catalogue::new(&scene).figures();
@@ -81,11 +81,11 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
 }
 
 /// Says how many of what was written have no bound, and why.
-pub(super) fn note_unproved(unproved: usize, all: usize, what: &str, screen: Screen) {
+pub(super) fn note_unproved(unproved: u64, figures: u64, screen: Screen) {
     if unproved > 0 {
         note(
             &format!(
-                "{unproved} of {all} {what} have no bound: too close to a dead point or a change point for a proof"
+                "{unproved} of {figures} figures have no bound: too close to a dead point or a change point for a proof"
             ),
             screen,
         );

@@ -9,6 +9,8 @@
 mod answers;
 mod check;
 mod check_text;
+mod columns;
+mod errors;
 mod loop_facts;
 mod number;
 mod rows;
@@ -23,8 +25,10 @@ pub use answers::{Answer, Answers, NO_ANSWER};
 pub use check::{
     Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
 };
+pub use columns::{Beside, Columns};
+pub use errors::Missing;
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
-pub use sweep::{Columns, Outcome, RowFormat, Sweep};
+pub use sweep::{Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TableStyle;
 #[cfg(feature = "tui")]

@@ -197,7 +197,7 @@ impl Tables {
 
     /// The figures that exist, and of these how many have no bound.
     #[must_use]
-    pub fn unproved(&self) -> (usize, usize) {
+    pub fn unproved(&self) -> (u64, u64) {
         let vectors = self.vectors.iter().flat_map(|vector| {
             let lengths = vector.length.into_iter().flatten();
             lengths.chain(vector.direction)
@@ -208,7 +208,7 @@ impl Tables {
         });
         let exist = vectors.chain(planes).filter(|entry| entry.value.is_some());
         exist.fold((0, 0), |(all, unproved), entry| {
-            (all + 1, unproved + usize::from(entry.bound.is_none()))
+            (all + 1, unproved + u64::from(entry.bound.is_none()))
         })
     }
 
