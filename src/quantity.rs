@@ -4,7 +4,7 @@
 
 mod sensitivity;
 
-pub use sensitivity::{Derivatives, Sensitivity};
+pub use sensitivity::{Derivatives, MOST_DERIVATIVES, Sensitivity};
 
 use crate::nearest::nearest;
 use crate::scene::{Scene, VectorKind};

@@ -5,7 +5,7 @@ use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
-use crate::quantity::{Catalogue, Sensitivity};
+use crate::quantity::{Catalogue, MOST_DERIVATIVES, Sensitivity};
 use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, range_text};
 use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order};
@@ -60,6 +60,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     }
     if args.figures.sensitivity {
         let figures = Catalogue::new(&scene).figures();
+        few_enough(&scene, figures.len())?;
         let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
         let answers = Answers::at(&mut sensitivity, tables.unit, at);
         if answers.list.is_none() {
@@ -78,6 +79,17 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         Format::Csv => tables.write_csv(style, out),
         Format::Json => writeln!(out, "{:#}", tables.to_json(style)),
     })
+}
+
+/// Refuses more derivatives by lengths than there is memory and time for.
+pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
+    let lengths = scene.mechanism.lengths().len();
+    if lengths.saturating_mul(figures) <= MOST_DERIVATIVES {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!(
+        "--sensitivity: {figures} figures by {lengths} lengths are too many; `krank sweep --columns` names fewer"
+    )))
 }
 
 /// Says how many of what was written have no bound, and why.

@@ -1,7 +1,7 @@
 //! `krank sweep`: which columns, which rows, and what to say about them.
 
 use super::args::{Format, SweepArgs};
-use super::commands::note_unproved;
+use super::commands::{few_enough, note_unproved};
 use super::failure::{Failure, note};
 use super::output::{goes_to_terminal, write_to};
 use super::progress::Progress;
@@ -28,6 +28,9 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
         bounds: args.figures.bounds,
         sensitivity: args.figures.sensitivity,
     };
+    if beside.sensitivity {
+        few_enough(&scene, figures.len())?;
+    }
     let columns = columns.with(beside, scene.unit.symbol());
     let range = solver.motion().range;
     let steps = steps(&scene, range, args)?;

@@ -46,6 +46,9 @@ pub struct Sensitivity {
     kept: Vec<Vec<Option<Beside>>>,
 }
 
+/// More derivatives than this, of all figures by all lengths, are more than anybody reads.
+pub const MOST_DERIVATIVES: usize = 1 << 24;
+
 type Beside = [(Neighbour, State); PLACES.len()];
 
 /// The derivatives of all figures at one coordinate.

@@ -144,21 +144,13 @@ fn unsure(text: &str, bound: f64) -> Unsure {
     let decimals = digits
         .split_once('.')
         .map_or(0, |(_, decimals)| decimals.len());
-    let mut place = exponent - i32::try_from(decimals).unwrap_or(0);
-    let mut from = digits.len();
-    for (at, _) in digits
-        .char_indices()
-        .rev()
-        .filter(|(_, c)| c.is_ascii_digit())
-    {
-        // Read from a decimal, a power of ten is the nearest double.
-        let counts: f64 = format!("1e{place}").parse().unwrap_or(0.0);
-        if counts >= 2.0 * bound {
-            break;
-        }
-        from = at;
-        place += 1;
-    }
+    let last = exponent - i32::try_from(decimals).unwrap_or(0);
+    let places = digits.char_indices().rev();
+    let places = places.filter(|(_, c)| c.is_ascii_digit()).zip(last..);
+    // Read from a decimal, a power of ten is the nearest double.
+    let counts = |power: i32| format!("1e{power}").parse().unwrap_or(0.0);
+    let unsure = places.take_while(|(_, power)| counts(*power) < 2.0 * bound);
+    let from = unsure.last().map_or(digits.len(), |((at, _), _)| at);
     if from == digits.len() {
         Unsure::Nothing
     } else {
