@@ -202,6 +202,66 @@ fn says_what_is_missing_at_a_dead_point() {
     assert!(line.ends_with("82.81924422 deg  dead point"), "{line}");
 }
 
+/// Within 5e-13 deg of the dead point of [`SWINGING`], where rates have four digits at the most.
+const ALMOST_DEAD: &str = "g 8 2 . 8 1 9 2 4 4 2 1 8 5 4 1 Enter";
+
+/// Digits that nothing proves are dim; without colours points stand in their place.
+#[test]
+fn digits_that_nothing_proves_are_told() {
+    for (name, cols, rows) in [("80x24", 80, 24), ("40x12", 40, 12)] {
+        let opened = open(SWINGING, Origin::Stdin);
+        let mut session = Session::new(opened, Glyphs::Ascii, cols, rows);
+        session.workbench = Workbench::new(
+            open(SWINGING, Origin::Stdin),
+            Glyphs::Ascii,
+            Colours::None,
+            cols,
+            rows,
+        );
+        let screen = session.press(ALMOST_DEAD).look();
+        insta::assert_snapshot!(format!("unsure-no-colour-{name}"), screen);
+    }
+    let mut session = Session::new(open(SWINGING, Origin::Stdin), Glyphs::Ascii, 80, 24);
+    let screen = session.press(ALMOST_DEAD).look();
+    // A rate of r4, and which of its characters are dim.
+    let row = screen
+        .lines()
+        .position(|line| line.contains("| r4            0  "))
+        .unwrap();
+    let line = screen.lines().nth(row).unwrap();
+    let from = line.find("  4.").unwrap() + 2;
+    let dim: String = (from..line.len())
+        .map(|col| {
+            let at = |n: usize| u16::try_from(n).unwrap();
+            let cell = session.terminal.screen().cell(at(row), at(col)).unwrap();
+            if cell.dim() { '~' } else { ' ' }
+        })
+        .collect();
+    assert_eq!(&dim[..1], " ", "{line}\n{dim}");
+    assert!(dim.contains("~~~"), "{line}\n{dim}");
+    assert!(
+        dim.trim_start().trim_end().len() < line[from..].len(),
+        "{line}\n{dim}"
+    );
+    // Where all is well, nothing is dim but what is quiet anyway.
+    let line = session.press("Home").last_line();
+    assert!(line.contains("ok  +-"), "{line}");
+}
+
+/// The last line tells the largest bound of a place, or that there is none; not where figures are not
+/// what is looked at.
+#[test]
+fn the_largest_bound_stands_in_the_last_line() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    assert!(session.last_line().contains("ok  +-3e-13 mm  ? help"));
+    assert!(!session.press("e").last_line().contains("+-"));
+    assert!(!session.press("1 ?").last_line().contains("+-"));
+    // On a short line the key that leads on comes first.
+    let mut narrow = four_bar(Glyphs::Ascii, 40, 12);
+    let line = narrow.last_line();
+    assert!(line.contains("? help") && !line.contains("+-"), "{line}");
+}
+
 /// Whoever does not know the keys finds the one that shows them, on every screen.
 #[test]
 fn the_key_of_the_help_is_always_named() {
@@ -371,7 +431,7 @@ fn every_preset_is_shown_at_every_size_while_it_plays() {
             workbench.press("space");
             for (cols, rows) in sizes {
                 workbench.resize(cols, rows);
-                for view in ["1", "2", "?", "PgDn", "Esc"] {
+                for view in ["1", "2", "e", "?", "PgDn", "Esc"] {
                     workbench.press(view);
                     workbench.pass(Duration::from_millis(130));
                     let frame = workbench.paint();
@@ -447,6 +507,7 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
         "Tab",
         "1",
         "2",
+        "e",
         "Up",
         "Down",
         "PgUp",

@@ -47,7 +47,7 @@ pub struct Sensitivity {
 }
 
 /// More derivatives than this, of all figures by all lengths, are more than anybody reads.
-pub const MOST_DERIVATIVES: usize = 1 << 24;
+pub const MOST_DERIVATIVES: usize = 1 << 22;
 
 type Beside = [(Neighbour, State); PLACES.len()];
 

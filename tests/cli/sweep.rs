@@ -1,6 +1,6 @@
 //! `sweep`: columns, rows and numbers.
 
-use super::{Run, done, json, krank, refused, rows};
+use super::{Run, command, done, json, krank, refused, rows, run};
 
 fn header(csv: &str) -> &str {
     csv.lines().next().unwrap()
@@ -363,4 +363,30 @@ fn errors_that_cannot_be_told_are_empty_and_counted() {
         "{}",
         heard.err
     );
+}
+
+/// Used to be nothing that anybody would wait for: derivatives without end are refused at once.
+#[test]
+fn too_many_derivatives_are_refused() {
+    let mut text = "[ground]\nA = [0, 0]\n".to_owned();
+    let (mut links, mut start) = (String::new(), String::new());
+    for i in 0..400 {
+        let (x, next) = (4 * i + 4, i + 1);
+        text += &format!("D{i} = [{x}, 0]\n");
+        links += &format!("a{i} = {{ from = \"P{i}\", to = \"P{next}\", length = 4 }}\n");
+        links += &format!("b{i} = {{ from = \"D{i}\", to = \"P{next}\", length = 2.5 }}\n");
+        start += &format!("P{next} = [{x}, 2.4]\n");
+    }
+    let crank = "c = { from = \"A\", to = \"P0\", length = 1 }";
+    text +=
+        &format!("[driver]\nlink = \"c\"\nangle = 60\n[links]\n{crank}\n{links}[start]\n{start}");
+    for args in [
+        &["table", "-"][..],
+        &["sweep", "-", "--from", "60", "--to", "60"],
+    ] {
+        let mut command = command(&[args, &["--sensitivity"]].concat());
+        let heard = run(command.write_stdin(text.as_str()));
+        assert_eq!(heard.code, 2, "{}", heard.err);
+        assert!(heard.err.contains("are too many"), "{}", heard.err);
+    }
 }
