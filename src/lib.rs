@@ -93,7 +93,7 @@ pub mod solver;
 #[cfg(feature = "tui")]
 pub mod tui;
 
-pub use arithmetic::{Ball, Double, Number, Vec2, angle};
+pub use arithmetic::{Ball, Constant, Double, Number, Vec2, angle};
 pub use mechanism::{
     Axis, Body, Builder, Defect, Driver, Element, Input, Length, Link, LinkId, Load, Mechanism,
     Member, Point, PointId, Slide, SlideId, Slider,

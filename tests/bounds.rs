@@ -165,6 +165,12 @@ impl Dice {
     }
 }
 
+/// The nearest number that is known exactly: one with all its digits could have been meant to be half
+/// an ulp elsewhere, and its bounds say so.
+fn short(length: f64) -> f64 {
+    f64::from(length as f32)
+}
+
 /// A mechanism built from places: lengths are what lies between them, so that it closes.
 struct Maker {
     builder: Builder,
@@ -180,6 +186,7 @@ impl Maker {
     }
 
     fn ground(&mut self, at: Vec2) -> PointId {
+        let at = at.map(short);
         let point = self.builder.ground_point(at.x, at.y);
         self.places.push((point, at));
         point
@@ -197,7 +204,7 @@ impl Maker {
     }
 
     fn link(&mut self, from: PointId, to: PointId) -> LinkId {
-        let length = (self.place(to) - self.place(from)).norm();
+        let length = short((self.place(to) - self.place(from)).norm());
         self.builder.link(from, to, length)
     }
 
@@ -205,7 +212,7 @@ impl Maker {
     fn carry(&mut self, link: LinkId, [from, to]: [PointId; 2], point: PointId) {
         let along = self.place(to) - self.place(from);
         let seen = self.place(point) - self.place(from);
-        let local = seen.turned(along.conj()) / along.norm();
+        let local = (seen.turned(along.conj()) / along.norm()).map(short);
         self.builder.carry(link, point, local);
     }
 
@@ -242,7 +249,7 @@ fn four_bar(dice: &mut Dice) -> Option<Mechanism> {
 /// The frame is chosen so that the arms are within 10^-1 to 10^-13 of being in line somewhere.
 fn near_change_point(dice: &mut Dice) -> Option<Mechanism> {
     let mut builder = Mechanism::builder();
-    let [crank, coupler, rocker] = [0; 3].map(|_| dice.within(0.5, 2.0));
+    let [crank, coupler, rocker] = [0; 3].map(|_| short(dice.within(0.5, 2.0)));
     let off = 10_f64.powf(dice.within(-13.0, -1.0));
     let frame = coupler + rocker - crank + if dice.unit() < 0.5 { off } else { -off };
     let a = builder.ground_point(0.0, 0.0);

@@ -5,9 +5,10 @@
 mod exact;
 
 use exact::{DoubleDouble, PI};
+use krank::quantity::{self, Aspect};
 use krank::scene::Scene;
 use krank::solver::{Condition, Order, Solver, State};
-use krank::{LinkId, Mechanism, PointId, SlideId, Vec2, angle};
+use krank::{Ball, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -121,7 +122,7 @@ impl Column {
                 exact.minus(if along_x { vector.x } else { vector.y })
             }
             Subject::Link(link) => match self.kind {
-                Kind::Angle => angle_error(exact, state.direction(link)),
+                Kind::Angle => angle_error(exact, state.angle(link)),
                 Kind::Omega => exact.minus(state.omega(link)),
                 _ => exact.minus(state.alpha(link)),
             },
@@ -129,9 +130,36 @@ impl Column {
     }
 }
 
-/// The angle that is shown for a direction, against an angle in rad that counts full turns.
-fn angle_error(exact: DoubleDouble, direction: Vec2) -> f64 {
-    let shown = DoubleDouble::from(angle::degrees(direction)) * PI / DoubleDouble::from(180.0);
+impl Column {
+    /// The bound that krank gives for what [`Column::error`] measures, in the same unit.
+    fn bound(&self, state: &State, enclosure: &State<Ball>) -> Option<f64> {
+        let along_x = self.name.ends_with('x');
+        let aspect = match (self.kind, along_x) {
+            (Kind::Position, true) => Aspect::X,
+            (Kind::Position, false) => Aspect::Y,
+            (Kind::Velocity, true) => Aspect::Vx,
+            (Kind::Velocity, false) => Aspect::Vy,
+            (Kind::Acceleration, true) => Aspect::Ax,
+            (Kind::Acceleration, false) => Aspect::Ay,
+            (Kind::Angle, _) => Aspect::Angle,
+            (Kind::Omega, _) => Aspect::Omega,
+            (Kind::Alpha, _) => Aspect::Alpha,
+        };
+        let subject = match self.subject {
+            Subject::Point(point) => quantity::Subject::Point(point),
+            Subject::Link(link) => quantity::Subject::Link(link),
+        };
+        let bound = quantity::bound(subject, aspect, state, enclosure)?;
+        Some(match self.kind {
+            Kind::Angle => bound.to_radians(),
+            _ => bound,
+        })
+    }
+}
+
+/// An angle in degrees as it is shown, against one in rad that counts full turns.
+fn angle_error(exact: DoubleDouble, shown: f64) -> f64 {
+    let shown = DoubleDouble::from(shown) * PI / DoubleDouble::from(180.0);
     let turn = PI * DoubleDouble::from(2.0);
     let difference = exact - shown;
     let turns = (difference.hi / turn.hi).round();
@@ -244,12 +272,13 @@ fn measure(case: &Case) -> BTreeMap<Kind, Worst> {
     let (scene, solver) = open(case.name);
     let table = Table::read(case, &scene);
     let length = longest_link(&scene.mechanism);
-    let mut state = solver.state();
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
     let mut worst: BTreeMap<Kind, Worst> = BTreeMap::new();
     for row in &table.rows {
         let at = row[0].hi;
         let condition = solver.solve(at, Order::Acceleration, &mut state);
         assert_eq!(condition, Condition::Ok, "{} at {at}", case.name);
+        solver.enclose(&state, Order::Acceleration, &mut enclosure);
         for column in &table.columns {
             let scale = match column.kind {
                 Kind::Position => length,
@@ -257,6 +286,11 @@ fn measure(case: &Case) -> BTreeMap<Kind, Worst> {
                 kind => table.largest[&kind],
             };
             let error = column.error(row[column.index], &state).abs();
+            let place = format!("{}: {} at {at}", case.name, column.name);
+            let bound = column.bound(&state, &enclosure).expect(&place);
+            // The references themselves are right to 25 digits.
+            let known = bound + 1e-24 * row[column.index].hi.abs().max(1.0);
+            assert!(error <= known, "{place}: off by {error:e}, bound {bound:e}");
             let error = if error == 0.0 {
                 0.0
             } else {

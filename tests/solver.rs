@@ -639,14 +639,17 @@ fn a_state_depends_on_the_coordinate_alone() {
 }
 
 #[test]
-fn solving_allocates_nothing() {
+fn solving_and_bounding_allocate_nothing() {
     let coupled = solver(stephenson(true).0).1;
     let dyads = Solver::new(&long_chain(5)).unwrap();
     for s in [coupled, dyads] {
-        let mut state = s.state();
+        let (mut state, order) = (s.state(), Order::Acceleration);
+        let (mut enclosure, mut twice) = (s.enclosure(), s.twice());
         let info = allocation_counter::measure(|| {
             for q in 0..100 {
-                s.solve(60.0 + 0.1 * f64::from(q), Order::Acceleration, &mut state);
+                s.solve(60.0 + 0.1 * f64::from(q), order, &mut state);
+                s.enclose(&state, order, &mut enclosure);
+                s.solve_twice(&state, order, &mut twice);
             }
         });
         assert_eq!(info.count_total, 0);

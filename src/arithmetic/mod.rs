@@ -3,11 +3,15 @@
 
 pub mod angle;
 mod ball;
+mod constant;
 mod double;
 mod number;
 mod vec2;
 
 pub use ball::Ball;
+pub(crate) use ball::half_ulp;
+pub use constant::Constant;
+pub(crate) use constant::typed_radius;
 pub use double::Double;
 pub(crate) use double::{two_product, two_sum};
 pub use number::Number;

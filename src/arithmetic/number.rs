@@ -3,7 +3,7 @@
 //! Every formula of a step is written once, over [`Number`]. In doubles it gives figures, in
 //! [`Double`] figures of twice the precision, in [`Ball`](crate::Ball) figures with a bound.
 
-use crate::{Double, Vec2, angle};
+use crate::{Constant, Double, Vec2, angle};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -19,15 +19,12 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// A constant that is known to twice the precision: each arithmetic takes what it can hold.
-    fn of(constant: Double) -> Self;
+    /// A constant of the mechanism: each arithmetic takes what it can hold.
+    fn of(constant: Constant) -> Self;
 
     /// A double, exactly.
-    #[inline]
     #[must_use]
-    fn exactly(value: f64) -> Self {
-        Self::of(Double::exactly(value))
-    }
+    fn exactly(value: f64) -> Self;
 
     /// The nearest double.
     fn nearest(self) -> f64;
@@ -66,8 +63,13 @@ pub trait Number:
 
 impl Number for f64 {
     #[inline]
-    fn of(constant: Double) -> f64 {
+    fn of(constant: Constant) -> f64 {
         constant.hi
+    }
+
+    #[inline]
+    fn exactly(value: f64) -> f64 {
+        value
     }
 
     #[inline]
@@ -119,8 +121,13 @@ impl Number for f64 {
 
 impl Number for Double {
     #[inline]
-    fn of(constant: Double) -> Double {
-        constant
+    fn of(constant: Constant) -> Double {
+        constant.value()
+    }
+
+    #[inline]
+    fn exactly(value: f64) -> Double {
+        Double::exactly(value)
     }
 
     #[inline]

@@ -1,6 +1,6 @@
 //! Plane vectors, and the few products that planar kinematics is written in.
 
-use crate::{Double, Number};
+use crate::{Constant, Number};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// A vector of the plane: a position, a displacement, a direction or a rate of one of these.
@@ -34,7 +34,7 @@ impl<T: Number> Vec2<T> {
     /// A constant vector.
     #[inline]
     #[must_use]
-    pub fn of(constant: Vec2<Double>) -> Self {
+    pub fn of(constant: Vec2<Constant>) -> Self {
         constant.map(T::of)
     }
 

@@ -7,7 +7,10 @@ use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order};
-use crate::{Double, Input, LinkId, Mechanism, Number, Vec2, angle};
+use crate::{Constant, Input, LinkId, Mechanism, Number, Vec2, angle};
+
+/// A rate may have been given in rpm or degrees and converted: some roundings more than reading.
+const CONVERSION: f64 = 4.0;
 
 /// A program, and what its driver's coordinate means.
 #[derive(Clone, Debug)]
@@ -53,7 +56,7 @@ impl Engine {
         let coupled = &self.program.coupled;
         let fixed_point = |&p: &_| PointState::fixed(Vec2::of(p));
         let fixed_link = |&d: &_| LinkState::fixed(Vec2::of(d));
-        let [speed, acceleration] = self.driver_rates;
+        let [speed, acceleration] = self.driver_rates.map(converted);
         let rates = Rates::new(speed, acceleration);
         State {
             condition: Condition::NoAssembly,
@@ -225,12 +228,20 @@ impl Engine {
     }
 }
 
+/// A rate of the driver: given in any unit, and converted.
+fn converted(rate: f64) -> Constant {
+    let mut given = Constant::given(rate);
+    given.radius *= CONVERSION;
+    given
+}
+
 impl Gauge {
     /// By how much the constraint misses, and how far out: the rounding grows with the distance.
     fn misfit(&self, state: &State) -> (f64, f64) {
         let at = |p: crate::PointId| state.points[p.index()].p;
-        let turned =
-            |link: LinkId, along: Vec2<Double>| along.nearest().turned(state.links[link.index()].d);
+        let turned = |link: LinkId, along: Vec2<Constant>| {
+            along.nearest().turned(state.links[link.index()].d)
+        };
         let (miss, place) = match *self {
             Gauge::Distance { from, to, length } => {
                 ((at(to) - at(from)).norm() - length.hi, at(to))

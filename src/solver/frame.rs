@@ -3,7 +3,7 @@
 //! Far coordinates cost no digits, products of four lengths neither overflow nor underflow, and a
 //! scene scaled by a power of two gives the same bits: the scaling itself is exact.
 
-use crate::{Body, Double, Input, Mechanism, Number, Vec2};
+use crate::{Body, Constant, Input, Mechanism, Number, Vec2};
 
 /// From the scene's frame and unit to the solver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,23 +51,23 @@ impl Frame {
     }
 
     /// A vector in a link's frame in the solver's unit; exact.
-    pub(super) fn local(&self, local: Vec2) -> Vec2<Double> {
-        local.map(|v| Double::exactly(v / self.scale))
+    pub(super) fn local(&self, local: Vec2) -> Vec2<Constant> {
+        local.map(|v| Constant::given(v / self.scale))
     }
 
     /// A place of the scene in the solver's frame; exact.
-    pub(super) fn inner(&self, place: Vec2) -> Vec2<Double> {
+    pub(super) fn inner(&self, place: Vec2) -> Vec2<Constant> {
         let away = |v: f64, origin: f64| {
-            let Double { hi, lo } = Double::sum(v, -origin);
-            let (hi, lo) = (hi / self.scale, lo / self.scale);
-            Double { hi, lo }
+            let away = Constant::given(v) - Constant::given(origin);
+            let [hi, lo, radius] = [away.hi, away.lo, away.radius].map(|v| v / self.scale);
+            Constant { hi, lo, radius }
         };
         Vec2::new(away(place.x, self.origin.x), away(place.y, self.origin.y))
     }
 
     /// A place of the solver in the scene's frame.
     pub(super) fn place<T: Number>(&self, inner: Vec2<T>) -> Vec2<T> {
-        self.origin.exactly() + inner.scaled(self.scale)
+        Vec2::of(self.origin.map(Constant::given)) + inner.scaled(self.scale)
     }
 }
 

@@ -5,7 +5,7 @@
 //! 2 (k - 1) equations, a slot one. Points that are no joints take no part: they ride.
 
 use crate::{
-    Body, Double, Element, Input, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
+    Body, Constant, Element, Input, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
 };
 
 /// A class of links that keep their angles to each other.
@@ -62,7 +62,7 @@ pub(super) struct Network<'m> {
     /// For every link, and for the ground behind them.
     pub class_of: Vec<ClassId>,
     /// The direction of a link as seen from that of its class.
-    pub turn: Vec<Vec2<Double>>,
+    pub turn: Vec<Vec2<Constant>>,
     pub members: Vec<Vec<LinkId>>,
     /// The joint from which a link's other joints are seen.
     centre: Vec<Option<PointId>>,
@@ -129,7 +129,7 @@ impl<'m> Network<'m> {
     }
 
     /// The direction of `link` as seen from `other` of the same class.
-    pub(super) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2<Double> {
+    pub(super) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2<Constant> {
         self.turn[link.index()].turned(self.turn[other.index()].conj())
     }
 
@@ -169,13 +169,13 @@ impl<'m> Network<'m> {
     }
 
     /// For every body the bodies locked to it, the direction in which each is seen, and the slide.
-    fn locks(&self) -> Vec<Vec<(LinkId, Vec2<Double>, SlideId)>> {
+    fn locks(&self) -> Vec<Vec<(LinkId, Vec2<Constant>, SlideId)>> {
         let mut locks = vec![Vec::new(); self.class_of.len()];
         for slide in self.mechanism.slide_ids() {
             let given = self.mechanism.slide(slide);
             if let Slider::Link { link, turn, .. } = given.slider {
                 let on = self.body(given.on);
-                let seen = Double::unit(given.angle).turned(Double::unit(turn));
+                let seen = Constant::given_unit(given.angle).turned(Constant::given_unit(turn));
                 locks[on.index()].push((link, seen, slide));
                 locks[link.index()].push((on, seen.conj(), slide));
             }

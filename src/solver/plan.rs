@@ -2,7 +2,7 @@
 
 use super::coupled::Coupled;
 use super::step::Step;
-use crate::{Double, Element, LinkId, PointId, Vec2};
+use crate::{Constant, Element, LinkId, PointId, Vec2};
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,7 +64,7 @@ pub(super) enum Gauge {
     Distance {
         from: PointId,
         to: PointId,
-        length: Double,
+        length: Constant,
     },
     /// The direction in which a link sees one of its points from another.
     Direction {
@@ -72,7 +72,7 @@ pub(super) enum Gauge {
         to: PointId,
         link: LinkId,
         /// A unit vector in the link's frame; not finite where the points are one.
-        along: Vec2<Double>,
+        along: Vec2<Constant>,
     },
     /// A point on a line of a body.
     OnLine {
@@ -94,7 +94,7 @@ pub(super) struct Program {
     pub group_starts: Vec<usize>,
     pub coupled: Vec<Coupled>,
     /// The places of constant points and the directions of constant links; all others are overwritten.
-    pub points: Vec<Vec2<Double>>,
-    pub links: Vec<Vec2<Double>>,
+    pub points: Vec<Vec2<Constant>>,
+    pub links: Vec<Vec2<Constant>>,
     pub watches: Vec<Watch>,
 }

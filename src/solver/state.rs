@@ -2,7 +2,7 @@
 
 use super::coupled::Scratch;
 use super::frame::Frame;
-use crate::{LinkId, Number, PointId, SlideId, Vec2, angle};
+use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2, angle};
 
 /// What a state is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -156,7 +156,10 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn angle(&self, link: LinkId) -> T {
         if self.driven == Some(link) {
-            T::exactly(angle::wrapped(self.at.nearest()))
+            {
+                let near = self.at.nearest();
+                T::exactly(angle::wrapped(near)) + (self.at - T::exactly(near))
+            }
         } else {
             T::degrees(self.direction(link))
         }
@@ -192,12 +195,12 @@ impl<T: Number> State<T> {
 }
 
 impl<T: Number> Rates<T> {
-    pub(super) fn new(speed: f64, acceleration: f64) -> Rates<T> {
-        let speed = T::exactly(speed);
+    pub(super) fn new(speed: Constant, acceleration: Constant) -> Rates<T> {
+        let speed = T::of(speed);
         Rates {
             speed,
             square: speed * speed,
-            acceleration: T::exactly(acceleration),
+            acceleration: T::of(acceleration),
         }
     }
 

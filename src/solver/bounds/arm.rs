@@ -4,7 +4,7 @@ use super::U;
 use crate::arithmetic::{two_product, two_sum};
 use crate::solver::state::State;
 use crate::solver::step::Swing;
-use crate::{Ball, Number, Vec2};
+use crate::{Ball, Vec2};
 
 /// What the residual in twice the precision still rounds, in parts of the distance.
 const RESIDUAL: f64 = 32.0 * U * U;
@@ -42,7 +42,7 @@ impl Swing {
         let s = t.x * wx + t.y * wy;
         let radii = pin.x.radius + pin.y.radius + pivot.x.radius + pivot.y.radius;
         let least = s.abs() - 4.0 * U * size - radii;
-        let fuzz = wobble + RESIDUAL * size + 2.0 * U * residual.abs();
+        let fuzz = wobble + e.radius + RESIDUAL * size + 2.0 * U * residual.abs();
         let reach = (residual.abs() + fuzz) / least;
         // Written so that NaN proves nothing.
         let change = ((2.0 * reach + 8.0 * U) * size + radii) / least;

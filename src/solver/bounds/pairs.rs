@@ -1,10 +1,10 @@
 //! Bounds of the dyads that place a joint by two constraints: circles and lines.
 
 use super::U;
-use crate::arithmetic::{two_product, two_sum};
+use crate::arithmetic::{half_ulp, two_product, two_sum};
 use crate::solver::state::{PointState, State};
 use crate::solver::step::{CircleLine, CircleRail, Circles, Cylinder};
-use crate::{Ball, Double, Vec2};
+use crate::{Ball, Constant, Vec2};
 
 /// What the residuals in twice the precision still round, in parts of the square of the length.
 const RESIDUAL: f64 = 32.0 * U * U;
@@ -29,7 +29,7 @@ struct Row {
 impl Row {
     /// (|X - P|^2 - b^2) / 2.
     #[inline]
-    fn circle(x: Vec2, p: &PointState<Ball>, square: Double, square_fuzz: f64) -> Row {
+    fn circle(x: Vec2, p: &PointState<Ball>, square: Constant) -> Row {
         let (ex, ex_rest) = two_sum(x.x, -p.p.x.mid);
         let (ey, ey_rest) = two_sum(x.y, -p.p.y.mid);
         let ((xx, xx_rest), (yy, yy_rest)) = (two_product(ex, ex), two_product(ey, ey));
@@ -44,7 +44,10 @@ impl Row {
             gradient: Vec2::new(ex, ey),
             wobble: rx + ry + U * (ex.abs() + ey.abs()),
             residual: 0.5 * (rest + small),
-            fuzz: moved + square_fuzz + RESIDUAL * square.hi + U * (0.5 * (rest + small)).abs(),
+            fuzz: moved
+                + 0.5 * square.radius
+                + RESIDUAL * square.hi
+                + U * (0.5 * (rest + small)).abs(),
             curvature: 1.0,
         }
     }
@@ -104,7 +107,7 @@ fn enclose(x: Vec2, [a, b]: [Row; 2]) -> Option<Vec2<Ball>> {
     }
     let more = change * reach / (1.0 - change);
     let middle = x + shift;
-    let round = |step: f64, middle: f64| 4.0 * U * step + U * middle.abs();
+    let round = |step: f64, middle: f64| 4.0 * U * step + half_ulp(middle);
     Some(Vec2::new(
         Ball::new(middle.x, fuzz.x + more + round(step.x, middle.x)),
         Ball::new(middle.y, fuzz.y + more + round(step.y, middle.y)),
@@ -122,8 +125,8 @@ impl Circles {
         let near = enclosure.points[self.near.pivot.index()];
         let far = enclosure.points[self.far.pivot.index()];
         let rows = [
-            Row::circle(x, &near, self.near.square, 0.0),
-            Row::circle(x, &far, self.far.square, 0.0),
+            Row::circle(x, &near, self.near.square),
+            Row::circle(x, &far, self.far.square),
         ];
         let Some(x) = enclose(x, rows) else {
             return false;
@@ -145,11 +148,15 @@ impl Cylinder {
         let x = state.points[self.point.index()].p;
         let pivot = enclosure.points[self.pivot.index()];
         let far = enclosure.points[self.far.pivot.index()];
-        let square = self.arm_square(Double::exactly(q.mid));
-        let arm_fuzz = q.radius * (2.0 * square.hi.sqrt() + q.radius);
+        let pushed = Constant {
+            hi: q.mid,
+            lo: 0.0,
+            radius: q.radius,
+        };
+        let square = self.arm_square(pushed);
         let rows = [
-            Row::circle(x, &pivot, square, arm_fuzz),
-            Row::circle(x, &far, self.far.square, 0.0),
+            Row::circle(x, &pivot, square),
+            Row::circle(x, &far, self.far.square),
         ];
         let Some(x) = enclose(x, rows) else {
             return false;
@@ -171,7 +178,7 @@ impl CircleLine {
         let pivot = enclosure.points[self.arm.pivot.index()];
         let guide = self.line.at(enclosure);
         let rows = [
-            Row::circle(x, &pivot, self.arm.square, 0.0),
+            Row::circle(x, &pivot, self.arm.square),
             Row::line(x, guide.n, Vec2::ZERO, guide.q.p),
         ];
         let Some(x) = enclose(x, rows) else {
@@ -196,9 +203,11 @@ impl CircleRail {
         let pivot = enclosure.points[self.arm.pivot.index()];
         let (t, q) = (self.along, Vec2::<Ball>::of(self.through));
         let n = t.perp();
+        // Its second half is taken into the residual; only what was meant can be elsewhere.
+        let meant = n.map(|v| Ball::new(v.hi, v.radius));
         let rows = [
-            Row::circle(x, &pivot, self.arm.square, 0.0),
-            Row::line(x, n.nearest().exactly(), n.map(|v| v.lo), q),
+            Row::circle(x, &pivot, self.arm.square),
+            Row::line(x, meant, n.map(|v| v.lo), q),
         ];
         let Some(x) = enclose(x, rows) else {
             return false;

@@ -5,7 +5,7 @@ use super::Chain;
 use crate::solver::network::Row;
 use crate::solver::plan::{Gauge, Watch};
 use crate::solver::step::Step;
-use crate::{Double, LinkId, PointId, Vec2};
+use crate::{Constant, LinkId, PointId, Vec2};
 
 impl Chain<'_> {
     /// Where constraints were set aside, all are watched, those first. Which of them the steps then
@@ -62,7 +62,7 @@ impl Chain<'_> {
     }
 
     /// Another joint of a link, and `end` as seen from there in the link's frame.
-    fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2<Double>)> {
+    fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2<Constant>)> {
         let to = self.local(link, end)?;
         let other = self.network.joints(link).find(|m| m.point != end)?;
         Some((other.point, to - self.frame.local(other.local)))

@@ -10,7 +10,7 @@ use super::{Chain, Scope};
 use crate::solver::network::ClassId;
 use crate::solver::plan::GroupKind;
 use crate::solver::step::{Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Step, Swing};
-use crate::{Body, Double, Input, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
 /// A joint at a fixed place of a class whose direction is not known yet.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ struct Anchor {
     class: ClassId,
     pivot: PointId,
     /// From the pivot to the point, in the frame of the class.
-    arm: Vec2<Double>,
+    arm: Vec2<Constant>,
     /// A link of the class that ends at the point.
     link: LinkId,
 }
@@ -73,8 +73,8 @@ impl Chain<'_> {
         &self,
         link: LinkId,
         pivot: PointId,
-        at: Vec2<Double>,
-        arm: Vec2<Double>,
+        at: Vec2<Constant>,
+        arm: Vec2<Constant>,
         anchors: &mut Vec<Anchor>,
     ) {
         let class = self.network.class(link);
@@ -181,7 +181,7 @@ impl Chain<'_> {
             } else {
                 continue;
             };
-            let along = Double::unit(given.angle);
+            let along = Constant::given_unit(given.angle);
             let offset = along.perp().dot(self.frame.local(given.through) - at - arm);
             let group = self.open_group(GroupKind::Rpr, Some(pin));
             self.push(Step::Swing(Swing {
@@ -225,7 +225,7 @@ impl Chain<'_> {
         let far = self.arm(anchor);
         let group = self.open_group(GroupKind::Rrr, Some(point));
         let through = self.frame.local(given.through) - at;
-        let along = Double::unit(given.angle);
+        let along = Constant::given_unit(given.angle);
         self.push(Step::Cylinder(Cylinder {
             point,
             pivot,
@@ -329,7 +329,7 @@ impl Chain<'_> {
             return Some(Line {
                 through,
                 link: carrier,
-                along: Double::unit(given.angle),
+                along: Constant::given_unit(given.angle),
             });
         }
         let guide = self.line(hold.slide)?;

@@ -2,14 +2,14 @@
 
 use super::Chain;
 use crate::solver::step::{Line, Step};
-use crate::{Body, Double, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Constant, LinkId, PointId, SlideId, Vec2};
 
 impl Chain<'_> {
     /// The guide of a slide, if its body is placed.
     pub(super) fn line(&mut self, slide: SlideId) -> Option<Line> {
         let given = self.network.mechanism.slide(slide);
         let link = self.network.body(given.on);
-        let along = Double::unit(given.angle);
+        let along = Constant::given_unit(given.angle);
         if let Some(through) = self.guide_points[slide.index()] {
             return Some(Line {
                 through,
@@ -43,14 +43,14 @@ impl Chain<'_> {
 
     /// The place and the direction of a line that never moves: of the ground itself, through a point
     /// that no step places.
-    pub(super) fn rail(&self, line: &Line) -> Option<[Vec2<Double>; 2]> {
+    pub(super) fn rail(&self, line: &Line) -> Option<[Vec2<Constant>; 2]> {
         let is_constant = self.constants.contains(&line.through);
         (line.link == self.network.ground() && is_constant)
             .then(|| [self.program.points[line.through.index()], line.along])
     }
 
     /// A helping point that rides at `local` from `base` on a link.
-    pub(super) fn ride(&mut self, base: PointId, link: LinkId, local: Vec2<Double>) -> PointId {
+    pub(super) fn ride(&mut self, base: PointId, link: LinkId, local: Vec2<Constant>) -> PointId {
         let point = self.new_point(Vec2::default());
         self.push(Step::Ride {
             point,

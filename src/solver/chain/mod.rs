@@ -12,7 +12,7 @@ use super::network::{ClassId, GROUND, Network, Row, Unknown};
 use super::order::{self, Block, Ordering};
 use super::plan::{Group, GroupKind, Plan, Program};
 use super::step::{Arm, Step};
-use crate::{Body, Double, Element, Input, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Constant, Element, Input, LinkId, PointId, SlideId, Vec2};
 
 /// The links and slides that a block's equations are about.
 #[derive(Default)]
@@ -70,7 +70,7 @@ impl<'n> Chain<'n> {
     fn new(network: &'n Network<'n>, frame: Frame) -> Self {
         let mechanism = network.mechanism;
         let place = |p: &crate::Point| p.ground.map_or(Vec2::default(), |g| frame.inner(g));
-        let points: Vec<Vec2<Double>> = mechanism.points().iter().map(place).collect();
+        let points: Vec<Vec2<Constant>> = mechanism.points().iter().map(place).collect();
         let mut links = vec![Vec2::X.exactly(); network.class_of.len()];
         for &link in &network.members[GROUND.0] {
             links[link.index()] = network.turn[link.index()];
@@ -107,20 +107,20 @@ impl<'n> Chain<'n> {
         self.class_known[self.network.class(link).0]
     }
 
-    fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Double>> {
+    fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
         let local = self.network.link(link)?.local(point)?;
         Some(self.frame.local(local))
     }
 
     /// A known point of a link, with its place in the link.
-    fn footing(&self, link: LinkId) -> Option<(PointId, Vec2<Double>)> {
+    fn footing(&self, link: LinkId) -> Option<(PointId, Vec2<Constant>)> {
         let members = &self.network.link(link)?.members;
         let known = members.iter().find(|m| self.point_known[m.point.index()])?;
         Some((known.point, self.frame.local(known.local)))
     }
 
     /// A point that is not the scene's: constant, or given its place by a step.
-    fn new_point(&mut self, p: Vec2<Double>) -> PointId {
+    fn new_point(&mut self, p: Vec2<Constant>) -> PointId {
         self.program.points.push(p);
         self.point_known.push(true);
         PointId::new(self.program.points.len() - 1)
@@ -211,7 +211,7 @@ impl<'n> Chain<'n> {
     }
 
     /// How a point of a link follows from another one; on the driven link, from its pivot.
-    fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2<Double>) -> Step {
+    fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2<Constant>) -> Step {
         let is_driven = self.network.mechanism.driver().input == Input::Turn(link);
         let on_ground = self
             .network

@@ -6,7 +6,7 @@
 //! are solutions of linear equations with the same matrix, and are enclosed likewise.
 
 use super::{Coupled, Room, Scratch};
-use crate::arithmetic::{two_product, two_sum};
+use crate::arithmetic::{half_ulp, two_product, two_sum};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::solver::step::{ACCELERATION, VELOCITY};
@@ -128,7 +128,7 @@ impl Coupled {
         let joints = 2 * self.free;
         for i in 0..joints {
             let mid = z[i] + shift(i);
-            balls[i] = Ball::new(mid, radius(i) + U * mid.abs());
+            balls[i] = Ball::new(mid, radius(i) + half_ulp(mid));
         }
         for i in 0..self.turning.len() {
             let (angle, at) = (shift(joints + i), joints + 2 * i);
@@ -265,7 +265,7 @@ impl Inverse<'_> {
             let step = self.apply(i, residuals, |b| b.mid.abs());
             let mid = solution.mid - self.apply_signed(i, residuals);
             let radius = self.apply(i, residuals, |b| b.radius) + self.left[i] * around;
-            let round = (self.n as f64 + 2.0) * U * step + U * mid.abs();
+            let round = (self.n as f64 + 2.0) * U * step + half_ulp(mid);
             *solution = Ball::new(mid, radius + round);
         }
     }

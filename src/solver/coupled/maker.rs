@@ -3,14 +3,14 @@
 
 use super::{Base, Equation, Part, Spot, Turning};
 use crate::solver::network::ClassId;
-use crate::{Body, Double, Input, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
 /// Builds a group.
 pub(super) struct Maker<'a> {
     part: &'a Part<'a>,
     pub(super) spots: Vec<(PointId, Spot)>,
     pub(super) turning: Vec<LinkId>,
-    pub(super) turns: Vec<Vec2<Double>>,
+    pub(super) turns: Vec<Vec2<Constant>>,
     classes: Vec<ClassId>,
     pub(super) free: usize,
     pub(super) equations: Vec<Equation>,
@@ -46,7 +46,7 @@ impl<'a> Maker<'a> {
         !self.part.network.is_bar(link)
     }
 
-    fn local(&self, link: LinkId, point: PointId) -> Vec2<Double> {
+    fn local(&self, link: LinkId, point: PointId) -> Vec2<Constant> {
         let body = self.part.network.link(link);
         self.part
             .frame
@@ -77,7 +77,7 @@ impl<'a> Maker<'a> {
     }
 
     /// How a link turns, and the factor that brings its local vectors into the frame of that.
-    fn turning(&self, link: LinkId) -> Option<(Turning, Vec2<Double>)> {
+    fn turning(&self, link: LinkId) -> Option<(Turning, Vec2<Constant>)> {
         let network = self.part.network;
         let class = network.class(link);
         if self.part.class_known[class.0] {
@@ -88,7 +88,7 @@ impl<'a> Maker<'a> {
     }
 
     /// A place `local` in a link, seen from one of its points that has a base of its own.
-    fn on_link(&self, link: LinkId, foot: PointId, local: Vec2<Double>) -> Option<Spot> {
+    fn on_link(&self, link: LinkId, foot: PointId, local: Vec2<Constant>) -> Option<Spot> {
         let (turning, turn) = self.turning(link)?;
         let Spot {
             base, arm: None, ..
@@ -218,7 +218,7 @@ impl<'a> Maker<'a> {
         let Some((turning, turn)) = self.turning(network.body(given.on)) else {
             return;
         };
-        let along = Double::unit(given.angle).turned(turn);
+        let along = Constant::given_unit(given.angle).turned(turn);
         if network.mechanism.driver().input == Input::Push(slide) {
             self.equations.push(Equation::Meeting {
                 a: x,

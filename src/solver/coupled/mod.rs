@@ -14,7 +14,7 @@ use super::frame::Frame;
 use super::lu;
 use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
-use crate::{Double, LinkId, Number, PointId, SlideId, Vec2};
+use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use maker::Maker;
 
 /// More corrections than quadratic convergence needs from anywhere near.
@@ -49,8 +49,8 @@ enum Turning {
 #[derive(Clone, Copy, Debug)]
 struct Spot {
     base: Base,
-    arm: Option<(Turning, Vec2<Double>)>,
-    along: Vec2<Double>,
+    arm: Option<(Turning, Vec2<Constant>)>,
+    along: Vec2<Constant>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -58,7 +58,7 @@ enum Equation {
     Distance {
         a: Spot,
         b: Spot,
-        length: Double,
+        length: Constant,
     },
     Meeting {
         a: Spot,
@@ -67,7 +67,7 @@ enum Equation {
     Slot {
         x: Spot,
         q: Spot,
-        along: Vec2<Double>,
+        along: Vec2<Constant>,
         turning: Turning,
     },
 }
@@ -93,7 +93,7 @@ pub(super) struct Coupled {
     spots: Vec<(PointId, Spot)>,
     /// A link of every class of unknown direction, and its direction as seen from the class.
     turning: Vec<LinkId>,
-    turns: Vec<Vec2<Double>>,
+    turns: Vec<Vec2<Constant>>,
     free: usize,
     equations: Vec<Equation>,
     /// Where its room in the state's scratch begins.

@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, Arm, Outcome, REACH_SLACK, VELOCITY};
 use crate::solver::state::{LinkState, PointState, State};
-use crate::{Double, LinkId, Number, PointId, Vec2};
+use crate::{Constant, LinkId, Number, PointId, Vec2};
 
 /// Two circles, RRR. The shorter arm comes first: the point is measured from its pivot. The sign of
 /// the group is +1 where the point lies on the left of near.pivot -> far.pivot.
@@ -13,10 +13,10 @@ pub(in crate::solver) struct Circles {
     pub far: Arm,
     /// far - near and near + far, to twice the precision: the factors of Kahan's product for a
     /// triangle keep their digits without sorting.
-    difference: Double,
-    sum: Double,
+    difference: Constant,
+    sum: Constant,
     /// (near - far)(near + far).
-    squares: Double,
+    squares: Constant,
     /// 1 / (2 near far)^2, which makes the product of the factors the square of a sine.
     inverse_square: f64,
     slack: f64,
@@ -25,7 +25,7 @@ pub(in crate::solver) struct Circles {
 
 /// value + constant, without rounding the constant first.
 #[inline]
-fn plus<T: Number>(value: T, constant: Double) -> T {
+fn plus<T: Number>(value: T, constant: Constant) -> T {
     (value + T::exactly(constant.hi)) + T::exactly(constant.lo)
 }
 
@@ -141,8 +141,8 @@ pub(in crate::solver) struct Cylinder {
     pub pivot: PointId,
     pub link: LinkId,
     /// The guide's point and direction in the frame of the link, from the pivot.
-    pub through: Vec2<Double>,
-    pub along: Vec2<Double>,
+    pub through: Vec2<Constant>,
+    pub along: Vec2<Constant>,
     pub far: Arm,
     pub group: usize,
 }

@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, Arm, Outcome, REACH_SLACK, VELOCITY};
 use crate::solver::state::{LinkState, PointState, State};
-use crate::{Double, LinkId, Number, PointId, Vec2};
+use crate::{Constant, LinkId, Number, PointId, Vec2};
 
 /// Two directions whose sine is below this are parallel: the rounding of two products of unit
 /// vectors. Guides that differ by 2^-40 are told apart.
@@ -14,7 +14,7 @@ pub(in crate::solver) struct Line {
     pub through: PointId,
     pub link: LinkId,
     /// The direction in the link's frame: a unit vector.
-    pub along: Vec2<Double>,
+    pub along: Vec2<Constant>,
 }
 
 /// A line at one state: its point, direction and turning.
@@ -195,8 +195,8 @@ pub(in crate::solver) struct CircleRail {
     pub point: PointId,
     pub arm: Arm,
     /// A point of the rail and its direction, a unit vector.
-    pub through: Vec2<Double>,
-    pub along: Vec2<Double>,
+    pub through: Vec2<Constant>,
+    pub along: Vec2<Constant>,
     inverse_square: f64,
     pub group: usize,
 }
@@ -205,7 +205,7 @@ impl CircleRail {
     pub(in crate::solver) fn new(
         point: PointId,
         arm: Arm,
-        [through, along]: [Vec2<Double>; 2],
+        [through, along]: [Vec2<Constant>; 2],
         group: usize,
     ) -> CircleRail {
         CircleRail {

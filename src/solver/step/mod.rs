@@ -14,7 +14,7 @@ pub(super) use lines::{CircleLine, CircleRail, Line};
 pub(super) use swing::Swing;
 
 use super::state::{LinkState, PointState, State};
-use crate::{Double, LinkId, Number, PointId, SlideId, Vec2};
+use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use lines::meet;
 
 /// How many derivatives a solve carries, as a constant of the compiled code.
@@ -46,16 +46,16 @@ pub(super) struct Arm {
     /// The known end.
     pub pivot: PointId,
     /// Its length, and the square of it.
-    pub length: Double,
-    pub square: Double,
+    pub length: Constant,
+    pub square: Constant,
     /// The link whose direction it tells.
     pub link: LinkId,
     /// The conjugate of the arm in the link's frame over the square of its length.
-    pub factor: Vec2<Double>,
+    pub factor: Vec2<Constant>,
 }
 
 impl Arm {
-    pub(super) fn new(pivot: PointId, link: LinkId, local: Vec2<Double>) -> Arm {
+    pub(super) fn new(pivot: PointId, link: LinkId, local: Vec2<Constant>) -> Arm {
         Arm {
             pivot,
             length: local.norm(),
@@ -75,22 +75,22 @@ pub(super) enum Step {
     Spin {
         point: PointId,
         pivot: PointId,
-        local: Vec2<Double>,
+        local: Vec2<Constant>,
     },
     /// A point at `local` on a link, seen from another point of the same link.
     Ride {
         point: PointId,
         base: PointId,
         link: LinkId,
-        local: Vec2<Double>,
+        local: Vec2<Constant>,
     },
     /// The driven slide: the point lies at `local + along q` on a link, seen from `base`.
     Push {
         point: PointId,
         base: PointId,
         link: LinkId,
-        local: Vec2<Double>,
-        along: Vec2<Double>,
+        local: Vec2<Constant>,
+        along: Vec2<Constant>,
     },
     /// The direction of a link both of whose ends are known.
     Aim { arm: Arm, end: PointId },
@@ -98,7 +98,7 @@ pub(super) enum Step {
     Lock {
         link: LinkId,
         to: LinkId,
-        turn: Vec2<Double>,
+        turn: Vec2<Constant>,
     },
     /// RRR.
     Circles(Circles),

@@ -2,7 +2,7 @@
 
 use super::{ACCELERATION, Outcome, REACH_SLACK, VELOCITY};
 use crate::solver::state::{LinkState, State};
-use crate::{Double, LinkId, Number, PointId, Vec2};
+use crate::{Constant, LinkId, Number, PointId, Vec2};
 
 /// An arm that turns about a pivot and slides through a pin, RPR. The sign is that of
 /// t.(pin - pivot).
@@ -12,9 +12,9 @@ pub(in crate::solver) struct Swing {
     pub pin: PointId,
     pub link: LinkId,
     /// The guide's direction in the link's frame: a unit vector.
-    pub along: Vec2<Double>,
+    pub along: Vec2<Constant>,
     /// n.(pin - pivot): how far the guide passes the pivot.
-    pub offset: Double,
+    pub offset: Constant,
     pub group: usize,
 }
 

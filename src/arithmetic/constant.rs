@@ -1,0 +1,215 @@
+//! Constants of a mechanism, and how well they are known.
+
+use super::ball::half_ulp;
+use super::double::Double;
+use super::number::Number;
+use super::vec2::Vec2;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// The unit roundoff, 2^-53: half an ulp of 1.
+const U: f64 = 0.5 * f64::EPSILON;
+/// The last bits of a double: where all of them are zero, a person has typed a number that a double
+/// holds exactly, such as 250 or 0.625.
+const LAST_BITS: u64 = (1 << 20) - 1;
+/// What is lost in twice the precision, with room.
+const TWICE: f64 = 1e-31;
+
+/// A number that a mechanism is made of: what is stored, to twice the precision, and how far what was
+/// meant can be from it.
+///
+/// A scene says 39.3 and the nearest double is stored, which is off by up to half an ulp. Both are
+/// within `radius` of `hi + lo`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Constant {
+    /// The nearest double.
+    pub hi: f64,
+    /// What it leaves out of the stored value.
+    pub lo: f64,
+    /// How far the meant value can be from the stored one.
+    pub radius: f64,
+}
+
+/// How far what a person typed can be from the double that it was read as.
+#[must_use]
+pub(crate) fn typed_radius(value: f64) -> f64 {
+    if value.to_bits() & LAST_BITS == 0 {
+        0.0
+    } else {
+        half_ulp(value)
+    }
+}
+
+impl Constant {
+    /// A number that was given, in a scene or by a program.
+    #[must_use]
+    pub fn given(value: f64) -> Constant {
+        Constant {
+            hi: value,
+            lo: 0.0,
+            radius: typed_radius(value),
+        }
+    }
+
+    /// The unit vector at an angle that was given in degrees.
+    #[must_use]
+    pub fn given_unit(degrees: f64) -> Vec2<Constant> {
+        let off = typed_radius(degrees).to_radians();
+        let unit = Double::unit(degrees);
+        let across = unit.map(|v| v.hi.abs() + off);
+        let with = |value: Double, across: f64| Constant::new(value, across * off);
+        Vec2::new(with(unit.x, across.y), with(unit.y, across.x))
+    }
+
+    /// Stored and meant.
+    const fn new(value: Double, radius: f64) -> Constant {
+        let Double { hi, lo } = value;
+        Constant { hi, lo, radius }
+    }
+
+    /// The stored value.
+    #[inline]
+    #[must_use]
+    pub const fn value(self) -> Double {
+        Double {
+            hi: self.hi,
+            lo: self.lo,
+        }
+    }
+
+    /// How far the nearest double can be from what was meant.
+    #[inline]
+    #[must_use]
+    pub fn off(self) -> f64 {
+        self.radius + (self.lo.abs() + TWICE * self.hi.abs())
+    }
+}
+
+impl Add for Constant {
+    type Output = Constant;
+    fn add(self, o: Constant) -> Constant {
+        Constant::new(self.value() + o.value(), self.radius + o.radius)
+    }
+}
+
+impl AddAssign for Constant {
+    fn add_assign(&mut self, o: Constant) {
+        *self = *self + o;
+    }
+}
+
+impl Sub for Constant {
+    type Output = Constant;
+    fn sub(self, o: Constant) -> Constant {
+        self + -o
+    }
+}
+
+impl Neg for Constant {
+    type Output = Constant;
+    fn neg(self) -> Constant {
+        Constant::new(-self.value(), self.radius)
+    }
+}
+
+impl Mul for Constant {
+    type Output = Constant;
+    fn mul(self, o: Constant) -> Constant {
+        let radius = self.hi.abs() * o.radius + self.radius * (o.hi.abs() + o.radius);
+        Constant::new(self.value() * o.value(), radius * (1.0 + 4.0 * U))
+    }
+}
+
+impl Div for Constant {
+    type Output = Constant;
+    fn div(self, o: Constant) -> Constant {
+        let value = self.value() / o.value();
+        let least = o.hi.abs() * (1.0 - 4.0 * U) - o.radius;
+        let radius = (self.radius + value.hi.abs() * o.radius) / least;
+        Constant::new(value, radius * (1.0 + 8.0 * U))
+    }
+}
+
+impl Number for Constant {
+    fn of(constant: Constant) -> Constant {
+        constant
+    }
+
+    fn exactly(value: f64) -> Constant {
+        Constant::new(Double::exactly(value), 0.0)
+    }
+
+    fn nearest(self) -> f64 {
+        self.hi
+    }
+
+    fn scaled(self, power_of_two: f64) -> Constant {
+        Constant::new(
+            self.value().scaled(power_of_two),
+            self.radius * power_of_two,
+        )
+    }
+
+    fn sqrt(self) -> Constant {
+        let root = self.value().sqrt();
+        let radius = if self.radius == 0.0 {
+            0.0
+        } else {
+            self.radius / root.hi * (1.0 + 4.0 * U)
+        };
+        Constant::new(root, radius)
+    }
+
+    fn abs(self) -> Constant {
+        Constant::new(self.value().abs(), self.radius)
+    }
+
+    fn min(self, other: Constant) -> Constant {
+        if other.exceeds(self) { self } else { other }
+    }
+
+    fn exceeds(self, other: Constant) -> bool {
+        (self.value() - other.value()).hi > 0.0
+    }
+
+    fn unit(degrees: Constant) -> Vec2<Constant> {
+        Constant::given_unit(degrees.hi)
+    }
+
+    fn degrees(direction: Vec2<Constant>) -> Constant {
+        let degrees = Double::degrees(direction.map(Constant::value));
+        let off = direction.x.radius + direction.y.radius;
+        Constant::new(degrees, (off / direction.norm().hi).to_degrees())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_a_double_holds_exactly_is_known_exactly() {
+        for exact in [0.0, 250.0, -0.625, 400.0, 1e6 + 1.0] {
+            assert!(Constant::given(exact).off() <= TWICE * 1e7, "{exact}");
+        }
+        for rounded in [0.1, 39.3, 1.000_000_001] {
+            let off = Constant::given(rounded).off();
+            assert!(
+                off > 0.4 * U * rounded && off < 1.1 * U * rounded,
+                "{off:e}"
+            );
+        }
+    }
+
+    #[test]
+    fn lengths_keep_what_their_coordinates_are_off_by() {
+        let local = Vec2::new(Constant::given(0.3), Constant::given(0.4));
+        let length = local.norm();
+        assert!(
+            length.off() > 0.1 * U && length.off() < U,
+            "{:e}",
+            length.off()
+        );
+        let along = Vec2::new(Constant::given(250.0), Constant::given(0.0));
+        assert_eq!(along.norm(), Constant::given(250.0));
+    }
+}
