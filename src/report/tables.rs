@@ -244,6 +244,14 @@ struct Reading<'a> {
 }
 
 impl Reading<'_> {
+    /// How far a distance that was had from given coordinates can be from the true one: as far as from
+    /// that of the state, and the state's from the truth.
+    fn distance_bound(&self, subject: Subject, distance: f64) -> Option<f64> {
+        let solved = value(subject, Aspect::Length, self.state)?;
+        let bound = self.bound(subject, Aspect::Length)?;
+        Some((bound + (solved - distance).abs()) * ROUNDED_UP)
+    }
+
     fn bound(&self, subject: Subject, aspect: Aspect) -> Option<f64> {
         bound(subject, aspect, self.state, self.enclosure?)
     }
@@ -406,8 +414,10 @@ fn between_entries(
         ),
         Some((body, local)) => {
             let known = known_direction(mechanism, body);
+            let mut lengths = rigid(local.norm());
+            lengths[0].bound = reading.distance_bound(subject, local.norm());
             (
-                Some(rigid(local.norm())),
+                Some(lengths),
                 read(subject, Aspect::TURNING, known, reading),
             )
         }
