@@ -1,7 +1,8 @@
-//! The last line: mode, scene, driver, state; then the keys that matter now, as far as there is room.
+//! The last line: mode, scene, driver, state, what it cost and its largest bound; then the keys that
+//! matter now, as far as there is room.
 //!
 //! ```text
-//!  motion  four-bar   60.00 deg  ok  ? help  space play  . step  q quit  g go to
+//!  motion  four-bar   60.00 deg  ok  63 ns, +-2e-13 mm  ? help  space play  q quit
 //! ```
 
 use super::{columns, cut, most_scroll, print};
@@ -191,8 +192,8 @@ fn offered(app: &App) -> &'static [Action] {
         (_, View::Motion) => &[
             Action::Help,
             Action::Play,
-            Action::StepForward,
             Action::Quit,
+            Action::StepForward,
             Action::GoTo,
             Action::NextPreset,
         ],
