@@ -6,6 +6,7 @@ mod ball;
 mod constant;
 mod double;
 mod number;
+mod series;
 mod vec2;
 
 pub use ball::Ball;
@@ -15,4 +16,5 @@ pub(crate) use constant::typed_radius;
 pub use double::Double;
 pub(crate) use double::{two_product, two_sum};
 pub use number::Number;
+pub(crate) use series::{Series, TERMS};
 pub use vec2::Vec2;

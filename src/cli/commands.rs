@@ -6,9 +6,9 @@ use super::output::{write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::quantity::{Catalogue, MOST_DERIVATIVES, Sensitivity};
-use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, range_text};
+use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, near_misses, range_text};
 use crate::scene::{Scene, harmless, presets};
-use crate::solver::{Condition, Order};
+use crate::solver::{Condition, Order, Solver};
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 
@@ -51,6 +51,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
             range_text(solver.motion().range, driver)
         )));
     }
+    tell_of_near_misses(&scene, &solver, screen);
     let mut enclosure = solver.enclosure();
     solver.enclose(&state, Order::Acceleration, &mut enclosure);
     let mut tables = Tables::bounded(&scene, &state, &enclosure);
@@ -101,6 +102,16 @@ pub(super) fn note_unproved(unproved: u64, figures: u64, screen: Screen) {
             ),
             screen,
         );
+    }
+}
+
+/// Near a change point the lengths' last digits decide which way the motion goes: whoever reads its
+/// figures should know.
+pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: Screen) {
+    let catalogue = Catalogue::new(scene);
+    let unit = &catalogue.driver().unit;
+    for miss in near_misses(scene, solver) {
+        note(&miss.text(unit), screen);
     }
 }
 

@@ -1,7 +1,7 @@
 //! `krank sweep`: which columns, which rows, and what to say about them.
 
 use super::args::{Format, SweepArgs};
-use super::commands::{few_enough, note_unproved};
+use super::commands::{few_enough, note_unproved, tell_of_near_misses};
 use super::failure::{Failure, note};
 use super::output::{goes_to_terminal, write_to};
 use super::progress::Progress;
@@ -55,6 +55,7 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     });
     progress.end();
     let outcome = outcome?;
+    tell_of_near_misses(&scene, &solver, screen);
     judge(outcome, &range_text(range, catalogue.driver()), screen)
 }
 

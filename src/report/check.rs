@@ -1,15 +1,21 @@
 //! What krank understood of a scene: its parts, its mobility, its groups and its range.
 
 use super::loop_facts::LoopFacts;
+use super::number::concise;
 use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
-use crate::solver::{Group, GroupKind, Range, Solver};
+use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::{Body, Element, Input, LinkId, PointId, Slider};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
 /// Decimals of limits: as many as a double has at some hundred degrees.
 pub(super) const DECIMALS: usize = 12;
+
+/// Significant digits of a coordinate in a sentence.
+pub(super) const PLACES: usize = 9;
+/// Significant digits of a sine in a sentence.
+const DIGITS: usize = 3;
 
 /// What is driven.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -87,6 +93,41 @@ pub struct GroupFacts {
     pub points: Vec<String>,
 }
 
+/// An extreme of a transmission angle.
+#[derive(Clone, Debug, Serialize)]
+pub struct ExtremeFacts {
+    /// The angle in deg.
+    pub angle: f64,
+    /// The driver's coordinate, in deg or the scene's unit.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub at: f64,
+}
+
+/// The transmission angle of a dyad over the motion.
+#[derive(Clone, Debug, Serialize)]
+pub struct TransmissionFacts {
+    /// The joint that names the dyad, or its first link.
+    pub group: String,
+    /// Where the angle is smallest.
+    pub smallest: ExtremeFacts,
+    /// Where it is largest.
+    pub largest: ExtremeFacts,
+    /// The largest deviation from 90 deg.
+    pub deviation: f64,
+}
+
+/// Where the two assemblies of a group all but meet.
+#[derive(Clone, Debug, Serialize)]
+pub struct NearMissFacts {
+    /// The joint that names the group, or its first link.
+    pub group: String,
+    /// The sine of the transmission angle there.
+    pub sine: f64,
+    /// The driver's coordinate, in deg or the scene's unit.
+    #[serde(serialize_with = "unsigned_zero")]
+    pub at: f64,
+}
+
 /// Everything that `check` tells.
 #[derive(Clone, Debug, Serialize)]
 pub struct Check {
@@ -120,6 +161,10 @@ pub struct Check {
     pub dead_points: Vec<f64>,
     /// Where two assemblies meet and the motion passes, within one period.
     pub change_points: Vec<f64>,
+    /// Where two assemblies all but meet, and the motion keeps its own.
+    pub near_misses: Vec<NearMissFacts>,
+    /// The smallest and the largest transmission angle of every dyad.
+    pub transmission: Vec<TransmissionFacts>,
     /// The loop of the driven link, a dyad and the ground, where there is one.
     #[serde(rename = "loop")]
     pub first_loop: Option<LoopFacts>,
@@ -140,6 +185,39 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
         Range::Limited { low, high } => {
             format!("{low:.DECIMALS$} to {high:.DECIMALS$} {unit}")
         }
+    }
+}
+
+/// Where two assemblies of a group all but meet on the way.
+#[must_use]
+pub fn near_misses(scene: &Scene, solver: &Solver) -> Vec<NearMissFacts> {
+    let names = Names { scene };
+    let facts = |miss: &NearMiss| {
+        let group = solver.plan().groups.get(miss.group)?;
+        Some(NearMissFacts {
+            group: names.group_name(group),
+            sine: miss.sine,
+            at: miss.at,
+        })
+    };
+    solver
+        .motion()
+        .near_misses
+        .iter()
+        .filter_map(facts)
+        .collect()
+}
+
+impl NearMissFacts {
+    /// In words; `unit` is that of the driver's coordinate.
+    #[must_use]
+    pub fn text(&self, unit: &str) -> String {
+        let (at, sine) = (concise(self.at, PLACES), concise(self.sine, DIGITS));
+        format!(
+            "all but a change point or a dead point at {at} {unit}: sin mu = {sine} at {}; \
+             the motion keeps its assembly",
+            self.group
+        )
     }
 }
 
@@ -173,6 +251,8 @@ impl Check {
             period,
             dead_points: solver.motion().dead_points.clone(),
             change_points: solver.motion().change_points.clone(),
+            near_misses: near_misses(scene, solver),
+            transmission: names.transmission(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),
             range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),
         }
@@ -277,6 +357,31 @@ impl Names<'_> {
             }
         };
         mechanism.slide_ids().map(facts).collect()
+    }
+
+    /// The joint that names a group, or its first link.
+    fn group_name(&self, group: &Group) -> String {
+        let point = group.point.and_then(|p| self.point(p));
+        let link = || group.links.first().map(|&l| self.scene.link_name(l).into());
+        point.or_else(link).unwrap_or_else(|| "a group".into())
+    }
+
+    fn transmission(&self, solver: &Solver) -> Vec<TransmissionFacts> {
+        let facts = |found: Transmission| {
+            let group = solver.plan().groups.get(found.group)?;
+            let extreme = |Extreme { angle, at }| ExtremeFacts { angle, at };
+            Some(TransmissionFacts {
+                group: self.group_name(group),
+                smallest: extreme(found.smallest),
+                largest: extreme(found.largest),
+                deviation: found.deviation(),
+            })
+        };
+        solver
+            .transmission()
+            .into_iter()
+            .filter_map(facts)
+            .collect()
     }
 
     fn group(&self, group: &Group) -> GroupFacts {

@@ -1,7 +1,8 @@
 //! The facts of `check` as text.
 
 use super::check::{
-    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
+    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, PLACES, SlideFacts,
+    SliderKind, TransmissionFacts,
 };
 use super::number::concise;
 use super::text::{WIDTH, wrapped};
@@ -12,6 +13,8 @@ use crate::solver::GroupKind;
 const FACTS: usize = 11;
 /// What stands before the rest of a fact that takes several lines.
 const FURTHER: &str = "  ";
+/// Decimals of a transmission angle.
+const MU_DECIMALS: usize = 4;
 /// Significant digits of the driver's rates: as many as a table has where none are asked for.
 const DIGITS: usize = 6;
 
@@ -44,20 +47,28 @@ impl Check {
         if !self.change_points.is_empty() {
             out.facts("change", [self.change_points_text()]);
         }
+        let unit = self.driver_unit();
+        out.facts("near miss", self.near_misses.iter().map(|m| m.text(unit)));
+        let mu = self.transmission.iter().map(|t| mu_text(t, unit));
+        out.facts("mu", mu);
         out.text
     }
 
     fn change_points_text(&self) -> String {
-        let unit = match self.driver.kind {
-            DriverKind::Link => "deg",
-            DriverKind::Slide => self.unit,
-        };
+        let unit = self.driver_unit();
         let at = self
             .change_points
             .iter()
             .map(|at| format!("{at:.DECIMALS$}"));
         let at: Vec<String> = at.collect();
         format!("points at {} {unit}, passed smoothly", at.join(", "))
+    }
+
+    fn driver_unit(&self) -> &'static str {
+        match self.driver.kind {
+            DriverKind::Link => "deg",
+            DriverKind::Slide => self.unit,
+        }
     }
 
     fn counts(&self) -> String {
@@ -163,6 +174,26 @@ fn slide_text(slide: &SlideFacts) -> String {
         SliderKind::Pin => format!("{name}: pin {slider} in a slot of {on}"),
         SliderKind::Link => format!("{name}: link {slider} along {on}, without turning against it"),
     }
+}
+
+/// The transmission angle of a dyad: smallest and largest, or what it always is.
+fn mu_text(facts: &TransmissionFacts, unit: &str) -> String {
+    let TransmissionFacts {
+        group,
+        smallest,
+        largest,
+        ..
+    } = facts;
+    let angle = |angle: f64| format!("{angle:.MU_DECIMALS$}");
+    let (least, most) = (angle(smallest.angle), angle(largest.angle));
+    if least == most {
+        return format!("transmission angle at {group}: {least} deg throughout");
+    }
+    let [at_least, at_most] = [smallest.at, largest.at].map(|at| concise(at, PLACES));
+    format!(
+        "transmission angle at {group}: smallest {least} deg, at {at_least} {unit}; \
+         largest {most} deg, at {at_most} {unit}"
+    )
 }
 
 /// Lines of a name and its facts, one fact a line.

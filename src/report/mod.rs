@@ -23,7 +23,8 @@ mod text;
 
 pub use answers::{Answer, Answers, NO_ANSWER};
 pub use check::{
-    Check, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind, range_text,
+    Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
+    SlideFacts, SliderKind, TransmissionFacts, near_misses, range_text,
 };
 pub use columns::{Beside, Columns};
 pub use errors::Missing;

@@ -2,12 +2,13 @@
 
 use super::coupled::Scratch;
 use super::frame::Frame;
+use super::motion::Folded;
 use super::passage::Passages;
 use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order};
-use crate::{Constant, Input, LinkId, Mechanism, Number, Vec2, angle};
+use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle};
 
 /// A rate may have been given in rpm or degrees and converted: some roundings more than reading.
 const CONVERSION: f64 = 4.0;
@@ -43,6 +44,13 @@ impl Engine {
             driven,
             driver_rates,
         };
+        let starts = engine.program.group_starts.clone();
+        for (i, step) in engine.program.steps.iter().enumerate() {
+            if let Step::Coupled { index } = step {
+                let group = starts.partition_point(|&start| start <= i) - 1;
+                engine.program.coupled[*index].group = group;
+            }
+        }
         let mut offset = 0;
         for group in &mut engine.program.coupled {
             group.offset = offset;
@@ -96,6 +104,11 @@ impl Engine {
         } else {
             by * self.frame.scale
         }
+    }
+
+    /// The finest difference of the driver's coordinate that states can tell apart, near zero too.
+    pub(super) fn finest(&self) -> f64 {
+        f64::EPSILON * if self.turns { 1.0 } else { self.frame.scale }
     }
 
     /// Runs every step; a coupled group starts from the z that is in the scratch.
@@ -153,10 +166,12 @@ impl Engine {
         state.condition = Condition::Ok;
         for i in 0..self.program.steps.len() {
             let condition = self.run_steps(i..i + 1, at, order, state);
-            let choice = self.program.steps[i].choice();
-            let near = choice.and_then(|group| passages.near(self, at, group));
+            let near = self
+                .group_of(i)
+                .and_then(|group| passages.near(self, at, group));
             if let Some((passage, dq)) = near {
                 passage.write(dq, state);
+                self.read_coupled(&self.program.steps[i], state);
                 if dq == 0.0 && state.condition == Condition::Ok {
                     state.condition = Condition::ChangePoint;
                 }
@@ -170,12 +185,78 @@ impl Engine {
         state.condition
     }
 
+    /// Puts what a coupled group has been placed as into its own room: bounds look there.
+    fn read_coupled(&self, step: &Step, state: &mut State) {
+        if let Step::Coupled { index } = step {
+            let group = &self.program.coupled[*index];
+            let mut scratch = std::mem::take(&mut state.scratch);
+            group.read(state, &mut group.open(&mut scratch));
+            state.scratch = scratch;
+        }
+    }
+
+    /// Positions at a limit at which a coupled group folds: it stands as it was found.
+    pub(super) fn run_folded(&self, fold: &Folded, state: &mut State) -> Condition {
+        let (q, _) = self.coordinate(fold.at);
+        state.at = fold.at;
+        state.condition = Condition::DeadPoint;
+        for (i, step) in self.program.steps.iter().enumerate() {
+            let is_folded = matches!(step, Step::Coupled { index } if *index == fold.index);
+            if is_folded {
+                let group = &self.program.coupled[fold.index];
+                let mut scratch = std::mem::take(&mut state.scratch);
+                group.open(&mut scratch).z.copy_from_slice(&fold.z);
+                group.finish(q, POSITION, state, &mut scratch);
+                state.scratch = scratch;
+            } else if self.run_steps(i..i + 1, fold.at, Order::Position, state)
+                == Condition::NoAssembly
+            {
+                state.condition = Condition::NoAssembly;
+                break;
+            }
+        }
+        state.condition
+    }
+
     /// The driver's coordinate for the steps: a length, or a direction.
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
             (T::default(), T::unit(at))
         } else {
             (at / T::exactly(self.frame.scale), Vec2::X.exactly())
+        }
+    }
+
+    /// The group whose sign a step has, if it has one.
+    pub(super) fn group_of(&self, step: usize) -> Option<usize> {
+        match &self.program.steps[step] {
+            Step::Coupled { index } => Some(self.program.coupled[*index].group),
+            step => step.choice(),
+        }
+    }
+
+    /// The points and links that a step with a sign places.
+    pub(super) fn outputs(&self, step: usize) -> (Vec<PointId>, Vec<LinkId>) {
+        if let Step::Coupled { index } = &self.program.steps[step] {
+            let group = &self.program.coupled[*index];
+            return (group.joints().collect(), group.turning().to_vec());
+        }
+        let (point, links) = self.program.steps[step].outputs();
+        (
+            point.into_iter().collect(),
+            links.into_iter().flatten().collect(),
+        )
+    }
+
+    /// The measures of the coupled groups at a solved state, positive on the side of the motion:
+    /// solving itself has no need of them.
+    pub(super) fn measure_coupled(&self, at: f64, state: &mut State) {
+        let (q, _) = self.coordinate(at);
+        for group in &self.program.coupled {
+            let mut scratch = std::mem::take(&mut state.scratch);
+            let measure = group.measure(q, state, &mut scratch);
+            state.scratch = scratch;
+            state.measures[group.group] = measure * group.side * state.signs[group.group];
         }
     }
 
@@ -194,7 +275,7 @@ impl Engine {
         let mut scratch = std::mem::take(&mut state.scratch);
         let corrected = group.correct(q, state, &mut scratch);
         scratch.first[index] = corrected.first;
-        let kept = corrected.side * group.side >= 0.0;
+        let kept = corrected.side * group.side * state.signs[group.group] >= 0.0;
         let solved = corrected.settled && kept && group.finish(q, order, state, &mut scratch);
         state.scratch = scratch;
         if solved { Outcome::Done } else { Outcome::Open }

@@ -11,6 +11,9 @@ pub(super) struct Frame {
     origin: Vec2,
     /// A power of two: the scene's length of the solver's unit.
     pub(super) scale: f64,
+    /// The largest given coordinate on the ground, in the solver's unit: far along the plan lengths are
+    /// no better known than the rounding of this.
+    pub(super) far: f64,
 }
 
 impl Frame {
@@ -39,9 +42,11 @@ impl Frame {
             };
             longest = longest.max((slide.through - from).norm());
         }
+        let scale = power_of_two_below(longest);
         Frame {
             origin,
-            scale: power_of_two_below(longest),
+            scale,
+            far: furthest(mechanism) / scale,
         }
     }
 
@@ -69,6 +74,15 @@ impl Frame {
     pub(super) fn place<T: Number>(&self, inner: Vec2<T>) -> Vec2<T> {
         Vec2::of(self.origin.map(Constant::given)) + inner.scaled(self.scale)
     }
+}
+
+/// The largest coordinate of a place on the ground.
+fn furthest(mechanism: &Mechanism) -> f64 {
+    let points = mechanism.points().iter().filter_map(|p| p.ground);
+    let slides = mechanism.slides().iter();
+    let guides = slides.filter(|s| s.on == Body::Ground).map(|s| s.through);
+    let sizes = points.chain(guides).map(|p| p.x.abs().max(p.y.abs()));
+    sizes.fold(0.0, f64::max)
 }
 
 /// The driver's pivot, or else the first ground point.

@@ -23,14 +23,16 @@ mod passage;
 mod plan;
 mod state;
 mod step;
+mod transmission;
 mod twice;
 
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
-pub use motion::{Motion, Range};
+pub use motion::{Motion, NearMiss, Range};
 pub use neighbour::Neighbour;
 pub use plan::{Group, GroupKind, Plan};
 pub use state::{Condition, State, Travel};
+pub use transmission::{Extreme, Transmission};
 
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};
 use engine::Engine;
@@ -173,11 +175,20 @@ impl Solver {
             state.condition = Condition::NoAssembly;
             return Condition::NoAssembly;
         }
-        self.motion.anchors.aim(&self.engine, at, state);
-        let condition = self.run(at, order, state);
-        // Where a later group loses its direction at the same place, the limit found is the last
-        // coordinate at which all is determined; its rates are as worthless as at the limit itself.
-        if condition == Condition::Ok && self.motion.is_dead_point(at) {
+        let inside = self.motion.inside(at);
+        self.motion.anchors.aim(&self.engine, inside, state);
+        if let Some(fold) = self.motion.fold_at(at) {
+            self.motion
+                .passages
+                .choose(&self.engine, at, &mut state.signs);
+            self.engine.run_folded(fold, state);
+        } else {
+            self.run(inside, order, state);
+        }
+        state.at = at;
+        // Within rounding of a limit rates are as worthless as at the limit itself.
+        let is_dead = inside != at || self.motion.is_dead_point(at);
+        if state.condition == Condition::Ok && is_dead {
             state.condition = Condition::DeadPoint;
         }
         state.condition

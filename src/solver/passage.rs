@@ -2,44 +2,43 @@
 //!
 //! Where the arms of a dyad come into line at the extreme of their reach, exactly, its two
 //! assemblies meet and the motion goes on smoothly: from then on on the other side, so that the sign
-//! which names the assembly changes. At the point itself and close to it the dyad's equations lose
-//! their digits - the second derivatives as the inverse cube of the distance - though the motion is
-//! smooth; there the dyad is placed by a short Taylor series, whose coefficients come from the motion
-//! around.
+//! which names the assembly changes. So does the sign of a coupled group's determinant where two of
+//! its solutions cross. At the point itself and close to it the group's equations lose their digits -
+//! the second derivatives as the inverse cube of the distance - though the motion is smooth; there the
+//! group is placed by the Taylor series of its motion.
 
 use super::engine::Engine;
 use super::motion::positive_remainder;
 use super::state::{LinkState, PointState, State};
-use super::step::Step;
+use crate::arithmetic::{Series, TERMS};
 use crate::{LinkId, PointId, Vec2};
 
-/// Within this of a change point, in radians or scaled lengths, the series takes the dyad's place.
-/// Its error is the cube of it; closer, the dyad itself has fewer digits than that.
-const ZONE: f64 = 1e-5;
+/// The series takes the group's place no further than this from a change point, in radians or scaled
+/// lengths: there a dyad has four digits more than it would need,
+const WIDEST: f64 = 0.02;
+/// and no further than its last terms are below this in the second derivatives.
+const FINE: f64 = 1e-15;
 /// A coordinate that differs from a change point by less than this part of it is the change point.
 const SAME: f64 = 4.0 * f64::EPSILON;
-/// The motion is looked at as far as this around a change point, in radians or scaled lengths,
-const REACH: f64 = 0.25;
-/// at this many places: Chebyshev's, so that the polynomial through them is right to rounding
-/// unless the next singularity is closer than the reach itself.
-const PLACES: usize = 20;
-/// So often the reach is halved before a change point is given up as a limit.
-const REACHES: i32 = 7;
-/// A series is held against the motion at this distance,
-const PROOF: f64 = 1e-3;
-/// where it may miss by the third order, its cube with room for a quick dyad: another assembly, or a
-/// polynomial across a change point, misses by far more.
-const PROVEN: f64 = 1e-6;
+/// At the end of its zone a series and the motion may differ by this much in places and directions:
+/// the rounding of a group there, with room; another assembly is a million times as far.
+const PROVEN: f64 = 1e-9;
+/// So often a zone is halved where the motion does not reach as far.
+const HALVINGS: usize = 12;
 
-/// A dyad's way through one of its change points.
-#[derive(Clone, Copy, Debug)]
+/// A function of the driver's coordinate by its Taylor coefficients.
+type Taylor = [Vec2; TERMS];
+
+/// A group's way through one of its change points.
+#[derive(Clone, Debug)]
 pub(super) struct Passage {
     /// The driver's coordinate, reduced to one period if there is one.
     pub at: f64,
-    /// The dyad.
+    /// The group.
     pub group: usize,
-    point: Option<(PointId, PointState)>,
-    links: [Option<(LinkId, LinkState)>; 2],
+    zone: f64,
+    points: Vec<(PointId, Taylor)>,
+    links: Vec<(LinkId, Taylor)>,
 }
 
 /// All passages of a motion.
@@ -76,7 +75,7 @@ impl Passages {
         at
     }
 
-    /// Gives every dyad the sign that it has at a coordinate: that of the start, changed by every
+    /// Gives every group the sign that it has at a coordinate: that of the start, changed by every
     /// passage in between.
     pub(super) fn choose(&self, engine: &Engine, at: f64, signs: &mut [f64]) {
         let here = reduced(at, self.period);
@@ -88,20 +87,20 @@ impl Passages {
         }
     }
 
-    /// The passage of a dyad that a coordinate lies close to, and how far from it.
+    /// The passage of a group in whose zone a coordinate lies, and how far from it.
     pub(super) fn near(&self, engine: &Engine, at: f64, group: usize) -> Option<(&Passage, f64)> {
         let here = reduced(at, self.period);
         let ours = self.list.iter().filter(|p| p.group == group);
-        ours.map(|p| (p, self.away(engine, p, here)))
-            .find(|(_, dq)| dq.abs() < ZONE)
+        let away = ours.map(|p| (p, self.away(engine, p, here)));
+        away.filter(|(p, dq)| dq.abs() < p.zone)
+            .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }
 
-    /// Whether the series stands in for any dyad at a coordinate.
+    /// Whether a series stands in for any group at a coordinate.
     pub(super) fn is_near(&self, engine: &Engine, at: f64) -> bool {
         let here = reduced(at, self.period);
-        self.list
-            .iter()
-            .any(|p| self.away(engine, p, here).abs() < ZONE)
+        let mut passages = self.list.iter();
+        passages.any(|p| self.away(engine, p, here).abs() < p.zone)
     }
 
     /// From a passage to a coordinate, across the end of the period where that is shorter.
@@ -128,130 +127,112 @@ fn reduced(at: f64, period: f64) -> f64 {
     }
 }
 
-/// The motion of what a dyad places, in one state.
-#[derive(Clone, Copy, Default)]
-struct Sample {
-    point: PointState,
-    links: [LinkState; 2],
+/// A function and its first two derivatives.
+fn told(series: &Taylor, dq: f64) -> [Vec2; 3] {
+    let mut sums = [Vec2::ZERO; 3];
+    for (n, &c) in series.iter().enumerate().rev() {
+        let n = n as f64;
+        // Horner's scheme: each lower power once more times dq.
+        sums[0] = sums[0] * dq + c;
+        if n >= 1.0 {
+            sums[1] = sums[1] * dq + c * n;
+        }
+        if n >= 2.0 {
+            sums[2] = sums[2] * dq + c * (n * (n - 1.0));
+        }
+    }
+    sums
 }
 
 impl Passage {
-    /// Reads a dyad's series off the motion around: `solved` gives the state at a distance from the
-    /// change point, in radians or scaled lengths, if there is one. Where the motion does not reach as
-    /// far, or passes another change point on the way, it is looked at closer by; the series must
-    /// foretell the motion on both sides.
+    /// Keeps the motion of what a group places, as it stands in a state of series about `at`; `None`
+    /// where too little of it is known, or where it does not foretell the motion. `solved` gives the
+    /// state at a distance, in radians or scaled lengths, if there is one.
     pub(super) fn through(
         at: f64,
-        step: &Step,
         group: usize,
+        (points, links): (Vec<PointId>, Vec<LinkId>),
+        series: &State<Series>,
         mut solved: impl FnMut(f64) -> Option<State>,
     ) -> Option<Passage> {
-        let reaches = (0..REACHES).map(|k| REACH * 0.5_f64.powi(k));
-        let mut series = reaches.filter_map(|reach| {
-            let passage = Passage::seen_from(reach, at, step, group, &mut solved)?;
-            let foretells = |dq: f64, state: State| passage.foretells(dq, &state);
-            let holds = foretells(-PROOF, solved(-PROOF)?) && foretells(PROOF, solved(PROOF)?);
-            holds.then_some(passage)
-        });
-        series.next()
-    }
-
-    fn seen_from(
-        reach: f64,
-        at: f64,
-        step: &Step,
-        group: usize,
-        solved: &mut impl FnMut(f64) -> Option<State>,
-    ) -> Option<Passage> {
-        let (point, links) = step.outputs();
-        let read = |state: &State| Sample {
-            point: point.map_or(PointState::default(), |p| state.points[p.index()]),
-            links: links.map(|l| l.map_or(LinkState::default(), |l| state.links[l.index()])),
+        let mut known = TERMS;
+        let mut kept = |v: Vec2<Series>| {
+            known = known.min(v.x.known).min(v.y.known);
+            std::array::from_fn(|n| Vec2::new(v.x.c[n].hi, v.y.c[n].hi))
         };
-        let (mut sum, mut weights) = (Sample::default(), 0.0);
-        for k in 0..PLACES {
-            // Half angles of Chebyshev's places in degrees, exact.
-            let node = crate::angle::unit(180.0 * (k as f64 + 0.5) / PLACES as f64);
-            let sample = read(&solved(reach * node.x)?);
-            let alternating = if k % 2 == 0 { 1.0 } else { -1.0 };
-            let weight = alternating * node.y / node.x;
-            sum = sum.plus(&sample, weight);
-            weights += weight;
-        }
-        let limit = Sample::default().plus(&sum, 1.0 / weights);
-        let unit = |link: LinkState| LinkState {
-            d: link.d / link.d.norm(),
-            ..link
-        };
-        Some(Passage {
+        let points = points.into_iter();
+        let points: Vec<_> = points
+            .map(|p| (p, kept(series.points[p.index()].p)))
+            .collect();
+        let links = links.into_iter();
+        let links: Vec<_> = links
+            .map(|l| (l, kept(series.links[l.index()].d)))
+            .collect();
+        let all = points
+            .iter()
+            .map(|p| &p.1)
+            .chain(links.iter().map(|l| &l.1));
+        let zone = zone(all, known)?;
+        let mut passage = Passage {
             at,
             group,
-            point: point.map(|p| (p, limit.point)),
-            links: [0, 1].map(|i| links[i].map(|l| (l, unit(limit.links[i])))),
-        })
+            zone,
+            points,
+            links,
+        };
+        for _ in 0..HALVINGS {
+            if let (Some(before), Some(beyond)) = (solved(-passage.zone), solved(passage.zone)) {
+                let [left, right] = [(-passage.zone, before), (passage.zone, beyond)];
+                let holds = passage.foretells(left) && passage.foretells(right);
+                return holds.then_some(passage);
+            }
+            passage.zone *= 0.5;
+        }
+        None
     }
 
-    /// Whether the series places the dyad where it is in a state at a distance.
-    fn foretells(&self, dq: f64, state: &State) -> bool {
+    /// Whether the series places the group where it is in a state at a distance.
+    fn foretells(&self, (dq, state): (f64, State)) -> bool {
         let mut told = state.clone();
         self.write(dq, &mut told);
         let near = |a: Vec2, b: Vec2| (a - b).norm() <= PROVEN;
-        let point = self
-            .point
-            .is_none_or(|(p, _)| near(told.points[p.index()].p, state.points[p.index()].p));
-        let mut links = self.links.iter().flatten();
-        point && links.all(|(l, _)| near(told.links[l.index()].d, state.links[l.index()].d))
+        let mut points = self.points.iter().map(|p| p.0.index());
+        let mut links = self.links.iter().map(|l| l.0.index());
+        points.all(|i| near(told.points[i].p, state.points[i].p))
+            && links.all(|i| near(told.links[i].d, state.links[i].d))
     }
 
-    /// Takes positions from a state at the change point itself, where it has any.
-    pub(super) fn take_positions(&mut self, state: &State) {
-        if let Some((point, limit)) = &mut self.point {
-            limit.p = state.points[point.index()].p;
-        }
-        for (link, limit) in self.links.iter_mut().flatten() {
-            limit.d = state.links[link.index()].d;
-        }
-    }
-
-    /// Places what the dyad places, at a distance from the change point.
+    /// Places what the group places, at a distance from the change point.
     pub(super) fn write(&self, dq: f64, state: &mut State) {
-        if let Some((point, PointState { p, v, a })) = self.point {
-            state.points[point.index()] = PointState {
-                p: p + v * dq + a * (0.5 * dq * dq),
-                v: v + a * dq,
-                a,
-            };
+        for (point, series) in &self.points {
+            let [p, v, a] = told(series, dq);
+            state.points[point.index()] = PointState { p, v, a };
         }
-        for (link, LinkState { d, w, a }) in self.links.into_iter().flatten() {
-            let turned = dq * (w + 0.5 * a * dq);
-            let turn = Vec2::new(1.0 - 0.5 * turned * turned, turned);
+        for (link, series) in &self.links {
+            // d' = w k x d and d'' = a k x d - w^2 d.
+            let [d, rate, second] = told(series, dq);
+            let length = d.norm();
+            let (w, a) = (d.cross(rate), d.cross(second));
             state.links[link.index()] = LinkState {
-                d: d.turned(turn),
-                w: w + a * dq,
+                d: d / length,
+                w,
                 a,
             };
         }
     }
 }
 
-impl Sample {
-    fn plus(&self, other: &Sample, weight: f64) -> Sample {
-        let link = |i: usize| {
-            let (a, b) = (self.links[i], other.links[i]);
-            LinkState {
-                d: a.d + b.d * weight,
-                w: a.w + b.w * weight,
-                a: a.a + b.a * weight,
-            }
-        };
-        let (a, b) = (self.point, other.point);
-        Sample {
-            point: PointState {
-                p: a.p + b.p * weight,
-                v: a.v + b.v * weight,
-                a: a.a + b.a * weight,
-            },
-            links: [link(0), link(1)],
+/// How far around the point `known` coefficients tell the second derivatives: the last two terms of
+/// these must be fine. `None` where there are too few coefficients.
+fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize) -> Option<f64> {
+    let last = known.checked_sub(1).filter(|&last| last >= 4)?;
+    let mut zone = WIDEST;
+    for taylor in series {
+        for n in [last - 1, last] {
+            let size = taylor[n].norm() * (n * (n - 1)) as f64;
+            let power = 1.0 / (n - 2) as f64;
+            zone = zone.min((FINE / size).powf(power));
         }
     }
+    (zone > 0.0).then_some(zone)
 }

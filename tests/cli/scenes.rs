@@ -81,6 +81,53 @@ fn check_gives_the_range_as_doubles_and_with_12_decimals() {
 }
 
 #[test]
+fn check_tells_the_extremes_of_the_transmission_angle() {
+    let text = done(&["check", "slider-crank"]);
+    let told = "mu         transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
+                \x20            90.0000 deg, at 0 deg\n";
+    assert!(text.contains(told), "{text}");
+    let facts = json(&done(&["check", "scotch-yoke", "--format", "json"]));
+    let angle = |which: &str| facts["transmission"][0][which]["angle"].as_f64();
+    assert_eq!(
+        (angle("smallest"), angle("largest")),
+        (Some(90.0), Some(90.0))
+    );
+    assert_eq!(facts["near_misses"], serde_json::json!([]));
+    let six_bar = json(&done(&["check", "watt-six-bar", "--format", "json"]));
+    assert_eq!(six_bar["transmission"].as_array().map(Vec::len), Some(2));
+    assert_eq!(
+        six_bar["transmission"][0]["group"],
+        six_bar["groups"][1]["point"]
+    );
+}
+
+/// The state of a near miss is ok, so the note is all that tells of it.
+#[test]
+fn a_near_miss_of_a_change_point_is_noted() {
+    let scene = MINE
+        .replace("length = 2.5", "length = 1.0000001")
+        .replace("c = [4, 0]", "");
+    let scene = scene
+        .replace("D = [4, 0]", "D = [3, 0]")
+        .replace("C = [3, 2]", "C = [3, 1]");
+    for args in [&["table", "-"][..], &["sweep", "-", "--to", "5"]] {
+        let heard = run(command(args).write_stdin(scene.as_str()));
+        assert_eq!(heard.code, 0, "{}", heard.err);
+        let note = "note: all but a change point or a dead point at 0 deg: sin mu = 0.000365 at C; \
+                    the motion keeps its assembly\n";
+        assert!(heard.err.starts_with(note), "{}", heard.err);
+        assert_eq!(heard.err.lines().count(), 2, "at 0 and 180: {}", heard.err);
+    }
+    let heard = run(command(&["check", "-"]).write_stdin(scene.as_str()));
+    assert_eq!(heard.err, "");
+    assert!(
+        heard.out.contains("\nnear miss  all but a change"),
+        "{}",
+        heard.out
+    );
+}
+
+#[test]
 fn check_in_json_names_every_part() {
     let facts = json(&done(&["check", "slider-crank", "--format", "json"]));
     assert_eq!(facts["unit"], "cm");

@@ -4,11 +4,14 @@
 //! A test bears the number of its case. The last module draws further cases of the same kinds.
 //! `cargo test --test hard_cases -- --nocapture` prints how near the limits come.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop")]
+
 #[path = "../support/bits.rs"]
 mod bits;
 #[path = "../exact/mod.rs"]
 mod exact;
 
+mod change_points;
 mod closed_form;
 mod driver;
 mod limits;

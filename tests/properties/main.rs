@@ -4,6 +4,8 @@
 //! judged by the measure of the group, sin(mu): an error of one rounding in a length moves the inner
 //! joint by L u / sin(mu), and by no more than about L sqrt(u) where sin(mu) vanishes.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop")]
+
 #[path = "../support/bits.rs"]
 mod bits;
 #[path = "../support/mod.rs"]
@@ -13,4 +15,6 @@ mod coupled;
 mod dyads;
 mod four_bar;
 mod invariance;
+mod passages;
 mod plant;
+mod transmission;

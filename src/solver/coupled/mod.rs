@@ -8,6 +8,8 @@
 mod enclose;
 mod equations;
 mod maker;
+mod series;
+mod singular;
 mod twice;
 
 use super::frame::Frame;
@@ -16,6 +18,7 @@ use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use maker::Maker;
+pub(super) use singular::Correction;
 
 /// More corrections than quadratic convergence needs from anywhere near.
 const CORRECTIONS: usize = 24;
@@ -98,6 +101,9 @@ pub(super) struct Coupled {
     equations: Vec<Equation>,
     /// Where its room in the state's scratch begins.
     pub offset: usize,
+    /// Its place among the groups of the plan: it has a sign there, which changes where the motion
+    /// passes through a change point.
+    pub group: usize,
     /// The sign of the determinant of its matrix, which a motion without a singularity keeps: of two
     /// solutions that meet at a limit it tells which one is meant. 0 before the group is assembled.
     pub side: f64,
@@ -163,6 +169,7 @@ impl Coupled {
             free,
             equations,
             offset: 0,
+            group: 0,
             side: 0.0,
         };
         let count: usize = group.equations.iter().map(Equation::count).sum();

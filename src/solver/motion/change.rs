@@ -1,34 +1,54 @@
-//! Change points on the way: which dyads are stretched to an extreme of their reach, where exactly,
-//! and on beyond it.
+//! Change points of dyads on the way: which dyads are stretched to an extreme of their reach, where
+//! exactly, and on beyond it.
 
 use super::walk::Walker;
+use super::zero;
+use crate::arithmetic::Series;
 use crate::solver::Order;
-use crate::solver::passage::{Passage, Passages};
-use crate::solver::state::Condition;
+use crate::solver::passage::Passage;
+use crate::solver::state::{Condition, State};
+use crate::solver::step::{Outcome, POSITION, REACH_SLACK, Step};
+use crate::{Double, Number};
 
 /// A measure this small is a gap of the size of the rounding, squared.
 const GAP: f64 = 1e-28;
 /// A change point is passed in one step from this much before it to this much beyond, in radians or
 /// scaled lengths: far enough for the dyad to have digits on both sides.
-const PASSING: f64 = 1e-3;
+pub(super) const PASSING: f64 = 1e-3;
 /// An extreme of a dyad's stretch belongs to a limit if it is this close to it.
 const EXTREME: f64 = 1e-3;
+/// Change points of several groups that are this close to each other are one, in radians or scaled
+/// lengths: a mechanism drawn with lengths from one formula has them a few roundings apart.
+const TOGETHER: f64 = 1e-12;
+
+/// A group that passes through a change point.
+#[derive(Clone, Debug)]
+pub(super) struct Change {
+    pub(super) step: usize,
+    /// The driver's coordinate.
+    pub(super) at: f64,
+    /// Of a coupled group: z there, and the rates of z with which the motion comes.
+    pub(super) meeting: Option<[Vec<f64>; 2]>,
+}
 
 impl Walker<'_> {
-    /// Goes on beyond a limit, if it is a change point of dyads: the coordinate that was reached.
+    /// Goes on beyond a limit, if it is a change point: the coordinate that was reached.
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         let changes = self.changes(limit);
-        let first = changes
-            .iter()
-            .map(|c| c.1)
-            .min_by(|x, y| self.ahead(*x).total_cmp(&self.ahead(*y)))?;
-        let last = changes
-            .iter()
-            .map(|c| c.1)
-            .max_by(|x, y| self.ahead(*x).total_cmp(&self.ahead(*y)))?;
-        let before = self.engine.moved(first, -self.sense * PASSING);
-        let beyond = self.engine.moved(last, self.sense * PASSING);
+        if changes.is_empty() {
+            return self.cross(limit);
+        }
+        let ahead = changes.iter().map(|c| (self.ahead(c.at), c.at));
+        let (first, last) = ahead.fold(None, |ends, here| match ends {
+            None => Some((here, here)),
+            Some((first, last)) => Some((
+                if here.0 < first.0 { here } else { first },
+                if here.0 > last.0 { here } else { last },
+            )),
+        })?;
+        let before = self.engine.moved(first.1, -self.sense * PASSING);
+        let beyond = self.engine.moved(last.1, self.sense * PASSING);
         self.aim_at(before);
         if self
             .engine
@@ -38,82 +58,78 @@ impl Walker<'_> {
             return None;
         }
         let saved = self.state.clone();
-        self.flip(&changes);
+        for change in &changes {
+            self.flip(change.step);
+        }
         if !self.try_step(before, beyond, &saved) {
             return None;
         }
         let reached = self.state.clone();
         // A passage that could not be kept would leave the states beyond it with the wrong signs.
-        self.record(&changes, &saved.signs, &reached.signs)?;
+        self.record(&changes, &saved, &reached)?;
         self.state = reached;
         self.seen.clear();
         self.note(beyond);
         Some(beyond)
     }
 
-    fn flip(&mut self, changes: &[(usize, f64)]) {
-        for &(step, _) in changes {
-            if let Some(group) = self.engine.program.steps[step].choice() {
-                self.state.signs[group] = -self.state.signs[group];
-            }
+    /// Changes the sign of the group of a step.
+    pub(super) fn flip(&mut self, step: usize) {
+        if let Some(group) = self.engine.group_of(step) {
+            self.state.signs[group] = -self.state.signs[group];
         }
     }
 
-    /// The dyads that are stretched to an extreme of their reach at a limit, and where exactly: by
-    /// step and coordinate.
-    fn changes(&mut self, limit: f64) -> Vec<(usize, f64)> {
+    /// The dyads that are stretched to an extreme of their reach at a limit, and where exactly.
+    fn changes(&mut self, limit: f64) -> Vec<Change> {
         let choices = (0..self.engine.program.steps.len())
             .filter(|&i| self.engine.program.steps[i].choice().is_some());
         let choices: Vec<usize> = choices.collect();
         choices
             .into_iter()
-            .filter_map(|i| Some((i, self.extreme(i, limit)?)))
+            .filter_map(|step| {
+                let at = self.extreme(step, limit)?;
+                Some(Change {
+                    step,
+                    at,
+                    meeting: None,
+                })
+            })
             .collect()
     }
 
     /// Where a dyad's stretch is extreme close to a limit, if its arms are in line there.
     fn extreme(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
-        let (mut a, mut b) = (
+        let (a, b) = (
             self.engine.moved(limit, -EXTREME),
             self.engine.moved(limit, EXTREME),
         );
-        let rate_a = self.stretch_rate(step, a)?;
-        if !(rate_a * self.stretch_rate(step, b)? < 0.0) {
-            return None;
-        }
-        loop {
-            let middle = a + 0.5 * (b - a);
-            if middle == a || middle == b {
-                break;
-            }
-            let rate = self.stretch_rate(step, middle)?;
-            if rate == 0.0 {
-                (a, b) = (middle, middle);
-                break;
-            }
-            if rate * rate_a > 0.0 {
-                a = middle
-            } else {
-                b = middle
-            }
-        }
-        let nearer = if self.stretch_rate(step, a)?.abs() < self.stretch_rate(step, b)?.abs() {
-            a
-        } else {
-            b
-        };
-        self.stretch_rate(step, nearer);
-        let at = self
-            .engine
-            .run_steps(step..step + 1, nearer, Order::Position, &mut self.state);
+        let rates = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
+        let finest = self.engine.finest();
+        let at = zero((a, rates.0), (b, rates.1), finest, |at| {
+            self.stretch_rate(step, at)
+        })?;
+        self.stretch_rate(step, at)?;
+        self.is_stretched(step, group, at).then_some(at)
+    }
+
+    /// Whether a dyad's arms are in line, within the rounding of the given lengths and coordinates. The
+    /// state must be that of its inputs.
+    pub(super) fn is_stretched(&mut self, step: usize, group: usize, at: f64) -> bool {
+        let engine = self.engine;
+        let step = &engine.program.steps[step];
+        let placed = engine.place_dyad(step, at, &mut self.state);
         // Equal arms whose pivots meet have no direction, but no gap either.
         let has_no_gap = self.state.measures[group].abs() <= GAP;
-        (at == Condition::DeadPoint || has_no_gap).then_some(nearer)
+        let (q, _) = engine.coordinate(at);
+        let reserve = step.reserve(q, &self.state).abs();
+        let is_rounding = reserve <= REACH_SLACK * engine.frame.far;
+        placed == Outcome::Stretched || has_no_gap || is_rounding
     }
 
     /// A dyad's rate of stretch, from its inputs: it may be open itself.
-    fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
+    pub(super) fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
         self.aim_at(at);
         let inputs = self
             .engine
@@ -121,42 +137,118 @@ impl Walker<'_> {
         if inputs == Condition::NoAssembly {
             return None;
         }
-        self.engine
-            .run_steps(step..step + 1, at, Order::Position, &mut self.state);
-        self.engine.program.steps[step].stretch_rate(&self.state)
+        let engine = self.engine;
+        engine.place_dyad(&engine.program.steps[step], at, &mut self.state);
+        engine.program.steps[step].stretch_rate(&self.state)
     }
 
-    /// Keeps the passages of dyads through a change point, each in the order of the plan, since later
-    /// ones are built on earlier ones. None of them where one has no series.
-    fn record(&mut self, changes: &[(usize, f64)], before: &[f64], beyond: &[f64]) -> Option<()> {
-        let (engine, sense, kept) = (self.engine, self.sense, self.passages.len());
-        for &(step, at) in changes {
-            let group = engine.program.steps[step].choice()?;
-            if self.passages.iter().any(|p| p.group == group && p.at == at) {
+    /// Keeps the passages of the groups through their change points. None of them where one has no
+    /// series.
+    pub(super) fn record(
+        &mut self,
+        changes: &[Change],
+        before: &State,
+        beyond: &State,
+    ) -> Option<()> {
+        let kept = self.passages.len();
+        for change in changes {
+            let group = self.engine.group_of(change.step)?;
+            let is_kept = |p: &Passage| p.group == group && p.at == change.at;
+            if self.passages.iter().any(is_kept) {
                 continue;
             }
-            let sample = |dq: f64| {
-                let there = engine.moved(at, dq);
-                self.aim_at(there);
-                let signs = if dq * sense < 0.0 { before } else { beyond };
-                self.state.signs.copy_from_slice(signs);
-                let steps = 0..step + 1;
-                let order = Order::Acceleration;
-                let condition = engine.run_steps(steps, there, order, &mut self.state);
-                (condition == Condition::Ok).then(|| self.state.clone())
-            };
-            let through = Passage::through(at, &engine.program.steps[step], group, sample);
-            let Some(mut passage) = through else {
+            let Some(passage) = self.passage(change, changes, before, beyond) else {
                 self.passages.truncate(kept);
                 return None;
             };
-            let so_far = Passages::new(self.passages.clone(), self.start, 0.0);
-            let end = engine.run_near(at, Order::Position, &so_far, &mut self.state);
-            if end != Condition::NoAssembly {
-                passage.take_positions(&self.state);
-            }
             self.passages.push(passage);
         }
         Some(())
+    }
+
+    fn passage(
+        &mut self,
+        change: &Change,
+        changes: &[Change],
+        before: &State,
+        beyond: &State,
+    ) -> Option<Passage> {
+        let (engine, sense, step) = (self.engine, self.sense, change.step);
+        let group = engine.group_of(step)?;
+        let series = self.in_series(change, changes, before, beyond)?;
+        let solved = |dq: f64| {
+            let there = engine.moved(change.at, dq);
+            self.aim_at(there);
+            let side = if dq * sense < 0.0 { before } else { beyond };
+            self.state.signs.copy_from_slice(&side.signs);
+            let steps = 0..step + 1;
+            let condition = engine.run_steps(steps, there, Order::Position, &mut self.state);
+            (condition == Condition::Ok).then(|| self.state.clone())
+        };
+        Passage::through(change.at, group, engine.outputs(step), &series, solved)
+    }
+
+    /// The motion about a change point in series, as far as the group that passes through it.
+    fn in_series(
+        &mut self,
+        change: &Change,
+        changes: &[Change],
+        before: &State,
+        beyond: &State,
+    ) -> Option<State<Series>> {
+        let engine = self.engine;
+        let up = if self.sense > 0.0 { beyond } else { before };
+        let mut series = engine.state::<Series>(self.state.travels.len());
+        series.signs = up.signs.iter().map(|&s| Series::exactly(s)).collect();
+        let place = if engine.turns {
+            Series::angle(change.at)
+        } else {
+            Series::line(change.at, Double::exactly(engine.frame.scale))
+        };
+        let (q, direction) = engine.coordinate(place);
+        self.aim_at(change.at);
+        for (i, step) in engine.program.steps[..=change.step].iter().enumerate() {
+            let is_here =
+                |c: &&Change| c.step == i && engine.difference(c.at, change.at).abs() <= TOGETHER;
+            let passes = changes.iter().find(is_here);
+            let done = match (step, passes) {
+                (Step::Coupled { index }, passes) => {
+                    let group = &engine.program.coupled[*index];
+                    // Its inputs are read in doubles, too.
+                    self.take_places(&series);
+                    let meeting = passes.and_then(|c| c.meeting.as_ref());
+                    let toward = meeting.map(|[z, rate]| {
+                        let room = group.open(&mut self.state.scratch);
+                        room.z.copy_from_slice(z);
+                        &rate[..]
+                    });
+                    if toward.is_none() {
+                        engine.run_steps(i..i + 1, change.at, Order::Position, &mut self.state);
+                    }
+                    group.follow(q, &mut self.state, toward, &mut series)
+                }
+                (_, Some(_)) => {
+                    let side = up.signs[step.choice()?];
+                    step.run_through(q, side, &mut series) == Outcome::Done
+                }
+                (_, None) => {
+                    step.run::<Series, POSITION>(q, direction, &mut series) == Outcome::Done
+                }
+            };
+            if !done {
+                return None;
+            }
+        }
+        Some(series)
+    }
+
+    /// Takes places and directions from the beginning of series.
+    fn take_places(&mut self, series: &State<Series>) {
+        for (point, from) in self.state.points.iter_mut().zip(&series.points) {
+            point.p = from.p.nearest();
+        }
+        for (link, from) in self.state.links.iter_mut().zip(&series.links) {
+            link.d = from.d.nearest();
+        }
     }
 }

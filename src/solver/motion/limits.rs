@@ -1,6 +1,7 @@
 //! Limits between the samples of a walk: the zeros of a group's measure.
 
 use super::walk::{SAMPLES, Walker};
+use super::{NearMiss, zero};
 use crate::solver::Order;
 use crate::solver::state::Condition;
 
@@ -8,6 +9,11 @@ use crate::solver::state::Condition;
 const SUSPICIOUS: f64 = 0.05;
 /// A measure below this part of its largest, some u, touches zero.
 const TOUCH: f64 = 1e-14;
+/// A measure that goes down to less than this part of its largest, and not to zero, is a near miss: a
+/// sine below 0.032, which is a transmission angle of 1.8 degrees. A gap of some 5e-4 of a link, 0.05 mm
+/// in 100, is as much as workshops leave open; without it the motion would end there, or could change
+/// its assembly.
+const NEAR: f64 = 1e-3;
 /// Sections that narrow a minimum down to the square root of the rounding.
 const GOLDEN_SECTIONS: usize = 44;
 
@@ -45,7 +51,12 @@ impl Walker<'_> {
         let measure = self.measure(group, lowest);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
         if !is_open {
-            return (measure < TOUCH * self.peaks[group]).then_some(lowest);
+            let touches = self.touches(group, lowest, measure);
+            if !touches && measure < NEAR * self.peaks[group] {
+                let (sine, at) = (measure.sqrt(), lowest);
+                self.misses.push(NearMiss { group, sine, at });
+            }
+            return touches.then_some(lowest);
         }
         let [before, middle, _] = samples;
         let is_past_middle = (lowest - middle) * self.sense > 0.0;
@@ -57,6 +68,9 @@ impl Walker<'_> {
     fn measure(&mut self, group: usize, at: f64) -> f64 {
         self.aim_at(at);
         let condition = self.engine.run(at, Order::Position, &mut self.state);
+        if condition == Condition::Ok && self.is_coupled(group) {
+            self.engine.measure_coupled(at, &mut self.state);
+        }
         let measure = self.state.measures[group];
         match condition {
             Condition::Ok => measure,
@@ -67,9 +81,12 @@ impl Walker<'_> {
         }
     }
 
-    /// The coordinate of the smallest measure between two samples, by golden section; at once the
-    /// sample between them if that touches zero.
+    /// The coordinate of the smallest measure between two samples: for a dyad where its stretch is
+    /// extreme; else by golden section, at once the sample between them if that touches zero.
     fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
+        if let Some(lowest) = self.most_stretched(group, a, b) {
+            return lowest;
+        }
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         if self.measure(group, middle) < TOUCH * self.peaks[group] {
             return middle;
@@ -89,6 +106,32 @@ impl Walker<'_> {
             }
         }
         if at_c < at_d { c } else { d }
+    }
+
+    /// Whether a group whose measure is smallest here is stretched to its limit.
+    fn touches(&mut self, group: usize, at: f64, measure: f64) -> bool {
+        if self.is_coupled(group) {
+            return false;
+        }
+        let mut steps = self.engine.program.steps.iter();
+        let dyad = steps.position(|step| step.choice() == Some(group));
+        measure < TOUCH * self.peaks[group] || dyad.is_some_and(|i| self.is_stretched(i, group, at))
+    }
+
+    fn is_coupled(&self, group: usize) -> bool {
+        let mut coupled = self.engine.program.coupled.iter();
+        coupled.any(|c| c.group == group)
+    }
+
+    /// Where a dyad's stretch is extreme, if it is between two coordinates.
+    fn most_stretched(&mut self, group: usize, a: f64, b: f64) -> Option<f64> {
+        let mut steps = self.engine.program.steps.iter();
+        let step = steps.position(|step| step.choice() == Some(group))?;
+        let (rate_a, rate_b) = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
+        let finest = self.engine.finest();
+        zero((a, rate_a), (b, rate_b), finest, |at| {
+            self.stretch_rate(step, at)
+        })
     }
 
     /// The last coordinate on the way from `good` to `bad` at which a measure is positive.

@@ -7,11 +7,15 @@
 
 mod anchors;
 mod change;
+mod crossing;
+mod ends;
 mod limits;
 mod walk;
+mod zero;
 
 pub(super) use anchors::{Anchors, positive_remainder};
 pub(super) use walk::MISFIT;
+pub(super) use zero::zero;
 
 use super::engine::Engine;
 use super::fault::Fault;
@@ -38,6 +42,18 @@ pub enum Range {
     },
 }
 
+/// Where the two assemblies of a group all but meet: lengths that differ by the square of the sine, as
+/// a part of a link, would make it a change point or a dead point. The motion keeps its assembly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NearMiss {
+    /// The group, by its place in [`super::Plan::groups`].
+    pub group: usize,
+    /// The sine of its transmission angle, the smallest there is around.
+    pub sine: f64,
+    /// The driver's coordinate, in degrees or the scene's length unit.
+    pub at: f64,
+}
+
 /// The whole motion of a mechanism, found once.
 #[derive(Clone, Debug)]
 pub struct Motion {
@@ -48,10 +64,28 @@ pub struct Motion {
     pub dead_points: Vec<f64>,
     /// Where two assemblies meet and the motion passes smoothly, within one period.
     pub change_points: Vec<f64>,
+    /// Where the motion comes close to a change point or a dead point, and passes by.
+    pub near_misses: Vec<NearMiss>,
+    /// The coordinates at which the walk has been.
+    pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
     pub(super) passages: Passages,
+    /// The part of a limited range in which states are found: some ulps less than the range, where all
+    /// that is left of a group's equations at a limit is rounding.
+    settled: Option<[f64; 2]>,
+    folds: Vec<Folded>,
 }
 
+/// A limit at which a coupled group folds: its own matrix is singular there, so that its state is kept.
+#[derive(Clone, Debug)]
+pub(super) struct Folded {
+    pub(super) at: f64,
+    pub(super) index: usize,
+    pub(super) z: Vec<f64>,
+}
+
+/// Two walks find a near miss twice, with this between the coordinates at the most.
+const ONE_MISS: f64 = 1e-6;
 /// A coordinate this near to a dead point, as a part of it, is the dead point.
 const SAME: f64 = f64::EPSILON;
 
@@ -61,6 +95,19 @@ impl Motion {
         self.dead_points
             .iter()
             .any(|&dead| (at - dead).abs() <= SAME * dead.abs())
+    }
+
+    /// The coordinate nearest to this one at which a state is found.
+    pub(super) fn inside(&self, at: f64) -> f64 {
+        match self.settled {
+            Some([low, high]) => at.max(low).min(high),
+            None => at,
+        }
+    }
+
+    /// The fold at a coordinate.
+    pub(super) fn fold_at(&self, at: f64) -> Option<&Folded> {
+        self.folds.iter().find(|fold| fold.at == at)
     }
 
     /// Whether the motion from the scene's assembly comes to this coordinate.
@@ -89,6 +136,9 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         start,
         sense: 1.0,
         passages: Vec::new(),
+        samples: Vec::new(),
+        misses: Vec::new(),
+        folds: Vec::new(),
     };
     walker.check_fit()?;
     let up = walker.walk()?;
@@ -108,38 +158,39 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         }
     };
     let anchors = walker.anchors.sorted(engine, period);
-    let range = match range {
-        Range::Full { .. } => range,
-        Range::Limited { low, high } => {
-            let mut settle = |end| settled_end(end, start, engine, &anchors, &mut walker.state);
-            Range::Limited {
-                low: settle(low),
-                high: settle(high),
-            }
-        }
-    };
     let passages = Passages::new(walker.passages, start, period);
+    let settled = match range {
+        Range::Full { .. } => None,
+        Range::Limited { low, high } => Some([low, high].map(|end| {
+            let mut exists = |at: f64| {
+                anchors.aim(engine, at, &mut walker.state);
+                passages.choose(engine, at, &mut walker.state.signs);
+                engine.run(at, Order::Position, &mut walker.state) != Condition::NoAssembly
+            };
+            settled_end(end, start, &mut exists)
+        })),
+    };
     Ok(Motion {
+        near_misses: near_misses(walker.misses, range),
+        samples: walker.samples,
         range,
         dead_points: dead_points(range, engine, start),
         change_points: passages.coordinates(),
         anchors,
         passages,
+        settled,
+        folds: walker.folds,
     })
 }
 
-/// The end of a range, drawn back by the few ulps by which a state that is predicted from another
-/// anchor than in the walk may miss it.
-fn settled_end(end: f64, start: f64, engine: &Engine, anchors: &Anchors, state: &mut State) -> f64 {
+/// The end of a range, drawn back by the few ulps by which a state may not be found there: predicted
+/// from another anchor than in the walk, or by the rounding of a later group that ends there too.
+fn settled_end(end: f64, start: f64, exists: &mut impl FnMut(f64) -> bool) -> f64 {
     let ulp = f64::EPSILON * end.abs().max(start.abs());
     let back = |k: i32| end - (end - start).signum() * ulp * (f64::from(k).exp2() - 1.0);
-    let mut exists = |&at: &f64| {
-        anchors.aim(engine, at, state);
-        engine.run(at, Order::Position, state) != Condition::NoAssembly
-    };
     let candidates = (0..MOST_DRAWS).map(back);
     let mut inside = candidates.take_while(|at| (at - start) * (end - start) > 0.0);
-    inside.find(|at| exists(at)).unwrap_or(end)
+    inside.find(|&at| exists(at)).unwrap_or(end)
 }
 
 /// The ends of a range, but for those at which a slide was merely followed no further.
@@ -155,4 +206,15 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
                 .collect()
         }
     }
+}
+
+/// Each near miss once, by its coordinate.
+fn near_misses(mut misses: Vec<NearMiss>, range: Range) -> Vec<NearMiss> {
+    if let Range::Full { period } = range {
+        let reduce = |miss: &mut NearMiss| miss.at = positive_remainder(miss.at, period);
+        misses.iter_mut().for_each(reduce);
+    }
+    misses.sort_by(|a, b| a.at.total_cmp(&b.at));
+    misses.dedup_by(|a, b| a.group == b.group && (a.at - b.at).abs() < ONE_MISS);
+    misses
 }

@@ -1,6 +1,7 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
 use super::anchors::Anchors;
+use super::{Folded, NearMiss};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::passage::Passage;
@@ -57,6 +58,10 @@ pub(super) struct Walker<'e> {
     pub(super) start: f64,
     pub(super) sense: f64,
     pub(super) passages: Vec<Passage>,
+    /// The coordinates that have been reached.
+    pub(super) samples: Vec<f64>,
+    pub(super) misses: Vec<NearMiss>,
+    pub(super) folds: Vec<Folded>,
 }
 
 /// Why the motion goes no further.
@@ -97,8 +102,9 @@ impl Walker<'_> {
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
                     return Ok(End::Closed(turns));
                 }
+                let last = self.state.clone();
                 let Some(beyond) = self.pass(limit) else {
-                    return Ok(End::Limit(limit));
+                    return Ok(End::Limit(self.refined(limit, &last)));
                 };
                 // The steps between have been taken on the wrong side.
                 (from, closed) = (beyond, None);
@@ -132,6 +138,7 @@ impl Walker<'_> {
     /// Notes a state on the other side of the start, so that a minimum at the start shows.
     fn look_behind(&mut self, step: f64) {
         let (at_start, kept) = (self.state.clone(), self.anchors.len());
+        let walked = self.samples.len();
         let behind = self.start - self.sense * step;
         self.seen.clear();
         if self.advance(self.start, behind).is_ok() {
@@ -142,12 +149,15 @@ impl Walker<'_> {
         self.state = at_start;
         // What lies behind is walked in its turn; a change point there is only passed then.
         self.anchors.truncate(self.engine, kept);
+        self.samples.truncate(walked);
         self.note(self.start);
     }
 
     /// Keeps the state that was reached as a sample and as an anchor.
     pub(super) fn note(&mut self, at: f64) {
+        self.engine.measure_coupled(at, &mut self.state);
         self.anchors.push(self.engine, at, &mut self.state);
+        self.samples.push(at);
         if self.seen.len() == SAMPLES {
             self.seen.rotate_left(1);
             self.seen.pop();

@@ -8,6 +8,7 @@
 mod circles;
 mod lines;
 mod swing;
+mod through;
 
 pub(super) use circles::{Circles, Cylinder};
 pub(super) use lines::{CircleLine, CircleRail, Line};
@@ -25,7 +26,7 @@ pub(super) const ACCELERATION: u8 = 2;
 /// How far beyond its reach a group still counts as just stretched: 4 u of the lengths, the
 /// rounding of a computed distance. Less would refuse limits that were typed in exactly; more would
 /// clamp states that really are open.
-const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
+pub(super) const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 
 /// What became of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -325,10 +326,16 @@ impl Step {
 
     /// By how much a dyad misses to close; 0 where it closes.
     pub(super) fn gap(&self, q: f64, state: &State) -> f64 {
+        (-self.reserve(q, state)).max(0.0)
+    }
+
+    /// How far a dyad is from the extremes of its reach, as a length: negative where it is open, and
+    /// infinite of steps that have no reach.
+    pub(super) fn reserve(&self, q: f64, state: &State) -> f64 {
         let at = |point: PointId| state.points[point.index()].p;
         let between = |a: PointId, b: PointId| (at(b) - at(a)).norm();
-        let triangle = |d: f64, b: f64, c: f64| (d - (b + c)).max((b - c).abs() - d);
-        let gap = match self {
+        let triangle = |d: f64, b: f64, c: f64| ((b + c) - d).min(d - (b - c).abs());
+        match self {
             Step::Circles(c) => triangle(
                 between(c.near.pivot, c.far.pivot),
                 c.near.length.hi,
@@ -340,16 +347,13 @@ impl Step {
             }
             Step::CircleLine(c) => {
                 let guide = c.line.at(state);
-                guide.n.dot(at(c.arm.pivot) - guide.q.p).abs() - c.arm.length.hi
+                c.arm.length.hi - guide.n.dot(at(c.arm.pivot) - guide.q.p).abs()
             }
             Step::CircleRail(c) => {
-                c.along
-                    .nearest()
-                    .cross(at(c.arm.pivot) - c.through.nearest())
-                    .abs()
-                    - c.arm.length.hi
+                let from = at(c.arm.pivot) - c.through.nearest();
+                c.arm.length.hi - c.along.nearest().cross(from).abs()
             }
-            Step::Swing(s) => s.offset.hi.abs() - between(s.pivot, s.pin),
+            Step::Swing(s) => between(s.pivot, s.pin) - s.offset.hi.abs(),
             Step::Crank { .. }
             | Step::Spin { .. }
             | Step::Ride { .. }
@@ -358,9 +362,8 @@ impl Step {
             | Step::Lock { .. }
             | Step::Lines { .. }
             | Step::Coupled { .. }
-            | Step::Travel { .. } => 0.0,
-        };
-        gap.max(0.0)
+            | Step::Travel { .. } => f64::INFINITY,
+        }
     }
 }
 

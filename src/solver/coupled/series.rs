@@ -1,0 +1,259 @@
+//! The motion of a coupled group in series, coefficient by coefficient.
+//!
+//! With the unknowns known up to t^(k-1), the k-th coefficient of the equations is r_k and that of the
+//! unknowns solves J z_k = -r_k, always with the same J. Where J is singular, with the null vectors
+//! J v = 0 and w J = 0, z_k is known up to s v, and s from the next order: w.r_(k+1) = 0. For k = 1
+//! that is the quadratic of the second-order tangents, one root for each of the branches that meet;
+//! beyond, it is linear.
+
+use super::{Base, Coupled, Room, Scratch, lu};
+use crate::arithmetic::{Series, TERMS};
+use crate::solver::state::State;
+use crate::{Double, Number, Vec2};
+
+/// Two directions of the quadratic that differ by less than this part have become one: the branches
+/// touch, and orders beyond the second would have to tell them apart.
+const TANGENTIAL: f64 = 1e-9;
+
+/// A matrix made ready to be solved with; where it is singular, bordered by its null vectors.
+struct Solver {
+    matrix: Vec<f64>,
+    pivots: Vec<usize>,
+    n: usize,
+}
+
+impl Solver {
+    fn new(matrix: &[f64], n: usize, border: Option<(&[f64], &[f64])>) -> Option<Solver> {
+        let m = n + usize::from(border.is_some());
+        let mut bordered = vec![0.0; m * m];
+        for i in 0..n {
+            bordered[i * m..i * m + n].copy_from_slice(&matrix[i * n..(i + 1) * n]);
+            if let Some((column, row)) = border {
+                bordered[i * m + n] = column[i];
+                bordered[n * m + i] = row[i];
+            }
+        }
+        let mut pivots = vec![0; m];
+        lu::factor(&mut bordered, &mut pivots, m)?;
+        Some(Solver {
+            matrix: bordered,
+            pivots,
+            n: m,
+        })
+    }
+
+    fn solve(&self, right: &[f64], last: f64) -> Vec<f64> {
+        let mut right = right.to_vec();
+        right.resize(self.n, last);
+        lu::solve(&self.matrix, &self.pivots, &mut right, self.n);
+        right
+    }
+}
+
+/// The null vectors of a singular matrix: J v = 0, w J = 0, of length 1.
+pub(in crate::solver) struct Null {
+    pub(super) v: Vec<f64>,
+    pub(super) w: Vec<f64>,
+}
+
+impl Null {
+    /// By bordering with any vectors that are not orthogonal to them.
+    pub(super) fn of(matrix: &[f64], n: usize) -> Option<Null> {
+        let any: Vec<f64> = (0..n).map(|i| (1.7 * i as f64 + 0.3).cos()).collect();
+        let transposed: Vec<f64> = (0..n * n).map(|k| matrix[k % n * n + k / n]).collect();
+        let null = |matrix: &[f64]| {
+            let mut x = Solver::new(matrix, n, Some((&any, &any)))?.solve(&vec![0.0; n], 1.0);
+            x.truncate(n);
+            let length = x.iter().map(|v| v * v).sum::<f64>().sqrt();
+            x.iter_mut().for_each(|v| *v /= length);
+            length.is_finite().then_some(x)
+        };
+        Some(Null {
+            v: null(matrix)?,
+            w: null(&transposed)?,
+        })
+    }
+}
+
+impl Coupled {
+    /// Places the group in series about a state whose z stands in `here`'s scratch, as its inputs
+    /// stand in both. `toward` is the rate of z with which the motion comes to a singular place.
+    pub(in crate::solver) fn follow(
+        &self,
+        q: Series,
+        here: &mut State,
+        toward: Option<&[f64]>,
+        state: &mut State<Series>,
+    ) -> bool {
+        let mut scratch = std::mem::take(&mut here.scratch);
+        let mut room = self.open(&mut scratch);
+        self.jacobian(q.nearest(), here, &mut room);
+        let z = room.z.to_vec();
+        let matrix = room.matrix.to_vec();
+        here.scratch = scratch;
+        let n = self.unknowns();
+        let mut path = Path {
+            group: self,
+            q,
+            z: &z,
+            unknowns: vec![Series::default(); n],
+        };
+        let mut own = std::mem::take(&mut state.scratch);
+        let done = path.solve(&matrix, toward, state, &mut own).is_some();
+        if done {
+            let mut room = self.open(&mut own);
+            room.first.fill(Series::default());
+            room.second.fill(Series::default());
+            path.fill(&mut room);
+            self.write(q, state, &room);
+        }
+        state.scratch = own;
+        done
+    }
+}
+
+impl Coupled {
+    /// Takes z from what the group has placed: the inverse of writing it.
+    pub(in crate::solver) fn read(&self, state: &State, room: &mut Room<'_>) {
+        for (point, spot) in &self.spots {
+            if let (Base::Free(i), None) = (spot.base, spot.arm) {
+                let Vec2 { x, y } = state.points[point.index()].p;
+                (room.z[2 * i], room.z[2 * i + 1]) = (x, y);
+            }
+        }
+        for (i, (link, turn)) in self.turning.iter().zip(&self.turns).enumerate() {
+            let at = 2 * (self.free + i);
+            let d = state.links[link.index()].d;
+            let Vec2 { x, y } = d.turned(turn.nearest().conj());
+            (room.z[at], room.z[at + 1]) = (x, y);
+        }
+    }
+}
+
+/// The unknowns of a group in series: joints from where they are in z, angles from their directions
+/// there.
+struct Path<'a> {
+    group: &'a Coupled,
+    q: Series,
+    z: &'a [f64],
+    unknowns: Vec<Series>,
+}
+
+impl Path<'_> {
+    fn solve(
+        &mut self,
+        matrix: &[f64],
+        toward: Option<&[f64]>,
+        state: &State<Series>,
+        scratch: &mut Scratch<Series>,
+    ) -> Option<()> {
+        let n = self.group.unknowns();
+        let null = match toward {
+            Some(_) => Some(Null::of(matrix, n)?),
+            None => None,
+        };
+        let border = null.as_ref().map(|null| (&null.w[..], &null.v[..]));
+        let solver = Solver::new(matrix, n, border)?;
+        // Twice for the place itself: z comes with its rounding.
+        for k in std::iter::once(0).chain(0..TERMS - 1) {
+            let right = self.coefficients(k, state, scratch);
+            let found = solver.solve(&right, 0.0);
+            self.add(k, &found[..n], -1.0);
+            if let (Some(null), Some(toward), 1..) = (&null, toward, k) {
+                let share = self.share(k, null, toward, state, scratch)?;
+                self.add(k, &null.v, share);
+            }
+        }
+        // The last coefficient of a singular group would need one more order.
+        let known = TERMS - if null.is_some() { 2 } else { 1 };
+        self.unknowns.iter_mut().for_each(|u| u.known = known);
+        self.unknowns
+            .iter()
+            .all(|u| u.c.iter().all(|c| c.hi.is_finite()))
+            .then_some(())
+    }
+
+    /// How much of the null vector the k-th coefficients have, so that the next order can be solved.
+    fn share(
+        &mut self,
+        k: usize,
+        null: &Null,
+        toward: &[f64],
+        state: &State<Series>,
+        scratch: &mut Scratch<Series>,
+    ) -> Option<f64> {
+        let mut at = |share: f64| {
+            self.add(k, &null.v, share);
+            let next = self.coefficients(k + 1, state, scratch);
+            self.add(k, &null.v, -share);
+            dot(&null.w, &next)
+        };
+        let none = at(0.0);
+        if k > 1 {
+            let share = none / (none - at(1.0));
+            return share.is_finite().then_some(share);
+        }
+        // a s^2 + b s + c = 0.
+        let (plus, minus) = (at(1.0), at(-1.0));
+        let (a, b) = (0.5 * (plus + minus) - none, 0.5 * (plus - minus));
+        let wanted = dot(toward, &null.v);
+        let discriminant = b * b - 4.0 * a * none;
+        // Written so that NaN is refused.
+        if !(discriminant > TANGENTIAL * (b * b + (a * none).abs())) {
+            return None;
+        }
+        let half = -0.5 * (b + discriminant.sqrt().copysign(b));
+        let roots = [half / a, none / half];
+        let mut roots = roots.into_iter().filter(|s| s.is_finite());
+        let first = roots.next()?;
+        let nearer = roots.fold(first, |best, s| {
+            if (s - wanted).abs() < (best - wanted).abs() {
+                s
+            } else {
+                best
+            }
+        });
+        Some(nearer)
+    }
+
+    /// The k-th coefficients of the equations.
+    fn coefficients(
+        &self,
+        k: usize,
+        state: &State<Series>,
+        scratch: &mut Scratch<Series>,
+    ) -> Vec<f64> {
+        let mut room = self.group.open(scratch);
+        self.fill(&mut room);
+        self.group.residuals(self.q, state, &mut room);
+        room.right.iter().map(|r| r.c[k].hi).collect()
+    }
+
+    fn add(&mut self, k: usize, change: &[f64], times: f64) {
+        for (unknown, change) in self.unknowns.iter_mut().zip(change) {
+            unknown.c[k] += Double::exactly(change * times);
+        }
+    }
+
+    /// Puts the unknowns into z.
+    fn fill(&self, room: &mut Room<'_, Series>) {
+        let joints = 2 * self.group.free;
+        for i in 0..joints {
+            room.z[i] = Series::exactly(self.z[i]) + self.unknowns[i];
+        }
+        for (i, &angle) in self.unknowns[joints..].iter().enumerate() {
+            let at = joints + 2 * i;
+            let start = Vec2::new(self.z[at], self.z[at + 1]).exactly::<Double>();
+            let unit = start / start.norm();
+            // A correction of the place itself is small: its square is below the rounding.
+            let nudge = Vec2::new(Double::ONE, angle.c[0]);
+            let start = unit.turned(nudge).map(Series::constant);
+            let turned = start.turned(angle.turning());
+            (room.z[at], room.z[at + 1]) = (turned.x, turned.y);
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

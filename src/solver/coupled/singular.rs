@@ -1,0 +1,351 @@
+//! Where a coupled group is singular: how near it is to that, and the folds at which it ends.
+//!
+//! At a fold two solutions z meet and the driver turns back. There J has a null vector v, and
+//!
+//! ```text
+//! F(z, q) = 0        J(z, q) v = 0        c.v = 1
+//! ```
+//!
+//! is a regular system for z, v and q (Moore and Spence 1980), though J itself is singular. Its second
+//! derivatives come from the second rates of the equations: with z'' = 0 and z' = a these are
+//! R(a) = Q(a, a) + 2 L a + r, so that R(a + b) - R(a) - R(b) + R(0) = 2 Q(a, b) and
+//! R(a) - R(-a) = 4 L a.
+//!
+//! At a crossing two solutions meet and both go on. There the rates of q are among those of z, so that
+//! the system above is singular as well; with the equations opened by b along the left null vector w
+//! it is regular again:
+//!
+//! ```text
+//! F(z, q) + b w = 0      J v = 0      c.v = 1      J p + F_q = 0      c.p = 0
+//! ```
+//!
+//! b is zero where the branches really meet, and z' = p + s v on them.
+
+use super::series::Null;
+use super::{Coupled, Room, Scratch, lu};
+use crate::solver::state::State;
+
+/// What Newton's method for a fold carries from step to step besides z: the null vector, and the
+/// vector that normalises it.
+pub(in crate::solver) struct Fold {
+    v: Vec<f64>,
+    c: Vec<f64>,
+}
+
+/// What Newton's method for a crossing carries: the null vector v, the particular tangent p, and by
+/// how much the equations must be opened along w for the branches to meet.
+pub(in crate::solver) struct Crossing {
+    v: Vec<f64>,
+    p: Vec<f64>,
+    /// Zero, within the rounding of the lengths, at a change point.
+    pub(in crate::solver) unfolding: f64,
+    /// As they were at the start: they normalise v and p, and open the equations.
+    null: Null,
+}
+
+/// A step of Newton's method: its largest component, and that of the driver's coordinate.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Correction {
+    pub(in crate::solver) size: f64,
+    pub(in crate::solver) dq: f64,
+}
+
+impl Coupled {
+    /// How far the group is from being singular, signed: the determinant of its matrix with rows of
+    /// unit length, which is at most 1 (Hadamard), times its size: as the square of a sine. From z in
+    /// the scratch; 0 where the matrix has no pivot.
+    pub(in crate::solver) fn measure(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
+        let det = self.determinant(q, state, scratch);
+        det * det.abs()
+    }
+
+    /// The determinant of the matrix with rows of unit length.
+    pub(in crate::solver) fn determinant(
+        &self,
+        q: f64,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> f64 {
+        let n = self.unknowns();
+        let mut room = self.open(scratch);
+        self.jacobian(q, state, &mut room);
+        let mut det = 1.0;
+        for row in room.matrix.chunks(n) {
+            det /= row.iter().map(|v| v * v).sum::<f64>().sqrt();
+        }
+        let Some(sign) = lu::factor(room.matrix, room.pivots, n) else {
+            return 0.0;
+        };
+        for k in 0..n {
+            det *= room.matrix[k * n + k].abs();
+        }
+        sign * det
+    }
+
+    /// A start for [`Coupled::approach`]: close to a fold the group moves along its null vector.
+    pub(in crate::solver) fn fold(&self, scratch: &mut Scratch) -> Option<Fold> {
+        let room = self.open(scratch);
+        let length = dot(room.first, room.first).sqrt();
+        let v: Vec<f64> = room.first.iter().map(|x| x / length).collect();
+        let c = v.clone();
+        v.iter().all(|x| x.is_finite()).then_some(Fold { v, c })
+    }
+
+    /// One step of Newton towards a fold: corrects z in the scratch and v, and gives the size of the
+    /// correction and that of the coordinate, which is left to the caller. The inputs of the group
+    /// stand in `state`, with both derivatives.
+    pub(in crate::solver) fn approach(
+        &self,
+        fold: &mut Fold,
+        q: f64,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> Option<Correction> {
+        let n = self.unknowns();
+        let mut room = self.open(scratch);
+        let local = Local::new(self, q, state, &mut room);
+        let (z, by_q, v) = (0, n, n + 1);
+        let mut system = System::new(2 * n + 1);
+        system.right[..n].copy_from_slice(&local.misfit);
+        system.block(0, z, &local.matrix, n);
+        system.column(0, by_q, &local.by_q);
+        system.add_right(n, &local.times_matrix(&fold.v));
+        system.block(n, z, &local.bent(self, &fold.v, q, state, &mut room), n);
+        system.column(n, by_q, &local.times_mixed(&fold.v));
+        system.block(n, v, &local.matrix, n);
+        system.row(2 * n, v, &fold.c);
+        system.right[2 * n] = dot(&fold.c, &fold.v) - 1.0;
+        let (size, change) = system.solved()?;
+        self.shift(room.z, &change[z..z + n]);
+        add(&mut fold.v, &change[v..]);
+        Some(Correction {
+            size,
+            dq: change[by_q],
+        })
+    }
+
+    /// A start for [`Coupled::approach_crossing`], from a state close to one.
+    pub(in crate::solver) fn crossing(
+        &self,
+        q: f64,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> Option<Crossing> {
+        let n = self.unknowns();
+        let mut room = self.open(scratch);
+        let rate = room.first.to_vec();
+        self.jacobian(q, state, &mut room);
+        let null = Null::of(room.matrix, n)?;
+        let along = dot(&rate, &null.v);
+        let p = rate.iter().zip(&null.v).map(|(r, v)| r - along * v);
+        Some(Crossing {
+            p: p.collect(),
+            v: null.v.clone(),
+            unfolding: 0.0,
+            null,
+        })
+    }
+
+    /// One step of Newton towards a crossing, as [`Coupled::approach`].
+    pub(in crate::solver) fn approach_crossing(
+        &self,
+        crossing: &mut Crossing,
+        q: f64,
+        state: &State,
+        scratch: &mut Scratch,
+    ) -> Option<Correction> {
+        let n = self.unknowns();
+        let mut room = self.open(scratch);
+        let local = Local::new(self, q, state, &mut room);
+        let Crossing {
+            v,
+            p,
+            unfolding,
+            null,
+        } = crossing;
+        let (z, by_q, in_v, in_p, by_unfolding) = (0, n, n + 1, 2 * n + 1, 3 * n + 1);
+        let mut system = System::new(3 * n + 2);
+        system.right[..n].copy_from_slice(&local.misfit);
+        let open: Vec<f64> = null.w.iter().map(|w| w * *unfolding).collect();
+        system.add_right(0, &open);
+        system.block(0, z, &local.matrix, n);
+        system.column(0, by_q, &local.by_q);
+        system.column(0, by_unfolding, &null.w);
+
+        system.add_right(n, &local.times_matrix(v));
+        system.block(n, z, &local.bent(self, v, q, state, &mut room), n);
+        system.column(n, by_q, &local.times_mixed(v));
+        system.block(n, in_v, &local.matrix, n);
+        system.row(2 * n, in_v, &null.v);
+        system.right[2 * n] = dot(&null.v, v) - 1.0;
+
+        let third = 2 * n + 1;
+        system.add_right(third, &local.times_matrix(p));
+        system.add_right(third, &local.by_q);
+        system.block(third, z, &local.bent(self, p, q, state, &mut room), n);
+        system.block(third, z, &local.mixed, n);
+        system.column(third, by_q, &local.times_mixed(p));
+        system.column(third, by_q, &local.still);
+        system.block(third, in_p, &local.matrix, n);
+        system.row(3 * n + 1, in_p, &null.v);
+        system.right[3 * n + 1] = dot(&null.v, p);
+
+        let (size, change) = system.solved()?;
+        self.shift(room.z, &change[z..z + n]);
+        add(v, &change[in_v..in_v + n]);
+        add(p, &change[in_p..in_p + n]);
+        *unfolding += change[by_unfolding];
+        Some(Correction {
+            size,
+            dq: change[by_q],
+        })
+    }
+
+    /// The second rates of the equations with z' = `first` and z'' = 0.
+    fn second_rates(&self, first: &[f64], q: f64, state: &State, room: &mut Room<'_>) -> Vec<f64> {
+        room.first.copy_from_slice(first);
+        self.rates(q, state, room, 2);
+        room.right.to_vec()
+    }
+}
+
+/// The equations of a group at one place with their derivatives, matrices by rows.
+struct Local {
+    n: usize,
+    /// F.
+    misfit: Vec<f64>,
+    /// J, the derivative by z, and that by q.
+    matrix: Vec<f64>,
+    by_q: Vec<f64>,
+    /// r = R(0), the second derivative by q.
+    still: Vec<f64>,
+    /// L, the second derivative by z and q.
+    mixed: Vec<f64>,
+    /// R(e) of the unit vectors, one after another.
+    units: Vec<Vec<f64>>,
+}
+
+impl Local {
+    fn new(group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> Local {
+        let n = group.unknowns();
+        group.residuals(q, state, room);
+        let misfit = room.right.to_vec();
+        room.first.fill(0.0);
+        room.second.fill(0.0);
+        group.rates(q, state, room, 1);
+        let by_q = room.right.to_vec();
+        group.jacobian(q, state, room);
+        let matrix = room.matrix.to_vec();
+        let mut unit = vec![0.0; n];
+        let still = group.second_rates(&unit, q, state, room);
+        let (mut units, mut mixed) = (Vec::new(), vec![0.0; n * n]);
+        for j in 0..n {
+            unit[j] = -1.0;
+            let back = group.second_rates(&unit, q, state, room);
+            unit[j] = 1.0;
+            let forth = group.second_rates(&unit, q, state, room);
+            unit[j] = 0.0;
+            for i in 0..n {
+                mixed[i * n + j] = 0.25 * (forth[i] - back[i]);
+            }
+            units.push(forth);
+        }
+        Local {
+            n,
+            misfit,
+            matrix,
+            by_q,
+            still,
+            mixed,
+            units,
+        }
+    }
+
+    fn times_matrix(&self, v: &[f64]) -> Vec<f64> {
+        self.matrix.chunks(self.n).map(|row| dot(row, v)).collect()
+    }
+
+    fn times_mixed(&self, v: &[f64]) -> Vec<f64> {
+        self.mixed.chunks(self.n).map(|row| dot(row, v)).collect()
+    }
+
+    /// Q(v, .), the derivative of J v by z.
+    fn bent(
+        &self,
+        group: &Coupled,
+        v: &[f64],
+        q: f64,
+        state: &State,
+        room: &mut Room<'_>,
+    ) -> Vec<f64> {
+        let n = self.n;
+        let alone = group.second_rates(v, q, state, room);
+        let mut bent = vec![0.0; n * n];
+        let mut sum = v.to_vec();
+        for j in 0..n {
+            sum[j] += 1.0;
+            let both = group.second_rates(&sum, q, state, room);
+            sum[j] = v[j];
+            for i in 0..n {
+                bent[i * n + j] = 0.5 * (both[i] - alone[i] - self.units[j][i] + self.still[i]);
+            }
+        }
+        bent
+    }
+}
+
+/// A linear system that is put together from blocks: all of them are added.
+struct System {
+    n: usize,
+    matrix: Vec<f64>,
+    right: Vec<f64>,
+}
+
+impl System {
+    fn new(n: usize) -> System {
+        System {
+            n,
+            matrix: vec![0.0; n * n],
+            right: vec![0.0; n],
+        }
+    }
+
+    fn block(&mut self, row: usize, column: usize, block: &[f64], width: usize) {
+        for (i, values) in block.chunks(width).enumerate() {
+            let from = (row + i) * self.n + column;
+            add(&mut self.matrix[from..from + width], values);
+        }
+    }
+
+    fn row(&mut self, row: usize, column: usize, values: &[f64]) {
+        self.block(row, column, values, values.len());
+    }
+
+    fn column(&mut self, row: usize, column: usize, values: &[f64]) {
+        self.block(row, column, values, 1);
+    }
+
+    fn add_right(&mut self, row: usize, values: &[f64]) {
+        add(&mut self.right[row..row + values.len()], values);
+    }
+
+    /// The correction that takes `right` away, with its largest component.
+    fn solved(mut self) -> Option<(f64, Vec<f64>)> {
+        let mut pivots = vec![0; self.n];
+        lu::factor(&mut self.matrix, &mut pivots, self.n)?;
+        lu::solve(&self.matrix, &pivots, &mut self.right, self.n);
+        self.right.iter_mut().for_each(|x| *x = -*x);
+        let size = self.right.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        size.is_finite().then_some((size, self.right))
+    }
+}
+
+fn add(to: &mut [f64], values: &[f64]) {
+    for (to, value) in to.iter_mut().zip(values) {
+        *to += value;
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

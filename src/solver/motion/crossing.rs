@@ -1,0 +1,99 @@
+//! Change points of coupled groups: where two solutions cross, exactly where, and on beyond it.
+
+use super::change::{Change, PASSING};
+use super::walk::Walker;
+use crate::solver::Order;
+use crate::solver::coupled::Correction;
+use crate::solver::state::{Condition, State};
+use crate::solver::step::{REACH_SLACK, Step};
+
+/// Newton's steps to a crossing, from a start with half of the digits.
+const STEPS: usize = 20;
+/// Corrections end at their rounding, in units of about the longest link.
+const SETTLED: f64 = 1e-13;
+/// What the equations may be opened by for the branches to meet, in units of about the longest link:
+/// the rounding of lengths, and besides that of given coordinates. More is a near miss.
+const OPENED: f64 = 1e-13;
+
+impl Walker<'_> {
+    /// Goes on beyond a limit at which a coupled group has crossing solutions: the coordinate that was
+    /// reached.
+    pub(super) fn cross(&mut self, limit: f64) -> Option<f64> {
+        let engine = self.engine;
+        let before = engine.moved(limit, -self.sense * PASSING);
+        let beyond = engine.moved(limit, self.sense * PASSING);
+        // Closer by, the derivatives in an anchor have lost their digits.
+        self.anchors.forget_beyond(engine, before, self.sense);
+        self.aim_at(before);
+        if engine.run(before, Order::Acceleration, &mut self.state) != Condition::Ok {
+            return None;
+        }
+        let saved = self.state.clone();
+        let steps = 0..engine.program.steps.len();
+        let is_coupled = |&i: &usize| matches!(engine.program.steps[i], Step::Coupled { .. });
+        steps.filter(is_coupled).find_map(|step| {
+            self.state.clone_from(&saved);
+            self.flip(step);
+            if !self.try_step(before, beyond, &saved) {
+                return None;
+            }
+            let reached = self.state.clone();
+            let change = self.crossing(step, limit, &saved)?;
+            self.state.clone_from(&saved);
+            self.anchors.push(engine, before, &mut self.state);
+            self.state.clone_from(&reached);
+            self.anchors.push(engine, beyond, &mut self.state);
+            self.record(&[change], &saved, &reached)?;
+            self.state = reached;
+            self.seen.clear();
+            self.note(beyond);
+            Some(beyond)
+        })
+    }
+
+    /// Where the solutions of a coupled group cross close to a limit.
+    fn crossing(&mut self, step: usize, limit: f64, before: &State) -> Option<Change> {
+        let engine = self.engine;
+        let Step::Coupled { index } = engine.program.steps[step] else {
+            return None;
+        };
+        let group = &engine.program.coupled[index];
+        let rate = group.open(&mut self.state.scratch).first.to_vec();
+        self.state.clone_from(before);
+        let dq = engine.difference(before.at, limit);
+        group.predict(&mut group.open(&mut self.state.scratch), dq);
+        let mut at = limit;
+        let mut crossing = None;
+        for _ in 0..STEPS {
+            let order = Order::Acceleration;
+            if engine.run_steps(0..step, at, order, &mut self.state) == Condition::NoAssembly {
+                return None;
+            }
+            let (q, _) = engine.coordinate(at);
+            let mut scratch = std::mem::take(&mut self.state.scratch);
+            let mut start = match crossing.take() {
+                Some(crossing) => Some(crossing),
+                None => group.crossing(q, &self.state, &mut scratch),
+            };
+            let correction = start.as_mut().and_then(|crossing| {
+                group.approach_crossing(crossing, q, &self.state, &mut scratch)
+            });
+            self.state.scratch = scratch;
+            let Correction { size, dq } = correction?;
+            crossing = start;
+            at = engine.moved(at, dq);
+            if size < SETTLED {
+                break;
+            }
+        }
+        let opened = OPENED + REACH_SLACK * engine.frame.far;
+        let met = crossing.is_some_and(|c| c.unfolding.abs() < opened);
+        let is_here = engine.difference(limit, at).abs() < PASSING;
+        let z = group.open(&mut self.state.scratch).z.to_vec();
+        (met && is_here).then_some(Change {
+            step,
+            at,
+            meeting: Some([z, rate]),
+        })
+    }
+}
