@@ -99,6 +99,6 @@ pub mod tui;
 
 pub use arithmetic::{Ball, Constant, Double, Number, Vec2, angle};
 pub use mechanism::{
-    Body, Builder, Defect, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Point,
-    PointId, Slide, SlideId, Slider,
+    Axis, Body, Builder, Defect, Driver, Element, Input, Length, Link, LinkId, Load, Mechanism,
+    Member, Point, PointId, Slide, SlideId, Slider,
 };

@@ -2,6 +2,10 @@
 //!
 //! Tables, plots, CSV columns, JSON keys and the demand given to the solver all come from here.
 
+mod sensitivity;
+
+pub use sensitivity::{Derivatives, MOST_DERIVATIVES, Sensitivity};
+
 use crate::nearest::nearest;
 use crate::scene::{Scene, VectorKind};
 use crate::solver::{Condition, Demand, Order, State};
@@ -373,6 +377,16 @@ impl Catalogue {
     #[must_use]
     pub fn driver(&self) -> &Quantity {
         &self.quantities[0]
+    }
+
+    /// All but those of the driver.
+    #[must_use]
+    pub fn figures(&self) -> Vec<Quantity> {
+        let figures = self.quantities.iter();
+        figures
+            .filter(|q| q.subject != Subject::Driver)
+            .cloned()
+            .collect()
     }
 
     /// The quantities that match the patterns, in the order of the patterns, each once; `*` stands

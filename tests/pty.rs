@@ -300,7 +300,7 @@ fn follows_the_size_of_its_window() {
     }
     session.resize(0, 0);
     session.resize(120, 40);
-    session.wait_for("q quit").send("q");
+    session.wait_for("? help").send("q");
     assert!(session.ended_as_found().success());
 }
 
@@ -349,7 +349,7 @@ fn on_a_slow_line_keys_still_show_soon() {
     let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_krank"));
     command.arg("four-bar");
     let mut session = Session::start(command, Manner::Slow);
-    session.wait_for("q quit").send(" ");
+    session.wait_for("? help").send(" ");
     // Long enough for 90 frames of 300 bytes, of which the line takes a tenth.
     thread::sleep(Duration::from_secs(3));
     let asked = Instant::now();

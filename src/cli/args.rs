@@ -137,6 +137,7 @@ Examples:
 Examples:
   krank table four-bar --at 60
   krank table slider-crank --at 30 --digits 10
+  krank table press --bounds --sensitivity
   krank table four-bar --format json
   krank table four-bar --at 240 --assembly C=-")]
     Table(TableArgs),
@@ -151,6 +152,10 @@ Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
 krank sweep SCENE | head -n 1 shows all of a scene's. The driver's coordinate
 always comes first and the state last: ok, change-point, dead-point or
 no-assembly. A value that does not exist is an empty cell (null in JSON).
+--bounds puts C.x.bound behind each C.x, in the same unit: what the error of
+solving the scene as it is given does not exceed. --sensitivity puts
+C.x.sensitivity there: the change of C.x where every given length is off by one
+unit, at the worst.
 Without --from and --to a sweep covers the motion range and ends on its limits,
 or after one period.")]
     Sweep(SweepArgs),
@@ -298,6 +303,12 @@ pub(super) struct FigureArgs {
     /// Leave the units out
     #[arg(long)]
     pub(super) no_units: bool,
+    /// Add what the error of each figure does not exceed; nothing where no bound can be proved
+    #[arg(long)]
+    pub(super) bounds: bool,
+    /// Add what the given lengths do to each figure: by how much it changes for one unit of length
+    #[arg(long)]
+    pub(super) sensitivity: bool,
 }
 
 /// The assembly that is meant.

@@ -5,8 +5,8 @@ use super::failure::{Failure, note};
 use super::output::{replace, write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
-use crate::quantity::Catalogue;
-use crate::report::{Check, Tables, TextStyle, near_misses, range_text};
+use crate::quantity::{Catalogue, MOST_DERIVATIVES, Sensitivity};
+use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, near_misses, range_text};
 use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order, Solver};
 use clap::{Command, CommandFactory};
@@ -52,17 +52,57 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         )));
     }
     tell_of_near_misses(&scene, &solver, screen);
-    let tables = Tables::new(&scene, &state);
-    let style = TextStyle {
+    let mut enclosure = solver.enclosure();
+    solver.enclose(&state, Order::Acceleration, &mut enclosure);
+    let mut tables = Tables::bounded(&scene, &state, &enclosure);
+    if args.figures.bounds {
+        let (figures, unproved) = tables.unproved();
+        note_unproved(unproved, figures, screen);
+    }
+    if args.figures.sensitivity {
+        let figures = Catalogue::new(&scene).figures();
+        few_enough(&scene, figures.len())?;
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
+        let answers = Answers::at(&mut sensitivity, tables.unit, at);
+        if answers.list.is_none() {
+            note(NO_ANSWER, screen);
+        }
+        tables.answers = Some(answers);
+    }
+    let style = TableStyle {
         digits: usize::from(args.figures.digits),
         units: !args.figures.no_units,
+        bounds: args.figures.bounds,
         ascii: screen.ascii,
     };
     write_to(args.output.output.as_deref(), |out| match args.format {
         Format::Text => out.write_all(tables.to_text(style).as_bytes()),
-        Format::Csv => tables.write_csv(style.units, out),
-        Format::Json => writeln!(out, "{:#}", tables.to_json(style.units)),
+        Format::Csv => tables.write_csv(style, out),
+        Format::Json => writeln!(out, "{:#}", tables.to_json(style)),
     })
+}
+
+/// Refuses more derivatives by lengths than there is memory and time for.
+pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
+    let lengths = scene.mechanism.lengths().len();
+    if lengths.saturating_mul(figures) <= MOST_DERIVATIVES {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!(
+        "--sensitivity: {figures} figures by {lengths} lengths are too many; `krank sweep --columns` names fewer"
+    )))
+}
+
+/// Says how many of what was written have no bound, and why.
+pub(super) fn note_unproved(unproved: u64, figures: u64, screen: Screen) {
+    if unproved > 0 {
+        note(
+            &format!(
+                "{unproved} of {figures} figures have no bound: too close to a dead point or a change point for a proof"
+            ),
+            screen,
+        );
+    }
 }
 
 /// Near a change point the lengths' last digits decide which way the motion goes: whoever reads its

@@ -1,7 +1,7 @@
 //! `krank sweep`: which columns, which rows, and what to say about them.
 
 use super::args::{Format, SweepArgs};
-use super::commands::tell_of_near_misses;
+use super::commands::{few_enough, note_unproved, tell_of_near_misses};
 use super::failure::{Failure, note};
 use super::output::{goes_to_terminal, write_to};
 use super::progress::Progress;
@@ -9,7 +9,9 @@ use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::Input;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
-use crate::report::{Columns, Decimal, Outcome, RowFormat, Steps, Sweep, range_text};
+use crate::report::{
+    Beside, Columns, Decimal, Missing, NO_ANSWER, Outcome, RowFormat, Steps, Sweep, range_text,
+};
 use crate::scene::Scene;
 use crate::solver::Range;
 
@@ -22,6 +24,14 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
+    let beside = Beside {
+        bounds: args.figures.bounds,
+        sensitivity: args.figures.sensitivity,
+    };
+    if beside.sensitivity {
+        few_enough(&scene, figures.len())?;
+    }
+    let columns = columns.with(beside, scene.unit.symbol());
     let range = solver.motion().range;
     let steps = steps(&scene, range, args)?;
     let format = match args.format {
@@ -63,7 +73,12 @@ fn figures(catalogue: &Catalogue, patterns: &[String]) -> Result<Vec<Quantity>, 
 
 /// Says which rows have no values; a sweep without any has failed.
 fn judge(outcome: Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
-    let Outcome { rows, valued } = outcome;
+    let Outcome {
+        rows,
+        valued,
+        missing,
+    } = outcome;
+    note_missing(missing, valued, screen);
     if valued == rows {
         return Ok(());
     }
@@ -80,6 +95,15 @@ fn judge(outcome: Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
         screen,
     );
     Ok(())
+}
+
+/// Says what could not be said beside the figures.
+fn note_missing(missing: Missing, valued: u64, screen: Screen) {
+    note_unproved(missing.unproved, missing.figures, screen);
+    if missing.unanswered > 0 {
+        let rows = missing.unanswered;
+        note(&format!("in {rows} of {valued} rows {NO_ANSWER}"), screen);
+    }
 }
 
 /// The rows: an end that was left out is that of the motion, and has a row of its own.

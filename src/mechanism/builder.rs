@@ -118,9 +118,16 @@ impl Builder {
             slider,
             on,
             through,
+            named: None,
             angle,
         });
         SlideId::new(self.slides.len() - 1)
+    }
+
+    /// Says that a guide runs through this point of its body, and not merely through the same place: a
+    /// point that lies elsewhere takes the guide along.
+    pub fn named_through(&mut self, slide: SlideId, point: PointId) {
+        self.slides[slide.index()].named = Some(point);
     }
 
     /// Sets the driver.

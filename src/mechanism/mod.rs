@@ -5,8 +5,10 @@
 //! the loops close - is the solver's to say.
 
 mod builder;
+mod lengths;
 
 pub use builder::Builder;
+pub use lengths::{Axis, Length};
 
 use crate::Vec2;
 use thiserror::Error;
@@ -137,6 +139,9 @@ pub struct Slide {
     pub on: Body,
     /// A point of the guide, in the frame of `on`.
     pub through: Vec2,
+    /// The point of `on` that `through` was named after, if it was: where that point lies, the guide
+    /// runs.
+    pub named: Option<PointId>,
     /// The guide's direction in the frame of `on`, in degrees from its x axis.
     pub angle: f64,
 }

@@ -7,9 +7,12 @@
 //! and notes of a scene where the reader can show them.
 
 mod accuracy;
+mod answers;
 mod check;
 mod check_text;
 mod choice_facts;
+mod columns;
+mod errors;
 mod loop_facts;
 mod number;
 mod rows;
@@ -21,14 +24,17 @@ mod tables_text;
 mod text;
 
 pub use accuracy::{Accuracy, accuracy_notes, error_text, method_name, time_text, unfit_text};
+pub use answers::{Answer, Answers, NO_ANSWER};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
     SlideFacts, SliderKind, TransmissionFacts, near_misses, range_text,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
+pub use columns::{Beside, Columns};
+pub use errors::Missing;
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
-pub use sweep::{Columns, Outcome, RowFormat, Sweep};
+pub use sweep::{Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
-pub use tables_text::TextStyle;
+pub use tables_text::TableStyle;
 #[cfg(feature = "tui")]
-pub(crate) use text::wrapped;
+pub(crate) use {number::upwards, text::wrapped};

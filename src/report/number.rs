@@ -28,6 +28,27 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// A bound to two significant digits, never below itself: `2.1e-13`; `0` for none at all.
+pub(crate) fn upwards(bound: f64, digits: usize) -> String {
+    if bound == 0.0 || !bound.is_finite() {
+        return significant(bound, digits);
+    }
+    // Half a unit of the last digit on top: the nearest decimal to that is no smaller than the bound.
+    let unit = |text: &str| {
+        let exponent = text.split_once('e').map_or("0", |(_, exponent)| exponent);
+        let last = exponent.parse::<i32>().unwrap_or(0) - i32::try_from(digits).unwrap_or(1) + 1;
+        format!("1e{last}").parse::<f64>().unwrap_or(0.0)
+    };
+    let nearest = format!("{bound:.*e}", digits - 1);
+    let is_enough = nearest.parse().is_ok_and(|nearest: f64| nearest >= bound);
+    let enough = if is_enough {
+        bound
+    } else {
+        bound + unit(&nearest)
+    };
+    significant(enough, digits)
+}
+
 /// A direction in degrees to `digits` significant digits; one that rounds to 360 is written as 0.
 pub(super) fn direction(degrees: f64, digits: usize) -> String {
     let text = significant(degrees, digits);
@@ -128,6 +149,16 @@ mod tests {
         assert_eq!(concise(all, usize::MAX), all.to_string());
     }
 
+    #[test]
+    fn a_bound_is_rounded_up() {
+        assert_eq!(upwards(2.01e-13, 2), "2.1e-13");
+        assert_eq!(upwards(2.1e-13, 2), "2.1e-13");
+        assert_eq!(upwards(9.91e-13, 2), "1.0e-12");
+        assert_eq!(upwards(3.01e-13, 1), "4e-13");
+        assert_eq!(upwards(9.1e-13, 1), "1e-12");
+        assert_eq!(upwards(0.0, 2), "0");
+    }
+
     /// The same by the standard library, which of two equally near decimals takes the larger.
     fn by_the_library(value: f64) -> String {
         let size = value.abs();
@@ -191,6 +222,13 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn a_written_bound_is_never_smaller(bound in prop::num::f64::POSITIVE, digits in 1_usize..4) {
+            let written: f64 = upwards(bound, digits).parse().unwrap();
+            prop_assert!(written >= bound, "{written:e} < {bound:e}");
+            prop_assert!(written <= bound * 2.01 || bound < 1e-300, "{written:e} for {bound:e}");
+        }
+
         #[test]
         fn every_double_reads_back(bits: u64) {
             let value = f64::from_bits(bits);

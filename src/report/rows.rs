@@ -3,8 +3,8 @@
 //! Each way keeps one line of text, which is filled and handed on row by row: rows of CSV and JSON
 //! allocate nothing.
 
-use super::number::{direction, shortest, significant};
-use super::sweep::Columns;
+use super::columns::{Columns, Source};
+use super::number::{direction, shortest, significant, upwards};
 use crate::quantity::{Aspect, Quantity, Subject, state_word};
 use crate::solver::Condition;
 use std::fmt::Write as _;
@@ -157,9 +157,16 @@ impl<'c, W: Write> TextRows<'c, W> {
 impl<W: Write> Rows for TextRows<'_, W> {
     fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
         self.line.clear();
-        let columns = self.columns.quantities.iter().zip(&self.widths);
-        for ((quantity, width), cell) in columns.zip(cells) {
-            let shown = cell.map_or_else(|| "-".into(), |v| in_text(quantity, v, self.digits));
+        let columns = self.columns.quantities.iter().zip(&self.columns.sources);
+        for (((quantity, source), width), cell) in columns.zip(&self.widths).zip(cells) {
+            let shown = cell.map_or_else(
+                || "-".into(),
+                |v| match source {
+                    Source::Figure => in_text(quantity, v, self.digits),
+                    Source::Bound => format!("+-{}", upwards(v, BOUND_DIGITS)),
+                    Source::Sensitivity(_) => significant(v, self.digits),
+                },
+            );
             write!(self.line, "{shown:>width$}  ").map_err(io::Error::other)?;
         }
         writeln!(self.to, "{}{}", self.line, state_word(condition))
@@ -169,6 +176,9 @@ impl<W: Write> Rows for TextRows<'_, W> {
         self.to.flush()
     }
 }
+
+/// Significant digits of a bound.
+const BOUND_DIGITS: usize = 2;
 
 /// A figure in a text table; the driver's angle counts turns and is never taken for a direction.
 fn in_text(quantity: &Quantity, value: f64, digits: usize) -> String {

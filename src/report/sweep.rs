@@ -2,9 +2,11 @@
 //!
 //! One state and one line of text serve all rows: a sweep of a billion rows takes the memory of one.
 
+use super::columns::{Beside, Columns};
+use super::errors::{Errors, Missing};
 use super::rows::{CsvRows, JsonRows, Rows, TextRows};
 use super::steps::Steps;
-use crate::quantity::{Quantity, Subject, demand};
+use crate::quantity::demand;
 use crate::scene::Scene;
 use crate::solver::{Condition, Solver};
 use std::io::{self, Write};
@@ -30,33 +32,8 @@ pub struct Outcome {
     pub rows: u64,
     /// Of these, rows in which the mechanism can be: the others have no values.
     pub valued: u64,
-}
-
-/// The columns of a sweep: the driver's coordinate, the figures asked for, and the state.
-#[derive(Clone, Debug)]
-pub struct Columns {
-    /// The driver's coordinate first.
-    pub(super) quantities: Vec<Quantity>,
-    pub(super) units: bool,
-}
-
-impl Columns {
-    /// The driver's coordinate and these figures; the headers bear units if asked.
-    #[must_use]
-    pub fn new(driver: &Quantity, figures: &[Quantity], units: bool) -> Self {
-        let figures = figures.iter().filter(|q| q.subject != Subject::Driver);
-        let quantities = std::iter::once(driver).chain(figures).cloned().collect();
-        Columns { quantities, units }
-    }
-
-    /// What stands above each column but the last, the state.
-    pub(super) fn headers(&self) -> impl Iterator<Item = String> {
-        let header = |q: &Quantity| match self.units {
-            true => q.header(),
-            false => q.name.clone(),
-        };
-        self.quantities.iter().map(header)
-    }
+    /// What could not be said beside the figures.
+    pub missing: Missing,
 }
 
 /// What is swept, and how it is written.
@@ -96,12 +73,16 @@ impl Sweep<'_> {
         let (wanted, order) = demand(quantities);
         let solver = self.solver.only(&wanted);
         let mut state = solver.state();
+        let mut errors = self.errors(&solver);
         let mut cells = Vec::with_capacity(quantities.len());
         let mut outcome = Outcome::default();
         for at in self.steps.iter() {
             let condition = solver.solve(at, order, &mut state);
             cells.clear();
-            cells.extend(quantities.iter().map(|q| q.value(&state)));
+            match &mut errors {
+                None => cells.extend(quantities.iter().map(|q| q.value(&state))),
+                Some(errors) => errors.fill(&solver, order, &state, &mut cells),
+            }
             rows.row(&cells, condition)?;
             outcome.rows += 1;
             outcome.valued += u64::from(condition != Condition::NoAssembly);
@@ -110,6 +91,15 @@ impl Sweep<'_> {
             }
         }
         rows.finish()?;
+        outcome.missing = errors.map_or(Missing::default(), |errors| errors.missing());
         Ok(outcome)
+    }
+
+    /// What is known of errors, where it is asked for or shows in what is read: in text zero is what may
+    /// be zero.
+    fn errors(&self, solver: &Solver) -> Option<Errors<'_>> {
+        let rounded = matches!(self.format, RowFormat::Text { .. });
+        let wanted = rounded || self.columns.beside != Beside::default();
+        wanted.then(|| Errors::new(self.columns, self.scene, self.solver, solver, rounded))
     }
 }

@@ -1,9 +1,11 @@
 //! The position, velocity and acceleration tables of one state, laid out as in the lectures.
 
-use crate::quantity::{Aspect, Subject, value};
+use super::answers::Answers;
+use crate::quantity::{Aspect, Subject, bound, value};
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Order, State};
-use crate::{Body, Input, LinkId, Mechanism, PointId, Slide, SlideId, Slider, Vec2, angle};
+use crate::{Ball, Body, Input, LinkId, Mechanism, PointId, Slide, SlideId, Slider, Vec2, angle};
+use std::f64::consts::FRAC_PI_2;
 
 /// Position, velocity and acceleration: the tables in their order.
 pub const ORDERS: [Order; 3] = [Order::Position, Order::Velocity, Order::Acceleration];
@@ -15,6 +17,44 @@ pub struct Entry {
     pub value: Option<f64>,
     /// Whether the scene gives it; otherwise it was found.
     pub given: bool,
+    /// What its error does not exceed, in its own unit; `None` where nothing was proved. What the scene
+    /// gives is taken as it is.
+    pub bound: Option<f64>,
+}
+
+impl Entry {
+    /// A figure that does not exist.
+    pub(crate) const NONE: Entry = Entry {
+        value: None,
+        given: false,
+        bound: None,
+    };
+
+    /// A figure that the scene gives.
+    pub(super) const fn given(value: f64) -> Entry {
+        Entry {
+            value: Some(value),
+            given: true,
+            bound: Some(0.0),
+        }
+    }
+
+    /// What is proved of a figure that exists.
+    pub(super) fn proved(&self) -> Option<f64> {
+        self.value.and(self.bound)
+    }
+
+    /// The value as a reader sees it: zero where its error may be all that it is.
+    #[must_use]
+    pub fn seen(&self) -> Option<f64> {
+        self.value.map(|value| seen(value, self.bound))
+    }
+}
+
+/// A value as a reader sees it: zero only where the error may be all that it is.
+pub(super) fn seen(value: f64, bound: Option<f64>) -> f64 {
+    let nought = bound.is_some_and(|bound| value.abs() <= bound);
+    if nought { 0.0 } else { value }
 }
 
 /// A vector's column in the tables: entries by [`Order`].
@@ -38,7 +78,54 @@ pub struct Plane {
     pub magnitude: f64,
     /// Its direction in degrees from 0 to below 360; the null vector has none.
     pub direction: Option<f64>,
+    /// What the errors of x, y, magnitude and direction do not exceed; `None` where nothing was proved.
+    pub bounds: [Option<f64>; 4],
 }
+
+impl Plane {
+    fn new(components: Vec2, bounds: [Option<f64>; 2]) -> Plane {
+        let magnitude = components.norm();
+        let [x, y] = bounds;
+        let error = x.zip(y).map(|(x, y)| Vec2::new(x, y).norm());
+        // The rounding of a norm, of an arc tangent, and of what is said about them.
+        let rounded = |value: f64, bound: f64| (bound + 2.0 * f64::EPSILON * value) * ROUNDED_UP;
+        // A vector that is off by a part s of itself is turned by asin(s) at the most, which is no more
+        // than pi/2 s.
+        let turned = |error: f64| {
+            let share = error / magnitude * ROUNDED_UP;
+            let turned = (share * FRAC_PI_2).to_degrees();
+            (share < 1.0).then(|| rounded(angle::TURN, turned))
+        };
+        // What may be the null vector has no direction.
+        let is_null = magnitude <= error.unwrap_or(0.0);
+        let direction = (!is_null).then(|| angle::degrees(components));
+        Plane {
+            components,
+            magnitude,
+            direction,
+            bounds: [
+                x,
+                y,
+                error.map(|e| rounded(magnitude, e)),
+                error.and_then(turned),
+            ],
+        }
+    }
+
+    /// x, y, magnitude and direction, each as an entry.
+    pub(crate) fn entries(&self, given: bool) -> [Entry; 4] {
+        let Vec2 { x, y } = self.components;
+        let values = [Some(x), Some(y), Some(self.magnitude), self.direction];
+        std::array::from_fn(|i| Entry {
+            value: values[i],
+            given,
+            bound: self.bounds[i],
+        })
+    }
+}
+
+/// More than a few roundings of a bound that is itself computed.
+const ROUNDED_UP: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 /// A joint, a centre of mass or another named point.
 #[derive(Clone, Debug)]
@@ -90,22 +177,53 @@ pub struct Tables {
     pub vectors: Vec<VectorColumn>,
     /// The named points: joints, further points and centres of mass.
     pub points: Vec<PointRow>,
+    /// What the given lengths do to the figures, where that was asked for.
+    pub answers: Option<Answers>,
 }
 
 impl Tables {
     /// Reads the tables from a state that was solved to accelerations, with nothing left out.
     #[must_use]
     pub fn new(scene: &Scene, state: &State) -> Self {
+        Tables::of(scene, state, None)
+    }
+
+    /// The same, with what the errors of the figures do not exceed: `enclosure` is what
+    /// [`Solver::enclose`](crate::solver::Solver::enclose) made of the state.
+    #[must_use]
+    pub fn bounded(scene: &Scene, state: &State, enclosure: &State<Ball>) -> Self {
+        Tables::of(scene, state, Some(enclosure))
+    }
+
+    /// The figures that exist, and of these how many have no bound.
+    #[must_use]
+    pub fn unproved(&self) -> (u64, u64) {
+        let vectors = self.vectors.iter().flat_map(|vector| {
+            let lengths = vector.length.into_iter().flatten();
+            lengths.chain(vector.direction)
+        });
+        let planes = self.points.iter().flat_map(|point| {
+            let planes = point.motion.iter().flatten();
+            planes.flat_map(|plane| plane.entries(point.fixed))
+        });
+        let exist = vectors.chain(planes).filter(|entry| entry.value.is_some());
+        exist.fold((0, 0), |(all, unproved), entry| {
+            (all + 1, unproved + u64::from(entry.bound.is_none()))
+        })
+    }
+
+    fn of(scene: &Scene, state: &State, enclosure: Option<&State<Ball>>) -> Self {
+        let reading = Reading { state, enclosure };
         let mechanism = &scene.mechanism;
         let named = scene.vectors.iter();
-        let vectors = named.map(|vector| vector_column(mechanism, vector, state));
+        let vectors = named.map(|vector| vector_column(mechanism, vector, &reading));
         let without_ends = mechanism
             .link_ids()
             .filter(|&link| mechanism.link(link).ends.is_none())
             .map(|link| VectorColumn {
                 name: scene.link_name(link).to_owned(),
                 length: None,
-                direction: turning(mechanism, link, state),
+                direction: turning(mechanism, link, &reading),
             });
         Tables {
             scene: scene.name.clone(),
@@ -113,8 +231,29 @@ impl Tables {
             driver: driver_line(scene, state),
             condition: state.condition(),
             vectors: vectors.chain(without_ends).collect(),
-            points: point_rows(scene, state),
+            points: point_rows(scene, &reading),
+            answers: None,
         }
+    }
+}
+
+/// A state, and what is proved of its figures.
+struct Reading<'a> {
+    state: &'a State,
+    enclosure: Option<&'a State<Ball>>,
+}
+
+impl Reading<'_> {
+    /// How far a distance that was had from given coordinates can be from the true one: as far as from
+    /// that of the state, and the state's from the truth.
+    fn distance_bound(&self, subject: Subject, distance: f64) -> Option<f64> {
+        let solved = value(subject, Aspect::Length, self.state)?;
+        let bound = self.bound(subject, Aspect::Length)?;
+        Some((bound + (solved - distance).abs()) * ROUNDED_UP)
+    }
+
+    fn bound(&self, subject: Subject, aspect: Aspect) -> Option<f64> {
+        bound(subject, aspect, self.state, self.enclosure?)
     }
 }
 
@@ -134,41 +273,34 @@ fn driver_line(scene: &Scene, state: &State) -> DriverLine {
     }
 }
 
-fn point_rows(scene: &Scene, state: &State) -> Vec<PointRow> {
+fn point_rows(scene: &Scene, reading: &Reading<'_>) -> Vec<PointRow> {
     let named = |point| Some((point, scene.point_name(point)?));
     let points = scene.mechanism.point_ids().filter_map(named);
     points
         .map(|(point, name)| PointRow {
             name: name.to_owned(),
             fixed: scene.mechanism.point(point).ground.is_some(),
-            motion: ORDERS.map(|order| plane(point, order, state)),
+            motion: ORDERS.map(|order| plane(point, order, reading)),
         })
         .collect()
 }
 
-fn plane(point: PointId, order: Order, state: &State) -> Option<Plane> {
+fn plane(point: PointId, order: Order, reading: &Reading<'_>) -> Option<Plane> {
     let (x, y) = match order {
         Order::Position => (Aspect::X, Aspect::Y),
         Order::Velocity => (Aspect::Vx, Aspect::Vy),
         Order::Acceleration => (Aspect::Ax, Aspect::Ay),
     };
-    let component = |aspect| value(Subject::Point(point), aspect, state);
+    let subject = Subject::Point(point);
+    let component = |aspect| value(subject, aspect, reading.state);
     let components = Vec2::new(component(x)?, component(y)?);
-    Some(Plane {
-        components,
-        magnitude: components.norm(),
-        direction: (components != Vec2::ZERO).then(|| angle::degrees(components)),
-    })
-}
-
-const fn given(value: f64) -> Entry {
-    let value = Some(value);
-    Entry { value, given: true }
+    let bounds = [x, y].map(|aspect| reading.bound(subject, aspect));
+    Some(Plane::new(components, bounds))
 }
 
 /// The lengths of a rigid vector: one that is given and never changes.
 const fn rigid(length: f64) -> [Entry; 3] {
-    [given(length), given(0.0), given(0.0)]
+    [Entry::given(length), Entry::given(0.0), Entry::given(0.0)]
 }
 
 /// What a scene says by itself about a coordinate.
@@ -183,33 +315,35 @@ enum Known {
 }
 
 /// Three figures of a subject. Rates that the scene gives exist at a dead point too.
-fn read(subject: Subject, aspects: [Aspect; 3], known: Known, state: &State) -> [Entry; 3] {
+fn read(subject: Subject, aspects: [Aspect; 3], known: Known, reading: &Reading<'_>) -> [Entry; 3] {
+    let state = reading.state;
     let entry = |aspect| Entry {
         value: value(subject, aspect, state),
         given: known != Known::Nothing,
+        bound: reading.bound(subject, aspect),
     };
     let [position, rate, accel] = aspects;
     let (rate, accel) = match known {
         Known::Nothing => (entry(rate), entry(accel)),
-        Known::Fixed => (given(0.0), given(0.0)),
+        Known::Fixed => (Entry::given(0.0), Entry::given(0.0)),
         Known::Driven => (
-            given(state.driver_speed()),
-            given(state.driver_acceleration()),
+            Entry::given(state.driver_speed()),
+            Entry::given(state.driver_acceleration()),
         ),
     };
     [entry(position), rate, accel]
 }
 
-fn vector_column(mechanism: &Mechanism, vector: &Vector, state: &State) -> VectorColumn {
+fn vector_column(mechanism: &Mechanism, vector: &Vector, reading: &Reading<'_>) -> VectorColumn {
     let (length, direction) = match vector.kind {
         VectorKind::Link(link) => {
             let ends = mechanism.link(link).ends;
             let to = ends.and_then(|(_, to)| mechanism.link(link).local(to));
             let length = to.map(|local| rigid(local.norm()));
-            (length, turning(mechanism, link, state))
+            (length, turning(mechanism, link, reading))
         }
-        VectorKind::Slide(slide) => slide_entries(mechanism, slide, state),
-        VectorKind::Between(tail, head) => between_entries(mechanism, tail, head, state),
+        VectorKind::Slide(slide) => slide_entries(mechanism, slide, reading),
+        VectorKind::Between(tail, head) => between_entries(mechanism, tail, head, reading),
     };
     VectorColumn {
         name: vector.name.clone(),
@@ -219,12 +353,13 @@ fn vector_column(mechanism: &Mechanism, vector: &Vector, state: &State) -> Vecto
 }
 
 /// The direction of a link and its rates.
-fn turning(mechanism: &Mechanism, link: LinkId, state: &State) -> [Entry; 3] {
+fn turning(mechanism: &Mechanism, link: LinkId, reading: &Reading<'_>) -> [Entry; 3] {
     let known = known_direction(mechanism, Body::Link(link));
-    let mut entries = read(Subject::Link(link), Aspect::TURNING, known, state);
+    let mut entries = read(Subject::Link(link), Aspect::TURNING, known, reading);
     if known == Known::Driven && entries[0].value.is_some() {
         // As it was asked, without the detour over the direction's components.
-        entries[0].value = Some(angle::wrapped(state.at()));
+        entries[0].value = Some(angle::wrapped(reading.state.at()));
+        entries[0].bound = Some(0.0);
     }
     entries
 }
@@ -250,7 +385,7 @@ fn known_direction(mechanism: &Mechanism, body: Body) -> Known {
 /// Length and direction of a vector, each with its rates.
 type Pair = (Option<[Entry; 3]>, [Entry; 3]);
 
-fn slide_entries(mechanism: &Mechanism, slide: SlideId, state: &State) -> Pair {
+fn slide_entries(mechanism: &Mechanism, slide: SlideId, reading: &Reading<'_>) -> Pair {
     let subject = Subject::Slide(slide);
     let position = if mechanism.driver().input == Input::Push(slide) {
         Known::Driven
@@ -259,24 +394,31 @@ fn slide_entries(mechanism: &Mechanism, slide: SlideId, state: &State) -> Pair {
     };
     let guide = known_direction(mechanism, mechanism.slide(slide).on);
     (
-        Some(read(subject, Aspect::STRETCHING, position, state)),
-        read(subject, Aspect::TURNING, guide, state),
+        Some(read(subject, Aspect::STRETCHING, position, reading)),
+        read(subject, Aspect::TURNING, guide, reading),
     )
 }
 
 /// A vector between two points of one body keeps its length, and turns as the body does.
-fn between_entries(mechanism: &Mechanism, tail: PointId, head: PointId, state: &State) -> Pair {
+fn between_entries(
+    mechanism: &Mechanism,
+    tail: PointId,
+    head: PointId,
+    reading: &Reading<'_>,
+) -> Pair {
     let subject = Subject::Between(tail, head);
     match shared_body(mechanism, tail, head) {
         None => (
-            Some(read(subject, Aspect::STRETCHING, Known::Nothing, state)),
-            read(subject, Aspect::TURNING, Known::Nothing, state),
+            Some(read(subject, Aspect::STRETCHING, Known::Nothing, reading)),
+            read(subject, Aspect::TURNING, Known::Nothing, reading),
         ),
         Some((body, local)) => {
             let known = known_direction(mechanism, body);
+            let mut lengths = rigid(local.norm());
+            lengths[0].bound = reading.distance_bound(subject, local.norm());
             (
-                Some(rigid(local.norm())),
-                read(subject, Aspect::TURNING, known, state),
+                Some(lengths),
+                read(subject, Aspect::TURNING, known, reading),
             )
         }
     }

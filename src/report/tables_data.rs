@@ -1,9 +1,10 @@
 //! The tables for other programs: CSV, a line per figure, and JSON.
 
+use super::answers::Answers;
 use super::number::shortest;
 use super::rows::plain;
-use super::tables::{Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
-use super::tables_text::index;
+use super::tables::{Entry, ORDERS, PointRow, Tables, VectorColumn};
+use super::tables_text::{TableStyle, index};
 use crate::quantity::{Aspect, state_word};
 use crate::solver::Order;
 use serde_json::{Map, Value, json};
@@ -33,20 +34,13 @@ fn point_aspects(order: Order) -> [(&'static str, Aspect); 4] {
     }
 }
 
-fn point_values(point: &PointRow, order: Order) -> [Option<f64>; 4] {
-    match point.motion[index(order)] {
-        None => [None; 4],
-        Some(Plane {
-            components,
-            magnitude,
-            direction,
-        }) => [
-            Some(components.x),
-            Some(components.y),
-            Some(magnitude),
-            direction,
-        ],
-    }
+fn point_entries(point: &PointRow, order: Order) -> [Entry; 4] {
+    let plane = point.motion[index(order)];
+    let none = Entry {
+        given: point.fixed,
+        ..Entry::NONE
+    };
+    plane.map_or([none; 4], |plane| plane.entries(point.fixed))
 }
 
 /// A vector's figures in the order of the catalogue's columns.
@@ -57,35 +51,40 @@ fn vector_figures(vector: &VectorColumn) -> impl Iterator<Item = (Aspect, Entry)
 }
 
 impl Tables {
-    /// One line per figure: `name,value,unit,entry`, where `entry` tells given from found.
+    /// One line per figure: `name,value,unit,entry`, where `entry` tells given from found. Behind them,
+    /// where that was asked for, the `bound` of its error, and the `sensitivity`, the length that matters
+    /// `most` and the derivative `by` it.
     ///
     /// # Errors
     /// Those of the writer.
-    pub fn write_csv(&self, units: bool, to: impl Write) -> io::Result<()> {
+    pub fn write_csv(&self, style: TableStyle, to: impl Write) -> io::Result<()> {
         let mut lines = Lines {
             csv: csv::Writer::from_writer(to),
-            units,
+            style,
+            answers: self.answers.as_ref(),
         };
-        lines.record(["name", "value", "unit", "entry"])?;
+        let answer = ["sensitivity", "most", "by"];
+        lines.record(["name", "value", "unit", "entry"], "bound", answer)?;
         for (name, value, unit) in self.driver_figures() {
-            lines.figure(&name, Some(value), &unit, true)?;
+            lines.figure(&name, &unit, Entry::given(value))?;
         }
         for vector in &self.vectors {
             for (aspect, entry) in vector_figures(vector) {
                 let name = format!("{}.{}", vector.name, aspect.name());
-                lines.figure(&name, entry.value, &aspect.unit(self.unit), entry.given)?;
+                lines.figure(&name, &aspect.unit(self.unit), entry)?;
             }
         }
         for point in &self.points {
             for order in ORDERS {
                 let figures = point_aspects(order).into_iter();
-                for ((figure, aspect), value) in figures.zip(point_values(point, order)) {
+                for ((figure, aspect), entry) in figures.zip(point_entries(point, order)) {
                     let name = format!("{}.{figure}", point.name);
-                    lines.figure(&name, value, &aspect.unit(self.unit), point.fixed)?;
+                    lines.figure(&name, &aspect.unit(self.unit), entry)?;
                 }
             }
         }
-        lines.record(["state", state_word(self.condition), "", ""])?;
+        let state = ["state", state_word(self.condition), "", ""];
+        lines.record(state, "", [""; 3])?;
         lines.csv.flush()
     }
 
@@ -102,12 +101,12 @@ impl Tables {
     }
 
     /// One object: the driver, the vectors and the points, keyed as the columns of a sweep are
-    /// named; a value that does not exist is `null`.
+    /// named, bounds among them where they were asked for; a value that does not exist is `null`.
     #[must_use]
-    pub fn to_json(&self, units: bool) -> Value {
+    pub fn to_json(&self, style: TableStyle) -> Value {
         let mut object = Map::new();
         object.insert("scene".into(), self.scene.as_str().into());
-        if units {
+        if style.units {
             object.insert("units".into(), self.units());
         }
         let mut driver = Map::new();
@@ -118,10 +117,13 @@ impl Tables {
         }
         object.insert("driver".into(), Value::Object(driver));
         object.insert("state".into(), state_word(self.condition).into());
-        let vectors = self.vectors.iter().map(vector_json);
+        let vectors = self.vectors.iter().map(|v| vector_json(v, style.bounds));
         object.insert("vectors".into(), vectors.collect());
-        let points = self.points.iter().map(point_json);
+        let points = self.points.iter().map(|p| point_json(p, style.bounds));
         object.insert("points".into(), points.collect());
+        if let Some(answers) = &self.answers {
+            object.insert("sensitivity".into(), answers.to_json(style.units));
+        }
         Value::Object(object)
     }
 
@@ -143,12 +145,12 @@ pub(super) fn number(value: Option<f64>) -> Value {
     value.map_or(Value::Null, |value| (value + 0.0).into())
 }
 
-fn vector_json(vector: &VectorColumn) -> Value {
+fn vector_json(vector: &VectorColumn, bounds: bool) -> Value {
     let mut object = Map::new();
     object.insert("name".into(), vector.name.as_str().into());
     let mut given = Vec::new();
     for (aspect, entry) in vector_figures(vector) {
-        object.insert(aspect.name().into(), number(entry.value));
+        insert(&mut object, aspect.name(), &entry, bounds);
         if entry.given {
             given.push(Value::from(aspect.name()));
         }
@@ -157,49 +159,64 @@ fn vector_json(vector: &VectorColumn) -> Value {
     Value::Object(object)
 }
 
-fn point_json(point: &PointRow) -> Value {
+fn point_json(point: &PointRow, bounds: bool) -> Value {
     let mut object = Map::new();
     object.insert("name".into(), point.name.as_str().into());
     object.insert("fixed".into(), point.fixed.into());
     for order in ORDERS {
-        for ((name, _), value) in point_aspects(order)
-            .into_iter()
-            .zip(point_values(point, order))
-        {
-            object.insert(name.into(), number(value));
+        let entries = point_entries(point, order);
+        for ((name, _), entry) in point_aspects(order).into_iter().zip(&entries) {
+            insert(&mut object, name, entry, bounds);
         }
     }
     Value::Object(object)
 }
 
-struct Lines<W: Write> {
-    csv: csv::Writer<W>,
-    units: bool,
+/// A figure, and behind it what its error does not exceed.
+fn insert(object: &mut Map<String, Value>, name: &str, entry: &Entry, bounds: bool) {
+    object.insert(name.into(), number(entry.value));
+    if bounds {
+        object.insert(format!("{name}.bound"), number(entry.proved()));
+    }
 }
 
-impl<W: Write> Lines<W> {
-    fn record(&mut self, cells: [&str; 4]) -> io::Result<()> {
+struct Lines<'a, W: Write> {
+    csv: csv::Writer<W>,
+    style: TableStyle,
+    answers: Option<&'a Answers>,
+}
+
+impl<W: Write> Lines<'_, W> {
+    /// What is always there, the bound, and what the lengths do.
+    fn record(&mut self, cells: [&str; 4], bound: &str, answer: [&str; 3]) -> io::Result<()> {
         let [name, value, unit, entry] = cells;
-        if self.units {
-            self.csv.write_record([name, value, unit, entry])
-        } else {
-            self.csv.write_record([name, value, entry])
-        }
-        .map_err(plain)
+        let unit = self.style.units.then_some(unit);
+        let bound = self.style.bounds.then_some(bound);
+        let answer = self.answers.map(|_| answer);
+        let cells = [name, value].into_iter().chain(unit).chain([entry]);
+        let cells = cells.chain(bound).chain(answer.into_iter().flatten());
+        self.csv.write_record(cells).map_err(plain)
     }
 
-    fn figure(
-        &mut self,
-        name: &str,
-        value: Option<f64>,
-        unit: &str,
-        given: bool,
-    ) -> io::Result<()> {
-        let mut text = String::new();
-        if let Some(value) = value {
-            shortest(value, &mut text);
-        }
-        let entry = if given { "given" } else { "found" };
-        self.record([name, &text, unit, entry])
+    fn figure(&mut self, name: &str, unit: &str, figure: Entry) -> io::Result<()> {
+        let entry = if figure.given { "given" } else { "found" };
+        let answer = self.answers.and_then(|answers| answers.of(name));
+        let most = answer.and_then(|answer| answer.most.as_ref());
+        let length = most.map_or("", |(length, _)| length);
+        let value = cell(figure.value);
+        let bound = cell(figure.proved());
+        let worst = cell(answer.map(|answer| answer.worst));
+        let by = cell(most.map(|(_, derivative)| *derivative));
+        let cells = [name, &value, unit, entry];
+        self.record(cells, &bound, [&worst, length, &by])
     }
+}
+
+/// The shortest form of a value; nothing where none exists.
+fn cell(value: Option<f64>) -> String {
+    let mut text = String::new();
+    if let Some(value) = value {
+        shortest(value, &mut text);
+    }
+    text
 }

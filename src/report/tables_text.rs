@@ -1,27 +1,29 @@
 //! The tables as text.
 
-use super::number::{concise, direction, significant};
-use super::tables::{Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
+use super::number::{concise, direction, significant, upwards};
+use super::tables::{Entry, ORDERS, Tables, VectorColumn};
 use super::text::Grid;
 use crate::quantity::{Aspect, state_word};
 use crate::scene::harmless;
 use crate::solver::Order;
 
-/// How text tables are written.
+/// How tables are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TextStyle {
-    /// Significant digits.
+pub struct TableStyle {
+    /// Significant digits of text; CSV and JSON carry all.
     pub digits: usize,
-    /// Whether units stand behind the names.
+    /// Whether there are units.
     pub units: bool,
-    /// Whether the scene's title must be shown in ASCII; everything else always is.
+    /// Whether to say what the errors do not exceed: in text a line below the figures.
+    pub bounds: bool,
+    /// Whether text must show the scene's title in ASCII; everything else always is.
     pub ascii: bool,
 }
 
 impl Tables {
     /// The tables as text: a column per vector, then a line per point.
     #[must_use]
-    pub fn to_text(&self, style: TextStyle) -> String {
+    pub fn to_text(&self, style: TableStyle) -> String {
         let writer = Writer {
             tables: self,
             style,
@@ -30,6 +32,7 @@ impl Tables {
         parts.extend(ORDERS.map(|order| writer.vector_table(order)));
         parts.push(writer.legend());
         parts.extend(ORDERS.map(|order| writer.point_table(order)));
+        parts.extend(self.answers.iter().map(|answers| answers.to_text(style)));
         parts.retain(|part| !part.is_empty());
         parts.join("\n")
     }
@@ -38,6 +41,10 @@ impl Tables {
 /// Widths of the labels, so that the tables below one another line up.
 const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
 const POINT_LABELS: usize = "acceleration of points".len();
+
+/// Stands in front of a line of bounds, each with so many digits.
+const BOUND: &str = "  +-";
+const BOUND_DIGITS: usize = 2;
 
 /// The title of a table.
 fn title(order: Order) -> &'static str {
@@ -50,7 +57,7 @@ fn title(order: Order) -> &'static str {
 
 struct Writer<'a> {
     tables: &'a Tables,
-    style: TextStyle,
+    style: TableStyle,
 }
 
 impl Writer<'_> {
@@ -93,34 +100,59 @@ impl Writer<'_> {
             grid.row(std::iter::once(label).chain(vectors.iter().map(cell)));
         };
         row(title(order).into(), &|v| format!("{} ", v.name));
+        let lengths = |v: &VectorColumn| v.length.map_or(Entry::NONE, |l| l[index(order)]);
+        let turnings = |v: &VectorColumn| v.direction[index(order)];
         row(self.label(length.0, length.1), &|v| {
-            v.length
-                .map_or_else(|| "- ".into(), |l| self.entry(l[index(order)], length.1))
+            self.entry(lengths(v), length.1)
         });
+        if self.style.bounds {
+            row(BOUND.into(), &|v| self.bound(lengths(v)) + " ");
+        }
         row(self.label(turning.0, turning.1), &|v| {
-            self.entry(v.direction[index(order)], turning.1)
+            self.entry(turnings(v), turning.1)
         });
+        if self.style.bounds {
+            row(BOUND.into(), &|v| self.bound(turnings(v)) + " ");
+        }
         grid.render()
     }
 
     /// A star marks what was found; a blank keeps the digits of given entries under one another.
     fn entry(&self, entry: Entry, aspect: Aspect) -> String {
-        let mark = if entry.given { ' ' } else { '*' };
-        match (entry.value, aspect) {
-            (None, _) => "- ".into(),
-            (Some(value), Aspect::Angle) => {
-                format!("{}{mark}", direction(value, self.style.digits))
-            }
-            (Some(value), _) => format!("{}{mark}", significant(value, self.style.digits)),
+        let mark = if entry.given || entry.value.is_none() {
+            ' '
+        } else {
+            '*'
+        };
+        format!("{}{mark}", self.figure(entry, aspect))
+    }
+
+    fn figure(&self, entry: Entry, aspect: Aspect) -> String {
+        match (entry.seen(), aspect) {
+            (None, _) => "-".into(),
+            (Some(value), Aspect::Angle) => direction(value, self.style.digits),
+            (Some(value), _) => significant(value, self.style.digits),
+        }
+    }
+
+    /// What the error of a figure does not exceed; nothing of a figure that does not exist.
+    fn bound(&self, entry: Entry) -> String {
+        match (entry.value, entry.bound) {
+            (None, _) => String::new(),
+            (Some(_), None) => "?".into(),
+            (Some(_), Some(bound)) => upwards(bound, BOUND_DIGITS),
         }
     }
 
     fn legend(&self) -> String {
-        if self.tables.vectors.is_empty() {
-            String::new()
-        } else {
-            "* found; entries without a star are given\n".into()
+        let mut legend = String::new();
+        if !self.tables.vectors.is_empty() {
+            legend.push_str("* found; entries without a star are given\n");
         }
+        if self.style.bounds {
+            legend.push_str("+- what the error does not exceed; ? where nothing was proved\n");
+        }
+        legend
     }
 
     fn point_table(&self, order: Order) -> String {
@@ -138,28 +170,18 @@ impl Writer<'_> {
         let title = format!("{} of points", title(order));
         grid.row(std::iter::once(title).chain(headers).chain([direction]));
         for point in &self.tables.points {
-            grid.row(self.point_cells(point, order));
+            let plane = point.motion[index(order)];
+            let entries = plane.map_or([Entry::NONE; 4], |plane| plane.entries(point.fixed));
+            let aspects = [aspect, aspect, aspect, Aspect::Angle];
+            let cells = entries.into_iter().zip(aspects);
+            let cells = cells.map(|(entry, aspect)| self.figure(entry, aspect));
+            grid.row(std::iter::once(point.name.clone()).chain(cells));
+            if self.style.bounds {
+                let bounds = entries.map(|entry| self.bound(entry));
+                grid.row(std::iter::once(BOUND.to_owned()).chain(bounds));
+            }
         }
         grid.render()
-    }
-
-    fn point_cells(&self, point: &PointRow, order: Order) -> [String; 5] {
-        let none = || "-".to_owned();
-        let number = |value| significant(value, self.style.digits);
-        let [x, y, magnitude, towards] = match point.motion[index(order)] {
-            None => [none(), none(), none(), none()],
-            Some(Plane {
-                components,
-                magnitude,
-                direction: towards,
-            }) => [
-                number(components.x),
-                number(components.y),
-                number(magnitude),
-                towards.map_or_else(none, |d| direction(d, self.style.digits)),
-            ],
-        };
-        [point.name.clone(), x, y, magnitude, towards]
     }
 }
 

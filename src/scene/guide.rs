@@ -55,6 +55,11 @@ impl<'r, 't> Resolver<'r, '_, 't> {
                 self.builder.sliding_link(link, turn, on, through, angle)
             }
         };
+        if let Some(Through::Point(name)) = &slide.through
+            && let Some(&point) = self.points.get(name.text)
+        {
+            self.builder.named_through(id, point);
+        }
         self.push_slide(slide, id);
     }
 

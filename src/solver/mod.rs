@@ -18,6 +18,7 @@ mod frame;
 mod lu;
 mod methods;
 mod motion;
+mod neighbour;
 mod network;
 mod order;
 mod passage;
@@ -33,6 +34,7 @@ pub use fault::Fault;
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
+pub use neighbour::Neighbour;
 pub use plan::{Group, GroupKind, Pick, Plan};
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
@@ -41,7 +43,7 @@ use crate::{Element, LinkId, Mechanism, PointId, SlideId, Vec2};
 use assemble::Request;
 use engine::Engine;
 use frame::Frame;
-use network::{Network, Row};
+use network::Network;
 use order::Ordering;
 
 /// How far a state is solved.
@@ -75,12 +77,12 @@ const FEW_RIVALS: usize = 8;
 #[derive(Clone)]
 pub struct Solver {
     engine: Engine,
+    /// What the groups were made from, to make them again for other lengths.
+    ordering: Ordering,
     plan: Plan,
     motion: Motion,
     first_loop: Option<Loop>,
     slides: usize,
-    /// The constraint that was set aside in the place of another one.
-    rival: Option<Row>,
 }
 
 impl Solver {
@@ -123,9 +125,8 @@ impl Solver {
             });
         }
         let ordering = order::ordering(&network, None)?;
-        let with =
-            |ordering: &Ordering, rival| Solver::with(&network, ordering, rival, at, near, picks);
-        let first = with(&ordering, None);
+        let with = |ordering: &Ordering| Solver::with(&network, ordering, at, near, picks);
+        let first = with(&ordering);
         // Only numbers tell which of several constraints repeats the others: where the one that was
         // set aside leaves a group that cannot be solved, another is tried in its stead.
         let tries = match first {
@@ -142,17 +143,13 @@ impl Solver {
         };
         let mut rivals = ordering.rivals.iter().rev().take(tries);
         rivals
-            .find_map(|&row| {
-                let ordering = order::ordering(&network, Some(row)).ok()?;
-                with(&ordering, Some(row)).ok()
-            })
+            .find_map(|&row| with(&order::ordering(&network, Some(row)).ok()?).ok())
             .map_or(first, Ok)
     }
 
     fn with(
         network: &Network<'_>,
         ordering: &Ordering,
-        rival: Option<Row>,
         at: f64,
         near: &[(PointId, Vec2)],
         picks: &[(Element, Pick)],
@@ -173,10 +170,10 @@ impl Solver {
         Ok(Solver {
             first_loop,
             engine,
+            ordering: ordering.clone(),
             plan,
             motion,
             slides,
-            rival,
         })
     }
 

@@ -44,6 +44,8 @@ pub(crate) enum Action {
     TablesView,
     /// The view of speed against error.
     AccuracyView,
+    /// The view of what the given lengths do.
+    LengthsView,
     /// A line up.
     LineUp,
     /// A line down.
@@ -94,7 +96,7 @@ const fn entry(
 /// All actions with their keys, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static ACTIONS: [Entry; 29] = {
+pub(crate) static ACTIONS: [Entry; 30] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     [
@@ -117,6 +119,7 @@ pub(crate) static ACTIONS: [Entry; 29] = {
         entry(A::MotionView, "motion", "motion and live tables", &[Char('1')]),
         entry(A::TablesView, "tables", "all tables", &[Char('2')]),
         entry(A::AccuracyView, "accuracy", "speed against error", &[Char('5')]),
+        entry(A::LengthsView, "lengths", "what each length does", &[Char('e')]),
         entry(A::LineUp, "up", "scroll up", &[Key::Up, Char('k')]),
         entry(A::LineDown, "scroll", "scroll down", &[Key::Down, Char('j')]),
         entry(A::PageUp, "page up", "scroll a screen up", &[Key::PageUp]),

@@ -10,8 +10,9 @@ use super::saving;
 use super::stage::{Stage, open_preset};
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
+use super::terminal::{Capability, Colours};
 use super::views;
-use super::{Opened, Origin, terminal::Capability};
+use super::{Opened, Origin, cost};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
@@ -43,6 +44,8 @@ pub(crate) enum View {
     Motion,
     /// All tables.
     Tables,
+    /// What the given lengths do to the figures.
+    Lengths,
     /// Speed against error.
     Accuracy,
 }
@@ -75,14 +78,18 @@ pub(crate) struct App {
     mode: Mode,
     /// The study of the open scene.
     survey: Survey,
-    /// Lines that each view is scrolled by: motion, tables, accuracy.
-    scroll: [usize; 3],
+    /// Lines that each view is scrolled by: motion, tables, lengths, accuracy.
+    scroll: [usize; 4],
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
     aspect: f64,
     /// Said in the last line until the next key.
     message: Option<String>,
+    /// When the last state was weighed, and where that was; `None` before the first one.
+    weighed: Option<(Duration, usize, f64)>,
+    /// The time that was told last.
+    now: Duration,
     /// When the last frame was due.
     frame: Duration,
     /// How many scenes have been opened.
@@ -100,11 +107,13 @@ impl App {
             view: View::Motion,
             mode: Mode::Normal,
             survey: Survey::new(wall_clock),
-            scroll: [0; 3],
+            scroll: [0; 4],
             capability,
             size,
             aspect: USUAL_ASPECT,
             message: None,
+            weighed: None,
+            now: Duration::ZERO,
             frame: Duration::ZERO,
             opened: 1,
         };
@@ -170,6 +179,10 @@ impl App {
         self.aspect
     }
 
+    pub(crate) fn colours(&self) -> Colours {
+        self.capability.colours
+    }
+
     pub(crate) fn message(&self) -> Option<&str> {
         self.message.as_deref()
     }
@@ -201,6 +214,7 @@ impl App {
         if self.is_working() {
             self.survey.work();
         }
+        self.now = now;
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }
@@ -208,6 +222,19 @@ impl App {
             self.frame = now;
             let at = self.stage.course().on_grid(at);
             self.stage.go(at);
+        }
+    }
+
+    /// Measures what a state costs, where that is worth it: of another scene at once, of another state
+    /// after a while.
+    pub(crate) fn weigh(&mut self) {
+        let (opened, at) = (self.opened, self.stage.at());
+        let is_due = self.weighed.is_none_or(|(then, scene, place)| {
+            scene != opened || (place != at && self.now >= then + cost::PAUSE)
+        });
+        if is_due {
+            self.stage.weigh();
+            self.weighed = Some((self.now, opened, at));
         }
     }
 
@@ -268,6 +295,7 @@ impl App {
             Action::NextView => self.next_view(),
             Action::MotionView => self.look(View::Motion),
             Action::TablesView => self.look(View::Tables),
+            Action::LengthsView => self.look(View::Lengths),
             Action::AccuracyView => {
                 self.look(View::Accuracy);
                 self.study();
@@ -460,7 +488,7 @@ impl App {
                 self.playback = Playback::new();
                 self.survey.forget();
                 self.look(self.view);
-                self.scroll = [0; 3];
+                self.scroll = [0; 4];
             }
             Err(message) => self.message = Some(message),
         }
@@ -480,14 +508,17 @@ impl App {
     fn next_view(&mut self) {
         self.look(match self.view {
             View::Motion => View::Tables,
-            View::Tables => View::Accuracy,
+            View::Tables => View::Lengths,
+            View::Lengths => View::Accuracy,
             View::Accuracy => View::Motion,
         });
     }
 
-    /// Looks at a view. A study begins when it is looked at for the first time.
+    /// Looks at a view. What the lengths do is found only while it is looked at; a study begins when it
+    /// is looked at for the first time.
     fn look(&mut self, view: View) {
         self.view = view;
+        self.stage.answer(view == View::Lengths);
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
             self.study();
         }

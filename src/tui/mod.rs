@@ -6,6 +6,7 @@
 
 mod action;
 mod app;
+mod cost;
 mod course;
 mod figures;
 mod key;
@@ -199,6 +200,7 @@ impl Session {
         loop {
             let ready = self.gate.ready_at();
             if owed && ready.is_none_or(|ready| ready <= Instant::now()) {
+                self.workbench.app().weigh();
                 self.gate.send(self.workbench.paint())?;
                 owed = false;
                 fault_on_demand();

@@ -1,6 +1,6 @@
 //! The tables as columns that fit a width: which figures stand side by side, and in which form.
 
-use super::figures::Format;
+use super::figures::{Format, Unsure, Written};
 use crate::drawing::Glyphs;
 use crate::quantity::Aspect;
 use crate::report::{Entry, PointRow, Tables, VectorColumn};
@@ -64,6 +64,8 @@ pub(crate) enum Line {
 pub(crate) struct Shown {
     pub(crate) text: String,
     pub(crate) width: usize,
+    /// The digits that nothing proves, by their places in the text.
+    pub(crate) unsure: Unsure,
 }
 
 /// Stands behind a figure that was found; the others are given by the scene.
@@ -265,15 +267,18 @@ impl Sheet {
         // Room to spare widens the gaps between columns, but not so far that rows fall apart.
         let gap = 1 + (width.saturating_sub(needed) / chunk.len().max(1)).min(WIDEST_GAP);
         let cells = self.columns(part)[chunk].iter().map(|column| {
-            let (text, mark) = match line {
+            let (Written { text, unsure }, mark) = match line {
                 Line::Row(_, row, _) => column.cell(tables, part, *row),
-                Line::Units(..) => (column.unit(glyphs), None),
-                Line::Names(..) | Line::Blank => (column.title(glyphs, heading), None),
+                Line::Units(..) => (Written::sure(column.unit(glyphs)), None),
+                Line::Names(..) | Line::Blank => {
+                    (Written::sure(column.title(glyphs, heading)), None)
+                }
             };
             let mark = column.starred.then_some(mark.unwrap_or(' '));
             Shown {
                 text: text.chars().chain(mark).collect(),
                 width: gap + column.width(glyphs, heading),
+                unsure,
             }
         });
         let name = match line {
@@ -288,6 +293,7 @@ impl Sheet {
         Shown {
             text: name.to_owned(),
             width: self.names,
+            unsure: Unsure::Nothing,
         }
     }
 }
@@ -377,13 +383,13 @@ impl Column {
     }
 
     /// The figure, and the mark of one that was found.
-    fn cell(&self, tables: &Tables, part: Part, row: usize) -> (String, Option<char>) {
+    fn cell(&self, tables: &Tables, part: Part, row: usize) -> (Written, Option<char>) {
         let Some(entry) = self.figure.entry(tables, part, row) else {
-            return (String::new(), None);
+            return (Written::sure(String::new()), None);
         };
         let text = match self.figure {
-            Figure::Turning(0) | Figure::Bearing(_) => self.format.write_angle(entry.value),
-            _ => self.format.write(entry.value),
+            Figure::Turning(0) | Figure::Bearing(_) => self.format.write_angle(&entry),
+            _ => self.format.write(&entry),
         };
         let found = entry.value.is_some() && !entry.given;
         (text, found.then_some(FOUND))
@@ -462,15 +468,15 @@ impl Figure {
     }
 
     fn point_entry(self, point: &PointRow) -> Entry {
-        let value = match self {
-            Figure::AlongX(order) => point.motion[order].map(|p| p.components.x),
-            Figure::AlongY(order) => point.motion[order].map(|p| p.components.y),
-            Figure::Size(order) => point.motion[order].map(|p| p.magnitude),
-            Figure::Bearing(order) => point.motion[order].and_then(|p| p.direction),
-            Figure::Length(_) | Figure::Turning(_) => None,
+        let (order, figure) = match self {
+            Figure::AlongX(order) => (order, 0),
+            Figure::AlongY(order) => (order, 1),
+            Figure::Size(order) => (order, 2),
+            Figure::Bearing(order) => (order, 3),
+            Figure::Length(_) | Figure::Turning(_) => return Entry::NONE,
         };
-        let given = point.fixed;
-        Entry { value, given }
+        let plane = point.motion[order].as_ref();
+        plane.map_or(Entry::NONE, |plane| plane.entries(point.fixed)[figure])
     }
 }
 

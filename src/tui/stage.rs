@@ -1,11 +1,14 @@
 //! A scene on the stage: what is found once when it opens, and what follows from the driver's coordinate.
 
+use super::cost::Cost;
 use super::course::Course;
 use super::panel::Panel;
 use super::sheet::Sheet;
 use super::{Opened, Origin};
+use crate::Ball;
 use crate::drawing::Reach;
-use crate::report::Tables;
+use crate::quantity::{Catalogue, Sensitivity};
+use crate::report::{Answers, Tables};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Diagnostics, Scene, harmless};
 use crate::solver::{Condition, Order, Pick, Solver, State};
@@ -25,10 +28,24 @@ pub(crate) struct Stage {
     sheet: Sheet,
     at: f64,
     state: State,
+    enclosure: State<Ball>,
     tables: Tables,
+    cost: Cost,
+    /// What the given lengths do, while that is looked at.
+    answers: Option<Asked>,
     /// The assemblies of the groups, while they are looked at.
     panel: Option<Panel>,
 }
+
+/// What is asked about the given lengths, and what came of it.
+#[derive(Debug)]
+struct Asked {
+    sensitivity: Sensitivity,
+    answers: Answers,
+}
+
+/// Of more lengths than this a frame would be late.
+const MOST_LENGTHS: usize = 200;
 
 impl Stage {
     /// Opens a scene where it says.
@@ -38,10 +55,13 @@ impl Stage {
         let mut state = opened.solver.state();
         let samples = samples(&opened, &course, &mut state);
         let at = course.opening();
-        opened.solver.solve(at, Order::Acceleration, &mut state);
+        let mut enclosure = opened.solver.enclosure();
         Stage {
             sheet: Sheet::new(&samples),
-            tables: Tables::new(&opened.scene, &state),
+            tables: solved(&opened, at, &mut state, &mut enclosure),
+            answers: None,
+            cost: Cost::default(),
+            enclosure,
             opened,
             course,
             reach,
@@ -98,10 +118,55 @@ impl Stage {
     /// Moves the driver to a coordinate, wherever that is.
     pub(crate) fn go(&mut self, at: f64) {
         self.at = at;
-        let solver = &self.opened.solver;
-        solver.solve(at, Order::Acceleration, &mut self.state);
-        self.tables = Tables::new(&self.opened.scene, &self.state);
         self.panel = None;
+        self.tables = solved(&self.opened, at, &mut self.state, &mut self.enclosure);
+        if let Some(asked) = &mut self.answers {
+            let unit = self.opened.scene.unit.symbol();
+            asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
+        }
+    }
+
+    /// Measures what the state costs, without its bounds.
+    pub(crate) fn weigh(&mut self) {
+        let Stage {
+            opened, at, state, ..
+        } = self;
+        self.cost.measure(|| {
+            opened.solver.solve(*at, Order::Acceleration, state);
+        });
+    }
+
+    /// What the last state cost, if that was measured.
+    pub(crate) fn cost(&self) -> Option<String> {
+        self.cost.text()
+    }
+
+    /// The largest bound of a coordinate of a point; `None` where one of them has none.
+    pub(crate) fn largest_bound(&self) -> Option<f64> {
+        let places = self.tables.points.iter().filter_map(|p| p.motion[0]);
+        let mut bounds = places.flat_map(|place| [place.bounds[0], place.bounds[1]]);
+        bounds.try_fold(0.0, |most: f64, bound| Some(most.max(bound?)))
+    }
+
+    /// Finds what the given lengths do, here and from now on, or ceases to.
+    pub(crate) fn answer(&mut self, wanted: bool) {
+        let Opened { scene, solver, .. } = &self.opened;
+        self.answers = None;
+        if wanted && scene.mechanism.lengths().len() <= MOST_LENGTHS {
+            let figures = Catalogue::new(scene).figures();
+            let mut sensitivity = Sensitivity::new(scene, solver, &figures);
+            let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at);
+            let answers = answers.worth_reading();
+            self.answers = Some(Asked {
+                sensitivity,
+                answers,
+            });
+        }
+    }
+
+    /// What the given lengths do, if that was asked and there are not too many.
+    pub(crate) fn answers(&self) -> Option<&Answers> {
+        self.answers.as_ref().map(|asked| &asked.answers)
     }
 
     pub(crate) fn scene(&self) -> &Scene {
@@ -188,6 +253,13 @@ pub(crate) fn open_preset(preset: &Preset) -> Result<Opened, String> {
 fn first_words(diagnostics: &Diagnostics) -> String {
     let first = diagnostics.items.first();
     first.map_or_else(String::new, |item| item.message.clone())
+}
+
+/// The tables at a coordinate, with their bounds.
+fn solved(opened: &Opened, at: f64, state: &mut State, enclosure: &mut State<Ball>) -> Tables {
+    opened.solver.solve(at, Order::Acceleration, state);
+    opened.solver.enclose(state, Order::Acceleration, enclosure);
+    Tables::bounded(&opened.scene, state, enclosure)
 }
 
 /// The tables at coordinates spread over the whole motion, the opening first.

@@ -20,6 +20,8 @@ pub(crate) enum Part {
     Key,
     /// The mode, at the start of the last line.
     Mode,
+    /// Digits that nothing proves.
+    Unsure,
     /// Something that the reader should know.
     Warning,
     /// Where typed text goes on.
@@ -32,7 +34,7 @@ pub(crate) fn part(part: Part) -> Style {
     match part {
         Part::Text => style,
         Part::Title | Part::Key => style.add_modifier(Modifier::BOLD),
-        Part::Quiet => style.add_modifier(Modifier::DIM),
+        Part::Quiet | Part::Unsure => style.add_modifier(Modifier::DIM),
         Part::Name => style.add_modifier(Modifier::BOLD),
         Part::Mode | Part::Caret => style.add_modifier(Modifier::REVERSED),
         Part::Warning => style.fg(Color::Red).add_modifier(Modifier::BOLD),

@@ -40,6 +40,37 @@ fn what_is_shown_is_what_is_printed() {
     assert_eq!(run(command.current_dir(&here)).err, fault);
 }
 
+/// Every option of a sweep and of a table that adds columns is told, with what the columns are called.
+#[test]
+fn columns_of_errors_are_told() {
+    let header = done(&[
+        "sweep",
+        "four-bar",
+        "--columns",
+        "C.x,r4.omega",
+        "--bounds",
+        "--sensitivity",
+    ]);
+    let header = header.lines().next().unwrap();
+    for (option, column, unit) in [
+        ("--bounds", "C.x.bound", "[mm]"),
+        ("--sensitivity", "C.x.sensitivity", "[mm per mm]"),
+        ("--sensitivity", "r4.omega.sensitivity", "[rad/s per mm]"),
+    ] {
+        assert!(header.contains(&format!("{column} {unit}")), "{header}");
+        assert!(
+            done(&["sweep", "--help"]).contains(option)
+                && done(&["table", "--help"]).contains(option)
+        );
+        assert!(README.contains(&format!("`{option}`")), "{option}");
+        assert!(
+            !unit.contains("per") || README.contains(&format!("`{unit}`")),
+            "{unit}"
+        );
+    }
+    assert!(README.contains("`C.x.bound`") && README.contains("`C.x.sensitivity`"));
+}
+
 /// The table of keys stands in the documentation of the scene file, and here again.
 #[test]
 fn every_key_of_a_scene_is_told() {

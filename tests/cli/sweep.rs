@@ -1,6 +1,6 @@
 //! `sweep`: columns, rows and numbers.
 
-use super::{Run, done, json, krank, refused, rows};
+use super::{Run, command, done, json, krank, refused, rows, run};
 
 fn header(csv: &str) -> &str {
     csv.lines().next().unwrap()
@@ -222,7 +222,12 @@ fn formats_agree() {
             let rounded: f64 = shown[i].parse().unwrap();
             let slack = 1e-3 * exact.abs();
             let turned = name.ends_with(".angle") && rounded == 0.0 && exact > 359.0;
-            assert!((rounded - exact).abs() <= slack || turned, "{name}: {line}");
+            // Text shows zero where the error may be all that there is.
+            let nought = rounded == 0.0 && exact.abs() < 1e-9;
+            assert!(
+                (rounded - exact).abs() <= slack || turned || nought,
+                "{name}: {line}"
+            );
         }
         assert_eq!(row.last().unwrap(), object["state"].as_str().unwrap());
     }
@@ -277,4 +282,111 @@ fn a_turn_later_the_rows_are_the_same() {
         rows.map(|row| row[1..].to_vec()).collect::<Vec<_>>()
     };
     assert_eq!(values("0", "360"), values("3600000000", "3600000360"));
+}
+
+/// What is known of a figure's errors stands behind it, each in its own column.
+#[test]
+fn errors_stand_behind_their_figures() {
+    let args = [
+        "sweep",
+        "four-bar",
+        "--columns",
+        "C.x,r4.omega",
+        "--step",
+        "60",
+    ];
+    let plain = done(&args);
+    let both = done(&[&args[..], &["--bounds", "--sensitivity"]].concat());
+    let header = "driver.angle [deg],C.x [mm],C.x.bound [mm],C.x.sensitivity [mm per mm],\
+        r4.omega [rad/s],r4.omega.bound [rad/s],r4.omega.sensitivity [rad/s per mm],state";
+    assert_eq!(both.lines().next().unwrap(), header);
+    for (row, plain) in rows(&both).iter().zip(rows(&plain)) {
+        let figures = [&row[0], &row[1], &row[4], &row[7]];
+        assert!(figures.iter().zip(&plain).all(|(a, b)| *a == b), "{row:?}");
+        let cell = |i: usize| row[i].parse::<f64>().unwrap();
+        assert!((1e-16..1e-11).contains(&cell(2)), "{row:?}");
+        assert!((1e-17..1e-12).contains(&cell(5)), "{row:?}");
+        assert!(
+            (0.5..20.0).contains(&cell(3)) && (0.01..1.0).contains(&cell(6)),
+            "{row:?}"
+        );
+    }
+    let names = [&args[..], &["--bounds", "--no-units"]].concat();
+    assert!(done(&names).starts_with("driver.angle,C.x,C.x.bound,r4.omega,r4.omega.bound,state\n"));
+    // The same in JSON, to the bit.
+    let object = json(&done(
+        &[&args[..], &["--bounds", "--format", "json"]].concat(),
+    ));
+    assert_eq!(object["units"]["C.x.bound"], "mm");
+    let first = rows(&both)[0][2].parse::<f64>().unwrap();
+    assert_eq!(object["rows"][0]["C.x.bound"].as_f64().unwrap(), first);
+    let text = done(&[&args[..], &["--bounds", "--format", "text"]].concat());
+    assert_eq!(text.matches(" +-").count(), 2 * 7, "{text}");
+}
+
+/// What cannot be said is an empty cell or null, and how often is told.
+#[test]
+fn errors_that_cannot_be_told_are_empty_and_counted() {
+    let heard = krank(&[
+        "sweep",
+        "parallelogram",
+        "--columns",
+        "C.vx",
+        "--step",
+        "90",
+        "--bounds",
+        "--sensitivity",
+    ]);
+    assert_eq!(heard.code, 0);
+    let empty: Vec<bool> = rows(&heard.out)
+        .iter()
+        .map(|row| row[2].is_empty())
+        .collect();
+    // Change points at 0, 180 and 360 deg: limits, of which nothing is proved.
+    assert_eq!(empty, [true, false, true, false, true]);
+    assert!(
+        rows(&heard.out)
+            .iter()
+            .all(|row| row[2].is_empty() == row[3].is_empty())
+    );
+    assert!(
+        heard
+            .err
+            .starts_with("note: 3 of 5 figures have no bound: "),
+        "{}",
+        heard.err
+    );
+    assert!(
+        heard
+            .err
+            .contains("note: in 3 of 5 rows the figures have no derivatives"),
+        "{}",
+        heard.err
+    );
+}
+
+/// Used to be nothing that anybody would wait for: derivatives without end are refused at once.
+#[test]
+fn too_many_derivatives_are_refused() {
+    let mut text = "[ground]\nA = [0, 0]\n".to_owned();
+    let (mut links, mut start) = (String::new(), String::new());
+    for i in 0..400 {
+        let (x, next) = (4 * i + 4, i + 1);
+        text += &format!("D{i} = [{x}, 0]\n");
+        links += &format!("a{i} = {{ from = \"P{i}\", to = \"P{next}\", length = 4 }}\n");
+        links += &format!("b{i} = {{ from = \"D{i}\", to = \"P{next}\", length = 2.5 }}\n");
+        start += &format!("P{next} = [{x}, 2.4]\n");
+    }
+    let crank = "c = { from = \"A\", to = \"P0\", length = 1 }";
+    text +=
+        &format!("[driver]\nlink = \"c\"\nangle = 60\n[links]\n{crank}\n{links}[start]\n{start}");
+    for args in [
+        &["table", "-"][..],
+        &["sweep", "-", "--from", "60", "--to", "60"],
+    ] {
+        let mut command = command(&[args, &["--sensitivity"]].concat());
+        let heard = run(command.write_stdin(text.as_str()));
+        assert_eq!(heard.code, 2, "{}", heard.err);
+        assert!(heard.err.contains("are too many"), "{}", heard.err);
+    }
 }

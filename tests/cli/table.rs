@@ -1,6 +1,6 @@
 //! `table`: the lectures' tables, and the figures that the lectures print.
 
-use super::{PARALLEL_CRANKS, command, done, json, refused, rows, run};
+use super::{PARALLEL_CRANKS, command, done, json, krank, refused, rows, run};
 use std::collections::BTreeMap;
 
 #[test]
@@ -35,6 +35,136 @@ r3.com                   180.708   160.191   241.489          41.5558
 r4.com                   355.708   116.890   374.422          18.1911
 ";
     assert!(text.starts_with(expected), "{text}");
+}
+
+/// A line per figure that some length changes: at the worst, and by the length that matters most.
+#[test]
+fn sensitivity_stands_apart_from_the_figures() {
+    let args = ["table", "four-bar", "--sensitivity"];
+    let text = done(&args);
+    let (tables, lengths) = text.split_once("\nchange for 1 mm").unwrap();
+    assert_eq!(format!("{tables}\n"), done(&args[..2]) + "\n");
+    assert!(
+        lengths.contains("\nC.x [mm]                       4.18    0.946  r3.length\n"),
+        "{text}"
+    );
+    assert!(!lengths.contains("A.x [mm]"), "{text}");
+
+    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    let header = csv.lines().next().unwrap();
+    assert_eq!(header, "name,value,unit,entry,sensitivity,most,by");
+    let by_name: BTreeMap<String, Vec<String>> = rows(&csv)
+        .into_iter()
+        .map(|row| (row[0].clone(), row))
+        .collect();
+    assert_eq!(by_name["C.x"][5], "r3.length");
+    assert_eq!(by_name["r2.length"][4], "");
+    assert_eq!(by_name["r2.angle"][4..], ["0", "", ""]);
+
+    let object = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let figure = &object["sensitivity"]["C.x"];
+    assert_eq!(figure["unit"], "mm per mm");
+    let by = figure["by"].as_object().unwrap();
+    let sum: f64 = by.values().map(|d| d.as_f64().unwrap().abs()).sum();
+    let worst: f64 = by_name["C.x"][4].parse().unwrap();
+    assert!((sum - worst).abs() < 1e-12, "{sum}, {worst}");
+    assert_eq!(figure["sum"].as_f64().unwrap(), worst);
+    assert!(
+        by.contains_key("D.x") && !by.contains_key("r2.com.x"),
+        "{by:?}"
+    );
+}
+
+/// With other lengths three parallel cranks would jam: nothing is made up, and it is said why.
+#[test]
+fn where_there_is_no_sensitivity_it_is_said() {
+    let mut command = command(&["table", "-", "--sensitivity", "--format", "json"]);
+    let heard = run(command.write_stdin(PARALLEL_CRANKS));
+    assert_eq!(heard.code, 0);
+    assert!(json(&heard.out)["sensitivity"].is_null(), "{}", heard.out);
+    assert!(
+        heard
+            .err
+            .starts_with("note: the figures have no derivatives"),
+        "{}",
+        heard.err
+    );
+}
+
+/// A line below the figures, two digits and never too small; in CSV and JSON beside each figure.
+#[test]
+fn bounds_stand_below_the_figures() {
+    let args = ["table", "four-bar", "--bounds"];
+    let text = done(&args);
+    let without: Vec<&str> = text
+        .lines()
+        .filter(|line| !line.starts_with("  +-") && !line.starts_with("+-"))
+        .collect();
+    assert_eq!(without.join("\n") + "\n", done(&args[..2]));
+
+    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    assert!(csv.starts_with("name,value,unit,entry,bound\n"), "{csv}");
+    let object = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let rocker = &object["vectors"][2];
+    let bound = rocker["angle.bound"].as_f64().unwrap();
+    assert!((0.0..1e-12).contains(&bound), "{bound}");
+    let (exact, found) = (290.752_521_225_055_8, rocker["angle"].as_f64().unwrap());
+    assert!((exact - found).abs() <= bound + 1e-14, "{found}");
+    let row = rows(&csv)
+        .into_iter()
+        .find(|row| row[0] == "r4.angle")
+        .unwrap();
+    assert_eq!(row[4].parse::<f64>().unwrap(), bound);
+    let line = text
+        .lines()
+        .skip_while(|l| !l.starts_with("theta"))
+        .nth(1)
+        .unwrap();
+    let shown: f64 = line.split_whitespace().nth(3).unwrap().parse().unwrap();
+    assert!((bound..bound * 1.11).contains(&shown), "{line}");
+}
+
+/// At a change point nothing is proved of rates that are limits, and that is said.
+#[test]
+fn where_no_bound_is_proved_it_is_said() {
+    let args = ["table", "parallelogram", "--at", "0", "--bounds"];
+    let heard = krank(&args);
+    assert_eq!(heard.code, 0);
+    assert!(
+        heard.err.contains(" figures have no bound: "),
+        "{}",
+        heard.err
+    );
+    let rates = heard.out.split("\nomega").nth(1).unwrap();
+    let bounds = rates.lines().nth(1).unwrap();
+    assert_eq!(
+        bounds.split_whitespace().collect::<Vec<_>>(),
+        ["+-", "0", "?", "?", "0"]
+    );
+    let heard = krank(&[&args[..], &["--format", "csv"]].concat());
+    let row = rows(&heard.out)
+        .into_iter()
+        .find(|row| row[0] == "r4.omega");
+    assert_eq!(row.unwrap()[2..], ["rad/s", "found", ""]);
+}
+
+/// What rounding leaves of a zero is shown as zero, and as it is where all digits are asked for.
+#[test]
+fn zero_is_shown_where_the_bound_says_so() {
+    // The cell draws a straight line: P moves along y alone.
+    let args = ["table", "peaucellier", "--at", "45"];
+    let velocities = |text: &str| {
+        let behind = text.split("velocity of points").nth(1).unwrap().to_owned();
+        let row = behind
+            .lines()
+            .find(|line| line.starts_with("P "))
+            .unwrap()
+            .to_owned();
+        row.split_whitespace().nth(1).unwrap().to_owned()
+    };
+    assert_eq!(velocities(&done(&args)), "0");
+    let vx = figures("peaucellier", "45")["P.vx"];
+    assert!(vx != 0.0 && vx.abs() < 1e-13, "{vx}");
 }
 
 /// All figures of a table by name.

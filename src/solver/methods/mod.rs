@@ -19,7 +19,7 @@ use super::engine::Engine;
 use super::network::Network;
 use super::state::State;
 use super::step::{ACCELERATION, Outcome, Step};
-use super::{Condition, GroupKind, Order, Range, Solver, chain, order};
+use super::{Condition, GroupKind, Order, Range, Solver, chain};
 use crate::{Double, LinkId, Mechanism, Number, PointId};
 use deviation::Subjects;
 
@@ -178,9 +178,9 @@ fn run<T: Number, const ORDER: u8>(
 impl Rows {
     fn new(mechanism: &Mechanism, solver: &Solver) -> Option<Rows> {
         let network = Network::new(mechanism);
-        let ordering = order::ordering(&network, solver.rival).ok()?;
         let frame = solver.engine.frame;
-        let (_, program) = chain::build(&network, frame, &ordering, chain::Dyads::AsRows).ok()?;
+        let (_, program) =
+            chain::build(&network, frame, &solver.ordering, chain::Dyads::AsRows).ok()?;
         let engine = Engine::new(mechanism, frame, program);
         let groups = &engine.program.coupled;
         let mut rows = Rows {

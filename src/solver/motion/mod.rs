@@ -14,6 +14,7 @@ mod walk;
 mod zero;
 
 pub(super) use anchors::{Anchors, positive_remainder};
+pub(super) use walk::MISFIT;
 pub(super) use zero::zero;
 
 use super::engine::Engine;
@@ -21,7 +22,6 @@ use super::fault::Fault;
 use super::passage::Passages;
 use super::state::{Condition, State};
 use super::{Order, angle_turn};
-pub(super) use walk::MISFIT;
 use walk::{End, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.

@@ -10,6 +10,7 @@
 mod accuracy;
 mod assemblies;
 mod help;
+mod lengths;
 mod motion;
 mod status;
 mod table;
@@ -59,6 +60,7 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
         View::Motion => motion::render(app, sketch, body(area), &mut buffer),
         View::Tables => table::render(app, inset(body(area)), &mut buffer),
         View::Accuracy => accuracy::render(app, body(area), &mut buffer),
+        View::Lengths => lengths::render(app, inset(body(area)), &mut buffer),
     }
     if let Mode::Help(scroll) = *app.mode() {
         help::render(app, scroll, body(area), &mut buffer);
@@ -90,6 +92,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
         (_, View::Tables) => table::extent(app, inset(body)),
         (_, View::Accuracy) => accuracy::extent(app, body),
+        (_, View::Lengths) => lengths::extent(app, inset(body)),
     }
 }
 

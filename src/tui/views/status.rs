@@ -1,10 +1,12 @@
-//! The last line: mode, scene, driver, state; then the keys that matter now, as far as there is room.
+//! The last line: mode, scene, driver, state, what it cost and its largest bound; then the keys that
+//! matter now, as far as there is room.
 //!
 //! ```text
-//!  motion  four-bar   60.00 deg  ok  ? help  space play  . step  q quit  g go to
+//!  motion  four-bar   60.00 deg  ok  63 ns, +-2e-13 mm  ? help  space play  q quit
 //! ```
 
 use super::{columns, cut, most_scroll, print};
+use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::action::{Action, entry_of};
@@ -100,7 +102,41 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         line.say(state, part);
         line.gap(gap);
     }
+    let needed = gap + columns(&key) + 1 + columns(name);
+    if let Some(trust) = trust(app).filter(|t| line.room() >= columns(t) + needed) {
+        line.say(&trust, Part::Quiet);
+        line.gap(gap);
+    }
     hints(app, &mut line);
+}
+
+/// What the last state cost, where that was measured, and how far a place in it can be from the truth.
+/// Not beside what the lengths do: that is another kind of error.
+fn trust(app: &App) -> Option<String> {
+    let stage = app.stage();
+    let shows_figures = match (app.mode(), app.view()) {
+        (Mode::Normal, View::Motion | View::Tables) => true,
+        (Mode::Normal, View::Lengths | View::Accuracy)
+        | (
+            Mode::Help(_)
+            | Mode::GoTo(_)
+            | Mode::Assemblies(_)
+            | Mode::SaveAs(_)
+            | Mode::Confirm(_),
+            _,
+        ) => false,
+    };
+    if !shows_figures || app.condition() != Condition::Ok {
+        return None;
+    }
+    let bound = match stage.largest_bound() {
+        Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
+        None => "no bound".into(),
+    };
+    Some(match stage.cost() {
+        Some(cost) => format!("{cost}, {bound}"),
+        None => bound,
+    })
 }
 
 fn mode(app: &App) -> &'static str {
@@ -112,6 +148,7 @@ fn mode(app: &App) -> &'static str {
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
+        (Mode::Normal, View::Lengths) => "lengths",
     }
 }
 
@@ -239,8 +276,8 @@ fn offered(app: &App) -> &'static [Action] {
         (_, View::Motion) => &[
             Action::Help,
             Action::Play,
-            Action::StepForward,
             Action::Quit,
+            Action::StepForward,
             Action::GoTo,
             Action::NextPreset,
         ],
@@ -260,7 +297,7 @@ fn offered(app: &App) -> &'static [Action] {
                 Action::Quit,
             ],
         },
-        (_, View::Tables) => &[
+        (_, View::Tables | View::Lengths) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,

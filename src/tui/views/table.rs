@@ -2,8 +2,10 @@
 
 use super::{columns, mark_more, print, print_right};
 use crate::tui::app::App;
-use crate::tui::sheet::Line;
+use crate::tui::figures::Unsure;
+use crate::tui::sheet::{Line, Shown};
 use crate::tui::stage::shown;
+use crate::tui::terminal::Colours;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -63,8 +65,32 @@ fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
         }
         debug_assert!(usize::from(columns(&cell.text)) < cell.width);
         print_right(buffer, right, area.y, &cell.text, theme::part(of_cells));
+        let left = right.saturating_sub(columns(&cell.text));
+        doubt(app.colours(), &cell, left, area.y, buffer);
     }
 }
+
+/// Dims the digits of a cell that nothing proves. Without colours, where dim text may look like any
+/// other, points stand in their place; a figure without any bound is left to the last line to tell.
+fn doubt(colours: Colours, cell: &Shown, left: u16, y: u16, buffer: &mut Buffer) {
+    let digits = match &cell.unsure {
+        Unsure::Nothing => return,
+        Unsure::Last(digits) => digits.clone(),
+        Unsure::Everything if colours == Colours::None => return,
+        Unsure::Everything => 0..cell.text.len(),
+    };
+    for at in digits {
+        let x = left.saturating_add(columns_of(at));
+        let place = &mut buffer[(x, y)];
+        place.set_style(theme::part(Part::Unsure));
+        if colours == Colours::None && place.symbol().bytes().all(|b| b.is_ascii_digit()) {
+            place.set_char(UNSURE);
+        }
+    }
+}
+
+/// Stands for a digit that nothing proves, where it cannot be dimmed.
+const UNSURE: char = '.';
 
 fn columns_of(width: usize) -> u16 {
     u16::try_from(width).unwrap_or(u16::MAX)

@@ -1,0 +1,143 @@
+//! The lengths that a mechanism is given, one by one, and the same mechanism with one of them changed.
+//!
+//! What a drawing, a rule or a workshop settles is never exact; how far a figure follows such a length
+//! is asked by changing one at a time. Angles of guides and the driver's coordinate are no lengths.
+
+use super::{Body, Element, LinkId, Mechanism, PointId, SlideId, Slider};
+use crate::Vec2;
+
+/// Along which axis a coordinate counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+}
+
+impl Axis {
+    /// Both, in their order.
+    pub const BOTH: [Axis; 2] = [Axis::X, Axis::Y];
+
+    fn along(self, by: f64) -> Vec2 {
+        match self {
+            Axis::X => Vec2::new(by, 0.0),
+            Axis::Y => Vec2::new(0.0, by),
+        }
+    }
+}
+
+/// One given length, in the scene's unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Length {
+    /// The length of a link between its two natural ends.
+    Link(LinkId),
+    /// A coordinate of a further point of a link, in the link's frame.
+    Local(LinkId, PointId, Axis),
+    /// A coordinate of a ground point.
+    Ground(PointId, Axis),
+    /// A coordinate of the point that a guide runs through, in the frame of what carries the guide,
+    /// where it is given by coordinates and not by a point's name.
+    Through(SlideId, Axis),
+}
+
+impl Length {
+    /// The element that the length belongs to.
+    #[must_use]
+    pub fn element(self) -> Element {
+        match self {
+            Length::Link(link) | Length::Local(link, ..) => Element::Link(link),
+            Length::Ground(point, _) => Element::Point(point),
+            Length::Through(slide, _) => Element::Slide(slide),
+        }
+    }
+}
+
+impl Mechanism {
+    /// All given lengths: the ground's, the links' and the slides', each in the order of the file.
+    ///
+    /// The place of a link's own origin is none: where `from` or what slides along a guide lies is how
+    /// the link's frame is defined.
+    #[must_use]
+    pub fn lengths(&self) -> Vec<Length> {
+        let fixed = self.point_ids().filter(|&p| self.point(p).ground.is_some());
+        let both = |length: fn(PointId, Axis) -> Length| {
+            move |point| Axis::BOTH.map(|axis| length(point, axis))
+        };
+        let mut lengths: Vec<Length> = fixed.flat_map(both(Length::Ground)).collect();
+        for link in self.link_ids() {
+            self.lengths_of(link, &mut lengths);
+        }
+        for slide in self.slide_ids() {
+            if self.slide(slide).named.is_none() {
+                lengths.extend(Axis::BOTH.map(|axis| Length::Through(slide, axis)));
+            }
+        }
+        lengths
+    }
+
+    fn lengths_of(&self, id: LinkId, lengths: &mut Vec<Length>) {
+        let link = self.link(id);
+        let ends = link.ends.map(|(from, to)| [from, to]);
+        if ends.is_some() {
+            lengths.push(Length::Link(id));
+        }
+        let is_origin = |point: PointId| {
+            self.slides.iter().any(|slide| match slide.slider {
+                Slider::Link { origin, link, .. } => link == id && origin == point,
+                Slider::Pin(_) => false,
+            })
+        };
+        for member in &link.members {
+            let is_end = ends.is_some_and(|ends| ends.contains(&member.point));
+            if !is_end && !is_origin(member.point) {
+                let local = |axis| Length::Local(id, member.point, axis);
+                lengths.extend(Axis::BOTH.map(local));
+            }
+        }
+    }
+
+    /// The same mechanism with one length changed by so much; a guide that is named after a point goes
+    /// with it.
+    #[must_use]
+    pub fn changed(&self, length: Length, by: f64) -> Mechanism {
+        let mut changed = self.clone();
+        match length {
+            Length::Link(link) => {
+                if let Some((_, to)) = self.link(link).ends {
+                    changed.move_member(link, to, Vec2::new(by, 0.0));
+                }
+            }
+            Length::Local(link, point, axis) => {
+                changed.move_member(link, point, axis.along(by));
+            }
+            Length::Ground(point, axis) => {
+                if let Some(place) = &mut changed.points[point.index()].ground {
+                    *place += axis.along(by);
+                }
+                changed.move_guides(Body::Ground, point, axis.along(by));
+            }
+            Length::Through(slide, axis) => {
+                changed.slides[slide.index()].through += axis.along(by);
+            }
+        }
+        changed
+    }
+
+    fn move_member(&mut self, link: LinkId, point: PointId, by: Vec2) {
+        let mut members = self.links[link.index()].members.iter_mut();
+        if let Some(member) = members.find(|m| m.point == point) {
+            member.local += by;
+        }
+        self.move_guides(Body::Link(link), point, by);
+    }
+
+    /// The guides of a body that are named after one of its points.
+    fn move_guides(&mut self, on: Body, point: PointId, by: Vec2) {
+        for slide in &mut self.slides {
+            if slide.on == on && slide.named == Some(point) {
+                slide.through += by;
+            }
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! How figures answer to the given lengths, for tables: by how much each is off at the worst, and which
+//! length matters most.
+
+use super::number::significant;
+use super::tables_data::number;
+use super::tables_text::TableStyle;
+use super::text::Grid;
+use crate::quantity::Sensitivity;
+use serde_json::{Map, Value, json};
+
+/// What the given lengths do to one figure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The figure's name: `C.x`.
+    pub name: String,
+    /// Its unit.
+    pub unit: String,
+    /// By how much it is off at the worst where every length is off by one unit: in its unit, per unit
+    /// of length.
+    pub worst: f64,
+    /// The length that matters most, and the derivative by it; `None` where no length matters.
+    pub most: Option<(String, f64)>,
+    /// The derivatives by all lengths that matter, in their order.
+    pub by: Vec<(String, f64)>,
+}
+
+/// What the given lengths do to all figures at one coordinate of the driver.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answers {
+    /// The symbol of the length unit.
+    pub unit: &'static str,
+    /// The figures; `None` where their derivatives do not exist or cannot be had.
+    pub list: Option<Vec<Answer>>,
+}
+
+/// Why there are no derivatives, in words that fit all causes.
+pub const NO_ANSWER: &str = "the figures have no derivatives by the lengths here: with others the mechanism jams or ends before";
+
+/// Digits of a derivative that is read by eye.
+const DIGITS: usize = 3;
+
+impl Answers {
+    /// At a coordinate of the driver.
+    #[must_use]
+    pub fn at(sensitivity: &mut Sensitivity, unit: &'static str, at: f64) -> Self {
+        let found = sensitivity.at(at);
+        let list = found.map(|found| {
+            let lengths = sensitivity.lengths();
+            let figures = sensitivity.figures().iter().enumerate();
+            let answer = figures.map(|(i, figure)| {
+                let by = lengths.iter().cloned().zip(found.of(i).iter().copied());
+                Answer {
+                    name: figure.name.clone(),
+                    unit: figure.unit.clone(),
+                    worst: found.worst(i),
+                    most: found
+                        .most(i)
+                        .map(|(length, d)| (lengths[length].clone(), d)),
+                    by: by.filter(|(_, derivative)| *derivative != 0.0).collect(),
+                }
+            });
+            answer.collect()
+        });
+        Answers { unit, list }
+    }
+
+    /// Leaves out what no length changes, and what is a length itself: it says nothing to a reader.
+    #[must_use]
+    pub fn worth_reading(mut self) -> Self {
+        let says = |answer: &Answer| answer.by.iter().any(|(length, _)| *length != answer.name);
+        if let Some(list) = &mut self.list {
+            list.retain(says);
+        }
+        self
+    }
+
+    /// What stands for one figure.
+    pub(super) fn of(&self, name: &str) -> Option<&Answer> {
+        self.list
+            .as_ref()?
+            .iter()
+            .find(|answer| answer.name == name)
+    }
+
+    /// A line per figure that is worth reading.
+    pub(super) fn to_text(&self, style: TableStyle) -> String {
+        let step = if style.units {
+            format!("change for 1 {}", self.unit)
+        } else {
+            "change for a length of 1".to_owned()
+        };
+        if self.list.is_none() {
+            return format!("{step}: {NO_ANSWER}\n");
+        }
+        let mut grid = Grid::new(step.len() + 2, DIGITS + 2);
+        let titles = ["in every length", "in one", "in which"];
+        grid.row(std::iter::once(step).chain(titles.map(str::to_owned)));
+        for answer in self.clone().worth_reading().list.iter().flatten() {
+            let name = if style.units {
+                format!("{} [{}]", answer.name, answer.unit)
+            } else {
+                answer.name.clone()
+            };
+            let worst = significant(answer.worst, DIGITS);
+            let (length, most) = match &answer.most {
+                Some((length, most)) => (length.clone(), significant(*most, DIGITS)),
+                None => ("-".into(), "0".into()),
+            };
+            grid.row([name, worst, most, length]);
+        }
+        grid.render()
+    }
+
+    /// An object per figure, keyed by its name; `null` where there are none.
+    pub(super) fn to_json(&self, units: bool) -> Value {
+        let Some(list) = &self.list else {
+            return Value::Null;
+        };
+        let mut object = Map::new();
+        for answer in list {
+            let by = answer.by.iter();
+            let by: Map<_, _> = by.map(|(l, d)| (l.clone(), number(Some(*d)))).collect();
+            let most = answer.most.as_ref().map(|(length, _)| length.as_str());
+            let mut figure = Map::new();
+            if units {
+                figure.insert("unit".into(), per(&answer.unit, self.unit).into());
+            }
+            figure.insert("sum".into(), number(Some(answer.worst)));
+            figure.insert("most".into(), json!(most));
+            figure.insert("by".into(), by.into());
+            object.insert(answer.name.clone(), figure.into());
+        }
+        Value::Object(object)
+    }
+}
+
+/// The unit of a derivative by a length: `rad/s per mm`.
+pub(super) fn per(figure: &str, length: &str) -> String {
+    format!("{figure} per {length}")
+}

@@ -1,0 +1,106 @@
+//! A row of a sweep with what is known of the errors of its figures: far from the speed of figures
+//! alone, and apart from their way.
+
+use super::columns::{Columns, Source};
+use super::tables::seen;
+use crate::Ball;
+use crate::quantity::{Quantity, Sensitivity, Subject};
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Solver, State};
+
+/// Fills the cells of rows.
+pub(super) struct Errors<'a> {
+    columns: &'a Columns,
+    /// What rounding may have left of a zero is shown as zero: for text, which people read.
+    rounded: bool,
+    enclosure: State<Ball>,
+    sensitivity: Option<Sensitivity>,
+    /// Figures that exist, and of these how many have no bound.
+    figures: u64,
+    unproved: u64,
+    /// Rows in which the figures have no derivatives by the lengths.
+    unanswered: u64,
+}
+
+impl<'a> Errors<'a> {
+    /// For a sweep with this solver, which solves what the columns need.
+    pub(super) fn new(
+        columns: &'a Columns,
+        scene: &Scene,
+        whole: &Solver,
+        solver: &Solver,
+        rounded: bool,
+    ) -> Self {
+        let asked = columns.beside.sensitivity;
+        Errors {
+            columns,
+            rounded,
+            enclosure: solver.enclosure(),
+            sensitivity: asked.then(|| Sensitivity::new(scene, whole, &columns.figures)),
+            figures: 0,
+            unproved: 0,
+            unanswered: 0,
+        }
+    }
+
+    /// The cells of a row in which this state was solved.
+    pub(super) fn fill(
+        &mut self,
+        solver: &Solver,
+        order: Order,
+        state: &State,
+        cells: &mut Vec<Option<f64>>,
+    ) {
+        solver.enclose(state, order, &mut self.enclosure);
+        let derivatives = self.sensitivity.as_mut().and_then(|s| s.at(state.at()));
+        let missing = self.sensitivity.is_some() && derivatives.is_none();
+        self.unanswered += u64::from(missing && state.condition() != Condition::NoAssembly);
+        let columns = self.columns;
+        for (quantity, source) in columns.quantities.iter().zip(&columns.sources) {
+            cells.push(match source {
+                Source::Figure => self.figure(quantity, state),
+                Source::Bound => quantity.bound(state, &self.enclosure),
+                Source::Sensitivity(figure) => derivatives.as_ref().map(|d| d.worst(*figure)),
+            });
+        }
+    }
+
+    fn figure(&mut self, quantity: &Quantity, state: &State) -> Option<f64> {
+        let value = quantity.value(state)?;
+        if quantity.subject == Subject::Driver {
+            return Some(value);
+        }
+        let bound = quantity.bound(state, &self.enclosure);
+        self.figures += 1;
+        self.unproved += u64::from(bound.is_none());
+        Some(if self.rounded {
+            seen(value, bound)
+        } else {
+            value
+        })
+    }
+
+    /// The figures that exist, of these how many have no bound, and the rows without derivatives.
+    pub(super) fn missing(&self) -> Missing {
+        Missing {
+            figures: self.figures,
+            unproved: if self.columns.beside.bounds {
+                self.unproved
+            } else {
+                0
+            },
+            unanswered: self.unanswered,
+        }
+    }
+}
+
+/// What could not be said beside the figures of a sweep.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Missing {
+    /// Figures that exist.
+    pub figures: u64,
+    /// Of these, figures that were to have a bound and have none.
+    pub unproved: u64,
+    /// Rows that were to have derivatives by the lengths and have none, though they have values.
+    pub unanswered: u64,
+}

@@ -1,0 +1,105 @@
+//! What a state costs: measured now and then, never for every frame, and told so that it does not dance.
+
+use std::time::{Duration, Instant};
+
+/// A measurement is the median of so many batches,
+const BATCHES: usize = 5;
+/// each of which lasts about this long, or takes one state that costs more.
+const BATCH: Duration = Duration::from_micros(10);
+/// No batch has more states than this.
+const MOST_STATES: u32 = 256;
+/// What is shown stays until a measurement differs by more than this part of it: the clock of a busy
+/// machine is no better.
+const SAME: f64 = 0.2;
+/// From one measurement to the next, at least.
+pub(crate) const PAUSE: Duration = Duration::from_secs(1);
+
+/// The cost of a state in seconds, as it is shown.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Cost {
+    shown: Option<f64>,
+}
+
+impl Cost {
+    /// Measures `solve` again.
+    pub(crate) fn measure(&mut self, mut solve: impl FnMut()) {
+        let mut time = |states: u32| {
+            let begun = Instant::now();
+            (0..states).for_each(|_| solve());
+            begun.elapsed().as_secs_f64() / f64::from(states)
+        };
+        // The first one warms up, and tells how many fit a batch.
+        let first = time(1).max(1e-9);
+        let states = (1..=MOST_STATES)
+            .rev()
+            .find(|&n| f64::from(n) * first <= BATCH.as_secs_f64());
+        let mut batches: [f64; BATCHES] = std::array::from_fn(|_| time(states.unwrap_or(1)));
+        batches.sort_by(f64::total_cmp);
+        self.take(batches[BATCHES / 2]);
+    }
+
+    fn take(&mut self, seconds: f64) {
+        let stays = |shown: f64| (seconds - shown).abs() <= SAME * shown;
+        if !self.shown.is_some_and(stays) {
+            self.shown = Some(seconds);
+        }
+    }
+
+    /// To two digits: `61 ns`, `2.3 us`, `14 ms`.
+    pub(crate) fn text(self) -> Option<String> {
+        let seconds = self.shown?;
+        let units = [(1e-9, "ns"), (1e-6, "us"), (1e-3, "ms"), (1.0, "s")];
+        // As it is rounded, 999.6 ns is a microsecond.
+        let fits = |&(size, _): &(f64, &str)| seconds < 999.5 * size;
+        let (size, unit) = units.into_iter().find(fits).unwrap_or((1.0, "s"));
+        let number = seconds / size;
+        let text = if number < 9.95 {
+            format!("{number:.1}")
+        } else {
+            format!("{number:.0}")
+        };
+        Some(format!("{text} {unit}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(seconds: f64) -> String {
+        let mut cost = Cost::default();
+        cost.take(seconds);
+        cost.text().unwrap()
+    }
+
+    #[test]
+    fn two_digits_and_a_unit() {
+        assert_eq!(told(61.3e-9), "61 ns");
+        assert_eq!(told(9.96e-9), "10 ns");
+        assert_eq!(told(999.6e-9), "1.0 us");
+        assert_eq!(told(2.34e-6), "2.3 us");
+        assert_eq!(told(0.0142), "14 ms");
+        assert_eq!(told(2.0), "2.0 s");
+        assert_eq!(Cost::default().text(), None);
+    }
+
+    #[test]
+    fn what_is_shown_does_not_dance() {
+        let mut cost = Cost::default();
+        for seconds in [61e-9, 65e-9, 55e-9, 70e-9] {
+            cost.take(seconds);
+            assert_eq!(cost.text().unwrap(), "61 ns");
+        }
+        cost.take(90e-9);
+        assert_eq!(cost.text().unwrap(), "90 ns");
+    }
+
+    #[test]
+    fn a_measurement_takes_a_few_batches() {
+        let mut cost = Cost::default();
+        let mut states = 0;
+        cost.measure(|| states += 1);
+        assert!(cost.text().is_some());
+        assert!(states <= 1 + BATCHES as u32 * MOST_STATES, "{states}");
+    }
+}

@@ -1,0 +1,154 @@
+//! What the given lengths do to the figures: a view of its own, since it is another kind of error than
+//! that of the tables.
+//!
+//! ```text
+//!  change for 1 mm                        in all     in one  in which
+//!  r3.angle [deg]                          0.843      0.193  r4.length
+//! ```
+
+use super::{cut, print, print_right};
+use crate::report::{Answer, Answers, NO_ANSWER};
+use crate::tui::app::App;
+use crate::tui::figures::short;
+use crate::tui::stage::shown;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns of a number, and blanks before and behind it.
+const NUMBER: u16 = 9;
+const GAP: u16 = 2;
+/// The name of a length has at least so many columns, and no more than this share of the width.
+const NAME: u16 = 9;
+const SHARE: u16 = 4;
+/// Narrower views leave out the units.
+const ROOM_FOR_UNITS: u16 = 56;
+/// The names of the columns.
+const HEAD: u16 = 1;
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let columns = Columns::of(area);
+    let Some(answers) = app.stage().answers() else {
+        let text = "too many lengths: krank table --sensitivity tells what they do";
+        print_text(text, area, buffer);
+        return;
+    };
+    columns.head(answers, area.y, buffer);
+    let Some(list) = &answers.list else {
+        print_text(NO_ANSWER, below_head(area), buffer);
+        return;
+    };
+    let body = below_head(area);
+    let (lines, seen) = extent(app, area);
+    let scroll = app.scroll().min(lines.saturating_sub(seen));
+    let most = lines.saturating_sub(body.height.into());
+    super::mark_more(body, scroll > 0, scroll < most, buffer);
+    for (y, answer) in (body.top()..body.bottom()).zip(list.iter().skip(scroll)) {
+        columns.row(app, answer, y, buffer);
+    }
+}
+
+/// Lines of the view, and how many are seen.
+pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
+    let list = app.stage().answers().and_then(|a| a.list.as_ref());
+    (list.map_or(0, Vec::len), below_head(area).height.into())
+}
+
+fn below_head(area: Rect) -> Rect {
+    Rect {
+        y: area.y + HEAD,
+        height: area.height.saturating_sub(HEAD),
+        ..area
+    }
+}
+
+/// Text over as many lines as it needs.
+fn print_text(text: &str, area: Rect, buffer: &mut Buffer) {
+    let lines = crate::report::wrapped(text, area.width.into());
+    for (y, line) in (area.top()..area.bottom()).zip(lines) {
+        print(
+            buffer,
+            area.x,
+            y,
+            area.width,
+            &line,
+            theme::part(Part::Text),
+        );
+    }
+}
+
+/// Where the columns are: the figure, both numbers by their right ends, the length.
+struct Columns {
+    figure: u16,
+    width: u16,
+    numbers: [u16; 2],
+    length: u16,
+    name: u16,
+    units: bool,
+}
+
+impl Columns {
+    fn of(area: Rect) -> Columns {
+        let name = (area.width / SHARE).max(NAME);
+        let numbers = 2 * (NUMBER + GAP);
+        let width = area.width.saturating_sub(numbers + name);
+        let first = area.x + width + NUMBER;
+        let second = first + GAP + NUMBER;
+        Columns {
+            figure: area.x,
+            width,
+            numbers: [first, second],
+            length: second + GAP,
+            name,
+            units: area.width >= ROOM_FOR_UNITS,
+        }
+    }
+
+    fn head(&self, answers: &Answers, y: u16, buffer: &mut Buffer) {
+        let style = theme::part(Part::Quiet);
+        let step = match self.units {
+            true => format!("change for 1 {}", answers.unit),
+            false => format!("1 {}", answers.unit),
+        };
+        print(buffer, self.figure, y, self.width, &step, style);
+        for (right, title) in self.numbers.into_iter().zip(["in all", "in one"]) {
+            print_right(buffer, right, y, title, style);
+        }
+        print(buffer, self.length, y, self.name, "in which", style);
+    }
+
+    fn row(&self, app: &App, answer: &Answer, y: u16, buffer: &mut Buffer) {
+        let unit = if self.units {
+            format!(" [{}]", answer.unit)
+        } else {
+            String::new()
+        };
+        let name = shown(&format!("{}{unit}", answer.name), app.glyphs());
+        let name = cut(&name, self.width.into());
+        print(
+            buffer,
+            self.figure,
+            y,
+            self.width,
+            &name,
+            theme::part(Part::Name),
+        );
+        let (length, most) = match &answer.most {
+            Some((length, most)) => (length.as_str(), *most),
+            None => ("-", 0.0),
+        };
+        for (right, number) in self.numbers.into_iter().zip([answer.worst, most]) {
+            let text = short(number, NUMBER.into());
+            print_right(buffer, right, y, &text, theme::part(Part::Text));
+        }
+        let length = cut(&shown(length, app.glyphs()), self.name.into());
+        print(
+            buffer,
+            self.length,
+            y,
+            self.name,
+            &length,
+            theme::part(Part::Text),
+        );
+    }
+}
