@@ -1,22 +1,23 @@
 //! The state of the workbench and how actions change it. Views read it and change nothing.
 
+mod choosing;
+
 use super::action::{self, Action};
 use super::course::{OutOfRange, rounded};
 use super::figures::coordinate;
 use super::key::Key;
 use super::line::Line;
 use super::playback::Playback;
-use super::saving;
 use super::stage::{Stage, open_preset};
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
 use super::terminal::{Capability, Colours};
 use super::views;
-use super::{Opened, Origin, cost};
+use super::{Opened, cost};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
@@ -354,76 +355,6 @@ impl App {
                 self.message = Some(format!("not a number of {unit}: {}", line.text()));
             }
         }
-    }
-
-    /// Lists the assemblies beside the drawing, which stands still meanwhile.
-    fn list_assemblies(&mut self) {
-        self.playback.pause();
-        match self.stage.look_around() {
-            Some(panel) => {
-                self.mode = Mode::Assemblies(panel.first());
-                self.view = View::Motion;
-            }
-            None => self.message = Some("there is no other assembly here".into()),
-        }
-    }
-
-    /// Takes the assembly under the cursor.
-    fn take_assembly(&mut self, cursor: usize, now: Duration) {
-        let Some(row) = self.stage.panel().and_then(|p| p.rows().get(cursor)) else {
-            return;
-        };
-        let (group, choice, wish) = (row.group, &row.choice, row.wish());
-        if choice.is_current {
-            self.mode = Mode::Normal;
-            return;
-        }
-        if !choice.closes {
-            self.message = Some(format!("the rest does not close with {wish}"));
-            return;
-        }
-        match self.stage.switched(group, choice.pick) {
-            Ok(stage) => {
-                self.stage = stage;
-                self.opened += 1;
-                self.survey.forget();
-                self.look(self.view);
-                self.mode = Mode::Normal;
-                let at = self.stage.at();
-                self.playback.rebase(now, at);
-                let key = &action::entry_of(Action::Save).keys[0];
-                self.message = Some(format!("{wish} now; {key} saves it"));
-            }
-            Err(why) => self.message = Some(format!("{wish}: {why}")),
-        }
-    }
-
-    /// Asks whether to write to the scene's own file, or to which.
-    fn ask(&mut self) {
-        self.playback.pause();
-        self.mode = match self.stage.origin() {
-            Origin::File(path) => Mode::Confirm(path.clone()),
-            Origin::Preset(name) => Mode::SaveAs(Line::for_file(&format!("{name}.toml"))),
-            Origin::Stdin => Mode::SaveAs(Line::for_file("scene.toml")),
-        };
-    }
-
-    /// The name of a new file was typed; an old one is not written over unasked.
-    fn accept_file(&mut self, line: &Line) {
-        let to = PathBuf::from(line.text().trim());
-        if to.as_os_str().is_empty() {
-            self.mode = Mode::Normal;
-        } else if to.exists() {
-            self.mode = Mode::Confirm(to);
-        } else {
-            self.write(&to);
-        }
-    }
-
-    fn write(&mut self, to: &Path) {
-        self.mode = Mode::Normal;
-        let done = saving::save(&mut self.stage, to);
-        self.message = Some(done.unwrap_or_else(|why| why));
     }
 
     /// Goes to a coordinate, if it can be reached; says so if not.

@@ -24,10 +24,23 @@ const ROUGH: f64 = 0.05;
 /// Trials by the slower way at the most.
 const MOST_CAREFUL: usize = 32;
 
+/// Combinations of directions where following curves does the rest.
+const SPARSE: usize = 48;
+
+/// From one to the next of so many directions: not in step with their numbers, 12 for each link.
+fn stride(count: usize) -> usize {
+    let at_least = count.div_ceil(SPARSE);
+    let mut strides = at_least..;
+    let free = |s: &usize| *s == 1 || (!s.is_multiple_of(2) && !s.is_multiple_of(3));
+    strides.find(free).unwrap_or(at_least)
+}
+
 /// How a solution is approached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Care {
     Newton,
+    /// From a few of the directions, spread over all: the others are found from these.
+    Sparse,
     /// Where Newton's method found none.
     TrustRegion,
 }
@@ -135,7 +148,7 @@ impl Assembler<'_> {
         engine: &Engine,
         state: &mut State,
     ) -> Vec<Vec<f64>> {
-        let roots = self.roots_near(number, &[], Care::Newton, engine, state);
+        let roots = self.roots_near(number, &[], Care::Sparse, engine, state);
         let Some(group) = self.coupled_of(number, engine) else {
             return roots;
         };
@@ -162,17 +175,19 @@ impl Assembler<'_> {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let mut roots: Vec<Vec<f64>> = Vec::new();
         let middles = self.middles(number, state, wanted);
-        let most = match care {
-            Care::Newton => usize::MAX,
-            Care::TrustRegion => MOST_CAREFUL,
+        let guesses = self.guesses(number, group, wanted, state);
+        let (most, stride) = match care {
+            Care::Newton => (usize::MAX, 1),
+            Care::Sparse => (usize::MAX, stride(guesses.len())),
+            Care::TrustRegion => (MOST_CAREFUL, 1),
         };
-        for directions in self.guesses(number, group, wanted, state).iter().take(most) {
+        for directions in guesses.iter().step_by(stride).take(most) {
             for &middle in &middles {
                 let mut scratch = std::mem::take(&mut state.scratch);
                 let near = |p: PointId| wanted.iter().find(|w| w.0 == p).map_or(middle, |w| w.1);
                 group.set_guess(group.open(&mut scratch).z, near, directions);
                 let settled = match care {
-                    Care::Newton => group.correct(q, state, &mut scratch).settled,
+                    Care::Newton | Care::Sparse => group.correct(q, state, &mut scratch).settled,
                     Care::TrustRegion => group.approach(q, state, &mut scratch),
                 };
                 let settled =
