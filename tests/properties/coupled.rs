@@ -129,6 +129,40 @@ proptest! {
         }
     }
 
+    /// At its limits the three legs meet in one point, and the link comes there with the square root of
+    /// the crank's way.
+    #[test]
+    fn a_triad_ends_where_its_legs_meet(triad in triad()) {
+        let (mechanism, tops) = triad.build();
+        let solver = Solver::new(&mechanism).expect("it closes as planted");
+        let Range::Limited { low, high } = solver.motion().range else { return Ok(()) };
+        let mut state = solver.state();
+        let mut placed = |at: f64, expected: Condition| {
+            let condition = solver.solve(at, Order::Acceleration, &mut state);
+            assert_eq!(condition, expected, "at {at} of {low} to {high}");
+            tops.map(|p| state.position(p))
+        };
+        for (end, inwards) in [(low, 1.0), (high, -1.0)] {
+            let limit = placed(end, Condition::DeadPoint);
+            let pin = Crank { angle: end, ..triad.crank }.pin();
+            let measure = triad.measure_at(pin, limit);
+            prop_assert!(measure.abs() < 1e-13, "{measure:e} at {end}");
+            for (foot, (top, planted)) in triad.feet.into_iter().chain([pin]).zip(limit.into_iter().zip(triad.tops)) {
+                let feet = [triad.feet[0], triad.feet[1], triad.crank.pin()];
+                let at = triad.tops.iter().position(|t| *t == planted).unwrap();
+                let off = (top - foot).norm() - (planted - feet[at]).norm();
+                prop_assert!(off.abs() <= 32.0 * U * triad.scale(), "leg {off:e}");
+            }
+            placed(if inwards > 0.0 { end.next_down() } else { end.next_up() }, Condition::NoAssembly);
+            let share = 1e-11 * (high - low);
+            let [near, far] = [share, 100.0 * share].map(|by| {
+                let there = placed(end + inwards * by, Condition::Ok);
+                (0..3).map(|i| (there[i] - limit[i]).norm()).sum::<f64>()
+            });
+            prop_assert!((far / near - 10.0).abs() < 0.2, "{far} {near} at {end}");
+        }
+    }
+
     /// A coupled group is solved from anchors of the motion, never from the last state.
     #[test]
     fn a_triad_remembers_nothing(triad in triad(), from in angle(), to in -360.0..720.0_f64) {

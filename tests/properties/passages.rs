@@ -201,3 +201,102 @@ proptest! {
         }
     }
 }
+
+/// A parallelogram of cranks 1 and a frame of 3, driven where its loop couples with another: point E of
+/// its platform goes round a circle of radius 1, and G, F, E and the centre of that are a drag link.
+#[derive(Clone, Copy, Debug)]
+struct Inside {
+    of: Place,
+    driver: f64,
+    rod: f64,
+    frame: f64,
+    /// Where E is on the platform.
+    on: Vec2,
+    start: f64,
+}
+
+fn inside() -> impl Strategy<Value = Inside> {
+    let lengths = (0.9..1.6_f64, 0.7..1.5_f64, 0.2..0.6_f64);
+    let on = [0.2..2.8_f64, -1.0..1.5_f64];
+    (place(), lengths, on, angle())
+        .prop_map(|(of, (driver, rod, frame), [x, y], start)| Inside {
+            of,
+            driver,
+            rod,
+            frame,
+            on: Vec2::new(x, y),
+            start,
+        })
+        .prop_filter("both cranks turn, and not by a hair", |i| {
+            let mut sorted = [i.driver, i.rod, i.frame, 1.0];
+            sorted.sort_by(f64::total_cmp);
+            let [s, p, q, l] = sorted;
+            s == i.frame && p + q - (s + l) > 0.05 && (i.driver - 1.0).abs() < i.rod
+        })
+}
+
+impl Inside {
+    /// The direction of the cranks of the parallelogram at an angle of the driver.
+    fn follower(&self, at: f64) -> Vec2 {
+        let pin = unit(at) * self.driver + Vec2::new(self.frame, 0.0);
+        let d2 = pin.norm2();
+        let along = 0.5 * (d2 + 1.0 - self.rod * self.rod);
+        let across = (d2 - along * along).sqrt();
+        (pin * along - pin.perp() * across) / d2
+    }
+
+    fn open(&self) -> (Solver, LinkId, PointId) {
+        let mut m = Builder::default();
+        let centre = self.on;
+        let places = [
+            Vec2::ZERO,
+            Vec2::new(3.0, 0.0),
+            centre + Vec2::new(self.frame, 0.0),
+        ];
+        let [a, d, g] = places.map(|p| {
+            let p = self.of.put(p);
+            m.ground_point(p.x, p.y)
+        });
+        let [b, c, e, f] = [(); 4].map(|()| m.moving_point());
+        let driven = m.link(g, f, self.driver);
+        m.link(f, e, self.rod);
+        let platform = m.link(b, c, 3.0);
+        m.carry(platform, e, self.on);
+        m.link(a, b, 1.0);
+        m.link(d, c, 1.0);
+        m.driver(turning(driven, self.start + self.of.turn));
+        let to = self.follower(self.start);
+        m.start(b, self.of.put(to));
+        m.start(c, self.of.put(to + Vec2::new(3.0, 0.0)));
+        m.start(e, self.of.put(to + centre));
+        (Solver::new(&m.build().unwrap()).unwrap(), platform, e)
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn a_parallelogram_inside_a_coupled_group_stays_one(inside in inside()) {
+        // Away from its change points it opens on the parallelogram.
+        prop_assume!(inside.follower(inside.start).y.abs() > 0.2);
+        let (solver, platform, e) = inside.open();
+        let motion = solver.motion();
+        prop_assert_eq!(motion.range, Range::Full { period: 360.0 });
+        prop_assert_eq!(motion.change_points.len(), 2, "{:?}", motion.change_points);
+        let size = 1.0 + inside.of.shift.norm();
+        for &at in &motion.change_points {
+            let across = inside.follower(at - inside.of.turn).y;
+            prop_assert!(across.abs() < 1e-13 * size, "{across:e} at {at}");
+        }
+        for at in angles(motion, 360.0) {
+            let state = solved(&solver, at);
+            let to = inside.follower(at - inside.of.turn);
+            let s = to.y.abs().max(0.01);
+            let off = (state.position(e) - inside.of.put(to + inside.on)).norm();
+            prop_assert!(off < 1e-13 * size / s, "{off:e} at {at}");
+            prop_assert!(state.omega(platform).abs() < 1e-12 * size / (s * s), "at {at}");
+            prop_assert!(state.alpha(platform).abs() < 1e-11 * size / (s * s * s), "at {at}");
+        }
+    }
+}

@@ -56,6 +56,14 @@ impl Anchors {
         }
     }
 
+    /// As [`Anchors::aim`], from the latest anchor that is not beyond a coordinate on the way.
+    pub(super) fn aim_from_before(&self, engine: &Engine, at: f64, sense: f64, state: &mut State) {
+        let is_before = |&anchor: &f64| (anchor - at) * sense <= 0.0;
+        if let Some(latest) = self.at.iter().rposition(is_before) {
+            self.aim_from(latest, engine, at, state);
+        }
+    }
+
     pub(super) fn aim_from(&self, anchor: usize, engine: &Engine, at: f64, state: &mut State) {
         let dq = engine.difference(self.at[anchor], at);
         let mut from = anchor * Anchors::stride(engine);

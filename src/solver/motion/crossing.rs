@@ -43,12 +43,32 @@ impl Walker<'_> {
             self.anchors.push(engine, before, &mut self.state);
             self.state.clone_from(&reached);
             self.anchors.push(engine, beyond, &mut self.state);
-            self.record(&[change], &saved, &reached)?;
+            if self.record(&[change], &saved, &reached).is_none() {
+                self.anchors.forget_beyond(engine, before, self.sense);
+                return None;
+            }
             self.state = reached;
             self.seen.clear();
             self.note(beyond);
             Some(beyond)
         })
+    }
+
+    /// Whether the solutions of a coupled group cross where its measure is smallest. Lengths and
+    /// coordinates are rounded: by that much the solutions may miss each other, and the motion, turning
+    /// sharply from one to the other, is that of neither.
+    pub(super) fn crosses(&mut self, group: usize, at: f64) -> bool {
+        let engine = self.engine;
+        let mut steps = 0..engine.program.steps.len();
+        let Some(step) = steps.find(|&i| engine.group_of(i) == Some(group)) else {
+            return false;
+        };
+        let before = engine.moved(at, -self.sense * PASSING);
+        self.anchors
+            .aim_from_before(engine, before, self.sense, &mut self.state);
+        let condition = engine.run(before, Order::Acceleration, &mut self.state);
+        let saved = self.state.clone();
+        condition == Condition::Ok && self.crossing(step, at, &saved).is_some()
     }
 
     /// Where the solutions of a coupled group cross close to a limit.

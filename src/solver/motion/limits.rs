@@ -111,7 +111,7 @@ impl Walker<'_> {
     /// Whether a group whose measure is smallest here is stretched to its limit.
     fn touches(&mut self, group: usize, at: f64, measure: f64) -> bool {
         if self.is_coupled(group) {
-            return false;
+            return measure < NEAR * self.peaks[group] && self.crosses(group, at);
         }
         let mut steps = self.engine.program.steps.iter();
         let dyad = steps.position(|step| step.choice() == Some(group));
