@@ -1,5 +1,6 @@
 //! Numbers with a bound on their error.
 
+use super::double::two_sum;
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -79,8 +80,9 @@ impl Add for Ball {
     type Output = Ball;
     #[inline]
     fn add(self, o: Ball) -> Ball {
-        let mid = self.mid + o.mid;
-        Ball::new(mid, self.radius + o.radius + half_ulp(mid))
+        // What the sum itself rounds is known, and often nothing.
+        let (mid, lost) = two_sum(self.mid, o.mid);
+        Ball::new(mid, self.radius + o.radius + lost.abs())
     }
 }
 
@@ -190,6 +192,19 @@ impl Number for Ball {
         Vec2::new(ball(x, y), ball(y, x))
     }
 
+    /// Along an axis the length is the component, exactly.
+    #[inline]
+    fn norm(vector: Vec2<Ball>) -> Ball {
+        let Vec2 { x, y } = vector;
+        if y == Ball::default() {
+            x.abs()
+        } else if x == Ball::default() {
+            y.abs()
+        } else {
+            vector.norm2().sqrt()
+        }
+    }
+
     /// A vector that can be off by r across its length n and by s along it is off by an angle of
     /// at most r / (n - s).
     fn degrees(direction: Vec2<Ball>) -> Ball {
@@ -202,8 +217,12 @@ impl Number for Ball {
             return Ball::new(mid, f64::INFINITY);
         }
         // The platform's atan2 is right to an ulp; then come the conversion and, below the x axis,
-        // the turn that is added.
-        let rounding = 6.0 * U * mid + if y.mid < 0.0 { U * angle::TURN } else { 0.0 };
+        // the turn that is added. Along an axis there is nothing to round.
+        let rounding = if x.mid == 0.0 || y.mid == 0.0 {
+            0.0
+        } else {
+            6.0 * U * mid + if y.mid < 0.0 { U * angle::TURN } else { 0.0 }
+        };
         Ball::new(
             mid,
             (across / least).to_degrees() * (1.0 + 4.0 * U) + rounding,
