@@ -6,202 +6,19 @@
 //! are held against each other first.
 #![allow(clippy::print_stdout, reason = "the medians are to be read")]
 
+mod both;
 mod handwritten;
 
+use both::{Agreement, Figures, General, SWEEP, Visitor, angles, by_hand, visit_all};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group};
-use handwritten::{FourBar, Jansen, Joint, Press, SliderCrank, Turning};
-use krank::scene::{Scene, presets};
-use krank::solver::{Condition, Demand, Order, Solver, State};
-use krank::{Driver, Input, LinkId, Mechanism, PointId, Vec2};
+use krank::solver::{Order, Solver};
+use krank::{Driver, Input, Mechanism, Vec2};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// How far solver and closed form may be apart, relative to the largest figure of the kind.
-const AGREEMENT: f64 = 1e-9;
-/// Positions in one sweep.
-const SWEEP: usize = 360;
 /// Sweeps timed for one sample, and samples for a median.
 const REPEATS: u32 = 20;
 const SAMPLES: usize = 101;
-
-/// What both sides yield: points and links.
-type Figures<const P: usize, const L: usize> = ([Joint; P], [Turning; L]);
-
-/// A preset made ready to yield what a closed form yields.
-struct General<const P: usize, const L: usize> {
-    solver: Solver,
-    points: [PointId; P],
-    links: [LinkId; L],
-}
-
-impl<const P: usize, const L: usize> General<P, L> {
-    fn new(preset: &str, points: [&str; P], links: [&str; L]) -> Self {
-        let scene = scene(preset);
-        let mechanism = &scene.mechanism;
-        let point = |name| {
-            let mut ids = mechanism.point_ids();
-            ids.find(|&id| scene.point_name(id) == Some(name))
-                .expect("a point of the preset")
-        };
-        let link = |name| {
-            let mut ids = mechanism.link_ids();
-            ids.find(|&id| scene.link_name(id) == name)
-                .expect("a link of the preset")
-        };
-        let (points, links) = (points.map(point), links.map(link));
-        let demand = Demand {
-            points: points.to_vec(),
-            links: links.to_vec(),
-            slides: Vec::new(),
-        };
-        General {
-            solver: Solver::new(mechanism)
-                .expect("a preset opens")
-                .only(&demand),
-            points,
-            links,
-        }
-    }
-
-    #[inline]
-    fn read(&self, state: &State) -> Figures<P, L> {
-        let joint = |id| Joint {
-            p: state.position(id),
-            v: state.velocity(id),
-            a: state.acceleration(id),
-        };
-        let turning = |id| Turning {
-            omega: state.omega(id),
-            alpha: state.alpha(id),
-        };
-        (self.points.map(joint), self.links.map(turning))
-    }
-
-    /// Solves at all angles, without reading anything.
-    fn sweep(&self, angles: &[f64], state: &mut State) {
-        for &at in angles {
-            self.solver.solve(black_box(at), Order::Acceleration, state);
-            black_box(&*state);
-        }
-    }
-
-    /// Solves at all angles and reads everything.
-    fn sweep_and_read(&self, angles: &[f64], state: &mut State) {
-        for &at in angles {
-            self.solver.solve(black_box(at), Order::Acceleration, state);
-            black_box(self.read(state));
-        }
-    }
-}
-
-fn scene(preset: &str) -> Scene {
-    let preset = presets::find(preset).expect("a preset");
-    Scene::parse(preset.text, preset.name).expect("a preset is a sound scene")
-}
-
-/// Angles over a turn, in whole steps but off the multiples of 90 degrees.
-fn angles() -> Vec<f64> {
-    let step = 360.0 / SWEEP as f64;
-    (0..SWEEP).map(|k| (k as f64 + 0.37) * step).collect()
-}
-
-fn by_hand<const P: usize, const L: usize>(form: impl Fn(f64) -> Figures<P, L>, angles: &[f64]) {
-    for &at in angles {
-        black_box(form(black_box(at)));
-    }
-}
-
-/// Holds both sides against each other at every angle.
-fn agree<const P: usize, const L: usize>(
-    name: &str,
-    general: &General<P, L>,
-    form: impl Fn(f64) -> Figures<P, L>,
-) {
-    let mut state = general.solver.state();
-    let rows: Vec<_> = angles()
-        .into_iter()
-        .map(|at| {
-            let condition = general.solver.solve(at, Order::Acceleration, &mut state);
-            assert_eq!(condition, Condition::Ok, "{name} at {at}");
-            (kinds(general.read(&state)), kinds(form(at)))
-        })
-        .collect();
-    for kind in 0..5 {
-        let largest = rows
-            .iter()
-            .flat_map(|(_, hand)| &hand[kind])
-            .fold(0.0_f64, |m, v| m.max(v.abs()));
-        for (solved, hand) in &rows {
-            for (a, b) in solved[kind].iter().zip(&hand[kind]) {
-                assert!(
-                    (a - b).abs() <= AGREEMENT * largest,
-                    "{name}: {a} by the solver, {b} by hand"
-                );
-            }
-        }
-    }
-}
-
-/// The figures by kind: positions, velocities, accelerations, omegas, alphas.
-fn kinds<const P: usize, const L: usize>((joints, links): Figures<P, L>) -> [Vec<f64>; 5] {
-    let flat = |of: fn(&Joint) -> Vec2| -> Vec<f64> {
-        joints.iter().map(of).flat_map(|v| [v.x, v.y]).collect()
-    };
-    [
-        flat(|j| j.p),
-        flat(|j| j.v),
-        flat(|j| j.a),
-        links.iter().map(|t| t.omega).collect(),
-        links.iter().map(|t| t.alpha).collect(),
-    ]
-}
-
-/// What is done with each mechanism: the closed form inlined in each case.
-trait Visitor {
-    fn visit<const P: usize, const L: usize>(
-        &mut self,
-        name: &str,
-        general: &General<P, L>,
-        form: impl Fn(f64) -> Figures<P, L>,
-    );
-}
-
-fn visit_all(visitor: &mut impl Visitor) {
-    let four_bar = FourBar::new();
-    let general = General::new("four-bar", ["B", "C"], ["r3", "r4"]);
-    visitor.visit("four-bar", &general, |at| four_bar.solve(at));
-
-    let slider_crank = SliderCrank;
-    let general = General::new("slider-crank", ["B", "C"], ["r3"]);
-    visitor.visit("slider-crank", &general, |at| slider_crank.solve(at));
-
-    let press = Press::new();
-    let general = General::new("press", ["B", "C", "E", "F"], ["r3", "r4", "r5", "r6"]);
-    visitor.visit("press", &general, |at| press.solve(at));
-
-    let legs = scene("jansen-leg").mechanism;
-    let corner = |link: usize| legs.links()[link].members[2].local;
-    let jansen = Jansen::new(corner(2), corner(6));
-    let general = General::new(
-        "jansen-leg",
-        ["M", "X", "W", "Y", "V", "T"],
-        ["j", "bde", "k", "c", "f", "ghi"],
-    );
-    visitor.visit("jansen-leg", &general, |at| jansen.solve(at));
-}
-
-struct Agreement;
-
-impl Visitor for Agreement {
-    fn visit<const P: usize, const L: usize>(
-        &mut self,
-        name: &str,
-        general: &General<P, L>,
-        form: impl Fn(f64) -> Figures<P, L>,
-    ) {
-        agree(name, general, form);
-    }
-}
 
 struct Measured<'c>(&'c mut Criterion);
 
@@ -214,6 +31,8 @@ impl Visitor for Measured<'_> {
     ) {
         let angles = angles();
         let mut state = general.solver.state();
+        let mut lanes = general.solver.lanes();
+        let mut enclosure = general.solver.enclosure();
         let mut group = self.0.benchmark_group(name);
         group
             .throughput(Throughput::Elements(SWEEP as u64))
@@ -223,6 +42,15 @@ impl Visitor for Measured<'_> {
         group.bench_function("solved", |b| b.iter(|| general.sweep(&angles, &mut state)));
         group.bench_function("solved and read", |b| {
             b.iter(|| general.sweep_and_read(&angles, &mut state));
+        });
+        group.bench_function("in lanes", |b| {
+            b.iter(|| general.sweep_in_lanes(&angles, &mut lanes));
+        });
+        group.bench_function("in lanes and read", |b| {
+            b.iter(|| general.sweep_in_lanes_and_read(&angles, &mut lanes));
+        });
+        group.bench_function("with bounds", |b| {
+            b.iter(|| general.sweep_with_bounds(&angles, &mut state, &mut enclosure));
         });
         group.finish();
     }
@@ -240,20 +68,33 @@ impl Visitor for Ratios {
     ) {
         let angles = angles();
         let mut state = general.solver.state();
-        let mut samples: [Vec<f64>; 3] = Default::default();
+        let mut lanes = general.solver.lanes();
+        let mut enclosure = general.solver.enclosure();
+        let mut samples: [Vec<f64>; WAYS.len() + 1] = Default::default();
         for _ in 0..SAMPLES {
-            samples[0].push(time(|| by_hand(&form, &angles)));
-            samples[1].push(time(|| general.sweep(&angles, &mut state)));
-            samples[2].push(time(|| general.sweep_and_read(&angles, &mut state)));
+            let [hand, solved, read, at_once, at_once_read, bounds] = &mut samples;
+            hand.push(time(|| by_hand(&form, &angles)));
+            solved.push(time(|| general.sweep(&angles, &mut state)));
+            read.push(time(|| general.sweep_and_read(&angles, &mut state)));
+            at_once.push(time(|| general.sweep_in_lanes(&angles, &mut lanes)));
+            at_once_read.push(time(|| {
+                general.sweep_in_lanes_and_read(&angles, &mut lanes)
+            }));
+            bounds.push(time(|| {
+                general.sweep_with_bounds(&angles, &mut state, &mut enclosure);
+            }));
         }
-        let [hand, solved, read] = samples.map(median);
-        println!(
-            "{name:<14}{hand:>10.1} ns{solved:>10.1} ns{read:>10.1} ns{:>9.2}{:>9.2}",
-            solved / hand,
-            read / hand
-        );
+        let [hand, ways @ ..] = samples.map(median);
+        print!("{name:<14}{hand:>8.1} ns");
+        for way in ways {
+            print!("{way:>9.1} ns {:>5.2}", way / hand);
+        }
+        println!();
     }
 }
+
+/// What is timed beside the closed form.
+const WAYS: [&str; 5] = ["solved", "and read", "in lanes", "and read", "with bounds"];
 
 /// Nanoseconds per position of a sweep.
 fn time(mut sweep: impl FnMut()) -> f64 {
@@ -365,11 +206,14 @@ fn main() {
     Criterion::default().configure_from_args().final_summary();
     // `cargo test --benches` runs this too, to see that it works; then nothing is timed.
     if std::env::args().any(|argument| argument == "--bench") {
-        println!("\nmedians per position: points and links with both rates");
         println!(
-            "{:<14}{:>13}{:>13}{:>13}{:>9}{:>9}",
-            "", "by hand", "solved", "and read", "ratio", "and read"
+            "\nmedians per position, and as parts of the closed form's: points and links with both rates"
         );
+        print!("{:<14}{:>11}", "", "by hand");
+        for way in WAYS {
+            print!("{way:>12}      ");
+        }
+        println!();
         visit_all(&mut Ratios);
         print_chains();
     }

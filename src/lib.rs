@@ -97,7 +97,7 @@ pub mod study;
 #[cfg(feature = "tui")]
 pub mod tui;
 
-pub use arithmetic::{Ball, Constant, Double, Number, Vec2, angle};
+pub use arithmetic::{Ball, Constant, Double, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
     Axis, Body, Builder, Defect, Driver, Element, Input, Length, Link, LinkId, Load, Mechanism,
     Member, Point, PointId, Slide, SlideId, Slider,

@@ -176,7 +176,7 @@ pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> O
         Subject::Slide(slide) => slide_value(slide, aspect, state),
         Subject::Between(tail, head) => between_value(tail, head, aspect, state),
     };
-    value.filter(|v| v.nearest().is_finite())
+    value.filter(|v| v.is_finite())
 }
 
 /// How far a figure of this state can be from the true one, if that can be proved; `enclosure` is

@@ -30,7 +30,7 @@ const PLACES: [(&str, u8); 15] = [
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 18] = [
+const FOREIGN: [(&str, &[&str]); 19] = [
     ("ratatui", &["tui"]),
     ("termina", &["tui"]),
     ("rustix", &["cli", "tui"]),
@@ -45,6 +45,7 @@ const FOREIGN: [(&str, &[&str]); 18] = [
     ("serde", &["report"]),
     ("petgraph", &["solver"]),
     ("zmij", &["report"]),
+    ("fearless_simd", &["arithmetic"]),
     ("std::fs", &["cli", "tui", "replace"]),
     ("std::io", &["report", "cli", "tui", "replace"]),
     ("std::env", &["cli", "tui", "main"]),

@@ -33,25 +33,34 @@ pub fn radians(degrees: f64) -> f64 {
 #[inline]
 #[must_use]
 pub fn unit(degrees: f64) -> Vec2 {
-    // Both branches are exact: fmod always, and the difference below by Sterbenz.
-    let reduced = if degrees.abs() < EXACT_QUADRANTS {
+    // Exact: the remainder always is.
+    let reduced = if is_reduced(degrees) {
         degrees
     } else {
         degrees % TURN
     };
-    let quadrant = (reduced * (1.0 / 90.0) + ROUNDER) - ROUNDER;
-    let rest = reduced - 90.0 * quadrant;
-    let (sin, cos) = sin_cos(rest);
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "at most 2^46 quadrants; NaN goes to 0"
-    )]
-    match quadrant as i64 & 3 {
-        0 => Vec2::new(cos, sin),
-        1 => Vec2::new(-sin, cos),
-        2 => Vec2::new(-cos, -sin),
-        _ => Vec2::new(sin, -cos),
-    }
+    let (x, y) = components(reduced);
+    Vec2::new(x, y)
+}
+
+/// Whether the quadrants of an angle can be counted.
+#[inline(always)]
+pub(super) fn is_reduced(degrees: f64) -> bool {
+    degrees.abs() < EXACT_QUADRANTS
+}
+
+/// The unit vector at a reduced angle, without a branch, so that it can be had in lanes.
+#[inline(always)]
+pub(super) fn components(degrees: f64) -> (f64, f64) {
+    // Its lowest bits count the quadrants, modulo 4; exact by Sterbenz.
+    let counter = degrees * (1.0 / 90.0) + ROUNDER;
+    let (sin, cos) = sin_cos(degrees - 90.0 * (counter - ROUNDER));
+    let quadrant = counter.to_bits();
+    let odd = quadrant & 1 == 1;
+    let (x, y) = if odd { (sin, cos) } else { (cos, sin) };
+    // x is negative in the quadrants 1 and 2, y in 2 and 3.
+    let negative = |v: f64, bit: u64| f64::from_bits(v.to_bits() ^ ((bit & 2) << 62));
+    (negative(x, quadrant.wrapping_add(1)), negative(y, quadrant))
 }
 
 /// Sine and cosine of an angle of at most about 45 degrees.
@@ -59,7 +68,7 @@ pub fn unit(degrees: f64) -> Vec2 {
 /// The angle in radians is carried as `x + rest`, since its rounding alone would cost as much as
 /// everything else. The polynomials are Chebyshev fits of our own on |x| < 0.794: 2e-17 relative in
 /// the sine, 2e-18 absolute in the cosine.
-#[inline]
+#[inline(always)]
 fn sin_cos(degrees: f64) -> (f64, f64) {
     let x = degrees * RADIAN;
     // Dekker's product: what the multiplication above rounded away.

@@ -1,7 +1,8 @@
 //! What the solver's formulas are written in: doubles, and whatever else can stand in for them.
 //!
 //! Every formula of a step is written once, over [`Number`]. In doubles it gives figures, in
-//! [`Double`] figures of twice the precision, in [`Ball`](crate::Ball) figures with a bound.
+//! [`Double`] figures of twice the precision, in [`Ball`](crate::Ball) figures with a bound, in
+//! [`Lanes`](crate::Lanes) the figures of several states at once.
 
 use crate::{Constant, Double, Vec2, angle};
 use std::fmt::Debug;
@@ -28,6 +29,13 @@ pub trait Number:
 
     /// The nearest double.
     fn nearest(self) -> f64;
+
+    /// Whether it is a number at all, and not infinite.
+    #[inline]
+    #[must_use]
+    fn is_finite(self) -> bool {
+        self.nearest().is_finite()
+    }
 
     /// Times a power of two, exactly.
     #[must_use]
@@ -59,6 +67,14 @@ pub trait Number:
 
     /// The direction of a vector in degrees, from 0 to below 360.
     fn degrees(direction: Vec2<Self>) -> Self;
+
+    /// The same angle from 0 to below 360 degrees; only the nearest double is wrapped.
+    #[inline]
+    #[must_use]
+    fn wrapped(degrees: Self) -> Self {
+        let near = degrees.nearest();
+        Self::exactly(angle::wrapped(near)) + (degrees - Self::exactly(near))
+    }
 }
 
 impl Number for f64 {

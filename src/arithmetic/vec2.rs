@@ -16,14 +16,14 @@ pub struct Vec2<T = f64> {
 
 impl<T> Vec2<T> {
     /// The vector (x, y).
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn new(x: T, y: T) -> Self {
         Vec2 { x, y }
     }
 
     /// Each component by itself.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vec2<U> {
         Vec2::new(f(self.x), f(self.y))
@@ -32,35 +32,35 @@ impl<T> Vec2<T> {
 
 impl<T: Number> Vec2<T> {
     /// A constant vector.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn of(constant: Vec2<Constant>) -> Self {
         constant.map(T::of)
     }
 
     /// The scalar product.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn dot(self, other: Vec2<T>) -> T {
         self.x * other.x + self.y * other.y
     }
 
     /// The out-of-plane component of the vector product: positive where `other` lies to the left.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn cross(self, other: Vec2<T>) -> T {
         self.x * other.y - self.y * other.x
     }
 
     /// `k x self`: turned by +90 degrees, counter-clockwise.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn perp(self) -> Vec2<T> {
         Vec2::new(-self.y, self.x)
     }
 
     /// The square of the length.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn norm2(self) -> T {
         self.dot(self)
@@ -73,7 +73,7 @@ impl<T: Number> Vec2<T> {
     }
 
     /// Turned by the angle of the unit vector `direction`: the complex product.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn turned(self, direction: Vec2<T>) -> Vec2<T> {
         Vec2::new(
@@ -83,21 +83,21 @@ impl<T: Number> Vec2<T> {
     }
 
     /// Mirrored in the x axis: as a rotation, the one that undoes it.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn conj(self) -> Vec2<T> {
         Vec2::new(self.x, -self.y)
     }
 
     /// Times a power of two, exactly.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn scaled(self, power_of_two: f64) -> Vec2<T> {
         self.map(|v| v.scaled(power_of_two))
     }
 
     /// The nearest vector of doubles.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn nearest(self) -> Vec2 {
         self.map(T::nearest)
@@ -123,7 +123,7 @@ impl Vec2 {
     }
 
     /// The same vector in another arithmetic.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn exactly<T: Number>(self) -> Vec2<T> {
         self.map(T::exactly)
@@ -132,14 +132,14 @@ impl Vec2 {
 
 impl<T: Number> Add for Vec2<T> {
     type Output = Vec2<T>;
-    #[inline]
+    #[inline(always)]
     fn add(self, o: Vec2<T>) -> Vec2<T> {
         Vec2::new(self.x + o.x, self.y + o.y)
     }
 }
 
 impl<T: Number> AddAssign for Vec2<T> {
-    #[inline]
+    #[inline(always)]
     fn add_assign(&mut self, o: Vec2<T>) {
         *self = *self + o;
     }
@@ -147,7 +147,7 @@ impl<T: Number> AddAssign for Vec2<T> {
 
 impl<T: Number> Sub for Vec2<T> {
     type Output = Vec2<T>;
-    #[inline]
+    #[inline(always)]
     fn sub(self, o: Vec2<T>) -> Vec2<T> {
         Vec2::new(self.x - o.x, self.y - o.y)
     }
@@ -155,7 +155,7 @@ impl<T: Number> Sub for Vec2<T> {
 
 impl<T: Number> Neg for Vec2<T> {
     type Output = Vec2<T>;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Vec2<T> {
         Vec2::new(-self.x, -self.y)
     }
@@ -163,7 +163,7 @@ impl<T: Number> Neg for Vec2<T> {
 
 impl<T: Number> Mul<T> for Vec2<T> {
     type Output = Vec2<T>;
-    #[inline]
+    #[inline(always)]
     fn mul(self, s: T) -> Vec2<T> {
         Vec2::new(self.x * s, self.y * s)
     }
@@ -171,7 +171,7 @@ impl<T: Number> Mul<T> for Vec2<T> {
 
 impl<T: Number> Div<T> for Vec2<T> {
     type Output = Vec2<T>;
-    #[inline]
+    #[inline(always)]
     fn div(self, s: T) -> Vec2<T> {
         Vec2::new(self.x / s, self.y / s)
     }

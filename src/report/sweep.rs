@@ -1,14 +1,15 @@
 //! Rows of figures over the driver's coordinate: solved, read and written as they come.
 //!
-//! One state and one line of text serve all rows: a sweep of a billion rows takes the memory of one.
+//! A few states and one line of text serve all rows: a sweep of a billion rows takes the memory of one.
 
 use super::columns::{Beside, Columns};
 use super::errors::{Errors, Missing};
 use super::rows::{CsvRows, JsonRows, Rows, TextRows};
 use super::steps::Steps;
-use crate::quantity::demand;
+use crate::quantity::{Quantity, demand};
 use crate::scene::Scene;
-use crate::solver::{Condition, Solver};
+use crate::solver::{Condition, Order, Solver, State};
+use crate::{LANES, Lanes};
 use std::io::{self, Write};
 
 /// How the rows are written.
@@ -54,7 +55,7 @@ pub struct Sweep<'a> {
 /// So many rows are written between two reports of how far a sweep has come: about a millisecond.
 const REPORTED: u64 = 1024;
 
-impl Sweep<'_> {
+impl<'a> Sweep<'a> {
     /// Solves and writes all rows; tells `watch` from time to time how many there are.
     ///
     /// # Errors
@@ -69,37 +70,116 @@ impl Sweep<'_> {
     }
 
     fn run(&self, mut rows: impl Rows, watch: &mut dyn FnMut(u64)) -> io::Result<Outcome> {
-        let quantities = &self.columns.quantities;
-        let (wanted, order) = demand(quantities);
-        let solver = self.solver.only(&wanted);
-        let mut state = solver.state();
-        let mut errors = self.errors(&solver);
-        let mut cells = Vec::with_capacity(quantities.len());
+        let mut reader = Reader::new(self);
         let mut outcome = Outcome::default();
-        for at in self.steps.iter() {
-            let condition = solver.solve(at, order, &mut state);
-            cells.clear();
-            match &mut errors {
-                None => cells.extend(quantities.iter().map(|q| q.value(&state))),
-                Some(errors) => errors.fill(&solver, order, &state, &mut cells),
+        let mut steps = self.steps.iter();
+        let mut block = Vec::with_capacity(LANES);
+        let mut reported = 0;
+        loop {
+            block.clear();
+            block.extend(steps.by_ref().take(LANES));
+            if block.is_empty() {
+                break;
             }
-            rows.row(&cells, condition)?;
-            outcome.rows += 1;
-            outcome.valued += u64::from(condition != Condition::NoAssembly);
-            if outcome.rows % REPORTED == 0 {
-                watch(outcome.rows);
+            outcome.valued += reader.hand_over(&block, &mut rows)?;
+            outcome.rows += block.len() as u64;
+            if outcome.rows - reported >= REPORTED {
+                reported = outcome.rows;
+                watch(reported);
             }
         }
         rows.finish()?;
+        let errors = reader.errors;
         outcome.missing = errors.map_or(Missing::default(), |errors| errors.missing());
         Ok(outcome)
     }
 
     /// What is known of errors, where it is asked for or shows in what is read: in text zero is what may
     /// be zero.
-    fn errors(&self, solver: &Solver) -> Option<Errors<'_>> {
+    fn errors(&self, solver: &Solver) -> Option<Errors<'a>> {
         let rounded = matches!(self.format, RowFormat::Text { .. });
         let wanted = rounded || self.columns.beside != Beside::default();
         wanted.then(|| Errors::new(self.columns, self.scene, self.solver, solver, rounded))
+    }
+}
+
+/// Solves for a few coordinates, at once where that can be, and reads the columns row by row.
+struct Reader<'a> {
+    solver: Solver,
+    quantities: &'a [Quantity],
+    order: Order,
+    /// What is known of errors, if that is wanted: then rows are read one by one.
+    errors: Option<Errors<'a>>,
+    state: State,
+    lanes: State<Lanes>,
+    /// What was read from the lanes, column by column.
+    columns: Vec<Lanes>,
+    /// The row that is being read.
+    cells: Vec<Option<f64>>,
+}
+
+impl<'a> Reader<'a> {
+    fn new(sweep: &Sweep<'a>) -> Self {
+        let quantities = &sweep.columns.quantities;
+        let (wanted, order) = demand(quantities);
+        let solver = sweep.solver.only(&wanted);
+        Reader {
+            errors: sweep.errors(&solver),
+            quantities,
+            order,
+            state: solver.state(),
+            lanes: solver.lanes(),
+            columns: Vec::with_capacity(quantities.len()),
+            cells: Vec::with_capacity(quantities.len()),
+            solver,
+        }
+    }
+
+    /// Hands over the rows at these coordinates, no more than there are lanes; gives the number of
+    /// those that have values.
+    fn hand_over(&mut self, at: &[f64], rows: &mut impl Rows) -> io::Result<u64> {
+        if self.errors.is_none() && self.read_at_once(at) {
+            for lane in 0..at.len() {
+                self.cells.clear();
+                let cells = self.columns.iter().map(|column| Some(column.0[lane]));
+                self.cells.extend(cells);
+                rows.row(&self.cells, Condition::Ok)?;
+            }
+            return Ok(at.len() as u64);
+        }
+        let mut valued = 0;
+        for &at in at {
+            let condition = self.solver.solve(at, self.order, &mut self.state);
+            self.cells.clear();
+            match &mut self.errors {
+                None => {
+                    let cells = self.quantities.iter().map(|q| q.value(&self.state));
+                    self.cells.extend(cells);
+                }
+                Some(errors) => {
+                    errors.fill(&self.solver, self.order, &self.state, &mut self.cells);
+                }
+            }
+            rows.row(&self.cells, condition)?;
+            valued += u64::from(condition != Condition::NoAssembly);
+        }
+        Ok(valued)
+    }
+
+    /// Whether every figure exists at each coordinate; then they are in the columns.
+    fn read_at_once(&mut self, at: &[f64]) -> bool {
+        let Some(&last) = at.last() else {
+            return false;
+        };
+        // Lanes that are not needed do what the last one does.
+        let mut lanes = [last; LANES];
+        lanes[..at.len()].copy_from_slice(at);
+        if !self.solver.solve_lanes(lanes, self.order, &mut self.lanes) {
+            return false;
+        }
+        let figures = self.quantities.iter().map_while(|q| q.value(&self.lanes));
+        self.columns.clear();
+        self.columns.extend(figures);
+        self.columns.len() == self.quantities.len()
     }
 }

@@ -219,6 +219,7 @@ impl Engine {
     }
 
     /// The driver's coordinate for the steps: a length, or a direction.
+    #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
             (T::default(), T::unit(at))

@@ -74,6 +74,7 @@ impl Frame {
     }
 
     /// A place of the solver in the scene's frame.
+    #[inline]
     pub(super) fn place<T: Number>(&self, inner: Vec2<T>) -> Vec2<T> {
         Vec2::of(self.origin.map(Constant::given)) + inner.scaled(self.scale)
     }

@@ -15,6 +15,7 @@ mod demand;
 mod engine;
 mod fault;
 mod frame;
+mod lanes;
 mod lu;
 mod methods;
 mod motion;

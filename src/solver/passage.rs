@@ -79,13 +79,17 @@ impl Passages {
     /// Gives every group the sign that it has at a coordinate: that of the start, changed by every
     /// passage in between.
     pub(super) fn choose(&self, engine: &Engine, at: f64, signs: &mut [f64]) {
-        let here = reduced(at, self.period);
         signs.copy_from_slice(&engine.signs);
-        for passage in &self.list {
-            if (passage.at < here) != (passage.at < self.start) {
-                signs[passage.group] = -signs[passage.group];
-            }
+        for group in self.changed(at) {
+            signs[group] = -signs[group];
         }
+    }
+
+    /// The groups whose sign changes between the start and a coordinate, once for every time.
+    pub(super) fn changed(&self, at: f64) -> impl Iterator<Item = usize> {
+        let here = reduced(at, self.period);
+        let between = move |p: &&Passage| (p.at < here) != (p.at < self.start);
+        self.list.iter().filter(between).map(|p| p.group)
     }
 
     /// The passage of a group in whose zone a coordinate lies, and how far from it.

@@ -2,7 +2,7 @@
 
 use super::coupled::Scratch;
 use super::frame::Frame;
-use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2, angle};
+use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
 /// What a state is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,7 +76,8 @@ pub(super) struct Rates<T = f64> {
 /// kinematic coefficients of first and second order, v = x' q' and a = x'' q'^2 + x' q''. Whoever
 /// reads asks [`State::condition`] first, or reads through a `Quantity`, which does.
 ///
-/// `T` is the arithmetic: doubles for figures, balls for figures with a bound.
+/// `T` is the arithmetic: doubles for figures, balls for figures with a bound, lanes for the figures
+/// of several states at once.
 #[derive(Clone, Debug)]
 pub struct State<T = f64> {
     pub(super) condition: Condition,
@@ -127,18 +128,21 @@ impl<T: Number> State<T> {
     }
 
     /// The position of a point.
+    #[inline]
     #[must_use]
     pub fn position(&self, point: PointId) -> Vec2<T> {
         self.frame.place(self.points[point.index()].p)
     }
 
     /// Its velocity, per second.
+    #[inline]
     #[must_use]
     pub fn velocity(&self, point: PointId) -> Vec2<T> {
         self.points[point.index()].v * self.length_rates.speed
     }
 
     /// Its acceleration, per second squared.
+    #[inline]
     #[must_use]
     pub fn acceleration(&self, point: PointId) -> Vec2<T> {
         let point = &self.points[point.index()];
@@ -147,6 +151,7 @@ impl<T: Number> State<T> {
     }
 
     /// The direction of a link's x axis: a unit vector.
+    #[inline]
     #[must_use]
     pub fn direction(&self, link: LinkId) -> Vec2<T> {
         self.links[link.index()].d
@@ -156,22 +161,21 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn angle(&self, link: LinkId) -> T {
         if self.driven == Some(link) {
-            {
-                let near = self.at.nearest();
-                T::exactly(angle::wrapped(near)) + (self.at - T::exactly(near))
-            }
+            T::wrapped(self.at)
         } else {
             T::degrees(self.direction(link))
         }
     }
 
     /// Angular velocity in rad/s.
+    #[inline]
     #[must_use]
     pub fn omega(&self, link: LinkId) -> T {
         self.links[link.index()].w * self.rates.speed
     }
 
     /// Angular acceleration in rad/s^2.
+    #[inline]
     #[must_use]
     pub fn alpha(&self, link: LinkId) -> T {
         let link = &self.links[link.index()];
@@ -214,6 +218,7 @@ impl<T: Number> Rates<T> {
     }
 
     /// The second rate of a coordinate from its coefficients of first and second order.
+    #[inline]
     fn second(self, first: T, second: T) -> T {
         second * self.square + first * self.acceleration
     }

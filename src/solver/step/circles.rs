@@ -24,7 +24,7 @@ pub(in crate::solver) struct Circles {
 }
 
 /// value + constant, without rounding the constant first.
-#[inline]
+#[inline(always)]
 fn plus<T: Number>(value: T, constant: Constant) -> T {
     (value + T::exactly(constant.hi)) + T::exactly(constant.lo)
 }
@@ -55,7 +55,7 @@ impl Circles {
     /// of the triangle of sides b, c, |u|: 16 A^2 = (d-m)(d+m)(M-d)(M+d), m = c - b, M = b + c
     /// (Kahan, Miscalculating Area and Angles of a Needle-like Triangle; here m and M carry their
     /// rounding errors, so that no sorting is needed).
-    #[inline]
+    #[inline(always)]
     pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
         let p = state.points[self.near.pivot.index()];
         let q = state.points[self.far.pivot.index()];
@@ -79,7 +79,7 @@ impl Circles {
     }
 
     /// Writes the dyad where X = P + e = Q + f. V_P + w1 k x e = V_Q + w2 k x f, and e x f = s h.
-    #[inline]
+    #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         e: Vec2<T>,
@@ -165,12 +165,12 @@ struct Triangle<T> {
 
 impl Cylinder {
     /// The square of the arm.
-    #[inline]
+    #[inline(always)]
     pub(in crate::solver) fn arm_square<T: Number>(&self, q: T) -> T {
         (Vec2::of(self.through) + Vec2::of(self.along) * q).norm2()
     }
 
-    #[inline]
+    #[inline(always)]
     fn triangle<T: Number>(&self, q: T, state: &State<T>) -> Triangle<T> {
         let rho2 = self.arm_square(q);
         let (rho, c) = (rho2.sqrt(), T::of(self.far.length));
@@ -192,7 +192,7 @@ impl Cylinder {
     }
 
     /// From the pivot to the point, for e x f = `sh`.
-    #[inline]
+    #[inline(always)]
     fn arm<T: Number>(&self, of: &Triangle<T>, sh: T) -> Vec2<T> {
         let c = T::of(self.far.length);
         let x = (of.d2 + (of.rho - c) * (of.rho + c)).scaled(0.5);
@@ -218,7 +218,7 @@ impl Cylinder {
 
     /// Writes the dyad where X = P + e = Q + f. With tau the guide's direction in the ground,
     /// V = V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau.
-    #[inline]
+    #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         q: T,

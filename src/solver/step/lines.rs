@@ -28,7 +28,7 @@ pub(in crate::solver) struct Guide<T = f64> {
 }
 
 impl Line {
-    #[inline]
+    #[inline(always)]
     pub(in crate::solver) fn at<T: Number>(&self, state: &State<T>) -> Guide<T> {
         let link = state.links[self.link.index()];
         let t = Vec2::of(self.along).turned(link.d);
@@ -44,7 +44,7 @@ impl Line {
 
 impl<T: Number> Guide<T> {
     /// The point at s along the guide, with its rate and second rate.
-    #[inline]
+    #[inline(always)]
     fn point(&self, s: T, rate: T, second: T) -> PointState<T> {
         PointState {
             p: self.q.p + self.t * s,
@@ -54,13 +54,13 @@ impl<T: Number> Guide<T> {
     }
 
     /// The velocity of the guide's own material at s.
-    #[inline]
+    #[inline(always)]
     fn velocity(&self, s: T) -> Vec2<T> {
         self.q.v + self.n * (self.w * s)
     }
 
     /// The acceleration at s of what slides at a constant rate: with Coriolis' part.
-    #[inline]
+    #[inline(always)]
     fn acceleration(&self, s: T, rate: T) -> Vec2<T> {
         let turning = self.a * s + (self.w * rate).scaled(2.0);
         self.q.a + self.n * turning - self.t * (self.w * self.w * s)
@@ -77,7 +77,7 @@ struct Chord<T> {
 }
 
 impl<T: Number> Chord<T> {
-    #[inline]
+    #[inline(always)]
     fn new(length: T, h0: T, from: Vec2<T>) -> Chord<T> {
         let (left, right) = (length - h0, length + h0);
         Chord {
@@ -87,7 +87,7 @@ impl<T: Number> Chord<T> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn is_clear(&self) -> bool {
         self.reach.exceeds(self.slack)
     }
@@ -124,7 +124,7 @@ impl CircleLine {
     }
 
     /// The guide, the pivot as seen from its point, and h0 = n.(P - Q) with what it cuts off.
-    #[inline]
+    #[inline(always)]
     fn chord<T: Number>(&self, state: &State<T>) -> (Guide<T>, Vec2<T>, T, Chord<T>) {
         let guide = self.line.at(state);
         let from = state.points[self.arm.pivot.index()].p - guide.q.p;
@@ -134,7 +134,7 @@ impl CircleLine {
     }
 
     /// root = s sqrt((b - h0)(b + h0)): X = Q + (t.(P - Q) + root) t, e = root t - h0 n.
-    #[inline]
+    #[inline(always)]
     pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
         let (guide, from, h0, chord) = self.chord(state);
         state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
@@ -149,7 +149,7 @@ impl CircleLine {
 
     /// Writes the dyad with X = P + e at s along the guide, e = root t - h0 n. The constraint
     /// n.(V - V_line) = 0 gives w n.(k x e) = w root.
-    #[inline]
+    #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         guide: &Guide<T>,
@@ -218,7 +218,7 @@ impl CircleRail {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, T, Chord<T>) {
         let n = Vec2::of(self.along).perp();
         let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
@@ -227,7 +227,7 @@ impl CircleRail {
     }
 
     /// As [`CircleLine`], with a line whose velocity and acceleration are zero.
-    #[inline]
+    #[inline(always)]
     pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
         let (from, h0, chord) = self.chord(state);
         state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
@@ -242,7 +242,7 @@ impl CircleRail {
     }
 
     /// Writes the dyad with X = P + e at s along the rail.
-    #[inline]
+    #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         s: T,
@@ -284,7 +284,7 @@ impl CircleRail {
 
 /// The meeting of two lines: X = Z1 + l t1 with l = n2.(Z2 - Z1) / n2.t1, and the same determinant
 /// for the rates, seen along n2.
-#[inline]
+#[inline(always)]
 pub(super) fn meet<T: Number, const ORDER: u8>(
     one: &Guide<T>,
     two: &Guide<T>,

@@ -129,7 +129,7 @@ pub(super) enum Step {
 }
 
 /// X = P + R(d) r, V = V_P + w k x r, A = A_P + alpha k x r - w^2 r.
-#[inline]
+#[inline(always)]
 fn carried<T: Number, const ORDER: u8>(
     base: &PointState<T>,
     link: &LinkState<T>,
@@ -152,7 +152,7 @@ fn carried<T: Number, const ORDER: u8>(
 impl Step {
     /// Runs the step at the driver's coordinate `q`; `direction` is its unit vector where it is an
     /// angle.
-    #[inline]
+    #[inline(always)]
     pub(super) fn run<T: Number, const ORDER: u8>(
         &self,
         q: T,
@@ -367,6 +367,7 @@ impl Step {
     }
 }
 
+#[inline(always)]
 fn aim<T: Number, const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State<T>) {
     let (p, x) = (state.points[arm.pivot.index()], state.points[end.index()]);
     let e = x.p - p.p;
@@ -386,6 +387,7 @@ fn aim<T: Number, const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State<T>
 }
 
 /// X - Q = s t: s' = t.(V_X - V_Q), s'' = t.(A_X - A_Q) + w^2 s.
+#[inline(always)]
 fn travel<T: Number>(slide: SlideId, point: PointId, line: &Line, state: &mut State<T>) {
     let guide = line.at(state);
     let x = state.points[point.index()];

@@ -20,7 +20,7 @@ pub(in crate::solver) struct Swing {
 
 impl Swing {
     /// From the pivot to the pin, the distance and its square, and its rounding.
-    #[inline]
+    #[inline(always)]
     fn reach<T: Number>(&self, state: &State<T>) -> (Vec2<T>, T, T, T) {
         let pin = state.points[self.pin.index()].p;
         let w = pin - state.points[self.pivot.index()].p;
@@ -31,7 +31,7 @@ impl Swing {
     }
 
     /// w = B - O = s t + e n, hence s = +-sqrt((D - e)(D + e)) and t = w (s - i e) / D^2.
-    #[inline]
+    #[inline(always)]
     pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
         let (w, d, d2, slack) = self.reach(state);
         let e = T::of(self.offset);
@@ -48,7 +48,7 @@ impl Swing {
     }
 
     /// Writes the arm with its guide along t, the pin at s along it.
-    #[inline]
+    #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         t: Vec2<T>,

@@ -1,0 +1,173 @@
+//! Counts the instructions of the solver's hot paths beside those of the closed forms, and fails where
+//! a path takes more of them than it may.
+//!
+//! Counts do not depend on what else the machine does, so that they can be held to limits where times
+//! cannot. The program runs itself under valgrind, once for each way and mechanism; where there is no
+//! valgrind it says so and leaves it at that.
+#![allow(clippy::print_stdout, reason = "the counts are to be read")]
+
+mod both;
+mod handwritten;
+
+use both::{Agreement, Figures, General, SWEEP, Visitor, angles, by_hand, visit_all};
+use std::env;
+use std::process::{Command, ExitCode, Stdio};
+
+/// A way to run through a sweep, and how many times the closed form's instructions it may take: for
+/// each mechanism what was counted when the limit was set, and a tenth more.
+struct Way {
+    name: &'static str,
+    most: [f64; MECHANISMS.len()],
+}
+
+impl Way {
+    /// Without AVX2 lanes take more instructions, and nothing is promised of them.
+    fn is_held(&self) -> bool {
+        has_avx2() || !self.name.starts_with("in-lanes")
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+fn has_avx2() -> bool {
+    std::is_x86_feature_detected!("avx2")
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+fn has_avx2() -> bool {
+    false
+}
+
+const MECHANISMS: [&str; 4] = ["four-bar", "slider-crank", "press", "jansen-leg"];
+const WAYS: [Way; 5] = [
+    Way {
+        name: "solved",
+        most: [2.06, 2.39, 1.99, 1.88],
+    },
+    Way {
+        name: "solved-and-read",
+        most: [2.36, 2.70, 2.43, 2.38],
+    },
+    Way {
+        name: "in-lanes",
+        most: [0.52, 0.58, 0.49, 0.47],
+    },
+    Way {
+        name: "in-lanes-and-read",
+        most: [0.67, 0.78, 0.67, 0.67],
+    },
+    Way {
+        name: "with-bounds",
+        most: [9.0, 10.9, 10.1, 10.2],
+    },
+];
+const BY_HAND: &str = "by-hand";
+
+/// Runs one way once, without anything else that is not small beside it.
+struct Counted<'a> {
+    mechanism: &'a str,
+    way: &'a str,
+}
+
+impl Visitor for Counted<'_> {
+    fn visit<const P: usize, const L: usize>(
+        &mut self,
+        name: &str,
+        general: &General<P, L>,
+        form: impl Fn(f64) -> Figures<P, L>,
+    ) {
+        if name != self.mechanism {
+            return;
+        }
+        let angles = angles();
+        let (mut state, mut lanes) = (general.solver.state(), general.solver.lanes());
+        let mut enclosure = general.solver.enclosure();
+        match self.way {
+            BY_HAND => counted(|| by_hand(&form, &angles)),
+            "solved" => counted(|| general.sweep(&angles, &mut state)),
+            "solved-and-read" => counted(|| general.sweep_and_read(&angles, &mut state)),
+            "in-lanes" => counted(|| general.sweep_in_lanes(&angles, &mut lanes)),
+            "in-lanes-and-read" => {
+                counted(|| general.sweep_in_lanes_and_read(&angles, &mut lanes));
+            }
+            "with-bounds" => {
+                counted(|| general.sweep_with_bounds(&angles, &mut state, &mut enclosure));
+            }
+            other => panic!("no way is named {other}"),
+        }
+    }
+}
+
+/// Only here does valgrind count.
+#[inline(never)]
+fn counted(mut sweep: impl FnMut()) {
+    sweep();
+}
+
+/// Instructions per position.
+fn count(mechanism: &str, way: &str) -> Result<f64, String> {
+    let itself = env::current_exe().map_err(|e| e.to_string())?;
+    let output = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .args(["--collect-atstart=no", "--toggle-collect=count::counted*"])
+        .arg(itself)
+        .args([mechanism, way])
+        .output()
+        .map_err(|e| e.to_string())?;
+    let told = String::from_utf8_lossy(&output.stderr);
+    let collected = told
+        .lines()
+        .find_map(|line| line.split_once("Collected : "));
+    match collected.and_then(|(_, count)| count.trim().parse::<f64>().ok()) {
+        Some(count) if count > 0.0 && output.status.success() => Ok(count / SWEEP as f64),
+        _ => Err(format!("valgrind counted nothing:\n{told}")),
+    }
+}
+
+/// Prints the counts; whether all keep to their limits.
+fn compare() -> Result<bool, String> {
+    println!("instructions per position, and as parts of the closed form's (the most allowed)");
+    let mut kept = true;
+    for (i, mechanism) in MECHANISMS.into_iter().enumerate() {
+        let hand = count(mechanism, BY_HAND)?;
+        println!("{mechanism}\n  {BY_HAND:<18}{hand:>7.0}");
+        for Way { name, most } in WAYS.iter().filter(|way| way.is_held()) {
+            let solved = count(mechanism, name)?;
+            let (part, most) = (solved / hand, most[i]);
+            let verdict = if part <= most { "" } else { "  too many" };
+            println!("  {name:<18}{solved:>7.0}{part:>7.2}  ({most}){verdict}");
+            kept &= part <= most;
+        }
+    }
+    Ok(kept)
+}
+
+fn has_valgrind() -> bool {
+    let mut asked = Command::new("valgrind");
+    asked.arg("--version").stdout(Stdio::null());
+    asked.status().is_ok_and(|status| status.success())
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    if let [mechanism, way] = &arguments[..] {
+        visit_all(&mut Counted { mechanism, way });
+        return ExitCode::SUCCESS;
+    }
+    visit_all(&mut Agreement);
+    // `cargo test --benches` runs this too, in a build whose counts mean nothing.
+    if !arguments.iter().any(|argument| argument == "--bench") {
+        return ExitCode::SUCCESS;
+    }
+    if !has_valgrind() {
+        println!("no valgrind here: instructions are not counted");
+        return ExitCode::SUCCESS;
+    }
+    match compare() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::FAILURE,
+        Err(message) => {
+            println!("{message}");
+            ExitCode::FAILURE
+        }
+    }
+}

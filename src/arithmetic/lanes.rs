@@ -1,0 +1,257 @@
+//! Several doubles side by side, one for each of several states that are solved at once.
+//!
+//! There are no vector types and no instructions named here: loops of a fixed length over plain
+//! arrays are what compilers make vector instructions of best, for whatever machine the code around
+//! is compiled. Everything is inlined for that reason, also where a call would do.
+
+use super::angle;
+use crate::{Constant, Number, Vec2};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+use fearless_simd::{Level, Simd};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// So many states are solved at once: two registers of AVX2, so that one computes while the other
+/// waits, or four of SSE2 and Neon.
+pub const LANES: usize = 8;
+
+/// A double in each lane. Every operation is done in each lane by itself and nothing is fused, so that
+/// each state has the bits that it has alone. What asks about all lanes says so.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(align(64))]
+pub struct Lanes(pub [f64; LANES]);
+
+/// Runs `f` with the machine's vector instructions, as far as what it calls is inlined into it.
+///
+/// The same code is compiled twice, for the instructions that every machine has and for AVX2, which is
+/// looked for at run time. Neither fuses a multiplication with an addition, so that both give the same
+/// bits. AVX-512 is left alone: steps in lanes took longer with it.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(always)]
+pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
+    match Level::new().as_avx2() {
+        Some(avx2) => avx2.vectorize(f),
+        None => f(),
+    }
+}
+
+/// Runs `f`: this machine's vector instructions are those that everything is compiled for.
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+#[inline(always)]
+pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
+    f()
+}
+
+impl Lanes {
+    #[inline(always)]
+    fn each(self, f: impl Fn(f64) -> f64) -> Lanes {
+        let mut lanes = self.0;
+        for lane in &mut lanes {
+            *lane = f(*lane);
+        }
+        Lanes(lanes)
+    }
+
+    #[inline(always)]
+    fn with(self, other: Lanes, f: impl Fn(f64, f64) -> f64) -> Lanes {
+        let mut lanes = self.0;
+        for (lane, other) in lanes.iter_mut().zip(other.0) {
+            *lane = f(*lane, other);
+        }
+        Lanes(lanes)
+    }
+
+    /// Whether something holds in every lane.
+    #[inline(always)]
+    fn all(self, holds: impl Fn(f64) -> bool) -> bool {
+        self.0.iter().fold(true, |all, &lane| all & holds(lane))
+    }
+}
+
+impl Add for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn add(self, o: Lanes) -> Lanes {
+        self.with(o, |a, b| a + b)
+    }
+}
+
+impl AddAssign for Lanes {
+    #[inline(always)]
+    fn add_assign(&mut self, o: Lanes) {
+        *self = *self + o;
+    }
+}
+
+impl Sub for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn sub(self, o: Lanes) -> Lanes {
+        self.with(o, |a, b| a - b)
+    }
+}
+
+impl Mul for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn mul(self, o: Lanes) -> Lanes {
+        self.with(o, |a, b| a * b)
+    }
+}
+
+impl Div for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn div(self, o: Lanes) -> Lanes {
+        self.with(o, |a, b| a / b)
+    }
+}
+
+impl Neg for Lanes {
+    type Output = Lanes;
+    #[inline(always)]
+    fn neg(self) -> Lanes {
+        self.each(|a| -a)
+    }
+}
+
+impl Number for Lanes {
+    #[inline(always)]
+    fn of(constant: Constant) -> Lanes {
+        Lanes([constant.hi; LANES])
+    }
+
+    #[inline(always)]
+    fn exactly(value: f64) -> Lanes {
+        Lanes([value; LANES])
+    }
+
+    /// That of the first lane.
+    #[inline(always)]
+    fn nearest(self) -> f64 {
+        self.0[0]
+    }
+
+    /// In every lane.
+    #[inline(always)]
+    fn is_finite(self) -> bool {
+        self.all(f64::is_finite)
+    }
+
+    #[inline(always)]
+    fn scaled(self, power_of_two: f64) -> Lanes {
+        self.each(|a| a * power_of_two)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Lanes {
+        self.each(f64::sqrt)
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Lanes {
+        self.each(f64::abs)
+    }
+
+    #[inline(always)]
+    fn min(self, other: Lanes) -> Lanes {
+        self.with(other, f64::min)
+    }
+
+    /// In every lane.
+    #[inline(always)]
+    fn exceeds(self, other: Lanes) -> bool {
+        let lanes = self.0.into_iter().zip(other.0);
+        lanes.fold(true, |all, (a, b)| all & (a > b))
+    }
+
+    #[inline(always)]
+    fn unit(degrees: Lanes) -> Vec2<Lanes> {
+        let mut unit: Vec2<Lanes> = Vec2::default();
+        if degrees.all(angle::is_reduced) {
+            for (i, &degrees) in degrees.0.iter().enumerate() {
+                (unit.x.0[i], unit.y.0[i]) = angle::components(degrees);
+            }
+            unit
+        } else {
+            far_unit(degrees)
+        }
+    }
+
+    fn norm(vector: Vec2<Lanes>) -> Lanes {
+        vector.x.with(vector.y, f64::hypot)
+    }
+
+    fn degrees(direction: Vec2<Lanes>) -> Lanes {
+        let degrees = |x, y| angle::degrees(Vec2::new(x, y));
+        direction.x.with(direction.y, degrees)
+    }
+
+    fn wrapped(degrees: Lanes) -> Lanes {
+        degrees.each(angle::wrapped)
+    }
+}
+
+/// Lane by lane, where the number of turns is beyond all use.
+#[cold]
+fn far_unit(degrees: Lanes) -> Vec2<Lanes> {
+    let units = degrees.0.map(angle::unit);
+    Vec2::new(Lanes(units.map(|u| u.x)), Lanes(units.map(|u| u.y)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn same(lanes: Lanes, alone: [f64; LANES]) -> bool {
+        let bits = |v: f64| if v.is_nan() { None } else { Some(v.to_bits()) };
+        lanes.0.map(bits) == alone.map(bits)
+    }
+
+    proptest! {
+        /// Of any doubles, whatever they mean: infinite, denormal, no number.
+        #[test]
+        fn every_lane_is_computed_as_if_alone(a: [u64; LANES], b: [u64; LANES], small: [i32; LANES]) {
+            let [a, b] = [a, b].map(|bits| bits.map(f64::from_bits));
+            let two = |f: fn(f64, f64) -> f64| -> [f64; LANES] {
+                std::array::from_fn(|i| f(a[i], b[i]))
+            };
+            let (x, y) = (Lanes(a), Lanes(b));
+            prop_assert!(same(x + y, two(|a, b| a + b)));
+            prop_assert!(same(x - y, two(|a, b| a - b)));
+            prop_assert!(same(x * y, two(|a, b| a * b)));
+            prop_assert!(same(x / y, two(|a, b| a / b)));
+            prop_assert!(same(-x, a.map(|a| -a)));
+            prop_assert!(same(x.min(y), two(f64::min)));
+            prop_assert!(same(x.sqrt(), a.map(f64::sqrt)));
+            prop_assert!(same(x.abs(), a.map(f64::abs)));
+            prop_assert!(same(x.scaled(0.5), a.map(|a| 0.5 * a)));
+            prop_assert_eq!(x.exceeds(y), a.iter().zip(b).all(|(a, b)| *a > b));
+            prop_assert_eq!(x.is_finite(), a.iter().all(|a| a.is_finite()));
+            let vector = Vec2::new(x, y);
+            prop_assert!(same(Lanes::norm(vector), two(f64::hypot)));
+            prop_assert!(same(Lanes::degrees(vector), two(|x, y| angle::degrees(Vec2::new(x, y)))));
+            prop_assert!(same(Lanes::wrapped(x), a.map(angle::wrapped)));
+            // Angles near and far: the far ones go another way.
+            for angles in [a, small.map(|s| f64::from(s) * 1e-3), small.map(f64::from)] {
+                let unit = Lanes::unit(Lanes(angles));
+                prop_assert!(same(unit.x, angles.map(|a| angle::unit(a).x)));
+                prop_assert!(same(unit.y, angles.map(|a| angle::unit(a).y)));
+            }
+        }
+    }
+
+    #[test]
+    fn one_lane_decides_for_all() {
+        let ones = Lanes([1.0; LANES]);
+        for lane in 0..LANES {
+            for value in [0.0, -1.0, f64::NAN] {
+                let mut but_one = ones;
+                but_one.0[lane] = value;
+                assert!(!but_one.exceeds(Lanes::default()), "{value} in {lane}");
+                assert_eq!(but_one.is_finite(), value.is_finite());
+            }
+        }
+        assert!(ones.exceeds(Lanes::default()));
+    }
+}
