@@ -641,7 +641,7 @@ fn a_state_depends_on_the_coordinate_alone() {
 #[test]
 fn solving_and_bounding_allocate_nothing() {
     let coupled = solver(stephenson(true).0).1;
-    let dyads = Solver::new(&long_chain(5)).unwrap();
+    let dyads = Solver::new(&long_chain(12)).unwrap();
     for s in [coupled, dyads] {
         let (mut state, order) = (s.state(), Order::Acceleration);
         let (mut enclosure, mut twice) = (s.enclosure(), s.twice());

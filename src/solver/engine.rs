@@ -19,6 +19,8 @@ pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
+    /// How many points the mechanism has; those behind are the program's own.
+    pub named_points: usize,
     /// For every group the sign that its assembly has at the start.
     pub signs: Vec<f64>,
     driven: Option<LinkId>,
@@ -41,6 +43,7 @@ impl Engine {
             program,
             frame,
             turns,
+            named_points: mechanism.points().len(),
             driven,
             driver_rates,
         };
@@ -80,6 +83,7 @@ impl Engine {
                 first: vec![0.0; coupled.len()],
                 work: Vec::new(),
             },
+            at_once: None,
             frame: self.frame,
             rates,
             length_rates: rates.times(self.frame.scale),
@@ -190,7 +194,7 @@ impl Engine {
         if let Step::Coupled { index } = step {
             let group = &self.program.coupled[*index];
             let mut scratch = std::mem::take(&mut state.scratch);
-            group.read(state, &mut group.open(&mut scratch));
+            group.read(state, group.open(&mut scratch).z);
             state.scratch = scratch;
         }
     }

@@ -46,6 +46,7 @@ use engine::Engine;
 use frame::Frame;
 use network::Network;
 use order::Ordering;
+use std::sync::Arc;
 
 /// How far a state is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -82,6 +83,8 @@ pub struct Solver {
     ordering: Ordering,
     plan: Plan,
     motion: Motion,
+    /// The whole as one list of rows, for the bounds of long chains.
+    at_once: Option<Arc<Engine>>,
     first_loop: Option<Loop>,
     slides: usize,
 }
@@ -169,6 +172,7 @@ impl Solver {
         }
         let first_loop = classify::classify(&engine, network);
         Ok(Solver {
+            at_once: bounds::at_once(network, ordering, &plan),
             first_loop,
             engine,
             ordering: ordering.clone(),

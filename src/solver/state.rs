@@ -92,6 +92,8 @@ pub struct State<T = f64> {
     pub(super) signs: Vec<T>,
     /// Room for the coupled groups.
     pub(super) scratch: Scratch<T>,
+    /// The same mechanism as one list of rows, where its bounds are found so.
+    pub(super) at_once: Option<Box<State<T>>>,
     pub(super) frame: Frame,
     /// For angles, and for lengths in the scene's unit.
     pub(super) rates: Rates<T>,

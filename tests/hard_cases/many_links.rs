@@ -2,7 +2,8 @@
 
 use crate::exact::{DoubleDouble, PI};
 use crate::rig::{U, assert_near, exact, note, push, solved, turn};
-use krank::solver::{Fault, GroupKind, Solver};
+use krank::quantity::{self, Aspect, Subject};
+use krank::solver::{Fault, GroupKind, Order, Solver};
 use krank::{Body, Driver, Element, Input, LinkId, Mechanism, PointId, Vec2, angle};
 
 struct ThreeCranks {
@@ -229,6 +230,24 @@ fn h30_a_scissor_of_fifty_stages() {
     }
     let state = solved(&of.solver, 40.0);
     let top = of.right[STAGES];
+    // A hundred dyads in series would leave no bound; at once they have one.
+    let mut enclosure = of.solver.enclosure();
+    let order = Order::Acceleration;
+    of.solver.enclose(&state, order, &mut enclosure);
+    for (aspect, value) in [
+        (Aspect::Y, "64.27876096865393263226"),
+        (Aspect::Ay, "-64.27876096865393263226"),
+    ] {
+        let top = Subject::Point(top);
+        let found = quantity::value(top, aspect, &state).expect("a value");
+        let bound = quantity::bound(top, aspect, &state, &enclosure).expect("a bound");
+        let off = exact(value).minus(found).abs();
+        note(&format!("H30: {aspect:?} off by {off:e}, bound {bound:e}"));
+        assert!(
+            off <= bound && bound < 1e-3,
+            "{aspect:?}: {off:e} {bound:e}"
+        );
+    }
     let slack = 7.5e3 * 10.0 * U * 2.0;
     assert_near(
         "R50.y",

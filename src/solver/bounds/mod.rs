@@ -8,6 +8,9 @@
 //! The bound of a figure is its distance from the farthest point of its ball: it does not matter how
 //! the figure was come by.
 //!
+//! Group by group a bound grows by what each makes of the sizes, not of the signs, of the errors before it.
+//! A long chain of groups is therefore enclosed at once, as one list of rows.
+//!
 //! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and
 //! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's square root to be
 //! rounded correctly and its arctangent to an ulp.
@@ -16,12 +19,18 @@ mod arm;
 mod pairs;
 mod stretched;
 
+use super::chain;
 use super::engine::Engine;
+use super::frame::Frame;
+use super::network::Network;
+use super::order::Ordering;
+use super::plan::Plan;
 use super::state::{Condition, State};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver};
 use crate::arithmetic::typed_radius;
 use crate::{Ball, LinkId, Number, PointId, Vec2};
+use std::sync::Arc;
 
 /// The unit roundoff, 2^-53.
 const U: f64 = 0.5 * f64::EPSILON;
@@ -31,14 +40,41 @@ const UNKNOWN: Ball = Ball {
     radius: f64::INFINITY,
 };
 
+/// So many groups in series widen what they are given to where little is left: by about ten from
+/// stage to stage of a scissor lift. Then all are enclosed at once,
+const LONG: usize = 8;
+/// unless there are more unknowns than this: the inverse of the matrix costs the cube of them.
+const MOST_AT_ONCE: usize = 256;
+
+/// The whole mechanism as one list of rows, if that is how its bounds are to be found.
+pub(super) fn at_once(
+    network: &Network<'_>,
+    ordering: &Ordering,
+    plan: &Plan,
+) -> Option<Arc<Engine>> {
+    if plan.groups.len() <= LONG {
+        return None;
+    }
+    let unknowns = ordering
+        .blocks
+        .iter()
+        .map(|b| b.unknowns.len())
+        .sum::<usize>();
+    if unknowns > MOST_AT_ONCE {
+        return None;
+    }
+    let frame = Frame::of(network.mechanism);
+    let (_, program) = chain::build(network, frame, ordering, chain::Dyads::AtOnce).ok()?;
+    Some(Arc::new(Engine::new(network.mechanism, frame, program)))
+}
+
 impl Solver {
     /// Room for a state with bounds.
     #[must_use]
     pub fn enclosure(&self) -> State<Ball> {
-        let mut enclosure: State<Ball> = self.engine.state(self.slides);
-        let groups = self.engine.program.coupled.iter();
-        let work = groups.map(|g| g.work()).max().unwrap_or(0);
-        enclosure.scratch.work = vec![0.0; work];
+        let mut enclosure = self.engine.enclosure(self.slides);
+        let at_once = self.at_once.as_ref();
+        enclosure.at_once = at_once.map(|engine| Box::new(engine.enclosure(self.slides)));
         enclosure
     }
 
@@ -46,19 +82,28 @@ impl Solver {
     /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
     /// proved. `order` is the one that the state was solved to, or less. Allocates nothing.
     pub fn enclose(&self, state: &State, order: Order, enclosure: &mut State<Ball>) {
-        enclosure.at = Ball::new(state.at, typed_radius(state.at));
-        enclosure.condition = state.condition;
-        if state.condition == Condition::NoAssembly {
-            return;
+        if let (Some(engine), Some(mut whole)) = (&self.at_once, enclosure.at_once.take()) {
+            let proved = engine.enclose_to(order, state, &mut whole);
+            if proved {
+                enclosure.take_over(&whole, engine);
+            }
+            enclosure.at_once = Some(whole);
+            if proved {
+                return;
+            }
         }
-        for (ball, &sign) in enclosure.signs.iter_mut().zip(&state.signs) {
-            *ball = Ball::exactly(sign);
-        }
-        match order {
-            Order::Position => self.engine.enclose::<POSITION>(state, enclosure),
-            Order::Velocity => self.engine.enclose::<VELOCITY>(state, enclosure),
-            Order::Acceleration => self.engine.enclose::<ACCELERATION>(state, enclosure),
-        }
+        self.engine.enclose_to(order, state, enclosure);
+    }
+}
+
+impl State<Ball> {
+    /// Takes what belongs to the mechanism from a state of another program of it.
+    fn take_over(&mut self, from: &State<Ball>, engine: &Engine) {
+        (self.at, self.condition) = (from.at, from.condition);
+        let named = engine.named_points;
+        self.points[..named].copy_from_slice(&from.points[..named]);
+        self.links.copy_from_slice(&from.links);
+        self.travels.copy_from_slice(&from.travels);
     }
 }
 
@@ -86,8 +131,34 @@ impl Step {
 }
 
 impl Engine {
-    fn enclose<const ORDER: u8>(&self, state: &State, enclosure: &mut State<Ball>) {
+    fn enclosure(&self, slides: usize) -> State<Ball> {
+        let mut enclosure: State<Ball> = self.state(slides);
+        let groups = self.program.coupled.iter();
+        let work = groups.map(|g| g.work()).max().unwrap_or(0);
+        enclosure.scratch.work = vec![0.0; work];
+        enclosure
+    }
+
+    /// Encloses a state; whether every step was proved, with its rates.
+    fn enclose_to(&self, order: Order, state: &State, enclosure: &mut State<Ball>) -> bool {
+        enclosure.at = Ball::new(state.at, typed_radius(state.at));
+        enclosure.condition = state.condition;
+        if state.condition == Condition::NoAssembly {
+            return false;
+        }
+        for (ball, &sign) in enclosure.signs.iter_mut().zip(&state.signs) {
+            *ball = Ball::exactly(sign);
+        }
+        match order {
+            Order::Position => self.enclose::<POSITION>(state, enclosure),
+            Order::Velocity => self.enclose::<VELOCITY>(state, enclosure),
+            Order::Acceleration => self.enclose::<ACCELERATION>(state, enclosure),
+        }
+    }
+
+    fn enclose<const ORDER: u8>(&self, state: &State, enclosure: &mut State<Ball>) -> bool {
         let (q, direction) = self.coordinate(enclosure.at);
+        let mut all = true;
         for step in &self.program.steps {
             let proved = match step {
                 Step::Circles(c) => c.enclose::<ORDER>(state, enclosure),
@@ -109,10 +180,12 @@ impl Engine {
                     step.run::<Ball, ORDER>(q, direction, enclosure) == Outcome::Done
                 }
             };
+            all &= proved;
             if !proved && !step.enclose_stretched(enclosure) {
                 self.forget(step, enclosure);
             }
         }
+        all
     }
 
     /// Nothing is known of what a step places.

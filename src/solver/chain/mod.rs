@@ -30,6 +30,8 @@ pub(super) enum Dyads {
     Closed,
     /// It is a list of rows as any other block.
     AsRows,
+    /// All blocks are one list of rows.
+    AtOnce,
 }
 
 /// Builds the program block by block.
@@ -61,8 +63,12 @@ pub(super) fn build(
 ) -> Result<(Plan, Program), Fault> {
     let mut chain = Chain::new(network, frame, dyads);
     chain.drive();
-    for block in &ordering.blocks {
-        chain.settle_block(block)?;
+    if dyads == Dyads::AtOnce {
+        chain.settle_block(&Block::of_all(&ordering.blocks))?;
+    } else {
+        for block in &ordering.blocks {
+            chain.settle_block(block)?;
+        }
     }
     chain.watch(&ordering.set_aside);
     chain.travels();
@@ -319,7 +325,7 @@ impl<'n> Chain<'n> {
 
     fn dyad(&mut self, scope: &Scope) -> bool {
         match self.dyads {
-            Dyads::AsRows => false,
+            Dyads::AsRows | Dyads::AtOnce => false,
             Dyads::Closed => {
                 self.circles(scope)
                     || self.circle_line(scope)
@@ -370,6 +376,28 @@ impl<'n> Chain<'n> {
 
     // ---- what is left
 
+    /// The links of which something is unknown.
+    fn unsettled_links(&self, links: &[LinkId]) -> Vec<LinkId> {
+        let is_placed = |&link: &LinkId| {
+            let mut joints = self.network.joints(link);
+            self.knows(link) && joints.all(|m| self.point_known[m.point.index()])
+        };
+        links.iter().copied().filter(|l| !is_placed(l)).collect()
+    }
+
+    /// The slides of which something is unknown.
+    fn unsettled_slides(&self, slides: &[SlideId]) -> Vec<SlideId> {
+        let is_placed = |&slide: &SlideId| {
+            let given = self.network.mechanism.slide(slide);
+            let guide = match given.on {
+                Body::Ground => true,
+                Body::Link(on) => self.knows(on) && self.footing(on).is_some(),
+            };
+            guide && self.point_known[given.slider.point().index()]
+        };
+        slides.iter().copied().filter(|s| !is_placed(s)).collect()
+    }
+
     fn couple(&mut self, block: &Block, scope: &Scope) -> Result<(), Fault> {
         let points: Vec<PointId> = scope
             .points
@@ -388,6 +416,9 @@ impl<'n> Chain<'n> {
                 self.line(slide);
             }
         }
+        // Where all blocks are one, some of it has been settled on the way.
+        let links = self.unsettled_links(&scope.links);
+        let slides = self.unsettled_slides(&scope.slides);
         let part = coupled::Part {
             network: self.network,
             frame: self.frame,
@@ -395,8 +426,8 @@ impl<'n> Chain<'n> {
             class_known: &self.class_known,
             points: &points,
             classes: &classes,
-            links: &scope.links,
-            slides: &scope.slides,
+            links: &links,
+            slides: &slides,
             guide_points: &self.guide_points,
         };
         let singular = || Fault::Singular {

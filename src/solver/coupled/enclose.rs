@@ -5,7 +5,7 @@
 //! matrix over the whole box; where this falls inside the box, there is exactly one. The rates
 //! are solutions of linear equations with the same matrix, and are enclosed likewise.
 
-use super::{Coupled, Room, Scratch};
+use super::{Base, Coupled, Room, Scratch};
 use crate::arithmetic::{half_ulp, two_product, two_sum};
 use crate::solver::lu;
 use crate::solver::state::State;
@@ -61,10 +61,28 @@ fn off_unit(x: f64, y: f64) -> f64 {
 }
 
 impl Coupled {
-    /// Room for [`Coupled::enclose`]: R, a copy of the matrix, and two vectors.
+    /// Room for [`Coupled::enclose`]: R, a copy of the matrix, two vectors, and z with its rates.
     pub(in crate::solver) fn work(&self) -> usize {
         let n = self.unknowns();
-        2 * n * n + 2 * n
+        2 * n * n + 2 * n + self.width() + 2 * n
+    }
+
+    /// z, z' and z'' as a state has them.
+    fn read_rates(&self, state: &State, numbers: &mut [f64]) {
+        let (z, rates) = numbers.split_at_mut(self.width());
+        let (first, second) = rates.split_at_mut(self.unknowns());
+        self.read(state, z);
+        for (point, spot) in &self.spots {
+            if let (Base::Free(i), None) = (spot.base, spot.arm) {
+                let point = &state.points[point.index()];
+                (first[2 * i], first[2 * i + 1]) = (point.v.x, point.v.y);
+                (second[2 * i], second[2 * i + 1]) = (point.a.x, point.a.y);
+            }
+        }
+        for (i, link) in self.turning.iter().enumerate() {
+            let link = &state.links[link.index()];
+            (first[2 * self.free + i], second[2 * self.free + i]) = (link.w, link.a);
+        }
     }
 
     fn prove(
@@ -81,21 +99,24 @@ impl Coupled {
             let mut room = self.open(scratch);
             let (rows, rest) = work.split_at_mut(n * n);
             let (matrix, rest) = rest.split_at_mut(n * n);
-            let (left, column) = rest.split_at_mut(n);
+            let (left, rest) = rest.split_at_mut(n);
+            let (column, numbers) = rest.split_at_mut(n);
+            let numbers = &mut numbers[..self.width() + 2 * n];
             let mut inverse = Inverse {
                 n,
                 rows,
                 left,
                 most: f64::INFINITY,
             };
-            let z = &state.scratch.numbers[self.offset..];
+            self.read_rates(state, numbers);
+            let z = &*numbers;
             self.centre(z, &mut room);
             self.jacobian(q, enclosure, &mut room);
             for (copy, ball) in matrix.iter_mut().zip(&*room.matrix) {
                 *copy = ball.mid;
             }
             inverse
-                .fill(matrix, room.pivots, &mut column[..n])
+                .fill(matrix, room.pivots, column)
                 .and_then(|()| self.prove_position(q, z, enclosure, &mut room, &mut inverse))
                 .map(|()| self.bound_rates(q, order, z, enclosure, &mut room, &inverse))
         };

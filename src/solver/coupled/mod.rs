@@ -371,18 +371,18 @@ impl Coupled {
     }
 
     /// Takes z from what the group has placed: the inverse of writing it.
-    pub(in crate::solver) fn read(&self, state: &State, room: &mut Room<'_>) {
+    pub(in crate::solver) fn read(&self, state: &State, z: &mut [f64]) {
         for (point, spot) in &self.spots {
             if let (Base::Free(i), None) = (spot.base, spot.arm) {
                 let Vec2 { x, y } = state.points[point.index()].p;
-                (room.z[2 * i], room.z[2 * i + 1]) = (x, y);
+                (z[2 * i], z[2 * i + 1]) = (x, y);
             }
         }
         for (i, (link, turn)) in self.turning.iter().zip(&self.turns).enumerate() {
             let at = 2 * (self.free + i);
             let d = state.links[link.index()].d;
             let Vec2 { x, y } = d.turned(turn.nearest().conj());
-            (room.z[at], room.z[at + 1]) = (x, y);
+            (z[at], z[at + 1]) = (x, y);
         }
     }
 

@@ -22,7 +22,7 @@ impl Methods {
         let (mut starts, mut base, mut unknowns) = (Vec::new(), Vec::new(), 0);
         for group in &engine.program.coupled {
             starts.push([base.len(), unknowns]);
-            group.read(&self.guide, &mut group.open(&mut state.scratch));
+            group.read(&self.guide, group.open(&mut state.scratch).z);
             base.extend_from_slice(group.open(&mut state.scratch).z);
             unknowns += group.unknowns();
         }

@@ -211,7 +211,7 @@ impl Rows {
         sides.clear();
         let probe = &mut self.probe;
         run::<_, ACCELERATION>(&self.engine, at, probe, |group, q, state, scratch| {
-            group.read(guide, &mut group.open(scratch));
+            group.read(guide, group.open(scratch).z);
             sides.push(group.side_at(q, state, scratch));
             true
         })

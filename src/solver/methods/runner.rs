@@ -87,7 +87,7 @@ impl Runner {
     pub(crate) fn begin(&mut self, methods: &Methods) {
         if let (Work::Newton { state, .. }, Some(rows)) = (&mut self.work, &methods.rows) {
             for group in &rows.engine.program.coupled {
-                group.read(&methods.guide, &mut group.open(&mut state.scratch));
+                group.read(&methods.guide, group.open(&mut state.scratch).z);
             }
         }
     }
@@ -205,7 +205,7 @@ fn polished(
         for link in links {
             exact.links[link.index()].d = state.links[link.index()].d.exactly();
         }
-        group.read(closed, &mut group.open(scratch));
+        group.read(closed, group.open(scratch).z);
         let mut fine = std::mem::take(&mut exact.scratch);
         let done = group.polish(q, state, scratch, exact, &mut fine);
         exact.scratch = fine;
