@@ -156,10 +156,7 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn angle(&self, link: LinkId) -> T {
         if self.driven == Some(link) {
-            {
-                let near = self.at.nearest();
-                T::exactly(angle::wrapped(near)) + (self.at - T::exactly(near))
-            }
+            wrapped(self.at)
         } else {
             T::degrees(self.direction(link))
         }
@@ -191,6 +188,20 @@ impl<T: Number> State<T> {
             omega: guide.w * self.rates.speed,
             alpha: self.rates.second(guide.w, guide.a),
         }
+    }
+}
+
+/// [`angle::wrapped`] in any arithmetic: adding a turn rounds.
+fn wrapped<T: Number>(degrees: T) -> T {
+    let near = degrees.nearest();
+    let rest = near % angle::TURN;
+    let turn = T::exactly(angle::TURN);
+    let within = (degrees - T::exactly(near)) + T::exactly(rest);
+    let positive = if rest < 0.0 { within + turn } else { within };
+    if positive.nearest() >= angle::TURN {
+        positive - turn
+    } else {
+        positive
     }
 }
 
