@@ -190,6 +190,35 @@ fn a_speed_that_was_converted_is_within_its_bound() {
     assert!(off <= bound, "{off:e} {bound:e}");
 }
 
+/// Beyond a limit by the decimals that it was written with there is no assembly: the figures are those of
+/// the limit, and so are their bounds.
+#[test]
+fn just_beyond_a_limit_the_bounds_are_those_of_the_limit() {
+    let preset = presets::find("double-rocker").unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut balls) = (solver.state(), solver.enclosure());
+    let Range::Limited { low, high } = solver.motion().range else {
+        panic!("a double rocker");
+    };
+    for (limit, outwards) in [(low, -5e-13), (high, 5e-13)] {
+        let mut bounds_at = |at: f64| -> Vec<(f64, f64)> {
+            let condition = solver.solve(at, Order::Position, &mut state);
+            assert_eq!(condition, Condition::DeadPoint, "{at}");
+            solver.enclose(&state, Order::Position, &mut balls);
+            let points = scene.mechanism.point_ids();
+            let figure = |p| {
+                let subject = Subject::Point(p);
+                let value = quantity::value(subject, Aspect::Y, &state).unwrap();
+                let bound = quantity::bound(subject, Aspect::Y, &state, &balls).unwrap();
+                (value, bound)
+            };
+            points.map(figure).collect()
+        };
+        assert_eq!(bounds_at(limit + outwards), bounds_at(limit), "{limit}");
+    }
+}
+
 /// Numbers that are as good as random, and the same in every run (splitmix64).
 struct Dice(u64);
 

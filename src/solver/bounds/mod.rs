@@ -51,6 +51,11 @@ impl Solver {
         if state.condition == Condition::NoAssembly {
             return;
         }
+        // Within rounding beyond a limit the figures are those of the limit: there is no other truth.
+        let within = self.motion.within(state.at);
+        if within != state.at {
+            enclosure.at = Ball::new(within, typed_radius(within));
+        }
         for (ball, &sign) in enclosure.signs.iter_mut().zip(&state.signs) {
             *ball = Ball::exactly(sign);
         }

@@ -112,12 +112,17 @@ impl Motion {
         }
     }
 
-    /// The fold at a coordinate, or within the rounding of it beyond the range.
-    pub(super) fn fold_at(&self, at: f64) -> Option<&Folded> {
-        let within = match self.range {
+    /// The coordinate itself, or the limit beyond which it lies.
+    pub(super) fn within(&self, at: f64) -> f64 {
+        match self.range {
             Range::Full { .. } => at,
             Range::Limited { low, high } => at.max(low).min(high),
-        };
+        }
+    }
+
+    /// The fold at a coordinate, or at the limit beyond which it lies.
+    pub(super) fn fold_at(&self, at: f64) -> Option<&Folded> {
+        let within = self.within(at);
         self.folds.iter().find(|fold| fold.at == within)
     }
 
