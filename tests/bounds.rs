@@ -143,6 +143,82 @@ fn every_figure_of_every_preset_is_within_its_bound() {
     }
 }
 
+fn four_bar_of(change: [&str; 2]) -> Scene {
+    let preset = presets::find("four-bar").unwrap();
+    let text = preset.text.replacen(change[0], change[1], 1);
+    Scene::parse(&text, preset.name).unwrap()
+}
+
+/// An angle that rounds to a full turn is written as 0.
+#[test]
+fn an_angle_just_below_a_turn_is_within_its_bound_of_zero() {
+    let scene = four_bar_of(["", ""]);
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut balls) = (solver.state(), solver.enclosure());
+    let figure = (
+        Subject::Link(scene.mechanism.link_ids().next().unwrap()),
+        Aspect::Angle,
+    );
+    for below in [1e-300, 1e-20, 1e-14, 2.8e-14] {
+        solver.solve(-below, Order::Position, &mut state);
+        solver.enclose(&state, Order::Position, &mut balls);
+        let value = quantity::value(figure.0, figure.1, &state).unwrap();
+        let bound = quantity::bound(figure.0, figure.1, &state, &balls).unwrap();
+        let off = if value == 0.0 { below } else { 0.0 };
+        assert!(off <= bound, "-{below}: {value} +- {bound}");
+    }
+}
+
+/// The worst of half a million: 37.459... rpm is off by 4.8 halves of an ulp once it is converted.
+#[test]
+fn a_speed_that_was_converted_is_within_its_bound() {
+    let scene = four_bar_of(["15 rad/s", "37.45989650588049 rpm"]);
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut balls) = (solver.state(), solver.enclosure());
+    solver.solve(60.0, Order::Velocity, &mut state);
+    solver.enclose(&state, Order::Velocity, &mut balls);
+    let speed = quantity::value(Subject::Driver, Aspect::Omega, &state).unwrap();
+    let bound = quantity::bound(Subject::Driver, Aspect::Omega, &state, &balls).unwrap();
+    let pi = Double {
+        hi: std::f64::consts::PI,
+        lo: 1.224_646_799_147_353_2e-16,
+    };
+    let typed = Double::exactly(3_745_989_650_588_049.0) / Double::exactly(1e14);
+    let off = (typed * pi / Double::exactly(30.0) - Double::exactly(speed))
+        .hi
+        .abs();
+    assert!(off <= bound, "{off:e} {bound:e}");
+}
+
+/// Beyond a limit by the decimals that it was written with there is no assembly: the figures are those of
+/// the limit, and so are their bounds.
+#[test]
+fn just_beyond_a_limit_the_bounds_are_those_of_the_limit() {
+    let preset = presets::find("double-rocker").unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut balls) = (solver.state(), solver.enclosure());
+    let Range::Limited { low, high } = solver.motion().range else {
+        panic!("a double rocker");
+    };
+    for (limit, outwards) in [(low, -5e-13), (high, 5e-13)] {
+        let mut bounds_at = |at: f64| -> Vec<(f64, f64)> {
+            let condition = solver.solve(at, Order::Position, &mut state);
+            assert_eq!(condition, Condition::DeadPoint, "{at}");
+            solver.enclose(&state, Order::Position, &mut balls);
+            let points = scene.mechanism.point_ids();
+            let figure = |p| {
+                let subject = Subject::Point(p);
+                let value = quantity::value(subject, Aspect::Y, &state).unwrap();
+                let bound = quantity::bound(subject, Aspect::Y, &state, &balls).unwrap();
+                (value, bound)
+            };
+            points.map(figure).collect()
+        };
+        assert_eq!(bounds_at(limit + outwards), bounds_at(limit), "{limit}");
+    }
+}
+
 /// Numbers that are as good as random, and the same in every run (splitmix64).
 struct Dice(u64);
 

@@ -68,12 +68,19 @@ pub trait Number:
     /// The direction of a vector in degrees, from 0 to below 360.
     fn degrees(direction: Vec2<Self>) -> Self;
 
-    /// The same angle from 0 to below 360 degrees; only the nearest double is wrapped.
-    #[inline]
+    /// The same angle from 0 to below 360 degrees; adding a turn rounds.
     #[must_use]
     fn wrapped(degrees: Self) -> Self {
         let near = degrees.nearest();
-        Self::exactly(angle::wrapped(near)) + (degrees - Self::exactly(near))
+        let rest = near % angle::TURN;
+        let turn = Self::exactly(angle::TURN);
+        let within = (degrees - Self::exactly(near)) + Self::exactly(rest);
+        let positive = if rest < 0.0 { within + turn } else { within };
+        if positive.nearest() >= angle::TURN {
+            positive - turn
+        } else {
+            positive
+        }
     }
 }
 
@@ -127,6 +134,11 @@ impl Number for f64 {
     #[inline]
     fn norm(vector: Vec2) -> f64 {
         vector.x.hypot(vector.y)
+    }
+
+    #[inline]
+    fn wrapped(degrees: f64) -> f64 {
+        angle::wrapped(degrees)
     }
 
     #[inline]

@@ -68,15 +68,15 @@ fn h04_a_rocker_drives_from_dead_point_to_dead_point() {
             // The double nearest to the limit.
             assert_near("limit", found, decimal, 0.5 * (found.next_up() - found));
         }
-        for beyond in [low.next_down(), high.next_up(), 0.0, 480.0, -240.0] {
+        for beyond in [low - 1e-11, high + 1e-11, 0.0, 480.0, -240.0] {
             assert_eq!(
                 condition(&solver, beyond),
                 Condition::NoAssembly,
                 "{beyond}"
             );
         }
-        for limit in [low, high] {
-            assert_ne!(condition(&solver, limit), Condition::NoAssembly, "{limit}");
+        for limit in [low, low.next_down(), high, high.next_up()] {
+            assert_eq!(condition(&solver, limit), Condition::DeadPoint, "{limit}");
         }
     }
 }
@@ -221,7 +221,7 @@ fn h06_toggle_press_goes_no_further_than_straight() {
             (high - 2.0) / U
         ));
         assert_eq!(high, 2.0);
-        for beyond in [high.next_up(), 2.0 + 8.0 * f64::EPSILON, 3.0] {
+        for beyond in [2.0 + 1e-11, 3.0] {
             assert_eq!(
                 condition(&solver, beyond),
                 Condition::NoAssembly,
@@ -229,11 +229,41 @@ fn h06_toggle_press_goes_no_further_than_straight() {
             );
         }
         let mut state = solver.state();
-        assert_eq!(
-            solver.solve(2.0, Order::Position, &mut state),
-            Condition::DeadPoint
-        );
-        assert_eq!(state.position(knuckle), Vec2::new(0.0, 1.0));
+        for limit in [2.0, high.next_up(), 2.0 + 8.0 * f64::EPSILON] {
+            assert_eq!(
+                solver.solve(limit, Order::Position, &mut state),
+                Condition::DeadPoint
+            );
+            assert_eq!(state.position(knuckle), Vec2::new(0.0, 1.0));
+        }
+    }
+}
+
+/// What `check` prints is read back as the limit that it was.
+#[test]
+fn a_limit_that_is_typed_with_twelve_decimals_is_a_dead_point() {
+    let typed = |limit: f64| -> [f64; 2] {
+        let read = |text: String| text.parse::<f64>().expect("a number");
+        let printed = read(format!("{limit:.12}"));
+        // A person may cut off what does not fit.
+        let outwards = if printed < limit { -5e-13 } else { 5e-13 };
+        [printed, limit + outwards]
+    };
+    let scene = Scene::parse(STEPHENSON, "stephenson").expect("a sound scene");
+    let coupled = Solver::new(&scene.mechanism).expect("it closes");
+    let pushed = Toggle::pushed(1.5, 1.0).0;
+    for solver in [Backwards::open(BEFORE).solver, coupled, pushed] {
+        for &limit in &solver.motion().dead_points {
+            let is_low = limit == limits(&solver).0;
+            for at in typed(limit) {
+                let is_beyond = (at < limit) == is_low;
+                let found = condition(&solver, at);
+                assert!(
+                    !is_beyond && found == Condition::Ok || found == Condition::DeadPoint,
+                    "{limit} as {at}: {found:?}"
+                );
+            }
+        }
     }
 }
 

@@ -153,7 +153,8 @@ proptest! {
                 let off = (top - foot).norm() - (planted - feet[at]).norm();
                 prop_assert!(off.abs() <= 32.0 * U * triad.scale(), "leg {off:e}");
             }
-            placed(if inwards > 0.0 { end.next_down() } else { end.next_up() }, Condition::NoAssembly);
+            placed(if inwards > 0.0 { end.next_down() } else { end.next_up() }, Condition::DeadPoint);
+            placed(end - inwards * 1e-11, Condition::NoAssembly);
             let share = 1e-11 * (high - low);
             let [near, far] = [share, 100.0 * share].map(|by| {
                 let there = placed(end + inwards * by, Condition::Ok);

@@ -82,8 +82,10 @@ impl Solver {
     /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
     /// proved. `order` is the one that the state was solved to, or less. Allocates nothing.
     pub fn enclose(&self, state: &State, order: Order, enclosure: &mut State<Ball>) {
+        // Within rounding beyond a limit the figures are those of the limit: there is no other truth.
+        let at = self.motion.within(state.at);
         if let (Some(engine), Some(mut whole)) = (&self.at_once, enclosure.at_once.take()) {
-            let proved = engine.enclose_to(order, state, &mut whole);
+            let proved = engine.enclose_to(at, order, state, &mut whole);
             if proved {
                 enclosure.take_over(&whole, engine);
             }
@@ -92,7 +94,7 @@ impl Solver {
                 return;
             }
         }
-        self.engine.enclose_to(order, state, enclosure);
+        self.engine.enclose_to(at, order, state, enclosure);
     }
 }
 
@@ -140,8 +142,14 @@ impl Engine {
     }
 
     /// Encloses a state; whether every step was proved, with its rates.
-    fn enclose_to(&self, order: Order, state: &State, enclosure: &mut State<Ball>) -> bool {
-        enclosure.at = Ball::new(state.at, typed_radius(state.at));
+    fn enclose_to(
+        &self,
+        at: f64,
+        order: Order,
+        state: &State,
+        enclosure: &mut State<Ball>,
+    ) -> bool {
+        enclosure.at = Ball::new(at, typed_radius(at));
         enclosure.condition = state.condition;
         if state.condition == Condition::NoAssembly {
             return false;

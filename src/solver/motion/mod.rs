@@ -74,6 +74,8 @@ pub struct Motion {
     /// The part of a limited range in which states are found: some ulps less than the range, where all
     /// that is left of a group's equations at a limit is rounding.
     settled: Option<[f64; 2]>,
+    /// A limited range with the rounding of its dead points.
+    reach: [f64; 2],
     folds: Vec<Folded>,
 }
 
@@ -89,6 +91,10 @@ pub(super) struct Folded {
 const ONE_MISS: f64 = 1e-6;
 /// A coordinate this near to a dead point, as a part of it, is the dead point.
 const SAME: f64 = f64::EPSILON;
+/// So far beyond a dead point, too: what is lost where one is written with 12 decimals,
+const WRITTEN: f64 = 6e-13;
+/// but of a small mechanism no more than this part of its size, in the solver's unit.
+const BEYOND: f64 = 1e-12;
 
 impl Motion {
     /// Whether a coordinate is a dead point, within its rounding.
@@ -106,16 +112,25 @@ impl Motion {
         }
     }
 
-    /// The fold at a coordinate.
+    /// The coordinate itself, or the limit beyond which it lies.
+    pub(super) fn within(&self, at: f64) -> f64 {
+        match self.range {
+            Range::Full { .. } => at,
+            Range::Limited { low, high } => at.max(low).min(high),
+        }
+    }
+
+    /// The fold at a coordinate, or at the limit beyond which it lies.
     pub(super) fn fold_at(&self, at: f64) -> Option<&Folded> {
-        self.folds.iter().find(|fold| fold.at == at)
+        let within = self.within(at);
+        self.folds.iter().find(|fold| fold.at == within)
     }
 
     /// Whether the motion from the scene's assembly comes to this coordinate.
     pub(super) fn covers(&self, at: f64) -> bool {
         match self.range {
             Range::Full { .. } => at.is_finite(),
-            Range::Limited { low, high } => low <= at && at <= high,
+            Range::Limited { .. } => self.reach[0] <= at && at <= self.reach[1],
         }
     }
 }
@@ -171,11 +186,27 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
             settled_end(end, start, &mut exists)
         })),
     };
+    let dead_points = dead_points(range, engine, start);
+    let reach = match range {
+        Range::Full { .. } => [f64::NEG_INFINITY, f64::INFINITY],
+        Range::Limited { low, high } => {
+            let slack = |end: f64| {
+                let is_dead = dead_points.contains(&end);
+                if is_dead {
+                    slack(end, engine.finest())
+                } else {
+                    0.0
+                }
+            };
+            [low - slack(low), high + slack(high)]
+        }
+    };
     Ok(Motion {
         near_misses: near_misses(walker.misses, range),
         samples: walker.samples,
         range,
-        dead_points: dead_points(range, engine, start),
+        dead_points,
+        reach,
         change_points: passages.coordinates(),
         anchors,
         passages,
@@ -192,6 +223,12 @@ fn settled_end(end: f64, start: f64, exists: &mut impl FnMut(f64) -> bool) -> f6
     let candidates = (0..MOST_DRAWS).map(back);
     let mut inside = candidates.take_while(|at| (at - start) * (end - start) > 0.0);
     inside.find(|&at| exists(at)).unwrap_or(end)
+}
+
+/// How far beyond a dead point a coordinate stands for the dead point: its rounding, and that of the
+/// decimals it is written with.
+fn slack(dead: f64, finest: f64) -> f64 {
+    WRITTEN.min(BEYOND / f64::EPSILON * finest) + SAME * dead.abs()
 }
 
 /// The ends of a range, but for those at which a slide was merely followed no further.
