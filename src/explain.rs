@@ -256,7 +256,7 @@ fn no_choice(scene: &Scene, group: Element, found: usize) -> Diagnostic {
     let says = match found {
         0 => format!("{name} names no group that could be assembled in another way"),
         1 => format!("{name} has one assembly alone here"),
-        n => format!("{name} has {n} assemblies here, and not the one that was picked"),
+        n => format!("{name} has {n} assemblies here, numbered from 1 to {n}"),
     };
     Diagnostic::new(says).at(scene.place(group), "picked here")
 }

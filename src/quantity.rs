@@ -305,12 +305,31 @@ pub struct Catalogue {
 
 /// A column pattern that names nothing in the scene.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("no quantity is named `{pattern}`{}", nearest.as_ref().map(|n| format!("; did you mean `{n}`?")).unwrap_or_default())]
+#[error("no quantity is named `{pattern}`{}", self.mend())]
 pub struct UnknownColumn {
     /// The pattern.
     pub pattern: String,
     /// The name nearest to it.
     pub nearest: Option<String>,
+}
+
+impl UnknownColumn {
+    fn mend(&self) -> String {
+        let beside = ["bound", "sensitivity"];
+        let beside = beside.map(|kind| (kind, self.pattern.strip_suffix(kind)));
+        for (kind, name) in beside {
+            if let Some(name) = name.and_then(|name| name.strip_suffix('.')) {
+                let option = if kind == "bound" {
+                    "--bounds"
+                } else {
+                    "--sensitivity"
+                };
+                return format!("; name `{name}`, and {option} puts `{name}.{kind}` behind it");
+            }
+        }
+        let nearest = self.nearest.as_ref();
+        nearest.map_or_else(String::new, |n| format!("; did you mean `{n}`?"))
+    }
 }
 
 impl Catalogue {

@@ -6,7 +6,7 @@ use super::output::{replace, write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::quantity::{Catalogue, MOST_DERIVATIVES, Sensitivity};
-use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, near_misses, range_text};
+use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, limits_text, near_misses};
 use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order, Solver};
 use clap::{Command, CommandFactory};
@@ -48,7 +48,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         return Err(Failure::Cannot(format!(
             "the mechanism cannot be assembled at {at} {}: the driver covers {}",
             driver.unit,
-            range_text(solver.motion().range, driver)
+            limits_text(solver.motion().range, driver)
         )));
     }
     tell_of_near_misses(&scene, &solver, screen);

@@ -10,7 +10,7 @@ use super::source::{Opened, open};
 use crate::Input;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
 use crate::report::{
-    Beside, Columns, Decimal, Missing, NO_ANSWER, Outcome, RowFormat, Steps, Sweep, range_text,
+    Beside, Columns, Decimal, Missing, NO_ANSWER, Outcome, RowFormat, Steps, Sweep, limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::Range;
@@ -56,7 +56,7 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     progress.end();
     let outcome = outcome?;
     tell_of_near_misses(&scene, &solver, screen);
-    judge(outcome, &range_text(range, catalogue.driver()), screen)
+    judge(outcome, &limits_text(range, catalogue.driver()), screen)
 }
 
 /// The figures that the patterns name; all where there are none. The driver and the state may be

@@ -195,7 +195,7 @@ impl Plot {
         self.level_labels(chart, strokes, raster);
     }
 
-    /// Labels of the level axis, centred below their ticks, and its title at the right end.
+    /// Labels of the level axis, centred below their ticks, and its title at the right end or above.
     fn level_labels(&self, chart: &Chart, strokes: &Strokes, raster: &mut Raster) {
         let base = self.foot + 1;
         let end = self.left + self.level.cells;
@@ -213,10 +213,15 @@ impl Plot {
                 free = from + length(&label) + 2;
             }
         }
-        // Where the labels leave no room it stands above, at the right.
-        let row = if free <= end - title { base + 1 } else { 0 };
-        if row > 0 || length(&chart.y.title) + 2 <= end - title {
-            write(raster, end - title, row, &chart.x.title);
+        // Where the labels leave no room, the title above names both.
+        if free <= end - title {
+            write(raster, end - title, base + 1, &chart.x.title);
+        } else {
+            let over = format!(" over {}", chart.x.title);
+            let from = length(&chart.y.title);
+            if from + length(&over) <= end {
+                write(raster, from, 0, &over);
+            }
         }
     }
 

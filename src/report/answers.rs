@@ -4,7 +4,7 @@
 use super::number::significant;
 use super::tables_data::number;
 use super::tables_text::TableStyle;
-use super::text::Grid;
+use super::text::{Grid, WIDTH, wrapped};
 use crate::quantity::Sensitivity;
 use serde_json::{Map, Value, json};
 
@@ -34,7 +34,7 @@ pub struct Answers {
 }
 
 /// Why there are no derivatives, in words that fit all causes.
-pub const NO_ANSWER: &str = "the figures have no derivatives by the lengths here: with others the mechanism jams or ends before";
+pub const NO_ANSWER: &str = "the figures have no derivatives by the lengths here: with other lengths the mechanism jams, or its motion ends before";
 
 /// Digits of a derivative that is read by eye.
 const DIGITS: usize = 3;
@@ -90,7 +90,8 @@ impl Answers {
             "change for a length of 1".to_owned()
         };
         if self.list.is_none() {
-            return format!("{step}: {NO_ANSWER}\n");
+            let lines = wrapped(&format!("{step}: {NO_ANSWER}"), WIDTH);
+            return lines.iter().map(|line| format!("{line}\n")).collect();
         }
         let mut grid = Grid::new(step.len() + 2, DIGITS + 2);
         let titles = ["in every length", "in one", "in which"];

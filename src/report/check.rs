@@ -14,7 +14,7 @@ use serde_json::Value;
 pub(super) const DECIMALS: usize = 12;
 
 /// Significant digits of a coordinate in a sentence.
-pub(super) const PLACES: usize = 9;
+const PLACES: usize = 9;
 /// Significant digits of a sine in a sentence.
 const DIGITS: usize = 3;
 
@@ -188,6 +188,19 @@ pub fn range_text(range: Range, driver: &Quantity) -> String {
         }
         Range::Limited { low, high } => {
             format!("{low:.DECIMALS$} to {high:.DECIMALS$} {unit}")
+        }
+    }
+}
+
+/// The range where it was left: limits as the doubles that they are, so that a coordinate just outside
+/// does not read like one of them.
+#[must_use]
+pub fn limits_text(range: Range, driver: &Quantity) -> String {
+    match range {
+        Range::Full { .. } => range_text(range, driver),
+        Range::Limited { low, high } => {
+            let [low, high] = [low, high].map(|limit| concise(limit, usize::MAX));
+            format!("{low} to {high} {}", driver.unit)
         }
     }
 }

@@ -1,8 +1,8 @@
 //! The facts of `check` as text.
 
 use super::check::{
-    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, PLACES, SlideFacts,
-    SliderKind, TransmissionFacts,
+    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
+    TransmissionFacts,
 };
 use super::number::concise;
 use super::text::{WIDTH, wrapped};
@@ -15,6 +15,8 @@ const FACTS: usize = 11;
 const FURTHER: &str = "  ";
 /// Decimals of a transmission angle.
 const MU_DECIMALS: usize = 4;
+/// Decimals of where it is so, at most.
+const PLACE_DECIMALS: usize = 6;
 /// Significant digits of the driver's rates: as many as a table has where none are asked for.
 const DIGITS: usize = 6;
 
@@ -191,11 +193,21 @@ fn mu_text(facts: &TransmissionFacts, unit: &str) -> String {
     if least == most {
         return format!("transmission angle at {group}: {least} deg throughout");
     }
-    let [at_least, at_most] = [smallest.at, largest.at].map(|at| concise(at, PLACES));
+    let [at_least, at_most] = [smallest.at, largest.at].map(place);
     format!(
         "transmission angle at {group}: smallest {least} deg, at {at_least} {unit}; \
          largest {most} deg, at {at_most} {unit}"
     )
+}
+
+/// Where an extreme stands, as a reader looks for it: the limits have their digits elsewhere.
+fn place(at: f64) -> String {
+    let fixed = format!("{at:.PLACE_DECIMALS$}");
+    let short = fixed.trim_end_matches('0').trim_end_matches('.');
+    match short {
+        "-0" => "0".into(),
+        _ => short.into(),
+    }
 }
 
 /// Lines of a name and its facts, one fact a line.

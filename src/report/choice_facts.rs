@@ -9,6 +9,8 @@ use serde_json::{Map, Value, json};
 
 /// Significant digits of places, as a start is written.
 const DIGITS: usize = 6;
+/// A coordinate that is so small a part of the largest is the rounding of zero.
+const NOUGHT: f64 = 1e-13;
 /// Groups whose choices are listed.
 const MOST_GROUPS: usize = 64;
 
@@ -85,12 +87,21 @@ impl ChoiceList {
 
     /// The choices of the groups, a line each.
     pub(super) fn group_lines(&self) -> Vec<String> {
+        let largest = self.largest();
         let lines = self.groups.iter().map(|group| {
-            let list: Vec<String> = group.list.iter().map(choice_text).collect();
+            let list = group.list.iter();
+            let list: Vec<String> = list.map(|choice| choice_text(choice, largest)).collect();
             format!("{}: {}", group.group, list.join(", "))
         });
         let more = (self.unlisted > 0).then(|| format!("and those of {} more", self.unlisted));
         lines.chain(more).collect()
+    }
+
+    /// The largest coordinate of all choices.
+    fn largest(&self) -> f64 {
+        let choices = self.groups.iter().flat_map(|group| &group.list);
+        let places = choices.filter_map(|choice| choice.at).flatten();
+        places.map(f64::abs).fold(0.0, f64::max)
     }
 
     /// The whole assemblies as `--assembly` takes them; none where they say no more than the groups.
@@ -146,11 +157,14 @@ fn facts(group: &Group, choice: &Choice) -> ChoiceFacts {
     }
 }
 
-fn choice_text(facts: &ChoiceFacts) -> String {
-    let figure = |v: f64| concise(v, DIGITS);
+fn choice_text(facts: &ChoiceFacts, largest: f64) -> String {
+    let figure = |v: f64| match v.abs() <= NOUGHT * largest {
+        true => "0".into(),
+        false => concise(v, DIGITS),
+    };
     let place = match (facts.at, facts.angle) {
         (Some([x, y]), _) => format!(" at ({}, {})", figure(x), figure(y)),
-        (None, Some(angle)) => format!(" at {} deg", figure(angle)),
+        (None, Some(angle)) => format!(" at {} deg", concise(angle, DIGITS)),
         (None, None) => String::new(),
     };
     let says = match (facts.current, facts.closes) {

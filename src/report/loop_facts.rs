@@ -52,7 +52,7 @@ impl LoopFacts {
                 grashof,
                 inversion,
             } => LoopFacts::FourBar {
-                inversion: inversion_word(inversion),
+                inversion: inversion_word(inversion, grashof),
                 grashof: grashof_word(grashof),
                 driven,
                 coupler,
@@ -131,9 +131,11 @@ fn grashof_word(grashof: Grashof) -> &'static str {
     }
 }
 
-fn inversion_word(inversion: Inversion) -> &'static str {
+fn inversion_word(inversion: Inversion, grashof: Grashof) -> &'static str {
     match inversion {
         Inversion::CrankRocker => "crank-rocker",
+        // Nobody calls a parallelogram a drag link.
+        Inversion::DoubleCrank if grashof == Grashof::ChangePoint => "double crank",
         Inversion::DoubleCrank => "double crank (drag link)",
         Inversion::RockerCrank => "rocker-crank",
         Inversion::DoubleRocker => "double rocker",

@@ -27,7 +27,7 @@ pub use accuracy::{Accuracy, accuracy_notes, error_text, method_name, time_text,
 pub use answers::{Answer, Answers, NO_ANSWER};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
-    SlideFacts, SliderKind, TransmissionFacts, near_misses, range_text,
+    SlideFacts, SliderKind, TransmissionFacts, limits_text, near_misses, range_text,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};

@@ -44,16 +44,20 @@ impl Entry {
         self.value.and(self.bound)
     }
 
-    /// The value as a reader sees it: zero where its error may be all that it is.
+    /// The value as a reader sees it: zero where it is small and its error may be all that it is.
     #[must_use]
     pub fn seen(&self) -> Option<f64> {
         self.value.map(|value| seen(value, self.bound))
     }
 }
 
-/// A value as a reader sees it: zero only where the error may be all that it is.
+/// Larger figures are shown even where the bound does not tell them from zero. Close to a change point
+/// bounds are wide and the figures good: a zero in place of one would be the only error seen.
+const NOISE: f64 = 1e-6;
+
+/// A value as a reader sees it: zero only where it is small and its error may be all that it is.
 pub(super) fn seen(value: f64, bound: Option<f64>) -> f64 {
-    let nought = bound.is_some_and(|bound| value.abs() <= bound);
+    let nought = bound.is_some_and(|bound| value.abs() <= bound.min(NOISE));
     if nought { 0.0 } else { value }
 }
 

@@ -26,7 +26,8 @@ pub enum Grashof {
 pub enum Inversion {
     /// The driven link is the shortest: it turns, the other rocks.
     CrankRocker,
-    /// The frame is the shortest: both turn (drag link).
+    /// The frame is the shortest: both turn (drag link). So they do where both are the shortest, in a
+    /// parallelogram.
     DoubleCrank,
     /// The driven link rocks, the other, the shortest, turns.
     RockerCrank,
@@ -134,7 +135,7 @@ fn four_bar([driven, coupler, follower, frame]: [f64; 4]) -> Loop {
     };
     let inversion = if grashof == Grashof::Rocking {
         Inversion::TripleRocker
-    } else if frame == shortest {
+    } else if frame == shortest || (driven == shortest && follower == shortest) {
         Inversion::DoubleCrank
     } else if driven == shortest {
         Inversion::CrankRocker
@@ -196,6 +197,11 @@ mod tests {
         assert_eq!(kind([2.0, 2.5, 2.2, 1.0]), (Grashof::Turning, DoubleCrank));
         assert_eq!(kind([3.0, 1.0, 2.5, 4.0]), (Grashof::Turning, DoubleRocker));
         assert_eq!(kind([2.0, 2.0, 2.0, 4.0]), (Grashof::Rocking, TripleRocker));
+        // Both cranks of a parallelogram turn.
+        assert_eq!(
+            kind([1.0, 3.0, 1.0, 3.0]),
+            (Grashof::ChangePoint, DoubleCrank)
+        );
     }
 
     #[test]

@@ -92,6 +92,8 @@ impl Format {
         let hidden = |text: &String| proved && value != 0.0 && !has_digits(text);
         match plain {
             Some(text) if text.len() <= self.width && !hidden(&text) => text,
+            // A zero has no power of ten.
+            _ if value == 0.0 => "0".into(),
             _ => scientific(value, self.width),
         }
     }
@@ -240,6 +242,7 @@ mod tests {
         assert_eq!(column(&[0.012], 0.012_345_678), "0.0123457");
         assert_eq!(column(&[], 0.0), "0");
         assert_eq!(column(&[1e-9], 1.234_567_89e-9), "1.234568e-9");
+        assert_eq!(column(&[1e-9], 0.0), "0");
     }
 
     #[test]

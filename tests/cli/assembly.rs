@@ -82,6 +82,16 @@ fn what_cannot_be_chosen_is_refused() {
 }
 
 #[test]
+fn the_numbers_of_a_coupled_group_are_told() {
+    let args = ["check", "stephenson-six-bar", "--assembly", "E=3"];
+    let message = refused(1, &args);
+    assert!(
+        message.contains("`E` has 2 assemblies here, numbered from 1 to 2"),
+        "{message}"
+    );
+}
+
+#[test]
 fn a_scene_that_opens_at_a_change_point_says_how_to_go_on() {
     let flat = done(&["start", "parallelogram"]).replace("angle = 60", "angle = 180");
     let here = folder("change-point");

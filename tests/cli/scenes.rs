@@ -213,3 +213,25 @@ fn an_impossible_scene_ends_with_2_for_every_command() {
         assert!(message.contains("open.toml:1"), "{message}");
     }
 }
+
+#[test]
+fn check_shows_no_rounding_of_zero() {
+    let text = done(&["check", "toggle-press"]);
+    assert!(
+        text.contains("S: + at (0, 0), - at (0, -440.744) now"),
+        "{text}"
+    );
+    let text = done(&["check", "scissor-lift"]);
+    assert!(text.contains("smallest 0.0000 deg, at 0 m;"), "{text}");
+}
+
+#[test]
+fn both_cranks_of_a_parallelogram_turn() {
+    for preset in ["parallelogram", "antiparallelogram", "kite"] {
+        let text = done(&["check", preset]);
+        let class = "four-bar, double crank: change point, s + l = p + q";
+        assert!(text.contains(class), "{text}");
+    }
+    let text = done(&["check", "drag-link"]);
+    assert!(text.contains("double crank (drag link): Grashof"), "{text}");
+}

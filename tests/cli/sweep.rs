@@ -193,6 +193,10 @@ fn what_makes_no_sweep_is_refused() {
             "--columns: no quantity is named `C.q`",
         ),
         (&["--columns", "C.x,E.*"], "`E.*`"),
+        (
+            &["--columns", "C.x.bound"],
+            "`C.x.bound`; name `C.x`, and --bounds puts `C.x.bound` behind it",
+        ),
         (&["--columns", ""], "no quantity is named"),
     ] {
         let message = refused(2, &[&["sweep", "four-bar"], args].concat());

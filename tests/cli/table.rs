@@ -89,6 +89,9 @@ fn where_there_is_no_sensitivity_it_is_said() {
         "{}",
         heard.err
     );
+    let text = krank(&["table", "triple-parallelogram", "--sensitivity"]).out;
+    assert!(text.contains("change for 1 mm: the figures have"), "{text}");
+    assert!(text.lines().all(|line| line.len() <= 80), "{text}");
 }
 
 /// A line below the figures, two digits and never too small; in CSV and JSON beside each figure.
@@ -405,4 +408,30 @@ fn outside_the_motion_there_is_no_table() {
         ),
         "{message}"
     );
+}
+
+#[test]
+fn a_wide_bound_hides_no_figure() {
+    // Bounds grow close to a change point; C moves as B does, and nothing of it is zero.
+    let text = done(&["table", "parallelogram", "--at", "0.01"]);
+    let accelerations = text.split("acceleration of points").nth(1).unwrap();
+    let row = |point: &str| {
+        let mut lines = accelerations.lines();
+        let line = lines.find(|line| line.starts_with(point)).unwrap();
+        line[1..].to_owned()
+    };
+    assert!(row("B").contains(" -0.0174533 "), "{text}");
+    assert_eq!(row("B"), row("C"));
+}
+
+#[test]
+fn limits_in_a_message_do_not_read_like_what_was_asked_for() {
+    // `check` rounds the limit to 12 decimals, and that is outside by a little.
+    let message = refused(1, &["table", "double-rocker", "--at", "36.869897645844"]);
+    assert!(
+        message.contains("at 36.869897645844 deg: the driver covers 36.86989764584402 to"),
+        "{message}"
+    );
+    let message = refused(1, &["table", "scissor-lift", "--at", "0"]);
+    assert!(!message.contains("covers 0."), "{message}");
 }

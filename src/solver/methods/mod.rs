@@ -19,7 +19,7 @@ use super::engine::Engine;
 use super::network::Network;
 use super::state::State;
 use super::step::{ACCELERATION, Outcome, Step};
-use super::{Condition, GroupKind, Order, Range, Solver, chain};
+use super::{Condition, Group, GroupKind, Order, Range, Solver, chain};
 use crate::{Double, LinkId, Mechanism, Number, PointId};
 use deviation::Subjects;
 
@@ -90,7 +90,7 @@ impl Methods {
             Method::Polished => closed.and(rows.map(|_| ())),
             Method::Anchored => coupled.map(|_| ()).ok_or(Unfit::AllClosed),
             Method::Newton { .. } => rows.map(|_| ()),
-            Method::Bisection => rows?.one_condition_each(),
+            Method::Bisection => rows?.one_condition_each(groups),
             Method::Integration { .. } => match self.range() {
                 Range::Full { .. } => rows.map(|_| ()),
                 Range::Limited { .. } => Err(Unfit::Limits),
@@ -228,12 +228,16 @@ impl Rows {
         signs[number + 1] * solver.engine.signs[number + 1]
     }
 
-    fn one_condition_each(&self) -> Result<(), Unfit> {
+    fn one_condition_each(&self, planned: &[Group]) -> Result<(), Unfit> {
         let groups = self.engine.program.coupled.iter();
         let mut others = groups.zip(&self.closings).filter(|(_, c)| c.is_none());
         others.next().map_or(Ok(()), |(group, _)| {
+            // Named as everywhere else: by the point that names it in the plan.
+            let joint = group.joints().next();
+            let holds = |group: &&Group| joint.is_some_and(|joint| group.points.contains(&joint));
+            let named = planned.iter().find(holds).and_then(|group| group.point);
             Err(Unfit::Conditions {
-                point: group.joints().next(),
+                point: named.or(joint),
                 unknowns: group.unknowns(),
             })
         })

@@ -5,11 +5,13 @@
 //! | space        play or pause    |
 //! ```
 
+use super::table::UNSURE;
 use super::{print, print_right};
 use crate::drawing::Glyphs;
 use crate::tui::action::{ACTIONS, Action, entry_of};
 use crate::tui::app::App;
 use crate::tui::sheet::FOUND;
+use crate::tui::terminal::Colours;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -32,7 +34,7 @@ pub(super) fn render(app: &App, scroll: usize, area: Rect, buffer: &mut Buffer) 
         print_right(buffer, frame.right() - 2, frame.bottom() - 1, &more, style);
     }
     let style = theme::part(Part::Quiet);
-    let legend = format!(" {FOUND} found, rest given ");
+    let legend = legend(app.colours(), columns(area) > 1);
     print(
         buffer,
         frame.x + 2,
@@ -57,6 +59,16 @@ pub(super) fn render(app: &App, scroll: usize, area: Rect, buffer: &mut Buffer) 
             );
         }
     }
+}
+
+/// What the marks beside figures mean; of digits only where there is room.
+fn legend(colours: Colours, wide: bool) -> String {
+    let digits = match (wide, colours) {
+        (false, _) => String::new(),
+        (true, Colours::None) => format!("; {UNSURE} for digits that are not proved"),
+        (true, _) => "; dim digits are not proved".into(),
+    };
+    format!(" {FOUND} found, rest given{digits} ")
 }
 
 /// Lines of the help, and how many are seen.

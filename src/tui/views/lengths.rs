@@ -2,7 +2,7 @@
 //! that of the tables.
 //!
 //! ```text
-//!  change for 1 mm                        in all     in one  in which
+//!  change for 1 mm               in every length     in one  in which
 //!  r3.angle [deg]                          0.843      0.193  r4.length
 //! ```
 
@@ -21,6 +21,8 @@ const GAP: u16 = 2;
 /// The name of a length has at least so many columns, and no more than this share of the width.
 const NAME: u16 = 9;
 const SHARE: u16 = 4;
+/// The name of a figure needs so many columns to be told from others: `r4.com.vx`.
+const FIGURE: u16 = 14;
 /// Narrower views leave out the units.
 const ROOM_FOR_UNITS: u16 = 56;
 /// The names of the columns.
@@ -77,11 +79,13 @@ fn print_text(text: &str, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Where the columns are: the figure, both numbers by their right ends, the length.
+/// Where the columns are: the figure, the numbers by their right ends, the length.
 struct Columns {
     figure: u16,
     width: u16,
-    numbers: [u16; 2],
+    worst: u16,
+    /// Narrow views keep the figures' names whole, and leave this number out.
+    most: Option<u16>,
     length: u16,
     name: u16,
     units: bool,
@@ -90,15 +94,17 @@ struct Columns {
 impl Columns {
     fn of(area: Rect) -> Columns {
         let name = (area.width / SHARE).max(NAME);
-        let numbers = 2 * (NUMBER + GAP);
-        let width = area.width.saturating_sub(numbers + name);
-        let first = area.x + width + NUMBER;
-        let second = first + GAP + NUMBER;
+        let beside = |numbers: u16| area.width.saturating_sub(numbers * (NUMBER + GAP) + name);
+        let both = beside(2) >= FIGURE;
+        let width = if both { beside(2) } else { beside(1) };
+        let worst = area.x + width + NUMBER;
+        let most = both.then_some(worst + GAP + NUMBER);
         Columns {
             figure: area.x,
             width,
-            numbers: [first, second],
-            length: second + GAP,
+            worst,
+            most,
+            length: most.unwrap_or(worst) + GAP,
             name,
             units: area.width >= ROOM_FOR_UNITS,
         }
@@ -111,10 +117,18 @@ impl Columns {
             false => format!("1 {}", answers.unit),
         };
         print(buffer, self.figure, y, self.width, &step, style);
-        for (right, title) in self.numbers.into_iter().zip(["in all", "in one"]) {
-            print_right(buffer, right, y, title, style);
-        }
-        print(buffer, self.length, y, self.name, "in which", style);
+        let room = usize::from(self.width + NUMBER - GAP).saturating_sub(step.len());
+        let all = "in every length";
+        let all = if all.len() <= room { all } else { "in all" };
+        print_right(buffer, self.worst, y, all, style);
+        let which = match self.most {
+            Some(right) => {
+                print_right(buffer, right, y, "in one", style);
+                "in which"
+            }
+            None => "most in",
+        };
+        print(buffer, self.length, y, self.name, which, style);
     }
 
     fn row(&self, app: &App, answer: &Answer, y: u16, buffer: &mut Buffer) {
@@ -137,7 +151,8 @@ impl Columns {
             Some((length, most)) => (length.as_str(), *most),
             None => ("-", 0.0),
         };
-        for (right, number) in self.numbers.into_iter().zip([answer.worst, most]) {
+        let numbers = [Some((self.worst, answer.worst)), self.most.zip(Some(most))];
+        for (right, number) in numbers.into_iter().flatten() {
             let text = short(number, NUMBER.into());
             print_right(buffer, right, y, &text, theme::part(Part::Text));
         }

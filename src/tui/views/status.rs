@@ -332,6 +332,7 @@ fn hint_of(app: &App, action: Action) -> (String, &'static str) {
     let name = match action {
         Action::Play if app.playback().is_playing() => "pause",
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
+        Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
         Action::AccuracyView if app.survey().phase() == Phase::Stopped => "go on",
         Action::AccuracyView if app.survey().phase() == Phase::Done => "again",
         _ => entry.name,

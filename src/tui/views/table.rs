@@ -90,7 +90,7 @@ fn doubt(colours: Colours, cell: &Shown, left: u16, y: u16, buffer: &mut Buffer)
 }
 
 /// Stands for a digit that nothing proves, where it cannot be dimmed.
-const UNSURE: char = '.';
+pub(super) const UNSURE: char = '.';
 
 fn columns_of(width: usize) -> u16 {
     u16::try_from(width).unwrap_or(u16::MAX)
