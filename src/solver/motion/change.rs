@@ -2,12 +2,12 @@
 //! exactly, and on beyond it.
 
 use super::walk::Walker;
-use super::zero;
 use crate::arithmetic::Series;
 use crate::solver::Order;
 use crate::solver::passage::Passage;
 use crate::solver::state::{Condition, State};
 use crate::solver::step::{Outcome, POSITION, REACH_SLACK, Step};
+use crate::solver::zero::zero;
 use crate::{Double, Number};
 
 /// A measure this small is a gap of the size of the rounding, squared.

@@ -7,11 +7,11 @@
 
 use super::Folded;
 use super::walk::Walker;
-use super::zero;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
 use crate::solver::state::{Condition, State};
 use crate::solver::step::{Outcome, POSITION, Step};
+use crate::solver::zero::zero;
 use crate::{Double, Number};
 
 /// Doublings of an ulp within which a limit is sought around where the walk ended.
