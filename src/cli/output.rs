@@ -45,7 +45,7 @@ pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure>
 
 /// Puts a text in the place of a file, at once or not at all; without a file it is printed.
 pub(super) fn replace(path: Option<&Path>, text: &str) -> Result<(), Failure> {
-    match path.filter(|path| *path != Path::new("-")) {
+    match file(path) {
         None => write_text(None, text),
         Some(path) => replace_file(path, text.as_bytes())
             .map_err(|e| Failure::Output(Some(path.to_owned()), e)),

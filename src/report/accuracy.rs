@@ -10,9 +10,10 @@ use crate::study::{Errors, Figures, Finding, Findings, Spread, Verdict};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
-/// Significant digits of an error, and of a time.
+/// Significant digits of an error.
 const ERROR_DIGITS: usize = 2;
-const TIME_DIGITS: usize = 3;
+/// Significant digits of a time.
+pub const TIME_DIGITS: usize = 3;
 /// Columns of the text.
 const NAME: usize = 19;
 const TIME: usize = 7;
@@ -53,11 +54,21 @@ pub fn error_text(error: f64) -> String {
     }
 }
 
-/// A time to three digits, in ns, us, ms or s: `61.2 ns`.
+/// A time to `digits` significant digits, in ns, us, ms or s: `61.2 ns`.
 #[must_use]
-pub fn time_text(seconds: f64) -> String {
+pub fn time_text(seconds: f64, digits: usize) -> String {
     let (scale, unit) = time_unit(seconds);
-    format!("{} {unit}", significant(seconds * scale, TIME_DIGITS))
+    format!("{} {unit}", whole(seconds * scale, digits))
+}
+
+/// To so many significant digits, and never with an exponent: a time may have more in front of the point.
+fn whole(value: f64, digits: usize) -> String {
+    let text = significant(value, digits);
+    if text.contains('e') {
+        format!("{value:.0}")
+    } else {
+        text
+    }
 }
 
 /// Units in a second, and the unit, in which a time has at most three digits in front of the point.
@@ -70,14 +81,7 @@ fn time_unit(seconds: f64) -> (f64, &'static str) {
 /// The quartiles in the unit of the median: `60.8-62.0`.
 fn spread_text(time: &Spread) -> String {
     let (scale, _) = time_unit(time.median);
-    let whole = |t: f64| {
-        if t < 999.5 {
-            significant(t, TIME_DIGITS)
-        } else {
-            format!("{t:.0}")
-        }
-    };
-    let [low, high] = [time.low, time.high].map(|t| whole(t * scale));
+    let [low, high] = [time.low, time.high].map(|t| whole(t * scale, TIME_DIGITS));
     format!("{low}-{high}")
 }
 
@@ -280,7 +284,9 @@ fn heading() -> String {
 }
 
 fn cells(figures: &Figures) -> String {
-    let time = figures.time.map(|t| (time_text(t.median), spread_text(&t)));
+    let time = figures
+        .time
+        .map(|t| (time_text(t.median, TIME_DIGITS), spread_text(&t)));
     let (time, spread) = time.unwrap_or_else(|| ("-".into(), "-".into()));
     let error = |part: fn(&Errors) -> f64| {
         let error = figures.errors.as_ref().map(part);
@@ -385,7 +391,7 @@ mod tests {
 
     #[test]
     fn times_take_the_unit_in_which_they_are_short() {
-        let told = [9.994e-7, 9.996e-7, 1e-9, 0.0123, 2.0].map(time_text);
+        let told = [9.994e-7, 9.996e-7, 1e-9, 0.0123, 2.0].map(|t| time_text(t, TIME_DIGITS));
         assert_eq!(told, ["999 ns", "1.00 us", "1.00 ns", "12.3 ms", "2.00 s"]);
         // A wild sample stays in the unit of the median.
         let wild = Spread {

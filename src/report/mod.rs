@@ -23,7 +23,9 @@ mod tables_data;
 mod tables_text;
 mod text;
 
-pub use accuracy::{Accuracy, accuracy_notes, error_text, method_name, time_text, unfit_text};
+pub use accuracy::{
+    Accuracy, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text, unfit_text,
+};
 pub use answers::{Answer, Answers, NO_ANSWER};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,

@@ -6,7 +6,7 @@ use super::motion::Folded;
 use super::passage::Passages;
 use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
-use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order};
 use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle};
 
@@ -145,10 +145,7 @@ impl Engine {
         for step in steps {
             let outcome = match step {
                 Step::Coupled { index } => self.run_coupled(*index, q, ORDER, state),
-                _ => match step.run::<f64, ORDER>(q, direction, state) {
-                    Outcome::Unclear => step.stretch(q, state),
-                    outcome => outcome,
-                },
+                _ => run_step::<ORDER>(step, q, direction, state),
             };
             match outcome {
                 Outcome::Done => {}
@@ -247,11 +244,10 @@ impl Engine {
             let group = &self.program.coupled[*index];
             return (group.joints().collect(), group.turning().to_vec());
         }
-        let (point, links) = self.program.steps[step].outputs();
-        (
-            point.into_iter().collect(),
-            links.into_iter().flatten().collect(),
-        )
+        let dyad = self.program.steps[step].dyad();
+        let (point, links) = dyad.map(Dyad::outputs).unwrap_or_default();
+        let links = links.into_iter().flatten();
+        (point.into_iter().collect(), links.collect())
     }
 
     /// The measures of the coupled groups at a solved state, positive on the side of the motion:
@@ -269,10 +265,7 @@ impl Engine {
     /// Places what one dyad places.
     pub(super) fn place_dyad(&self, step: &Step, at: f64, state: &mut State) -> Outcome {
         let (q, direction) = self.coordinate(at);
-        match step.run::<f64, POSITION>(q, direction, state) {
-            Outcome::Unclear => step.stretch(q, state),
-            outcome => outcome,
-        }
+        run_step::<POSITION>(step, q, direction, state)
     }
 
     fn run_coupled(&self, index: usize, q: f64, order: u8, state: &mut State) -> Outcome {
@@ -312,6 +305,17 @@ impl Engine {
             .steps
             .retain(|_| needed.next().unwrap_or(true));
         engine
+    }
+}
+
+/// Runs a step of a single state: where rounding decides, a dyad looks closer.
+#[inline(always)]
+fn run_step<const ORDER: u8>(step: &Step, q: f64, direction: Vec2, state: &mut State) -> Outcome {
+    match step.run::<f64, ORDER>(q, direction, state) {
+        Outcome::Unclear => step
+            .dyad()
+            .map_or(Outcome::Open, |dyad| dyad.stretch(q, state)),
+        outcome => outcome,
     }
 }
 

@@ -49,7 +49,19 @@ pub(super) fn solve<T: Number>(matrix: &[T], pivots: &[usize], right: &mut [T], 
     }
 }
 
-fn dot<T: Number>(a: &[T], b: &[T]) -> T {
+/// The size of the largest component; NaN where any is NaN, so that `largest(..) < limit` refuses it.
+pub(super) fn largest<T: Number>(v: &[T]) -> f64 {
+    let sizes = v.iter().map(|v| v.nearest().abs());
+    sizes.fold(0.0, |most, size| {
+        if size > most || size.is_nan() {
+            size
+        } else {
+            most
+        }
+    })
+}
+
+pub(super) fn dot<T: Number>(a: &[T], b: &[T]) -> T {
     let products = a.iter().zip(b).map(|(&a, &b)| a * b);
     products.fold(T::default(), |sum, product| sum + product)
 }
@@ -77,6 +89,16 @@ mod tests {
         assert_eq!(factor(&mut matrix, &mut [0; 2], 2), Some(-1.0));
         let mut matrix = [-1.0, 0.0, 5.0, -4.0];
         assert_eq!(factor(&mut matrix, &mut [0; 2], 2), Some(1.0));
+    }
+
+    #[test]
+    fn nan_is_larger_than_all() {
+        assert_eq!(largest(&[1.0, -3.0, 2.0]), 3.0);
+        for place in 0..3 {
+            let mut v = [1.0, -3.0, 2.0];
+            v[place] = f64::NAN;
+            assert!(largest(&v).is_nan(), "{v:?}");
+        }
     }
 
     #[test]

@@ -28,6 +28,7 @@ mod state;
 mod step;
 mod transmission;
 mod twice;
+mod zero;
 
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};

@@ -10,9 +10,10 @@
 //! extreme between two of them is the zero of its rate: (cos mu)' = -sin mu (w2 - w1), with w1 and w2
 //! the turning of the two lines. Change points and limits are looked at themselves.
 
-use super::motion::{positive_remainder, zero};
+use super::motion::positive_remainder;
 use super::state::{Condition, State};
 use super::step::Step;
+use super::zero::{few_decimals, zero};
 use super::{Order, Range, Solver};
 use crate::{LinkId, PointId, Vec2};
 
@@ -22,10 +23,8 @@ const LIKELY: f64 = 1e-4;
 /// Angles in rad that differ by less are one: then the extreme that comes first is named.
 const SAME: f64 = 1e-12;
 /// An extreme is flat: its rate, a difference of two turnings, is rounding for so many units in the last
-/// place around it,
+/// place around it, and of these the one with few decimals is named: 0 rather than -6e-15 degrees.
 const BLUR: f64 = 1024.0;
-/// and of these the one with few decimals is named: 0 rather than -6e-15 degrees.
-const DECIMALS: f64 = 1e9;
 /// A limit has no rates; it is looked at from this far inside, as a part of the range.
 const INSIDE: f64 = 1e-9;
 
@@ -264,7 +263,7 @@ impl<'s> Joint<'s> {
         let at = zero((a.at, read(&a)?), (b.at, read(&b)?), finest, |at| {
             read(&solved(at)?)
         })?;
-        let round = (at * DECIMALS).round() / DECIMALS;
+        let round = few_decimals(at);
         let is_blurred = (round - at).abs() <= BLUR * finest.max(f64::EPSILON * at.abs());
         solved(if is_blurred { round } else { at })
     }

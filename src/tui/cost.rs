@@ -1,5 +1,6 @@
 //! What a state costs: measured now and then, never for every frame, and told so that it does not dance.
 
+use crate::report::time_text;
 use std::time::{Duration, Instant};
 
 /// A measurement is the median of so many batches,
@@ -11,6 +12,8 @@ const MOST_STATES: u32 = 256;
 /// What is shown stays until a measurement differs by more than this part of it: the clock of a busy
 /// machine is no better.
 const SAME: f64 = 0.2;
+/// Digits of it that mean anything.
+const DIGITS: usize = 2;
 /// From one measurement to the next, at least.
 pub(crate) const PAUSE: Duration = Duration::from_secs(1);
 
@@ -45,20 +48,9 @@ impl Cost {
         }
     }
 
-    /// To two digits: `61 ns`, `2.3 us`, `14 ms`.
+    /// `61 ns`, `2.3 us`, `14 ms`.
     pub(crate) fn text(self) -> Option<String> {
-        let seconds = self.shown?;
-        let units = [(1e-9, "ns"), (1e-6, "us"), (1e-3, "ms"), (1.0, "s")];
-        // As it is rounded, 999.6 ns is a microsecond.
-        let fits = |&(size, _): &(f64, &str)| seconds < 999.5 * size;
-        let (size, unit) = units.into_iter().find(fits).unwrap_or((1.0, "s"));
-        let number = seconds / size;
-        let text = if number < 9.95 {
-            format!("{number:.1}")
-        } else {
-            format!("{number:.0}")
-        };
-        Some(format!("{text} {unit}"))
+        self.shown.map(|seconds| time_text(seconds, DIGITS))
     }
 }
 
@@ -78,6 +70,7 @@ mod tests {
         assert_eq!(told(9.96e-9), "10 ns");
         assert_eq!(told(999.6e-9), "1.0 us");
         assert_eq!(told(2.34e-6), "2.3 us");
+        assert_eq!(told(142e-9), "142 ns");
         assert_eq!(told(0.0142), "14 ms");
         assert_eq!(told(2.0), "2.0 s");
         assert_eq!(Cost::default().text(), None);

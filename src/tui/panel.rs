@@ -48,10 +48,8 @@ impl Panel {
                     Some(Element::Point(point)) => {
                         let p = choice.state.position(point);
                         let decimals = decimals(reach);
-                        {
-                            let [x, y] = [p.x, p.y].map(|v| figure(v, decimals));
-                            format!("({x}, {y})")
-                        }
+                        let [x, y] = [p.x, p.y].map(|v| figure(v, decimals));
+                        format!("({x}, {y})")
                     }
                     Some(Element::Link(link)) => {
                         format!("{} deg", figure(choice.state.angle(link), 2))

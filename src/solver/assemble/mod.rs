@@ -15,7 +15,7 @@ use super::fault::Fault;
 use super::network::Network;
 use super::plan::{Group, Pick, Plan};
 use super::state::{Condition, State};
-use super::step::{Outcome, Step};
+use super::step::{Dyad, Outcome, Step};
 use crate::{PointId, Vec2};
 
 /// Two ways whose distances from the rough places differ by less than this part are not told apart.
@@ -295,7 +295,9 @@ impl Assembler<'_> {
 
     fn open(&self, number: usize, key: usize, engine: &Engine, state: &State) -> Fault {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let gap = engine.program.steps[key].gap(q, state);
+        let gap = engine.program.steps[key]
+            .dyad()
+            .map_or(0.0, |d| d.gap(q, state));
         if !(gap > 0.0) {
             // It closes, in any direction.
             return self.singular(number);
@@ -416,8 +418,8 @@ fn side_of(engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
 /// What a dyad's sign in the solver is picked by: the solver counts a triangle from its shorter arm, a
 /// scene from its first link.
 pub(super) fn handedness(step: &Step) -> f64 {
-    match step.outputs() {
-        (_, [Some(first), Some(second)]) if second < first => -1.0,
+    match step.dyad().map(Dyad::outputs) {
+        Some((_, [Some(first), Some(second)])) if second < first => -1.0,
         _ => 1.0,
     }
 }

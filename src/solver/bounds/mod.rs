@@ -26,7 +26,7 @@ use super::network::Network;
 use super::order::Ordering;
 use super::plan::Plan;
 use super::state::{Condition, State};
-use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver};
 use crate::arithmetic::typed_radius;
 use crate::{Ball, LinkId, Number, PointId, Vec2};
@@ -109,25 +109,16 @@ impl State<Ball> {
     }
 }
 
-impl Step {
-    /// Positions alone, where a dyad's assemblies are too close to be told apart.
+impl Dyad<'_> {
+    /// Positions alone, where the assemblies are too close to be told apart.
     #[cold]
-    fn enclose_stretched(&self, enclosure: &mut State<Ball>) -> bool {
+    fn enclose_stretched(self, enclosure: &mut State<Ball>) -> bool {
         match self {
-            Step::Circles(c) => c.enclose_stretched(enclosure),
-            Step::CircleLine(c) => c.enclose_stretched(enclosure),
-            Step::CircleRail(c) => c.enclose_stretched(enclosure),
-            Step::Swing(s) => s.enclose_stretched(enclosure),
-            Step::Cylinder(_)
-            | Step::Coupled { .. }
-            | Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Lines { .. }
-            | Step::Travel { .. } => false,
+            Dyad::Circles(c) => c.enclose_stretched(enclosure),
+            Dyad::CircleLine(c) => c.enclose_stretched(enclosure),
+            Dyad::CircleRail(c) => c.enclose_stretched(enclosure),
+            Dyad::Swing(s) => s.enclose_stretched(enclosure),
+            Dyad::Cylinder(_) => false,
         }
     }
 }
@@ -189,7 +180,8 @@ impl Engine {
                 }
             };
             all &= proved;
-            if !proved && !step.enclose_stretched(enclosure) {
+            let stretched = |dyad: Dyad<'_>| dyad.enclose_stretched(enclosure);
+            if !proved && !step.dyad().is_some_and(stretched) {
                 self.forget(step, enclosure);
             }
         }
@@ -208,7 +200,8 @@ impl Engine {
             let link = &mut enclosure.links[l.index()];
             (link.d, link.w, link.a) = (Vec2::new(UNKNOWN, UNKNOWN), UNKNOWN, UNKNOWN);
         };
-        let (placed, turned) = step.outputs();
+        let outputs = step.dyad().map(Dyad::outputs);
+        let (placed, turned) = outputs.unwrap_or_default();
         placed.into_iter().for_each(|p| point(p, enclosure));
         turned
             .into_iter()

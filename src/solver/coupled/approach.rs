@@ -65,7 +65,7 @@ impl Region {
         let n = self.n;
         group.residuals(q, state, room);
         group.jacobian(q, state, room);
-        let before = norm2(room.right);
+        let before = lu::dot(room.right, room.right);
         let slope: Vec<f64> = (0..n)
             .map(|j| (0..n).map(|i| room.matrix[i * n + j] * room.right[i]).sum())
             .collect();
@@ -79,7 +79,7 @@ impl Region {
             return false;
         }
         lu::solve(&self.matrix, &self.pivots, &mut self.step, n);
-        let size = self.step.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let size = lu::largest(&self.step);
         // Written so that NaN ends it, too.
         if !(size > NEAR) {
             return false;
@@ -89,7 +89,7 @@ impl Region {
         group.residuals(q, state, room);
         let steps = self.step.iter().zip(&slope);
         let promised: f64 = steps.map(|(d, g)| d * (damping * d - g)).sum();
-        let gain = (before - norm2(room.right)) / promised;
+        let gain = (before - lu::dot(room.right, room.right)) / promised;
         if gain > 0.0 {
             let shrunk = 1.0 - (2.0 * gain - 1.0).powi(3);
             self.damping = Some(damping * shrunk.max(1.0 / 3.0));
@@ -113,8 +113,4 @@ impl Region {
         }
         (0..n).fold(0.0, |m: f64, i| m.max(self.matrix[i * n + i]))
     }
-}
-
-fn norm2(v: &[f64]) -> f64 {
-    v.iter().map(|v| v * v).sum()
 }

@@ -233,8 +233,8 @@ impl Coupled {
 
     /// The largest components of z' dq and of z'' dq^2 / 2.
     pub(super) fn move_sizes(&self, room: &Room<'_>, dq: f64) -> [f64; 2] {
-        let largest = |v: &[f64], by: f64| v.iter().fold(0.0, |m: f64, v| m.max((v * by).abs()));
-        [largest(room.first, dq), largest(room.second, 0.5 * dq * dq)]
+        let (first, second) = (lu::largest(room.first), lu::largest(room.second));
+        [first * dq.abs(), second * (0.5 * dq * dq)]
     }
 
     /// Adds a change of the unknowns to z.
@@ -273,7 +273,7 @@ impl Coupled {
             };
             outcome.side = side;
             lu::solve(room.matrix, room.pivots, room.right, n);
-            let size = room.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let size = lu::largest(room.right);
             if i == 0 {
                 outcome.first = size;
             }
@@ -391,7 +391,7 @@ impl Coupled {
         let mut scratch = std::mem::take(&mut state.scratch);
         let mut room = self.open(&mut scratch);
         self.residuals(q, state, &mut room);
-        let gap = room.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let gap = lu::largest(room.right);
         state.scratch = scratch;
         gap
     }

@@ -8,6 +8,7 @@
 use super::{Coupled, Scratch};
 use crate::solver::lu;
 use crate::solver::state::State;
+use crate::solver::zero::zero;
 
 /// Steps along a curve, in scaled lengths and radians: at the most, and below which a curve is given up:
 /// there it branches.
@@ -20,8 +21,6 @@ const BEND: f64 = 0.98;
 /// Corrections from a predicted place back to the curve, and when they are small enough.
 const CORRECTIONS: usize = 6;
 const ON_CURVE: f64 = 1e-10;
-/// Closer together than two places where the equation holds mostly are: halvings between two steps.
-const SECANTS: usize = 40;
 /// Where the equation misses by less than this and begins to miss by more again, two solutions may lie
 /// within one step, or have just vanished.
 const NEAR_MISS: f64 = 0.05;
@@ -170,12 +169,7 @@ impl Tracer<'_> {
             return None;
         }
         let place = self.direction(row, z, &from.along)?;
-        let cosine: f64 = place
-            .along
-            .iter()
-            .zip(&from.along)
-            .map(|(a, b)| a * b)
-            .sum();
+        let cosine = lu::dot(&place.along, &from.along);
         (cosine >= BEND).then_some(place)
     }
 
@@ -194,7 +188,7 @@ impl Tracer<'_> {
             room.right[row] = 0.0;
             lu::factor(room.matrix, room.pivots, n)?;
             lu::solve(room.matrix, room.pivots, room.right, n);
-            let size = room.right.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+            let size = lu::largest(room.right);
             let strain = *strain.get_or_insert(size);
             room.right.iter_mut().for_each(|v| *v = -*v);
             self.group.shift(room.z, room.right);
@@ -218,34 +212,18 @@ impl Tracer<'_> {
         room.right[row] = 1.0;
         lu::factor(room.matrix, room.pivots, n)?;
         lu::solve(room.matrix, room.pivots, room.right, n);
-        let norm = room.right.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let norm = lu::dot(room.right, room.right).sqrt();
         let along = room.right.iter().map(|v| v / norm).collect();
         norm.is_finite().then_some(Place { z, along, miss })
     }
 
     /// The solution between two places of a curve on whose way the equation changes its sign.
     fn between(&mut self, row: usize, from: &Place, to: &Place, step: f64) -> Option<Vec<f64>> {
-        let (mut low, mut high) = ((0.0, from.miss), (step, to.miss));
-        let mut z = from.z.clone();
-        for i in 0..SECANTS {
-            // Halvings in between, where the secant keeps to one side.
-            let secant = low.0 - low.1 * (high.0 - low.0) / (high.1 - low.1);
-            let middle = if i % 3 == 2 || !secant.is_finite() {
-                0.5 * (low.0 + high.0)
-            } else {
-                secant
-            };
-            (z, _) = self.land(row, from, middle)?;
-            let miss = self.direction(row, z.clone(), &from.along)?.miss;
-            if miss * high.1 > 0.0 {
-                high = (middle, miss);
-            } else {
-                low = (middle, miss);
-            }
-            if (high.0 - low.0).abs() <= ON_CURVE || miss == 0.0 {
-                break;
-            }
-        }
+        let at = zero((0.0, from.miss), (step, to.miss), ON_CURVE, |step| {
+            let (z, _) = self.land(row, from, step)?;
+            Some(self.direction(row, z, &from.along)?.miss)
+        })?;
+        let (z, _) = self.land(row, from, at)?;
         self.settled(&z, false)
     }
 

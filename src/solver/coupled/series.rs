@@ -6,8 +6,9 @@
 //! that is the quadratic of the second-order tangents, one root for each of the branches that meet;
 //! beyond, it is linear.
 
-use super::{Coupled, Room, Scratch, lu};
+use super::{Coupled, Room, Scratch};
 use crate::arithmetic::{Series, TERMS};
+use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
 
@@ -64,7 +65,7 @@ impl Null {
         let null = |matrix: &[f64]| {
             let mut x = Solver::new(matrix, n, Some((&any, &any)))?.solve(&vec![0.0; n], 1.0);
             x.truncate(n);
-            let length = x.iter().map(|v| v * v).sum::<f64>().sqrt();
+            let length = dot(&x, &x).sqrt();
             x.iter_mut().for_each(|v| *v /= length);
             length.is_finite().then_some(x)
         };
@@ -234,8 +235,4 @@ impl Path<'_> {
             (room.z[at], room.z[at + 1]) = (turned.x, turned.y);
         }
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -22,7 +22,8 @@
 //! b is zero where the branches really meet, and z' = p + s v on them.
 
 use super::series::Null;
-use super::{Coupled, Room, Scratch, lu};
+use super::{Coupled, Room, Scratch};
+use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
 
 /// What Newton's method for a fold carries from step to step besides z: the null vector, and the
@@ -71,7 +72,7 @@ impl Coupled {
         self.jacobian(q, state, &mut room);
         let mut det = 1.0;
         for row in room.matrix.chunks(n) {
-            det /= row.iter().map(|v| v * v).sum::<f64>().sqrt();
+            det /= dot(row, row).sqrt();
         }
         let Some(sign) = lu::factor(room.matrix, room.pivots, n) else {
             return 0.0;
@@ -335,7 +336,7 @@ impl System {
         lu::factor(&mut self.matrix, &mut pivots, self.n)?;
         lu::solve(&self.matrix, &pivots, &mut self.right, self.n);
         self.right.iter_mut().for_each(|x| *x = -*x);
-        let size = self.right.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let size = lu::largest(&self.right);
         size.is_finite().then_some((size, self.right))
     }
 }
@@ -344,8 +345,4 @@ fn add(to: &mut [f64], values: &[f64]) {
     for (to, value) in to.iter_mut().zip(values) {
         *to += value;
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

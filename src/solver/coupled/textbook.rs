@@ -70,11 +70,8 @@ impl Coupled {
             *v = -*v;
         }
         self.shift(room.z, room.right);
-        let sizes = room.right.iter().map(|v| v.nearest().abs());
-        // Written so that NaN is no size.
-        sizes
-            .reduce(|a, b| if a >= b { a } else { b })
-            .filter(|size| size.is_finite())
+        let size = lu::largest(room.right);
+        size.is_finite().then_some(size)
     }
 
     /// One correction of the z in the scratch, from residuals in twice the precision. `exact` and its

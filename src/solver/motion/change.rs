@@ -2,12 +2,12 @@
 //! exactly, and on beyond it.
 
 use super::walk::Walker;
-use super::zero;
 use crate::arithmetic::Series;
 use crate::solver::Order;
 use crate::solver::passage::Passage;
 use crate::solver::state::{Condition, State};
-use crate::solver::step::{Outcome, POSITION, REACH_SLACK, Step};
+use crate::solver::step::{Dyad, Outcome, POSITION, REACH_SLACK, Step};
+use crate::solver::zero::zero;
 use crate::{Double, Number};
 
 /// A measure this small is a gap of the size of the rounding, squared.
@@ -123,8 +123,9 @@ impl Walker<'_> {
         // Equal arms whose pivots meet have no direction, but no gap either.
         let has_no_gap = self.state.measures[group].abs() <= GAP;
         let (q, _) = engine.coordinate(at);
-        let reserve = step.reserve(q, &self.state).abs();
-        let is_rounding = reserve <= REACH_SLACK * engine.frame.far;
+        let slack = REACH_SLACK * engine.frame.far;
+        let is_rounding = |dyad: Dyad<'_>| dyad.reserve(q, &self.state).abs() <= slack;
+        let is_rounding = step.dyad().is_some_and(is_rounding);
         placed == Outcome::Stretched || has_no_gap || is_rounding
     }
 
@@ -139,7 +140,7 @@ impl Walker<'_> {
         }
         let engine = self.engine;
         engine.place_dyad(&engine.program.steps[step], at, &mut self.state);
-        engine.program.steps[step].stretch_rate(&self.state)
+        engine.program.steps[step].dyad()?.stretch_rate(&self.state)
     }
 
     /// Keeps the passages of the groups through their change points. None of them where one has no
@@ -228,8 +229,9 @@ impl Walker<'_> {
                     group.follow(q, &mut self.state, toward, &mut series)
                 }
                 (_, Some(_)) => {
-                    let side = up.signs[step.choice()?];
-                    step.run_through(q, side, &mut series) == Outcome::Done
+                    let dyad = step.dyad()?;
+                    let side = up.signs[dyad.group()];
+                    dyad.run_through(q, side, &mut series) == Outcome::Done
                 }
                 (_, None) => {
                     step.run::<Series, POSITION>(q, direction, &mut series) == Outcome::Done

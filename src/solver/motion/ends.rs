@@ -7,11 +7,11 @@
 
 use super::Folded;
 use super::walk::Walker;
-use super::zero;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
 use crate::solver::state::{Condition, State};
 use crate::solver::step::{Outcome, POSITION, Step};
+use crate::solver::zero::zero;
 use crate::{Double, Number};
 
 /// Doublings of an ulp within which a limit is sought around where the walk ended.
@@ -28,24 +28,13 @@ impl Walker<'_> {
     /// The limit at which the motion ends, to the last digit; `state` is the last one before it.
     pub(super) fn refined(&mut self, limit: f64, state: &State) -> f64 {
         self.state.clone_from(state);
-        let refined =
-            self.ending_step(limit)
-                .and_then(|step| match self.engine.program.steps[step] {
-                    Step::Coupled { index } => self.fold(step, index, limit, state),
-                    Step::Circles(_)
-                    | Step::CircleLine(_)
-                    | Step::CircleRail(_)
-                    | Step::Swing(_)
-                    | Step::Cylinder(_) => self.end_of_reach(step, limit),
-                    Step::Crank { .. }
-                    | Step::Spin { .. }
-                    | Step::Ride { .. }
-                    | Step::Push { .. }
-                    | Step::Aim { .. }
-                    | Step::Lock { .. }
-                    | Step::Lines { .. }
-                    | Step::Travel { .. } => None,
-                });
+        let refined = self.ending_step(limit).and_then(|step| {
+            if let Step::Coupled { index } = self.engine.program.steps[step] {
+                self.fold(step, index, limit, state)
+            } else {
+                self.end_of_reach(step, limit)
+            }
+        });
         // A start within rounding of a limit belongs to the motion.
         let refined = refined.unwrap_or(limit);
         if self.ahead(refined) < 0.0 {
@@ -75,7 +64,7 @@ impl Walker<'_> {
 
     // ---- dyads
 
-    /// Where a dyad's measure is zero, next to a limit.
+    /// Where a dyad's measure is zero, next to a limit; other steps have none.
     fn end_of_reach(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
         let mut exact = self.engine.state::<Double>(self.state.travels.len());

@@ -1,9 +1,10 @@
 //! Limits between the samples of a walk: the zeros of a group's measure.
 
+use super::NearMiss;
 use super::walk::{SAMPLES, Walker};
-use super::{NearMiss, zero};
 use crate::solver::Order;
 use crate::solver::state::Condition;
+use crate::solver::zero::zero;
 
 /// A measure whose smallest sample is below this is searched for a zero between the samples.
 const SUSPICIOUS: f64 = 0.05;

@@ -12,11 +12,9 @@ mod crossing;
 mod ends;
 mod limits;
 mod walk;
-mod zero;
 
 pub(super) use anchors::{Anchors, positive_remainder};
 pub(super) use walk::MISFIT;
-pub(super) use zero::zero;
 
 use super::engine::Engine;
 use super::fault::Fault;

@@ -6,11 +6,13 @@
 //! first and second derivatives of points and angles.
 
 mod circles;
+mod dyad;
 mod lines;
 mod swing;
 mod through;
 
 pub(super) use circles::{Circles, Cylinder};
+pub(super) use dyad::Dyad;
 pub(super) use lines::{CircleLine, CircleRail, Line};
 pub(super) use swing::Swing;
 
@@ -33,7 +35,7 @@ pub(super) const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 pub(super) enum Outcome {
     /// Solved.
     Done,
-    /// So close to its limit that rounding decides: [`Step::stretch`] looks closer.
+    /// So close to its limit that rounding decides: [`Dyad::stretch`] looks closer.
     Unclear,
     /// Stretched to its limit: positions are given, derivatives do not exist.
     Stretched,
@@ -235,15 +237,14 @@ impl Step {
         Outcome::Done
     }
 
-    /// Places a dyad at its limit, if within rounding it still closes.
-    #[cold]
-    pub(super) fn stretch(&self, q: f64, state: &mut State) -> Outcome {
+    /// The dyad with two assemblies, if the step is one.
+    pub(super) fn dyad(&self) -> Option<Dyad<'_>> {
         match self {
-            Step::Circles(c) => c.stretch(state),
-            Step::CircleLine(c) => c.stretch(state),
-            Step::CircleRail(c) => c.stretch(state),
-            Step::Swing(s) => s.stretch(state),
-            Step::Cylinder(c) => c.stretch(q, state),
+            Step::Circles(circles) => Some(Dyad::Circles(circles)),
+            Step::CircleLine(circle_line) => Some(Dyad::CircleLine(circle_line)),
+            Step::CircleRail(circle_rail) => Some(Dyad::CircleRail(circle_rail)),
+            Step::Swing(swing) => Some(Dyad::Swing(swing)),
+            Step::Cylinder(cylinder) => Some(Dyad::Cylinder(cylinder)),
             Step::Crank { .. }
             | Step::Spin { .. }
             | Step::Ride { .. }
@@ -252,122 +253,16 @@ impl Step {
             | Step::Lock { .. }
             | Step::Lines { .. }
             | Step::Coupled { .. }
-            | Step::Travel { .. } => Outcome::Open,
+            | Step::Travel { .. } => None,
         }
     }
 
     /// The group whose sign chooses between the two assemblies of this step, if it has two.
     pub(super) fn choice(&self) -> Option<usize> {
-        match self {
-            Step::Circles(c) => Some(c.group),
-            Step::CircleLine(c) => Some(c.group),
-            Step::CircleRail(c) => Some(c.group),
-            Step::Swing(s) => Some(s.group),
-            Step::Cylinder(c) => Some(c.group),
-            Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Lines { .. }
-            | Step::Coupled { .. }
-            | Step::Travel { .. } => None,
-        }
-    }
-
-    /// What a step with two assemblies places.
-    pub(super) fn outputs(&self) -> (Option<PointId>, [Option<LinkId>; 2]) {
-        match self {
-            Step::Circles(c) => (Some(c.point), [Some(c.near.link), Some(c.far.link)]),
-            Step::CircleLine(c) => (Some(c.point), [Some(c.arm.link), None]),
-            Step::CircleRail(c) => (Some(c.point), [Some(c.arm.link), None]),
-            Step::Swing(s) => (None, [Some(s.link), None]),
-            Step::Cylinder(c) => (Some(c.point), [Some(c.link), Some(c.far.link)]),
-            Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Lines { .. }
-            | Step::Coupled { .. }
-            | Step::Travel { .. } => (None, [None, None]),
-        }
-    }
-
-    /// The rate of what a dyad is stretched by - the distance of its pivots, or of pivot and guide -
-    /// up to a positive factor: zero where the stretch is extreme. From the state of its inputs.
-    pub(super) fn stretch_rate(&self, state: &State) -> Option<f64> {
-        let at = |point: PointId| state.points[point.index()];
-        let growth = |a: PointId, b: PointId| (at(b).p - at(a).p).dot(at(b).v - at(a).v);
-        match self {
-            Step::Circles(c) => Some(growth(c.near.pivot, c.far.pivot)),
-            Step::Swing(s) => Some(growth(s.pivot, s.pin)),
-            Step::CircleRail(c) => Some(c.along.nearest().cross(at(c.arm.pivot).v)),
-            Step::CircleLine(c) => {
-                let guide = c.line.at(state);
-                let pivot = at(c.arm.pivot);
-                let turning = guide.w * guide.t.dot(pivot.p - guide.q.p);
-                Some(guide.n.dot(pivot.v - guide.q.v) - turning)
-            }
-            Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Cylinder { .. }
-            | Step::Lines { .. }
-            | Step::Coupled { .. }
-            | Step::Travel { .. } => None,
-        }
-    }
-
-    /// By how much a dyad misses to close; 0 where it closes.
-    pub(super) fn gap(&self, q: f64, state: &State) -> f64 {
-        (-self.reserve(q, state)).max(0.0)
-    }
-
-    /// How far a dyad is from the extremes of its reach, as a length: negative where it is open, and
-    /// infinite of steps that have no reach.
-    pub(super) fn reserve(&self, q: f64, state: &State) -> f64 {
-        let at = |point: PointId| state.points[point.index()].p;
-        let between = |a: PointId, b: PointId| (at(b) - at(a)).norm();
-        let triangle = |d: f64, b: f64, c: f64| ((b + c) - d).min(d - (b - c).abs());
-        match self {
-            Step::Circles(c) => triangle(
-                between(c.near.pivot, c.far.pivot),
-                c.near.length.hi,
-                c.far.length.hi,
-            ),
-            Step::Cylinder(c) => {
-                let arm = (c.through.nearest() + c.along.nearest() * q).norm();
-                triangle(between(c.pivot, c.far.pivot), arm, c.far.length.hi)
-            }
-            Step::CircleLine(c) => {
-                let guide = c.line.at(state);
-                c.arm.length.hi - guide.n.dot(at(c.arm.pivot) - guide.q.p).abs()
-            }
-            Step::CircleRail(c) => {
-                let from = at(c.arm.pivot) - c.through.nearest();
-                c.arm.length.hi - c.along.nearest().cross(from).abs()
-            }
-            Step::Swing(s) => between(s.pivot, s.pin) - s.offset.hi.abs(),
-            Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Lines { .. }
-            | Step::Coupled { .. }
-            | Step::Travel { .. } => f64::INFINITY,
-        }
+        self.dyad().map(Dyad::group)
     }
 }
 
-#[inline(always)]
 fn aim<T: Number, const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State<T>) {
     let (p, x) = (state.points[arm.pivot.index()], state.points[end.index()]);
     let e = x.p - p.p;

@@ -10,7 +10,7 @@
 //! The products are written as polynomials of the distance squared: its root is no series where the
 //! distance vanishes.
 
-use super::{CircleLine, CircleRail, Circles, Cylinder, Outcome, POSITION, Step, Swing};
+use super::{CircleLine, CircleRail, Circles, Cylinder, Dyad, Outcome, POSITION, Swing};
 use crate::arithmetic::Series;
 use crate::solver::state::State;
 use crate::{Number, Vec2};
@@ -18,30 +18,21 @@ use crate::{Number, Vec2};
 /// A squared distance below this part of the squares of the arms is a double zero.
 const MEETING: f64 = 1e-24;
 
-impl Step {
-    /// Places a dyad at a change point, t before and behind it; `side` is the sign that its group has
+impl Dyad<'_> {
+    /// Places it at a change point, t before and behind it; `side` is the sign that its group has
     /// for positive t.
     pub(in crate::solver) fn run_through(
-        &self,
+        self,
         q: Series,
         side: f64,
         state: &mut State<Series>,
     ) -> Outcome {
         match self {
-            Step::Circles(c) => c.run_through(side, state),
-            Step::CircleLine(c) => c.run_through(side, state),
-            Step::CircleRail(c) => c.run_through(side, state),
-            Step::Swing(s) => s.run_through(side, state),
-            Step::Cylinder(c) => c.run_through(q, side, state),
-            Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Lines { .. }
-            | Step::Coupled { .. }
-            | Step::Travel { .. } => Outcome::Open,
+            Dyad::Circles(c) => c.run_through(side, state),
+            Dyad::CircleLine(c) => c.run_through(side, state),
+            Dyad::CircleRail(c) => c.run_through(side, state),
+            Dyad::Swing(s) => s.run_through(side, state),
+            Dyad::Cylinder(c) => c.run_through(q, side, state),
         }
     }
 }

@@ -9,7 +9,7 @@
 
 use super::{MARGIN, columns, inset, print, print_right};
 use crate::drawing::trade_off;
-use crate::report::{error_text, method_name, time_text, unfit_text};
+use crate::report::{TIME_DIGITS, error_text, method_name, time_text, unfit_text};
 use crate::study::{Errors, Figures, Finding, Findings, Verdict};
 use crate::tui::app::App;
 use crate::tui::stage::shown;
@@ -160,7 +160,7 @@ fn line(finding: &Finding, is_wide: bool) -> Line {
 fn cells(figures: &Figures, is_wide: bool) -> Vec<String> {
     let time = figures
         .time
-        .map_or("-".into(), |time| time_text(time.median));
+        .map_or("-".into(), |time| time_text(time.median, TIME_DIGITS));
     let error = |part: fn(&Errors) -> f64| {
         let error = figures.errors.as_ref().map(part);
         error.map_or("-".into(), error_text)

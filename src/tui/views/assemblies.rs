@@ -5,7 +5,7 @@
 //! > C - (212.6, -165.5)
 //! ```
 
-use super::{columns, print};
+use super::{columns, cut, mark_more, print};
 use crate::assembly::pick_text;
 use crate::tui::app::App;
 use crate::tui::panel::Row;
@@ -38,14 +38,7 @@ pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) 
         };
         render_row(app, row, i == cursor, &widths, line, buffer);
     }
-    let ends = [
-        ("^", area.top(), first > 0),
-        ("v", area.bottom().saturating_sub(1), first < most),
-    ];
-    for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
-        let x = area.right() + super::MARGIN - 1;
-        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
-    }
+    mark_more(area, first > 0, first < most, buffer);
 }
 
 /// Columns of the parts of a row.
@@ -67,7 +60,7 @@ impl Widths {
 }
 
 fn name(row: &Row) -> String {
-    super::cut(&row.name, LONGEST_NAME)
+    cut(&row.name, LONGEST_NAME)
 }
 
 fn render_row(

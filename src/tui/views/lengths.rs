@@ -6,7 +6,7 @@
 //!  r3.angle [deg]                          0.843      0.193  r4.length
 //! ```
 
-use super::{cut, print, print_right};
+use super::{cut, mark_more, print, print_right};
 use crate::report::{Answer, Answers, NO_ANSWER};
 use crate::tui::app::App;
 use crate::tui::figures::short;
@@ -44,7 +44,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let (lines, seen) = extent(app, area);
     let scroll = app.scroll().min(lines.saturating_sub(seen));
     let most = lines.saturating_sub(body.height.into());
-    super::mark_more(body, scroll > 0, scroll < most, buffer);
+    mark_more(body, scroll > 0, scroll < most, buffer);
     for (y, answer) in (body.top()..body.bottom()).zip(list.iter().skip(scroll)) {
         columns.row(app, answer, y, buffer);
     }

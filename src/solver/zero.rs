@@ -10,7 +10,7 @@ const DECIMALS: f64 = 1e9;
 ///
 /// Chandrupatla's method (Adv. Eng. Software 28, 1997): inverse quadratic interpolation where that
 /// is safe, halving elsewhere.
-pub(in crate::solver) fn zero(
+pub(super) fn zero(
     a: (f64, f64),
     b: (f64, f64),
     finest: f64,
@@ -65,10 +65,15 @@ fn interpolated(new: (f64, f64), other: (f64, f64), last: (f64, f64)) -> f64 {
 /// A zero lies somewhere within the rounding of `f`: of equally good places, the one that is
 /// written with few decimals.
 fn rounded(zero: (f64, f64), f: &mut impl FnMut(f64) -> Option<f64>) -> Option<f64> {
-    let round = (zero.0 * DECIMALS).round() / DECIMALS;
+    let round = few_decimals(zero.0);
     let is_as_good = (round - zero.0).abs() < 1.0 / DECIMALS
         && f(round).is_some_and(|v| v.abs() <= zero.1.abs());
     Some(if is_as_good { round } else { zero.0 })
+}
+
+/// The nearest coordinate that is written with few decimals.
+pub(super) fn few_decimals(at: f64) -> f64 {
+    (at * DECIMALS).round() / DECIMALS
 }
 
 #[cfg(test)]

@@ -1,0 +1,108 @@
+//! The dyads with two assemblies, and what can be asked of each of them.
+
+use super::{CircleLine, CircleRail, Circles, Cylinder, Outcome, Swing};
+use crate::solver::state::State;
+use crate::{LinkId, PointId, Vec2};
+
+/// A dyad with two assemblies, of which the sign of its group chooses one.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) enum Dyad<'a> {
+    /// RRR.
+    Circles(&'a Circles),
+    /// RRP.
+    CircleLine(&'a CircleLine),
+    /// RRP on the ground.
+    CircleRail(&'a CircleRail),
+    /// RPR.
+    Swing(&'a Swing),
+    /// RRR with a driven arm.
+    Cylinder(&'a Cylinder),
+}
+
+impl Dyad<'_> {
+    /// Places it at its limit, if within rounding it still closes.
+    #[cold]
+    pub(in crate::solver) fn stretch(self, q: f64, state: &mut State) -> Outcome {
+        match self {
+            Dyad::Circles(c) => c.stretch(state),
+            Dyad::CircleLine(c) => c.stretch(state),
+            Dyad::CircleRail(c) => c.stretch(state),
+            Dyad::Swing(s) => s.stretch(state),
+            Dyad::Cylinder(c) => c.stretch(q, state),
+        }
+    }
+
+    /// The group whose sign chooses between the two assemblies.
+    pub(in crate::solver) fn group(self) -> usize {
+        match self {
+            Dyad::Circles(c) => c.group,
+            Dyad::CircleLine(c) => c.group,
+            Dyad::CircleRail(c) => c.group,
+            Dyad::Swing(s) => s.group,
+            Dyad::Cylinder(c) => c.group,
+        }
+    }
+
+    /// What it places.
+    pub(in crate::solver) fn outputs(self) -> (Option<PointId>, [Option<LinkId>; 2]) {
+        match self {
+            Dyad::Circles(c) => (Some(c.point), [Some(c.near.link), Some(c.far.link)]),
+            Dyad::CircleLine(c) => (Some(c.point), [Some(c.arm.link), None]),
+            Dyad::CircleRail(c) => (Some(c.point), [Some(c.arm.link), None]),
+            Dyad::Swing(s) => (None, [Some(s.link), None]),
+            Dyad::Cylinder(c) => (Some(c.point), [Some(c.link), Some(c.far.link)]),
+        }
+    }
+
+    /// The rate of what it is stretched by - the distance of its pivots, or of pivot and guide - up
+    /// to a positive factor: zero where the stretch is extreme. From the state of its inputs; `None`
+    /// where its own reach changes.
+    pub(in crate::solver) fn stretch_rate(self, state: &State) -> Option<f64> {
+        let at = |point: PointId| state.points[point.index()];
+        let growth = |a: PointId, b: PointId| (at(b).p - at(a).p).dot(at(b).v - at(a).v);
+        match self {
+            Dyad::Circles(c) => Some(growth(c.near.pivot, c.far.pivot)),
+            Dyad::Swing(s) => Some(growth(s.pivot, s.pin)),
+            Dyad::CircleRail(c) => Some(c.along.nearest().cross(at(c.arm.pivot).v)),
+            Dyad::CircleLine(c) => {
+                let guide = c.line.at(state);
+                let pivot = at(c.arm.pivot);
+                let turning = guide.w * guide.t.dot(pivot.p - guide.q.p);
+                Some(guide.n.dot(pivot.v - guide.q.v) - turning)
+            }
+            Dyad::Cylinder(_) => None,
+        }
+    }
+
+    /// By how much it misses to close; 0 where it closes.
+    pub(in crate::solver) fn gap(self, q: f64, state: &State) -> f64 {
+        (-self.reserve(q, state)).max(0.0)
+    }
+
+    /// How far it is from the extremes of its reach, as a length: negative where it is open.
+    pub(in crate::solver) fn reserve(self, q: f64, state: &State) -> f64 {
+        let at = |point: PointId| state.points[point.index()].p;
+        let between = |a: PointId, b: PointId| (at(b) - at(a)).norm();
+        let triangle = |d: f64, b: f64, c: f64| ((b + c) - d).min(d - (b - c).abs());
+        match self {
+            Dyad::Circles(c) => triangle(
+                between(c.near.pivot, c.far.pivot),
+                c.near.length.hi,
+                c.far.length.hi,
+            ),
+            Dyad::Cylinder(c) => {
+                let arm: Vec2 = c.through.nearest() + c.along.nearest() * q;
+                triangle(between(c.pivot, c.far.pivot), arm.norm(), c.far.length.hi)
+            }
+            Dyad::CircleLine(c) => {
+                let guide = c.line.at(state);
+                c.arm.length.hi - guide.n.dot(at(c.arm.pivot) - guide.q.p).abs()
+            }
+            Dyad::CircleRail(c) => {
+                let from = at(c.arm.pivot) - c.through.nearest();
+                c.arm.length.hi - c.along.nearest().cross(from).abs()
+            }
+            Dyad::Swing(s) => between(s.pivot, s.pin) - s.offset.hi.abs(),
+        }
+    }
+}
