@@ -225,6 +225,16 @@ impl Solver {
             state.condition = Condition::NoAssembly;
             return Condition::NoAssembly;
         }
+        match self.motion.range {
+            Range::Full { .. } => {
+                self.motion.anchors.aim(&self.engine, at, state);
+                self.run(at, order, state)
+            }
+            Range::Limited { .. } => self.solve_between_limits(at, order, state),
+        }
+    }
+
+    fn solve_between_limits(&self, at: f64, order: Order, state: &mut State) -> Condition {
         let inside = self.motion.inside(at);
         self.motion.anchors.aim(&self.engine, inside, state);
         if let Some(fold) = self.motion.fold_at(at) {

@@ -432,6 +432,6 @@ fn limits_in_a_message_do_not_read_like_what_was_asked_for() {
         message.contains("at 36.8698976458 deg: the driver covers 36.86989764584402 to"),
         "{message}"
     );
-    let message = refused(1, &["table", "scissor-lift", "--at", "0"]);
+    let message = refused(1, &["table", "scissor-lift", "--at=-1"]);
     assert!(!message.contains("covers 0."), "{message}");
 }
