@@ -226,41 +226,39 @@ impl Solver {
             return Condition::NoAssembly;
         }
         match self.motion.range {
-            Range::Full { .. } => {
-                self.motion.anchors.aim(&self.engine, at, state);
-                self.run(at, order, state)
-            }
+            Range::Full { .. } => self.run(at, order, state),
             Range::Limited { .. } => self.solve_between_limits(at, order, state),
         }
     }
 
     fn solve_between_limits(&self, at: f64, order: Order, state: &mut State) -> Condition {
-        let inside = self.motion.inside(at);
-        self.motion.anchors.aim(&self.engine, inside, state);
-        if let Some(fold) = self.motion.fold_at(at) {
-            self.motion
-                .passages
-                .choose(&self.engine, at, &mut state.signs);
-            self.engine.run_folded(fold, state);
-        } else {
-            self.run(inside, order, state);
+        let within = self.motion.within(at);
+        let mut found = within;
+        if self.run(within, order, state) == Condition::NoAssembly {
+            let mut drawn_back = self.motion.drawn_back(within);
+            let exists = |&at: &f64| self.run(at, order, state) != Condition::NoAssembly;
+            found = drawn_back.find(exists).unwrap_or(within);
         }
         state.at = at;
         // Within rounding of a limit rates are as worthless as at the limit itself.
-        let is_dead = inside != at || self.motion.is_dead_point(at);
+        let is_dead = found != at || self.motion.is_dead_point(at);
         if state.condition == Condition::Ok && is_dead {
             state.condition = Condition::DeadPoint;
         }
         state.condition
     }
 
+    /// Solves at a coordinate of the range, from the motion as it is known there.
     fn run(&self, at: f64, order: Order, state: &mut State) -> Condition {
+        self.motion.anchors.aim(&self.engine, at, state);
         let passages = &self.motion.passages;
-        if passages.is_empty() {
-            return self.engine.run(at, order, state);
+        let is_smooth = passages.is_empty();
+        if !is_smooth {
+            passages.choose(&self.engine, at, &mut state.signs);
         }
-        passages.choose(&self.engine, at, &mut state.signs);
-        if passages.is_near(&self.engine, at) {
+        if let Some(fold) = self.motion.fold_at(at) {
+            self.engine.run_folded(fold, state)
+        } else if !is_smooth && passages.is_near(&self.engine, at) {
             self.engine.run_near(at, order, passages, state)
         } else {
             self.engine.run(at, order, state)

@@ -169,6 +169,37 @@ fn h02_an_antiparallelogram_stays_crossed() {
     }
 }
 
+/// Its follower turns hundreds of times as fast as its crank where both lie along the frame: used to end
+/// there.
+#[test]
+fn an_antiparallelogram_that_is_almost_a_square_turns_fully() {
+    for frame in [1.9, 1.99, 1.995, 2.01, 2.1] {
+        let angle = 60.0_f64.to_radians();
+        // The mirror image of the parallelogram's corner in the line through B and D.
+        let (b, d) = (
+            Vec2::new(2.0 * angle.cos(), 2.0 * angle.sin()),
+            Vec2::new(frame, 0.0),
+        );
+        let across = (d - b).perp();
+        let away = across.dot(d) / across.norm2();
+        let crossed = b + d - across * (2.0 * away);
+        let linkage = four_bar([2.0, frame, 2.0, frame], 60.0, crossed);
+        let motion = linkage.solver.motion();
+        assert_eq!(motion.range, Range::Full { period: 360.0 }, "{frame}");
+        assert_eq!(motion.change_points, [0.0, 180.0], "{frame}");
+        for (angle, expected) in [
+            (0.0, -(frame + 2.0) / (frame - 2.0)),
+            (180.0, -(frame - 2.0) / (frame + 2.0)),
+        ] {
+            let omega = linkage.at(angle).omega(linkage.follower);
+            close(omega / expected, 1.0, 1e-9, "omega of the follower");
+        }
+        for k in -2000..2000 {
+            linkage.at(f64::from(k) * 0.001);
+        }
+    }
+}
+
 #[test]
 fn h03_a_kite_gallops_through_two_turns() {
     let root = 7.0_f64.sqrt();

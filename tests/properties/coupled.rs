@@ -136,7 +136,7 @@ proptest! {
         let (mechanism, tops) = triad.build();
         let solver = Solver::new(&mechanism).expect("it closes as planted");
         let Range::Limited { low, high } = solver.motion().range else { return Ok(()) };
-        let mut state = solver.state();
+        let (mut state, mut aside) = (solver.state(), solver.state());
         let mut placed = |at: f64, expected: Condition| {
             let condition = solver.solve(at, Order::Acceleration, &mut state);
             assert_eq!(condition, expected, "at {at} of {low} to {high}");
@@ -155,6 +155,13 @@ proptest! {
             }
             placed(if inwards > 0.0 { end.next_down() } else { end.next_up() }, Condition::DeadPoint);
             placed(end - inwards * 1e-11, Condition::NoAssembly);
+            // Corrections that are all rounding find a state here and none there.
+            let mut beside = end;
+            for _ in 0..200 {
+                beside = if inwards > 0.0 { beside.next_up() } else { beside.next_down() };
+                let condition = solver.solve(beside, Order::Position, &mut aside);
+                prop_assert!(condition != Condition::NoAssembly, "{beside} beside {end}");
+            }
             let share = 1e-11 * (high - low);
             let [near, far] = [share, 100.0 * share].map(|by| {
                 let there = placed(end + inwards * by, Condition::Ok);

@@ -15,6 +15,9 @@ const GAP: f64 = 1e-28;
 /// A change point is passed in one step from this much before it to this much beyond, in radians or
 /// scaled lengths: far enough for the dyad to have digits on both sides.
 pub(super) const PASSING: f64 = 1e-3;
+/// Where links turn too fast for that - an antiparallelogram that is almost a square turns its follower
+/// hundreds of times as fast as its crank - closer by.
+const CLOSER: [f64; 3] = [PASSING, 0.1 * PASSING, 0.01 * PASSING];
 /// An extreme of a dyad's stretch belongs to a limit if it is this close to it.
 const EXTREME: f64 = 1e-3;
 /// Change points of several groups that are this close to each other are one, in radians or scaled
@@ -47,26 +50,34 @@ impl Walker<'_> {
                 if here.0 > last.0 { here } else { last },
             )),
         })?;
-        let before = self.engine.moved(first.1, -self.sense * PASSING);
-        let beyond = self.engine.moved(last.1, self.sense * PASSING);
+        CLOSER
+            .into_iter()
+            .find_map(|by| self.pass_between([first.1, last.1], by, &changes))
+    }
+
+    /// Passes change points in one step from a distance before the first of them to the same beyond the
+    /// last.
+    fn pass_between(&mut self, ends: [f64; 2], by: f64, changes: &[Change]) -> Option<f64> {
+        let engine = self.engine;
+        let before = engine.moved(ends[0], -self.sense * by);
+        let beyond = engine.moved(ends[1], self.sense * by);
         self.aim_at(before);
-        if self
-            .engine
-            .run(before, Order::Acceleration, &mut self.state)
-            != Condition::Ok
-        {
+        if engine.run(before, Order::Acceleration, &mut self.state) != Condition::Ok {
             return None;
         }
         let saved = self.state.clone();
-        for change in &changes {
+        for change in changes {
             self.flip(change.step);
         }
-        if !self.try_step(before, beyond, &saved) {
-            return None;
-        }
-        let reached = self.state.clone();
         // A passage that could not be kept would leave the states beyond it with the wrong signs.
-        self.record(&changes, &saved, &reached)?;
+        let reached = self
+            .try_step(before, beyond, &saved)
+            .then(|| self.state.clone());
+        let kept = reached.filter(|reached| self.record(changes, &saved, reached).is_some());
+        let Some(reached) = kept else {
+            self.state = saved;
+            return None;
+        };
         self.state = reached;
         self.seen.clear();
         self.note(beyond);

@@ -16,11 +16,11 @@ mod walk;
 pub(super) use anchors::{Anchors, positive_remainder};
 pub(super) use walk::MISFIT;
 
+use super::angle_turn;
 use super::engine::Engine;
 use super::fault::Fault;
 use super::passage::Passages;
-use super::state::{Condition, State};
-use super::{Order, angle_turn};
+use super::state::State;
 use walk::{End, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
@@ -69,9 +69,8 @@ pub struct Motion {
     pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
     pub(super) passages: Passages,
-    /// The part of a limited range in which states are found: some ulps less than the range, where all
-    /// that is left of a group's equations at a limit is rounding.
-    settled: Option<[f64; 2]>,
+    /// The rounding of a coordinate.
+    finest: f64,
     /// A limited range with the rounding of its dead points.
     reach: [f64; 2],
     folds: Vec<Folded>,
@@ -102,20 +101,29 @@ impl Motion {
             .any(|&dead| (at - dead).abs() <= SAME * dead.abs())
     }
 
-    /// The coordinate nearest to this one at which a state is found.
-    pub(super) fn inside(&self, at: f64) -> f64 {
-        match self.settled {
-            Some([low, high]) => at.max(low).min(high),
-            None => at,
-        }
-    }
-
     /// The coordinate itself, or the limit beyond which it lies.
     pub(super) fn within(&self, at: f64) -> f64 {
         match self.range {
             Range::Full { .. } => at,
             Range::Limited { low, high } => at.max(low).min(high),
         }
+    }
+
+    /// Coordinates further and further inside the range, if this one is close to an end of it: some ulps
+    /// from a limit all that is left of a group's equations is rounding, and a state may not be found.
+    pub(super) fn drawn_back(&self, at: f64) -> impl Iterator<Item = f64> + use<> {
+        let (low, high) = match self.range {
+            Range::Full { .. } => (f64::NEG_INFINITY, f64::INFINITY),
+            Range::Limited { low, high } => (low, high),
+        };
+        let (end, inwards) = if at - low < high - at {
+            (low, 1.0)
+        } else {
+            (high, -1.0)
+        };
+        let ulp = self.finest.max(f64::EPSILON * end.abs());
+        let draws = (0..MOST_DRAWS).map(move |k| end + inwards * ulp * f64::from(k).exp2());
+        draws.filter(move |&drawn| (drawn - at) * inwards > 0.0 && low < drawn && drawn < high)
     }
 
     /// The fold at a coordinate, or at the limit beyond which it lies.
@@ -133,7 +141,7 @@ impl Motion {
     }
 }
 
-/// Doublings from one ulp by which the end of a range is drawn back, at the most.
+/// Doublings from one ulp by which a coordinate is drawn back from the end of a range, at the most.
 const MOST_DRAWS: i32 = 24;
 
 /// Follows the motion from a solved state at `start`.
@@ -173,32 +181,8 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
     };
     let anchors = walker.anchors.sorted(engine, period);
     let passages = Passages::new(walker.passages, start, period);
-    let settled = match range {
-        Range::Full { .. } => None,
-        Range::Limited { low, high } => Some([low, high].map(|end| {
-            let mut exists = |at: f64| {
-                anchors.aim(engine, at, &mut walker.state);
-                passages.choose(engine, at, &mut walker.state.signs);
-                engine.run(at, Order::Position, &mut walker.state) != Condition::NoAssembly
-            };
-            settled_end(end, start, &mut exists)
-        })),
-    };
     let dead_points = dead_points(range, engine, start);
-    let reach = match range {
-        Range::Full { .. } => [f64::NEG_INFINITY, f64::INFINITY],
-        Range::Limited { low, high } => {
-            let slack = |end: f64| {
-                let is_dead = dead_points.contains(&end);
-                if is_dead {
-                    slack(end, engine.finest())
-                } else {
-                    0.0
-                }
-            };
-            [low - slack(low), high + slack(high)]
-        }
-    };
+    let reach = reach(range, &dead_points, engine.finest());
     Ok(Motion {
         near_misses: near_misses(walker.misses, range),
         samples: walker.samples,
@@ -208,25 +192,30 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Moti
         change_points: passages.coordinates(),
         anchors,
         passages,
-        settled,
+        finest: engine.finest().max(f64::EPSILON * start.abs()),
         folds: walker.folds,
     })
-}
-
-/// The end of a range, drawn back by the few ulps by which a state may not be found there: predicted
-/// from another anchor than in the walk, or by the rounding of a later group that ends there too.
-fn settled_end(end: f64, start: f64, exists: &mut impl FnMut(f64) -> bool) -> f64 {
-    let ulp = f64::EPSILON * end.abs().max(start.abs());
-    let back = |k: i32| end - (end - start).signum() * ulp * (f64::from(k).exp2() - 1.0);
-    let candidates = (0..MOST_DRAWS).map(back);
-    let mut inside = candidates.take_while(|at| (at - start) * (end - start) > 0.0);
-    inside.find(|&at| exists(at)).unwrap_or(end)
 }
 
 /// How far beyond a dead point a coordinate stands for the dead point: its rounding, and that of the
 /// decimals it is written with.
 fn slack(dead: f64, finest: f64) -> f64 {
     WRITTEN.min(BEYOND / f64::EPSILON * finest) + SAME * dead.abs()
+}
+
+/// A range with what still stands for its dead points.
+fn reach(range: Range, dead_points: &[f64], finest: f64) -> [f64; 2] {
+    let slack = |end: f64| {
+        if dead_points.contains(&end) {
+            slack(end, finest)
+        } else {
+            0.0
+        }
+    };
+    match range {
+        Range::Full { .. } => [f64::NEG_INFINITY, f64::INFINITY],
+        Range::Limited { low, high } => [low - slack(low), high + slack(high)],
+    }
 }
 
 /// The ends of a range, but for those at which a slide was merely followed no further.
