@@ -4,8 +4,8 @@ use super::number::concise;
 use crate::solver::{Grashof, Inversion, Loop};
 use serde::Serialize;
 
-/// Significant digits of lengths in a heading: those that a person typed, seldom more.
-const DIGITS: usize = 6;
+/// Significant digits of lengths: by few of them a near miss differs from a change point.
+const DIGITS: usize = 9;
 
 /// The loop of the driven link, a dyad and the ground; lengths in the scene's unit.
 #[derive(Clone, Debug, Serialize)]

@@ -54,10 +54,12 @@ impl Entry {
 /// Larger figures are shown even where the bound does not tell them from zero. Close to a change point
 /// bounds are wide and the figures good: a zero in place of one would be the only error seen.
 const NOISE: f64 = 1e-6;
+/// Where nothing is proved, only so small a figure is taken for zero.
+const NOTHING: f64 = 1e-15;
 
 /// A value as a reader sees it: zero only where it is small and its error may be all that it is.
 pub(super) fn seen(value: f64, bound: Option<f64>) -> f64 {
-    let nought = bound.is_some_and(|bound| value.abs() <= bound.min(NOISE));
+    let nought = value.abs() <= bound.map_or(NOTHING, |bound| bound.min(NOISE));
     if nought { 0.0 } else { value }
 }
 

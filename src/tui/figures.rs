@@ -9,6 +9,9 @@ const DIGITS: i32 = 6;
 /// More decimals than this say nothing to the eye; smaller figures take an exponent.
 const MOST_DECIMALS: i32 = 7;
 
+/// Zero with that many decimals.
+const NOUGHT: &str = "0.0000000";
+
 /// How the figures of a column are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Format {
@@ -81,6 +84,11 @@ impl Format {
         };
         let text = self.text(value, entry.bound.is_some());
         let unsure = match entry.bound {
+            // A bare zero among figures with exponents stands for all the decimals that it does not show.
+            Some(bound) if self.decimals.is_none() && text == "0" => match unsure(NOUGHT, bound) {
+                Unsure::Nothing => Unsure::Nothing,
+                Unsure::Last(_) | Unsure::Everything => Unsure::Last(0..text.len()),
+            },
             Some(bound) => unsure(&text, bound),
             None => Unsure::Everything,
         };
@@ -279,6 +287,12 @@ mod tests {
         assert_eq!(unsure(0.6), Unsure::Last(2..7));
         assert_eq!(unsure(100.0), Unsure::Last(0..7));
         assert_eq!(format.write(&unproved(1.0)).unsure, Unsure::Everything);
+        let tiny = Format::of_sizes(vec![1e-12]);
+        let unsure = |bound| tiny.write(&proved(1e-13, bound)).unsure;
+        assert_eq!(
+            (unsure(1e-12), unsure(0.07)),
+            (Unsure::Nothing, Unsure::Last(0..1))
+        );
         // -1.234e8: the mantissa's digits, by what they count.
         let large = format.write(&proved(-123_456_789.0, 60_000.0));
         assert_eq!(
