@@ -1,7 +1,7 @@
 //! The real binary on a pseudo-terminal, with an emulated screen at the other end: opening, moving,
 //! resizing, stopping, leaving and losing the line. What is asked most often: is the terminal as it was?
 #![cfg(all(feature = "tui", target_os = "linux"))]
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use portable_pty::{
     Child, CommandBuilder, ExitStatus, MasterPty, PtySize, SlavePty, native_pty_system,

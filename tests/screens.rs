@@ -1,7 +1,7 @@
 //! The whole workbench, driven by key scripts, as a terminal shows it: only the terminal is an emulated
 //! one. Snapshots are in `tests/snapshots`; look at them before you accept new ones.
 #![cfg(feature = "tui")]
-#![allow(clippy::unwrap_used)]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use krank::drawing::Glyphs;
 use krank::scene::{Scene, presets};

@@ -1,5 +1,9 @@
 //! The numbers that everything is computed in: plane vectors, angles, and the arithmetics that the
 //! solver's formulas are written over.
+//!
+//! A formula over [`Number`] gives with doubles the figures; with [`Lanes`] several at once, to the same
+//! bits; with [`Ball`]s what they enclose; with [`Double`]s twice the digits; with series their way
+//! through a change point. A [`Constant`] is a given number with what its rounding has cost.
 
 pub mod angle;
 mod ball;

@@ -4,6 +4,20 @@
 //! ordered into groups, the groups become elementary steps, each takes the assembly that the
 //! start means, and the whole motion is followed. [`Solver::solve`] then runs the steps at any
 //! coordinate, in any order, without a history and without allocating.
+//!
+//! ```text
+//! once       network   points, links and slides as constraints: what is known, what is sought
+//!            order     which constraints are solved together, and in which order
+//!            chain     groups become steps: dyads in closed form, the rest coupled -> plan
+//!            assemble  the assembly that is meant, at the start        choices  the others
+//!            motion    the range, its limits and change points         passage  the way through these
+//! each time  engine    runs the steps: step (closed forms), coupled (Newton's method with lu)
+//!            lanes     several coordinates at once
+//!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
+//! besides    transmission, classify, neighbour (other lengths), methods (other ways to solve, to compare)
+//! ```
+//!
+//! Formulas of steps and coupled groups are written once, over [`crate::Number`].
 
 mod assemble;
 mod bounds;

@@ -1,7 +1,7 @@
 //! From the terminal's bytes to keys.
 //!
 //! Bytes are read by us and parsed by `termina`, because one reader must see everything that the
-//! terminal sends: keys today, answers to our own questions on slow lines later. What the parser
+//! terminal sends: keys, and answers to our own questions on slow lines. What the parser
 //! cannot know is time: a lone ESC is a key when nothing follows, and half a sequence (noise on the
 //! line, Alt and a bracket) must not make the program deaf. So this wrapper knows what is held back
 //! and for how long.
