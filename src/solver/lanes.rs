@@ -40,7 +40,7 @@ impl Solver {
     fn is_ordinary(&self, at: f64) -> bool {
         let motion = &self.motion;
         motion.covers(at)
-            && motion.inside(at) == at
+            && motion.within(at) == at
             && motion.fold_at(at).is_none()
             && !motion.is_dead_point(at)
             && (motion.passages.is_empty() || !motion.passages.is_near(&self.engine, at))
