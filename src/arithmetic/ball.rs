@@ -134,6 +134,8 @@ impl Div for Ball {
 }
 
 impl Number for Ball {
+    const IS_CHEAP: bool = false;
+
     #[inline]
     fn of(constant: Constant) -> Ball {
         Ball::new(constant.hi, constant.off())

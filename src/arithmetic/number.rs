@@ -20,6 +20,9 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// Whether an operation takes no longer than to ask if it is needed.
+    const IS_CHEAP: bool = true;
+
     /// A constant of the mechanism: each arithmetic takes what it can hold.
     fn of(constant: Constant) -> Self;
 

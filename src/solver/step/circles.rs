@@ -90,8 +90,8 @@ impl Circles {
         let p = state.points[self.near.pivot.index()];
         let q = state.points[self.far.pivot.index()];
         let mut point = PointState::fixed(p.p + e);
-        let mut near = LinkState::fixed(e.turned(Vec2::of(self.near.factor)));
-        let mut far = LinkState::fixed(f.turned(Vec2::of(self.far.factor)));
+        let mut near = LinkState::fixed(self.near.direction(e));
+        let mut far = LinkState::fixed(self.far.direction(f));
         if ORDER >= VELOCITY {
             let scale = T::exactly(1.0) / sh;
             let dv = q.v - p.v;
@@ -232,7 +232,7 @@ impl Cylinder {
         let far = state.points[self.far.pivot.index()];
         let mut point = PointState::fixed(p.p + e);
         let mut barrel = LinkState::fixed(e.turned(local.conj()) / local.norm2());
-        let mut link = LinkState::fixed(f.turned(Vec2::of(self.far.factor)));
+        let mut link = LinkState::fixed(self.far.direction(f));
         if ORDER >= VELOCITY {
             let scale = T::exactly(1.0) / sh;
             let tau = Vec2::of(self.along).turned(barrel.d);

@@ -158,7 +158,7 @@ impl CircleLine {
         [h0, root]: [T; 2],
         state: &mut State<T>,
     ) {
-        let mut link = LinkState::fixed(e.turned(Vec2::of(self.arm.factor)));
+        let mut link = LinkState::fixed(self.arm.direction(e));
         let (mut rate, mut second) = (T::default(), T::default());
         if ORDER >= VELOCITY {
             let p = state.points[self.arm.pivot.index()];
@@ -252,7 +252,7 @@ impl CircleRail {
     ) {
         let t = Vec2::of(self.along);
         let n = t.perp();
-        let mut link = LinkState::fixed(e.turned(Vec2::of(self.arm.factor)));
+        let mut link = LinkState::fixed(self.arm.direction(e));
         let mut point = PointState::fixed(Vec2::of(self.through) + t * s);
         if ORDER >= VELOCITY {
             let p = state.points[self.arm.pivot.index()];

@@ -67,6 +67,17 @@ impl Arm {
             factor: local.conj() / local.norm2(),
         }
     }
+
+    /// The direction of the link whose arm stands so.
+    #[inline(always)]
+    fn direction<T: Number>(&self, arm: Vec2<T>) -> Vec2<T> {
+        // Most arms lie along the x axis of their link.
+        if !T::IS_CHEAP && self.factor.y == Constant::default() {
+            arm * T::of(self.factor.x)
+        } else {
+            arm.turned(Vec2::of(self.factor))
+        }
+    }
 }
 
 /// One elementary step.
@@ -267,7 +278,7 @@ fn aim<T: Number, const ORDER: u8>(arm: &Arm, end: PointId, state: &mut State<T>
     let (p, x) = (state.points[arm.pivot.index()], state.points[end.index()]);
     let e = x.p - p.p;
     let mut link = LinkState {
-        d: e.turned(Vec2::of(arm.factor)),
+        d: arm.direction(e),
         ..LinkState::default()
     };
     let length = T::of(arm.length);
