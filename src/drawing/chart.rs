@@ -332,6 +332,19 @@ mod tests {
         assert!(text.lines().any(near), "{text}");
     }
 
+    /// As far apart as doubles can be, on hardly any room.
+    #[test]
+    fn the_ends_of_the_doubles_fit_the_smallest_chart() {
+        let datum = Datum {
+            x: 4.179_692_941_387_758e177,
+            y: 2.473_731_844_8e-310,
+            letter: 'x',
+            best: false,
+        };
+        let raster = chart(vec![datum]).render(9, 5, Glyphs::Ascii);
+        assert_eq!((raster.cols(), raster.rows()), (9, 5));
+    }
+
     proptest! {
         #[test]
         fn any_data_fit_any_size(
