@@ -1,11 +1,10 @@
 //! Numbers with a bound on their error.
 
+use super::U;
 use super::double::two_sum;
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// The unit roundoff, 2^-53: half an ulp of 1.
-const U: f64 = 0.5 * f64::EPSILON;
 /// The bits that hold a double's power of two.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// Radii are sums of positive terms, each rounded: this part more covers some ten million of these

@@ -1,13 +1,12 @@
 //! Constants of a mechanism, and how well they are known.
 
+use super::U;
 use super::ball::half_ulp;
 use super::double::Double;
 use super::number::Number;
 use super::vec2::Vec2;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// The unit roundoff, 2^-53: half an ulp of 1.
-const U: f64 = 0.5 * f64::EPSILON;
 /// The last bits of a double: where all of them are zero, a person has typed a number that a double
 /// holds exactly, such as 250 or 0.625.
 const LAST_BITS: u64 = (1 << 20) - 1;

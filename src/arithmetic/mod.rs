@@ -24,3 +24,6 @@ pub use lanes::{LANES, Lanes, vectorized};
 pub use number::Number;
 pub(crate) use series::{Series, TERMS};
 pub use vec2::Vec2;
+
+/// The unit roundoff of a double, 2^-53: half an ulp of 1.
+pub(crate) const U: f64 = 0.5 * f64::EPSILON;

@@ -1,7 +1,6 @@
 //! Bounds of the dyad that places no joint but a direction: an arm that slides through a pin.
 
-use super::U;
-use crate::arithmetic::{two_product, two_sum};
+use crate::arithmetic::{U, two_product, two_sum};
 use crate::solver::state::State;
 use crate::solver::step::Swing;
 use crate::{Ball, Vec2};

@@ -32,8 +32,6 @@ use crate::arithmetic::typed_radius;
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 use std::sync::Arc;
 
-/// The unit roundoff, 2^-53.
-const U: f64 = 0.5 * f64::EPSILON;
 /// Nothing is known.
 const UNKNOWN: Ball = Ball {
     mid: 0.0,

@@ -1,7 +1,6 @@
 //! Bounds of the dyads that place a joint by two constraints: circles and lines.
 
-use super::U;
-use crate::arithmetic::{half_ulp, two_product, two_sum};
+use crate::arithmetic::{U, half_ulp, two_product, two_sum};
 use crate::solver::state::{PointState, State};
 use crate::solver::step::{CircleLine, CircleRail, Circles, Cylinder};
 use crate::{Ball, Constant, Vec2};

@@ -6,14 +6,12 @@
 //! are solutions of linear equations with the same matrix, and are enclosed likewise.
 
 use super::{Base, Coupled, Room, Scratch};
-use crate::arithmetic::{half_ulp, two_product, two_sum};
+use crate::arithmetic::{U, half_ulp, two_product, two_sum};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::solver::step::{ACCELERATION, VELOCITY};
 use crate::{Ball, Number};
 
-/// Half an ulp of 1.
-const U: f64 = 0.5 * f64::EPSILON;
 /// How much larger than the first step the box is that has to prove itself.
 const BOX: f64 = 2.0;
 /// No row of I - R J may be larger than this in sum; with the box twice the step it then proves
