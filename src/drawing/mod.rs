@@ -34,6 +34,7 @@ mod raster;
 mod reach;
 mod render;
 mod stroke;
+mod svg;
 mod symbol;
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,7 @@
 //! Everything that can be asked of the workbench, in one table: the keys, the help overlay, the hints of
 //! the last line and the list of keys in the manual all come from it.
 
+use super::app::View;
 use super::key::Key;
 
 /// What a key asks for.
@@ -28,22 +29,52 @@ pub(crate) enum Action {
     Opening,
     /// List the assemblies.
     Assemblies,
-    /// Save the start positions.
+    /// Write the scene to its file.
     Save,
+    /// Write the scene to another file.
+    SaveAs,
+    /// Read the file again.
+    Reload,
+    /// Choose a preset or a file.
+    Open,
+    /// Beside another scene, or beside what was opened.
+    Compare,
+    /// Take an edit back.
+    Undo,
+    /// Make it again.
+    Redo,
+    /// Find a row.
+    Search,
+    /// Copy to the clipboard of the person's own terminal.
+    Copy,
+    /// Write figures to a CSV file.
+    Csv,
+    /// Write the screen to a text file.
+    Picture,
+    /// Write the drawing or the plot to an SVG file.
+    Svg,
     /// The next preset.
     NextPreset,
     /// The preset before.
     PreviousPreset,
     /// The next set of glyphs.
     Glyphs,
+    /// The next number of colours.
+    Colours,
     /// The next view.
     NextView,
     /// The motion view.
     MotionView,
     /// The tables view.
     TablesView,
+    /// The view of quantities over the motion.
+    PlotsView,
     /// The view of speed against error.
     AccuracyView,
+    /// The view of forces.
+    ForcesView,
+    /// The view of what the scene gives.
+    SceneView,
     /// The view of what the given lengths do.
     LengthsView,
     /// A line up.
@@ -54,8 +85,18 @@ pub(crate) enum Action {
     PageUp,
     /// A screen down.
     PageDown,
+    /// Of the motion view alone.
+    Motion(MotionAction),
+    /// Of the tables alone.
+    Tables(TablesAction),
+    /// Of the plots alone.
+    Plots(PlotsAction),
+    /// Of the scene view alone.
+    Scene(SceneAction),
     /// Show or hide the keys.
     Help,
+    /// The tour.
+    Tour,
     /// One level back.
     Back,
     /// Draw everything again.
@@ -68,9 +109,89 @@ pub(crate) enum Action {
     Leave,
 }
 
+/// What the motion view alone can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum MotionAction {
+    /// Names: of points, of links too, none.
+    Names,
+    /// Arrows of velocity.
+    Velocities,
+    /// Arrows of acceleration.
+    Accelerations,
+    /// Traces of points over the motion.
+    Traces,
+    /// The linkage elsewhere in its motion.
+    Ghosts,
+    /// Centres of mass.
+    Centres,
+    /// Guides and supports.
+    Guides,
+    /// Larger.
+    ZoomIn,
+    /// Smaller.
+    ZoomOut,
+    /// The whole motion again.
+    Fit,
+    /// The window goes left.
+    PanLeft,
+    /// The window goes down.
+    PanDown,
+    /// The window goes up.
+    PanUp,
+    /// The window goes right.
+    PanRight,
+}
+
+/// What the tables alone can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum TablesAction {
+    /// Choose the row, for the motion view.
+    Choose,
+    /// The figure to the left.
+    Left,
+    /// The figure to the right.
+    Right,
+}
+
+/// What the plots alone can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum PlotsAction {
+    /// Choose what is plotted.
+    Choose,
+    /// The next quantity along x.
+    Abscissa,
+    /// Mark the extrema.
+    Extrema,
+}
+
+/// What the scene view alone can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum SceneAction {
+    /// Type another value.
+    Edit,
+    /// A little less.
+    NudgeDown,
+    /// A little more.
+    NudgeUp,
+    /// Nudge by less.
+    FinerNudge,
+    /// Nudge by more.
+    CoarserNudge,
+}
+
+/// Where a key has its meaning.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Place {
+    /// In every view.
+    Everywhere,
+    /// In this one.
+    In(View),
+}
+
 /// A row of the table.
 #[derive(Debug)]
 pub(crate) struct Entry {
+    pub(crate) place: Place,
     pub(crate) action: Action,
     /// One or two words, for the hints of the last line.
     pub(crate) name: &'static str,
@@ -86,6 +207,7 @@ const fn entry(
     keys: &'static [Key],
 ) -> Entry {
     Entry {
+        place: Place::Everywhere,
         action,
         name,
         help,
@@ -93,15 +215,29 @@ const fn entry(
     }
 }
 
+/// The same entry, in one view alone.
+const fn within(view: View, entry: Entry) -> Entry {
+    Entry {
+        place: Place::In(view),
+        ..entry
+    }
+}
+
 /// All actions with their keys, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static ACTIONS: [Entry; 30] = {
+pub(crate) static ACTIONS: [Entry; 71] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
+    use MotionAction as M;
+    use PlotsAction as P;
+    use SceneAction as S;
+    use TablesAction as T;
+    use View::{Motion, Plots, Scene, Tables};
     [
+        // The motion.
         entry(A::Play, "play", "play or pause", &[Char(' ')]),
-        entry(A::StepBack, "back", "one step back", &[Char(','), Key::Left, Char('h')]),
+        entry(A::StepBack, "step back", "one step back", &[Char(','), Key::Left, Char('h')]),
         entry(A::StepForward, "step", "one step on", &[Char('.'), Key::Right, Char('l')]),
         entry(A::SmallerStep, "smaller", "a smaller step", &[Char('[')]),
         entry(A::LargerStep, "larger", "a larger step", &[Char(']')]),
@@ -111,20 +247,67 @@ pub(crate) static ACTIONS: [Entry; 30] = {
         entry(A::GoTo, "go to", "type where to go", &[Char('g')]),
         entry(A::Opening, "opening", "where the scene opens", &[Key::Home]),
         entry(A::Assemblies, "assemblies", "other assemblies", &[Char('a')]),
-        entry(A::Save, "save", "save this assembly", &[Char('w')]),
-        entry(A::NextPreset, "next", "the next preset", &[Char('n')]),
-        entry(A::PreviousPreset, "previous", "the preset before", &[Char('p')]),
-        entry(A::Glyphs, "glyphs", "ASCII, lines, Braille", &[Char('t')]),
+        // The views.
         entry(A::NextView, "view", "the next view", &[Key::Tab]),
         entry(A::MotionView, "motion", "motion and live tables", &[Char('1')]),
         entry(A::TablesView, "tables", "all tables", &[Char('2')]),
-        entry(A::AccuracyView, "accuracy", "speed against error", &[Char('5')]),
+        entry(A::PlotsView, "plots", "figures over the motion", &[Char('3')]),
+        entry(A::AccuracyView, "accuracy", "speed against error", &[Char('4')]),
+        entry(A::ForcesView, "forces", "forces", &[Char('5')]),
+        entry(A::SceneView, "scene", "edit the scene", &[Char('6')]),
         entry(A::LengthsView, "lengths", "what each length does", &[Char('e')]),
-        entry(A::LineUp, "up", "scroll up", &[Key::Up, Char('k')]),
-        entry(A::LineDown, "scroll", "scroll down", &[Key::Down, Char('j')]),
-        entry(A::PageUp, "page up", "scroll a screen up", &[Key::PageUp]),
-        entry(A::PageDown, "page down", "scroll a screen down", &[Key::PageDown]),
+        // What the motion view shows.
+        within(Motion, entry(A::Motion(M::Names), "names", "names of points, links", &[Char('i')])),
+        within(Motion, entry(A::Motion(M::Velocities), "velocities", "arrows of velocity", &[Char('v')])),
+        within(Motion, entry(A::Motion(M::Accelerations), "accelerations", "arrows of acceleration", &[Char('A')])),
+        within(Motion, entry(A::Motion(M::Traces), "traces", "traces of points", &[Char('T')])),
+        within(Motion, entry(A::Motion(M::Ghosts), "ghosts", "other positions", &[Char('G')])),
+        within(Motion, entry(A::Motion(M::Centres), "centres", "centres of mass", &[Char('c')])),
+        within(Motion, entry(A::Motion(M::Guides), "guides", "guides and supports", &[Char('d')])),
+        within(Motion, entry(A::Motion(M::ZoomIn), "zoom in", "zoom in", &[Char('z')])),
+        within(Motion, entry(A::Motion(M::ZoomOut), "zoom out", "zoom out", &[Char('Z')])),
+        within(Motion, entry(A::Motion(M::Fit), "fit", "the whole motion again", &[Char('f')])),
+        within(Motion, entry(A::Motion(M::PanLeft), "pan left", "move the window left", &[Char('H')])),
+        within(Motion, entry(A::Motion(M::PanDown), "pan down", "move it down", &[Char('J')])),
+        within(Motion, entry(A::Motion(M::PanUp), "pan up", "move it up", &[Char('K')])),
+        within(Motion, entry(A::Motion(M::PanRight), "pan right", "move it right", &[Char('L')])),
+        // Lists.
+        entry(A::LineUp, "up", "up a line", &[Key::Up, Char('k')]),
+        entry(A::LineDown, "scroll", "down a line", &[Key::Down, Char('j')]),
+        entry(A::PageUp, "page up", "up a screen", &[Key::PageUp]),
+        entry(A::PageDown, "page down", "down a screen", &[Key::PageDown]),
+        entry(A::Search, "search", "find by name", &[Char('/')]),
+        within(Tables, entry(A::Tables(T::Choose), "choose", "show it in the motion", &[Char('x')])),
+        within(Tables, entry(A::Tables(T::Left), "left", "the figure to the left", &[Char('H')])),
+        within(Tables, entry(A::Tables(T::Right), "right", "the figure to the right", &[Char('L')])),
+        within(Plots, entry(A::Plots(P::Choose), "choose plots", "choose what is plotted", &[Char('x'), Key::Enter])),
+        within(Plots, entry(A::Plots(P::Abscissa), "abscissa", "what stands along x", &[Char('X')])),
+        within(Plots, entry(A::Plots(P::Extrema), "extrema", "mark the extrema", &[Char('m')])),
+        // The scene.
+        within(Scene, entry(A::Scene(S::Edit), "edit", "type another value", &[Key::Enter])),
+        within(Scene, entry(A::Scene(S::NudgeDown), "nudge down", "a little less", &[Char('<')])),
+        within(Scene, entry(A::Scene(S::NudgeUp), "nudge up", "a little more", &[Char('>')])),
+        within(Scene, entry(A::Scene(S::FinerNudge), "finer", "nudge by less", &[Char('{')])),
+        within(Scene, entry(A::Scene(S::CoarserNudge), "coarser", "nudge by more", &[Char('}')])),
+        entry(A::Undo, "undo", "take an edit back", &[Char('u')]),
+        entry(A::Redo, "redo", "make it again", &[Ctrl('r')]),
+        entry(A::Save, "save", "write to the file", &[Char('w')]),
+        entry(A::SaveAs, "save as", "write to another file", &[Char('W')]),
+        entry(A::Reload, "reload", "read the file again", &[Char('R')]),
+        entry(A::Open, "open", "open a preset or file", &[Char('o')]),
+        entry(A::NextPreset, "next", "the next preset", &[Char('n')]),
+        entry(A::PreviousPreset, "previous", "the preset before", &[Char('p')]),
+        entry(A::Compare, "compare", "beside another scene", &[Char('D')]),
+        // Taking things out.
+        entry(A::Copy, "copy", "copy to the clipboard", &[Char('y')]),
+        entry(A::Csv, "csv", "write a CSV file", &[Char('Y')]),
+        entry(A::Picture, "picture", "write the screen", &[Char('P')]),
+        entry(A::Svg, "svg", "write an SVG file", &[Char('S')]),
+        // The program.
+        entry(A::Glyphs, "glyphs", "ASCII, lines, Braille", &[Char('t')]),
+        entry(A::Colours, "colours", "how many colours", &[Char('C')]),
         entry(A::Help, "help", "show or hide this help", &[Char('?'), Function(1)]),
+        entry(A::Tour, "tour", "the tour", &[Char('I'), Function(2)]),
         entry(A::Back, "back", "one level back", &[Key::Escape]),
         entry(A::Redraw, "redraw", "draw everything again", &[Ctrl('l')]),
         entry(A::Suspend, "suspend", "stop; fg goes on", &[Ctrl('z')]),
@@ -133,9 +316,13 @@ pub(crate) static ACTIONS: [Entry; 30] = {
     ]
 };
 
-/// The action of a key.
-pub(crate) fn of_key(key: Key) -> Option<Action> {
-    let entry = ACTIONS.iter().find(|entry| entry.keys.contains(&key));
+/// The action of a key in a view.
+pub(crate) fn of_key(key: Key, view: View) -> Option<Action> {
+    let here = |entry: &&Entry| entry.place == Place::Everywhere || entry.place == Place::In(view);
+    let entry = ACTIONS
+        .iter()
+        .filter(here)
+        .find(|entry| entry.keys.contains(&key));
     entry.map(|entry| entry.action)
 }
 
@@ -166,14 +353,32 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn no_key_stands_twice_and_no_action_is_missing() {
-        let keys: Vec<Key> = ACTIONS.iter().flat_map(|e| e.keys).copied().collect();
-        let different: HashSet<Key> = keys.iter().copied().collect();
-        assert_eq!(keys.len(), different.len());
+    fn no_key_has_two_meanings_in_one_place_and_no_action_is_missing() {
+        for view in View::ALL {
+            let here = |e: &&Entry| e.place == Place::Everywhere || e.place == Place::In(view);
+            let keys: Vec<Key> = ACTIONS
+                .iter()
+                .filter(here)
+                .flat_map(|e| e.keys)
+                .copied()
+                .collect();
+            let different: HashSet<Key> = keys.iter().copied().collect();
+            assert_eq!(keys.len(), different.len(), "{view:?}");
+        }
         for entry in &ACTIONS {
             assert_eq!(entry_of(entry.action).name, entry.name);
-            assert_eq!(of_key(entry.keys[0]), Some(entry.action));
+            let view = match entry.place {
+                Place::Everywhere => View::Motion,
+                Place::In(view) => view,
+            };
+            assert_eq!(of_key(entry.keys[0], view), Some(entry.action));
         }
+    }
+
+    #[test]
+    fn names_tell_the_actions_apart() {
+        let names: HashSet<&str> = ACTIONS.iter().map(|entry| entry.name).collect();
+        assert_eq!(names.len(), ACTIONS.len());
     }
 
     #[test]

@@ -1,14 +1,24 @@
 //! The state of the workbench and how actions change it. Views read it and change nothing.
 
 mod choosing;
+mod comparing;
+mod editing;
+mod lens;
+mod picking;
+mod plotting;
+mod searching;
+mod taking;
+mod touring;
 
 use super::action::{self, Action};
+use super::chosen::Chosen;
 use super::course::{OutOfRange, rounded};
 use super::figures::coordinate;
 use super::key::Key;
 use super::line::Line;
+use super::opening;
 use super::playback::Playback;
-use super::stage::{Stage, open_preset};
+use super::stage::Stage;
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
 use super::terminal::{Capability, Colours};
@@ -45,10 +55,29 @@ pub(crate) enum View {
     Motion,
     /// All tables.
     Tables,
-    /// What the given lengths do to the figures.
-    Lengths,
+    /// Quantities over the motion.
+    Plots,
     /// Speed against error.
     Accuracy,
+    /// Forces.
+    Forces,
+    /// What the scene gives.
+    Scene,
+    /// What the given lengths do to the figures.
+    Lengths,
+}
+
+impl View {
+    /// In the order of their keys.
+    pub(crate) const ALL: [View; 7] = [
+        View::Motion,
+        View::Tables,
+        View::Plots,
+        View::Accuracy,
+        View::Forces,
+        View::Scene,
+        View::Lengths,
+    ];
 }
 
 /// What the terminal has to do after an action.
@@ -79,8 +108,10 @@ pub(crate) struct App {
     mode: Mode,
     /// The study of the open scene.
     survey: Survey,
-    /// Lines that each view is scrolled by: motion, tables, lengths, accuracy.
-    scroll: [usize; 4],
+    /// Lines that each view is scrolled by.
+    scroll: [usize; View::ALL.len()],
+    /// What the motion view shows of the tables.
+    chosen: Chosen,
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -108,7 +139,8 @@ impl App {
             view: View::Motion,
             mode: Mode::Normal,
             survey: Survey::new(wall_clock),
-            scroll: [0; 4],
+            scroll: [0; View::ALL.len()],
+            chosen: Chosen::default(),
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -148,6 +180,11 @@ impl App {
     /// Whether there is work to do between two frames, whoever waits: only in its view.
     pub(crate) fn is_working(&self) -> bool {
         self.view == View::Accuracy && self.survey.phase() == Phase::Running
+    }
+
+    /// What is marked in the tables to be shown in the motion view.
+    pub(crate) fn chosen(&self) -> &Chosen {
+        &self.chosen
     }
 
     pub(crate) fn view(&self) -> View {
@@ -191,7 +228,7 @@ impl App {
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
         self.type_key(key, now).unwrap_or_else(|| {
-            let action = action::of_key(key);
+            let action = action::of_key(key, self.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
         })
     }
@@ -292,10 +329,26 @@ impl App {
             }
             Action::NextPreset => self.open(1),
             Action::PreviousPreset => self.open(-1),
+            Action::Compare => self.compare(),
+            Action::Open => self.pick(),
+            Action::Search => self.search(),
+            Action::Copy | Action::Csv | Action::Picture | Action::Svg => self.take_out(action),
+            Action::SaveAs | Action::Reload | Action::Undo | Action::Redo => {
+                self.edit_history(action);
+            }
+            Action::Motion(action) => self.move_lens(action),
+            Action::Tables(action) => self.browse(action),
+            Action::Plots(action) => self.plot(action),
+            Action::Scene(action) => self.edit(action),
+            Action::Tour => self.tour(),
             Action::Glyphs => self.next_glyphs(),
+            Action::Colours => self.next_colours(),
             Action::NextView => self.next_view(),
             Action::MotionView => self.look(View::Motion),
             Action::TablesView => self.look(View::Tables),
+            Action::PlotsView => self.look(View::Plots),
+            Action::ForcesView => self.look(View::Forces),
+            Action::SceneView => self.look(View::Scene),
             Action::LengthsView => self.look(View::Lengths),
             Action::AccuracyView => {
                 self.look(View::Accuracy);
@@ -411,18 +464,38 @@ impl App {
             self.message = Some("there are no presets".into());
             return;
         };
-        match open_preset(preset) {
-            Ok(opened) => {
-                self.stage = Stage::new(opened);
-                self.opened += 1;
-                self.steps = steps_of(&self.stage);
-                self.playback = Playback::new();
-                self.survey.forget();
-                self.look(self.view);
-                self.scroll = [0; 4];
-            }
+        match opening::preset(preset) {
+            Ok(opened) => self.show(opened),
             Err(message) => self.message = Some(message),
         }
+    }
+
+    /// Another scene, paused where it opens: nothing is left of the one before.
+    pub(crate) fn show(&mut self, opened: Opened) {
+        self.stage = Stage::new(opened);
+        self.opened += 1;
+        self.steps = steps_of(&self.stage);
+        self.playback = Playback::new();
+        self.survey.forget();
+        self.look(self.view);
+        self.scroll = [0; View::ALL.len()];
+        self.chosen = Chosen::default();
+    }
+
+    /// The same scene in another form: the driver stands where it stood, as far as it can be
+    /// there, and what is looked at and chosen stays.
+    pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
+        let at = self.stage.at();
+        self.stage = Stage::new(opened);
+        self.opened += 1;
+        self.survey.forget();
+        self.look(self.view);
+        self.arrive(self.stage.course().clamp(at), now);
+        self.scroll_by(0);
+    }
+
+    fn next_colours(&mut self) {
+        self.message = Some("not there yet".into());
     }
 
     fn next_glyphs(&mut self) {
@@ -437,12 +510,9 @@ impl App {
     }
 
     fn next_view(&mut self) {
-        self.look(match self.view {
-            View::Motion => View::Tables,
-            View::Tables => View::Lengths,
-            View::Lengths => View::Accuracy,
-            View::Accuracy => View::Motion,
-        });
+        let views = View::ALL.iter().cycle();
+        let next = views.skip_while(|view| **view != self.view).nth(1);
+        self.look(*next.unwrap_or(&View::Motion));
     }
 
     /// Looks at a view. What the lengths do is found only while it is looked at; a study begins when it

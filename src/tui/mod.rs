@@ -6,11 +6,13 @@
 
 mod action;
 mod app;
+mod chosen;
 mod cost;
 mod course;
 mod figures;
 mod key;
 mod line;
+mod opening;
 mod panel;
 mod playback;
 mod saving;

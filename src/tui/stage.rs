@@ -2,6 +2,7 @@
 
 use super::cost::Cost;
 use super::course::Course;
+use super::opening::first_words;
 use super::panel::Panel;
 use super::sheet::Sheet;
 use super::{Opened, Origin};
@@ -10,7 +11,7 @@ use crate::drawing::Reach;
 use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{Answers, Tables};
 use crate::scene::presets::{self, Preset};
-use crate::scene::{Diagnostics, Scene, harmless};
+use crate::scene::{Scene, harmless};
 use crate::solver::{Condition, Order, Pick, Solver, State};
 use std::path::PathBuf;
 
@@ -234,25 +235,6 @@ impl Stage {
         };
         all.get(usize::try_from(target.rem_euclid(count)).ok()?)
     }
-}
-
-/// Opens a preset; in words what is wrong with it, which a test keeps from happening.
-pub(crate) fn open_preset(preset: &Preset) -> Result<Opened, String> {
-    let fault = |what: &str| format!("the preset {} cannot be opened: {what}", preset.name);
-    let scene = Scene::parse(preset.text, preset.name).map_err(|d| fault(&first_words(&d)))?;
-    let solver = Solver::new(&scene.mechanism).map_err(|f| fault(&f.to_string()))?;
-    let origin = Origin::Preset(preset.name.to_owned());
-    Ok(Opened {
-        scene,
-        solver,
-        origin,
-    })
-}
-
-/// What a message begins with.
-fn first_words(diagnostics: &Diagnostics) -> String {
-    let first = diagnostics.items.first();
-    first.map_or_else(String::new, |item| item.message.clone())
 }
 
 /// The tables at a coordinate, with their bounds.

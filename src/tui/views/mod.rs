@@ -9,9 +9,12 @@
 
 mod accuracy;
 mod assemblies;
+mod forces;
 mod help;
 mod lengths;
 mod motion;
+mod plots;
+mod scene;
 mod status;
 mod table;
 mod title;
@@ -60,6 +63,9 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
         View::Motion => motion::render(app, sketch, body(area), &mut buffer),
         View::Tables => table::render(app, inset(body(area)), &mut buffer),
         View::Accuracy => accuracy::render(app, body(area), &mut buffer),
+        View::Plots => plots::render(app, body(area), &mut buffer),
+        View::Forces => forces::render(app, inset(body(area)), &mut buffer),
+        View::Scene => scene::render(app, inset(body(area)), &mut buffer),
         View::Lengths => lengths::render(app, inset(body(area)), &mut buffer),
     }
     if let Mode::Help(scroll) = *app.mode() {
@@ -93,6 +99,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (_, View::Tables) => table::extent(app, inset(body)),
         (_, View::Accuracy) => accuracy::extent(app, body),
         (_, View::Lengths) => lengths::extent(app, inset(body)),
+        (_, View::Plots | View::Forces | View::Scene) => (0, 0),
     }
 }
 

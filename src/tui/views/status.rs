@@ -116,7 +116,10 @@ fn trust(app: &App) -> Option<String> {
     let stage = app.stage();
     let shows_figures = match (app.mode(), app.view()) {
         (Mode::Normal, View::Motion | View::Tables) => true,
-        (Mode::Normal, View::Lengths | View::Accuracy)
+        (
+            Mode::Normal,
+            View::Plots | View::Accuracy | View::Forces | View::Scene | View::Lengths,
+        )
         | (
             Mode::Help(_)
             | Mode::GoTo(_)
@@ -149,6 +152,9 @@ fn mode(app: &App) -> &'static str {
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
         (Mode::Normal, View::Lengths) => "lengths",
+        (Mode::Normal, View::Plots) => "plots",
+        (Mode::Normal, View::Forces) => "forces",
+        (Mode::Normal, View::Scene) => "scene",
     }
 }
 
@@ -297,7 +303,7 @@ fn offered(app: &App) -> &'static [Action] {
                 Action::Quit,
             ],
         },
-        (_, View::Tables | View::Lengths) => &[
+        (_, View::Tables | View::Plots | View::Forces | View::Scene | View::Lengths) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,

@@ -1,0 +1,19 @@
+//! Forces: their place is kept.
+
+use super::print;
+use crate::tui::app::App;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+pub(super) fn render(_app: &App, area: Rect, buffer: &mut Buffer) {
+    let text = "this version solves no forces; loads and masses of a scene are read and checked";
+    print(
+        buffer,
+        area.x,
+        area.y,
+        area.width,
+        text,
+        theme::part(Part::Text),
+    );
+}
