@@ -81,10 +81,12 @@ impl View {
 }
 
 /// What the terminal has to do after an action.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Effect {
     /// Show what has changed.
     Show,
+    /// Take these bytes, which are no part of a frame; then show what has changed.
+    Send(Vec<u8>),
     /// Draw everything again.
     Redraw,
     /// Stop the program until the shell continues it.

@@ -267,6 +267,7 @@ impl Session {
             Wake::Paste(text) => self.workbench.app().paste(&text),
             Wake::Key(key) => match self.workbench.key(key) {
                 Effect::Show => {}
+                Effect::Send(bytes) => self.gate.say(&bytes)?,
                 Effect::Redraw => self.start_over(),
                 Effect::Suspend => terminal::ask_to_suspend()?,
                 Effect::Quit => return Ok(Some(None)),
