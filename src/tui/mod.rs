@@ -24,6 +24,7 @@ mod terminal;
 mod theme;
 mod views;
 mod workbench;
+mod writing;
 
 pub use action::key_list;
 pub use terminal::Colours;
