@@ -9,6 +9,7 @@ mod plotting;
 mod searching;
 mod taking;
 mod touring;
+mod writing;
 
 use super::action::{self, Action};
 use super::chosen::Chosen;
@@ -23,11 +24,11 @@ use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
 use super::terminal::{Capability, Colours};
 use super::views;
+use super::writing::{Prompt, Question};
 use super::{Opened, cost};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
-use std::path::PathBuf;
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
@@ -42,10 +43,21 @@ pub(crate) enum Mode {
     GoTo(Line),
     /// The list of assemblies, with the cursor on this one.
     Assemblies(usize),
-    /// The line in which the name of a new file is typed.
-    SaveAs(Line),
-    /// The question whether to write to this file.
-    Confirm(PathBuf),
+    /// The line in which the name of a file is typed.
+    FileName(Prompt),
+    /// The question whether to write to a file.
+    Confirm(Question),
+}
+
+impl Mode {
+    /// The line that is typed in, if there is one.
+    fn line(&mut self) -> Option<&mut Line> {
+        match self {
+            Mode::GoTo(line) => Some(line),
+            Mode::FileName(prompt) => Some(&mut prompt.name),
+            Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) | Mode::Confirm(_) => None,
+        }
+    }
 }
 
 /// What is looked at.
@@ -81,10 +93,12 @@ impl View {
 }
 
 /// What the terminal has to do after an action.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Effect {
     /// Show what has changed.
     Show,
+    /// Take these bytes, which are no part of a frame; then show what has changed.
+    Send(Vec<u8>),
     /// Draw everything again.
     Redraw,
     /// Stop the program until the shell continues it.
@@ -235,7 +249,7 @@ impl App {
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
     pub(crate) fn paste(&mut self, text: &str) {
-        if let Mode::GoTo(line) | Mode::SaveAs(line) = &mut self.mode {
+        if let Some(line) = self.mode.line() {
             text.chars().for_each(|c| line.push(c));
         }
     }
@@ -300,7 +314,7 @@ impl App {
                     Mode::Normal
                     | Mode::GoTo(_)
                     | Mode::Assemblies(_)
-                    | Mode::SaveAs(_)
+                    | Mode::FileName(_)
                     | Mode::Confirm(_) => Mode::Help(0),
                 }
             }
@@ -364,17 +378,15 @@ impl App {
             self.take_assembly(*cursor, now);
             return Some(Effect::Show);
         }
-        if let Mode::Confirm(to) = &self.mode {
+        if let Mode::Confirm(question) = &self.mode {
             if key == Key::Enter {
-                let to = to.clone();
-                self.write(&to);
+                let question = question.clone();
+                self.write(question);
                 return Some(Effect::Show);
             }
             return None;
         }
-        let (Mode::GoTo(line) | Mode::SaveAs(line)) = &mut self.mode else {
-            return None;
-        };
+        let line = self.mode.line()?;
         match key {
             Key::Ctrl('u') => line.clear(),
             Key::Ctrl(_) => return None,
@@ -383,8 +395,8 @@ impl App {
             Key::Char(c) => line.push(c),
             Key::Enter => {
                 let line = line.clone();
-                match self.mode {
-                    Mode::SaveAs(_) => self.accept_file(&line),
+                match &self.mode {
+                    Mode::FileName(prompt) => self.accept_file(prompt.clone()),
                     _ => self.accept(&line, now),
                 }
                 return Some(Effect::Show);
@@ -551,7 +563,7 @@ impl App {
         };
         let scroll = match &mut self.mode {
             Mode::Help(scroll) | Mode::Assemblies(scroll) => scroll,
-            Mode::Normal | Mode::GoTo(_) | Mode::SaveAs(_) | Mode::Confirm(_) => {
+            Mode::Normal | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) => {
                 &mut self.scroll[self.view as usize]
             }
         };

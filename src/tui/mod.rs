@@ -24,6 +24,7 @@ mod terminal;
 mod theme;
 mod views;
 mod workbench;
+mod writing;
 
 pub use action::key_list;
 pub use terminal::Colours;
@@ -267,6 +268,7 @@ impl Session {
             Wake::Paste(text) => self.workbench.app().paste(&text),
             Wake::Key(key) => match self.workbench.key(key) {
                 Effect::Show => {}
+                Effect::Send(bytes) => self.gate.say(&bytes)?,
                 Effect::Redraw => self.start_over(),
                 Effect::Suspend => terminal::ask_to_suspend()?,
                 Effect::Quit => return Ok(Some(None)),

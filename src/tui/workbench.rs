@@ -19,6 +19,8 @@ pub struct Workbench {
     sketch: Sketch,
     painter: Painter,
     now: Duration,
+    /// What keys have sent to the terminal beside frames.
+    sent: Vec<u8>,
 }
 
 impl Workbench {
@@ -48,6 +50,7 @@ impl Workbench {
             sketch: Sketch::default(),
             painter: Painter::new(capability),
             now: Duration::ZERO,
+            sent: Vec::new(),
         }
     }
 
@@ -58,6 +61,7 @@ impl Workbench {
         for key in keys {
             match self.key(key) {
                 Effect::Show | Effect::Suspend => {}
+                Effect::Send(bytes) => self.sent.extend(bytes),
                 Effect::Redraw => self.forget(),
                 Effect::Quit => return false,
             }
@@ -79,6 +83,12 @@ impl Workbench {
     pub fn paint(&mut self) -> &[u8] {
         views::prepare(&self.app, &mut self.sketch);
         self.painter.frame(views::screen(&self.app, &self.sketch))
+    }
+
+    /// What the keys pressed since the last call send to the terminal beside frames: text for its
+    /// clipboard.
+    pub fn take_sent(&mut self) -> Vec<u8> {
+        std::mem::take(&mut self.sent)
     }
 
     /// The frames painted so far, and their bytes.

@@ -1,10 +1,9 @@
 //! Choosing another assembly, and saving the one that is shown.
 
+use super::super::Origin;
 use super::super::action::{self, Action};
-use super::super::line::Line;
-use super::super::{Origin, saving};
+use super::super::writing::{Document, Question};
 use super::{App, Mode, View};
-use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 impl App {
@@ -53,28 +52,16 @@ impl App {
     /// Asks whether to write to the scene's own file, or to which.
     pub(super) fn ask(&mut self) {
         self.playback.pause();
-        self.mode = match self.stage.origin() {
-            Origin::File(path) => Mode::Confirm(path.clone()),
-            Origin::Preset(name) => Mode::SaveAs(Line::for_file(&format!("{name}.toml"))),
-            Origin::Stdin => Mode::SaveAs(Line::for_file("scene.toml")),
-        };
-    }
-
-    /// The name of a new file was typed; an old one is not written over unasked.
-    pub(super) fn accept_file(&mut self, line: &Line) {
-        let to = PathBuf::from(line.text().trim());
-        if to.as_os_str().is_empty() {
-            self.mode = Mode::Normal;
-        } else if to.exists() {
-            self.mode = Mode::Confirm(to);
-        } else {
-            self.write(&to);
+        match self.stage.origin() {
+            Origin::File(path) => {
+                let (document, to) = (Document::Scene, path.clone());
+                self.mode = Mode::Confirm(Question { document, to });
+            }
+            Origin::Preset(name) => {
+                let proposal = format!("{name}.toml");
+                self.ask_for_file(Document::Scene, &proposal);
+            }
+            Origin::Stdin => self.ask_for_file(Document::Scene, "scene.toml"),
         }
-    }
-
-    pub(super) fn write(&mut self, to: &Path) {
-        self.mode = Mode::Normal;
-        let done = saving::save(&mut self.stage, to);
-        self.message = Some(done.unwrap_or_else(|why| why));
     }
 }

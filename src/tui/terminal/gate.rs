@@ -178,6 +178,12 @@ impl Gate {
         self.write_all(&[frame, question].concat())
     }
 
+    /// Writes what is no part of a frame and is never dropped for one: whole, once, behind what was
+    /// sent before. The screen must not change by it.
+    pub(crate) fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.write_all(bytes)
+    }
+
     fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.cut = true;
         self.cut = !self.write_until(bytes, None)?;

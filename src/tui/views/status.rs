@@ -18,9 +18,9 @@ use crate::tui::sheet::FOUND;
 use crate::tui::stage::{Stage, shown};
 use crate::tui::survey::Phase;
 use crate::tui::theme::{self, Part};
+use crate::tui::writing::{Document, Prompt, Question};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use std::path::Path;
 
 /// Longer names of scenes are cut; on short lines sooner, and left out where they would say nothing.
 const LONGEST_SCENE: usize = 20;
@@ -47,12 +47,12 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             prompt(app, typed, &mut line);
             return;
         }
-        Mode::SaveAs(typed) => {
-            file_prompt(app, typed, &mut line);
+        Mode::FileName(prompt) => {
+            file_prompt(app, &prompt.name, &mut line);
             return;
         }
-        Mode::Confirm(to) => {
-            question(app, to, &mut line);
+        Mode::Confirm(asked) => {
+            question(app, asked, &mut line);
             return;
         }
         Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) => {}
@@ -124,7 +124,7 @@ fn trust(app: &App) -> Option<String> {
             Mode::Help(_)
             | Mode::GoTo(_)
             | Mode::Assemblies(_)
-            | Mode::SaveAs(_)
+            | Mode::FileName(_)
             | Mode::Confirm(_),
             _,
         ) => false,
@@ -147,7 +147,11 @@ fn mode(app: &App) -> &'static str {
         (Mode::Help(_), _) => "help",
         (Mode::GoTo(_), _) => "go to",
         (Mode::Assemblies(_), _) => "choose",
-        (Mode::SaveAs(_) | Mode::Confirm(_), _) => "save",
+        (Mode::FileName(Prompt { document, .. }), _)
+        | (Mode::Confirm(Question { document, .. }), _) => match document {
+            Document::Scene => "save",
+            Document::Text(_) => "write",
+        },
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
@@ -238,7 +242,7 @@ fn prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
-/// Where the name of a new file is typed; of a long one its end is seen.
+/// Where the name of a file is typed; of a long one its end is seen.
 fn file_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" write to: ", Part::Text);
     let room = usize::from(line.room().saturating_sub(1));
@@ -255,11 +259,12 @@ fn file_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
 }
 
 /// Whether to write over a file.
-fn question(app: &App, to: &Path, line: &mut Writer<'_>) {
+fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
+    let to = &asked.to;
     let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
-    let what = match app.stage().origin() {
-        Origin::File(own) if own == to => "[start] of",
-        Origin::File(_) | Origin::Preset(_) | Origin::Stdin => "over",
+    let what = match (&asked.document, app.stage().origin()) {
+        (Document::Scene, Origin::File(own)) if own == to => "[start] of",
+        (Document::Scene | Document::Text(_), _) => "over",
     };
     let name = shown(&name, app.glyphs());
     // The keys are what a question is good for.

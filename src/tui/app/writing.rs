@@ -1,0 +1,50 @@
+//! Asking for the name of a file, and writing it.
+
+use super::super::line::Line;
+use super::super::saving;
+use super::super::writing::{Document, Prompt, Question};
+use super::{App, Mode};
+use std::path::PathBuf;
+
+impl App {
+    /// The name of a file was typed; an old one is not written over unasked.
+    pub(super) fn accept_file(&mut self, prompt: Prompt) {
+        let to = PathBuf::from(prompt.name.text().trim());
+        let document = prompt.document;
+        if to.as_os_str().is_empty() {
+            self.mode = Mode::Normal;
+        } else if to.is_dir() {
+            self.message = Some(format!("a folder: {}; add a name", to.display()));
+        } else if to.exists() {
+            self.mode = Mode::Confirm(Question { document, to });
+        } else {
+            self.write(Question { document, to });
+        }
+    }
+
+    /// Writes what was asked for. A text that could not be written is not lost: the line asks for another
+    /// name.
+    pub(super) fn write(&mut self, question: Question) {
+        self.mode = Mode::Normal;
+        let Question { document, to } = question;
+        let done = match &document {
+            Document::Scene => saving::save(&mut self.stage, &to),
+            Document::Text(text) => text.write(&to),
+        };
+        self.message = Some(match done {
+            Ok(said) => said,
+            Err(why) => {
+                if let Document::Text(_) = document {
+                    self.ask_for_file(document, &to.to_string_lossy());
+                }
+                why
+            }
+        });
+    }
+
+    /// Asks for the name of a file, with a proposal.
+    pub(super) fn ask_for_file(&mut self, document: Document, proposal: &str) {
+        let name = Line::for_file(proposal);
+        self.mode = Mode::FileName(Prompt { document, name });
+    }
+}
