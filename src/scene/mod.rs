@@ -103,13 +103,17 @@ mod reader;
 mod resolve;
 mod rewrite;
 mod syntax;
+mod typed;
 mod unit;
+mod values;
 
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub use harmless::{harmless, is_harmful};
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
+pub use typed::Mistyped;
 pub use unit::Unit;
+pub use values::{Measure, Value};
 
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};
 use std::ops::Range;

@@ -264,7 +264,7 @@ fn kind(value: &DeValue<'_>) -> &'static str {
 }
 
 /// The nearest double; infinite for a literal that overflows.
-fn number_of(value: &DeValue<'_>) -> Option<f64> {
+pub(super) fn number_of(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
         DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),

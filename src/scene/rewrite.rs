@@ -133,12 +133,12 @@ fn line_end(text: &str, from: usize) -> usize {
 
 /// Changes of a text by place, made all at once.
 #[derive(Default)]
-struct Edits {
+pub(super) struct Edits {
     list: Vec<(Range<usize>, String)>,
 }
 
 impl Edits {
-    fn replace(&mut self, place: Range<usize>, by: String) {
+    pub(super) fn replace(&mut self, place: Range<usize>, by: String) {
         self.list.push((place, by));
     }
 
@@ -146,7 +146,7 @@ impl Edits {
         self.list.push((at..at, new));
     }
 
-    fn made_in(mut self, text: &str) -> String {
+    pub(super) fn made_in(mut self, text: &str) -> String {
         self.list.sort_by_key(|(place, _)| (place.start, place.end));
         let mut made = String::with_capacity(text.len() + 64 * self.list.len());
         let mut from = 0;

@@ -32,11 +32,16 @@ impl Unit {
     /// Its size in tenths of a millimetre: whole numbers, so that a conversion rounds only once per
     /// operation.
     pub(super) fn tenths_of_mm(self) -> f64 {
+        self.whole_tenths_of_mm().into()
+    }
+
+    /// The same as an integer.
+    pub(super) fn whole_tenths_of_mm(self) -> u32 {
         match self {
-            Unit::Millimetre => 10.0,
-            Unit::Centimetre => 100.0,
-            Unit::Metre => 10_000.0,
-            Unit::Inch => 254.0,
+            Unit::Millimetre => 10,
+            Unit::Centimetre => 100,
+            Unit::Metre => 10_000,
+            Unit::Inch => 254,
         }
     }
 }

@@ -1,0 +1,355 @@
+//! Numbers as people type them, with or without a unit, made into what stands in the file.
+//!
+//! The conversion from another unit is exact in decimals and rounded once, to the nearest double, which is
+//! then written with as few digits as tell it: `12 in` become `304.8` mm, `30cm` become `300`.
+
+use super::Unit;
+use super::rate::{self, number_length};
+use super::values::{Measure, Value};
+use std::fmt;
+
+/// A unit that may be typed: it is worth `times / of` of the one in the file.
+struct Scale {
+    symbol: &'static str,
+    times: u32,
+    of: u32,
+}
+
+const fn scale(symbol: &'static str, times: u32, of: u32) -> Scale {
+    Scale { symbol, times, of }
+}
+
+static MASSES: [Scale; 2] = [scale("kg", 1, 1), scale("g", 1, 1000)];
+static INERTIAS: [Scale; 3] = [
+    scale("kg m^2", 1, 1),
+    scale("kg cm^2", 1, 10_000),
+    scale("kg mm^2", 1, 1_000_000),
+];
+static FORCES: [Scale; 2] = [scale("N", 1, 1), scale("kN", 1000, 1)];
+static TORQUES: [Scale; 4] = [
+    scale("N m", 1, 1),
+    scale("N cm", 1, 100),
+    scale("N mm", 1, 1000),
+    scale("kN m", 1000, 1),
+];
+static GRAVITIES: [Scale; 2] = [scale("m/s^2", 1, 1), scale("mm/s^2", 1, 1000)];
+
+/// Why what was typed cannot stand for a value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Mistyped {
+    /// It does not begin with a number.
+    NoNumber {
+        /// What was typed.
+        typed: String,
+        /// What could have been.
+        units: Vec<&'static str>,
+    },
+    /// The unit measures something else, or nothing.
+    Unit {
+        /// What stands behind the number.
+        unit: String,
+        /// What could stand there.
+        units: Vec<&'static str>,
+    },
+    /// More than a double can hold.
+    TooLarge {
+        /// What was typed.
+        typed: String,
+    },
+}
+
+impl fmt::Display for Mistyped {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Mistyped::NoNumber { typed, units } => {
+                let units = units.join(", ");
+                write!(f, "no number: {typed}; type one, alone or in {units}")
+            }
+            Mistyped::Unit { unit, units } => {
+                write!(f, "{unit} does not fit here: {}", units.join(", "))
+            }
+            Mistyped::TooLarge { typed } => write!(f, "too large: {typed}"),
+        }
+    }
+}
+
+impl std::error::Error for Mistyped {}
+
+impl Value {
+    /// What stands in the file for what was typed: a number in the value's own unit, or one with a unit
+    /// behind it. A comma is taken for the point.
+    ///
+    /// # Errors
+    /// What is no number, or has a unit that measures something else.
+    pub fn typed(&self, typed: &str) -> Result<String, Mistyped> {
+        let typed = typed.trim();
+        let text = typed.replace(',', ".");
+        let (number, unit) = text.split_at(number_length(&text));
+        let unit = unit.trim();
+        let Ok(plain) = number.parse::<f64>() else {
+            return Err(self.no_number(typed));
+        };
+        if unit.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
+            return Err(self.no_number(typed));
+        }
+        let written = if let Some((kind, degree)) = self.measure.rate(self.scene) {
+            let unit = if unit.is_empty() { self.unit } else { unit };
+            let known = rate::units(kind, degree).iter();
+            let known = known.copied().find(|known| same(known, unit));
+            known.map(|unit| (plain, format!("{} {unit}", shortest(plain))))
+        } else {
+            let number = if unit.is_empty() || same(unit, self.unit) {
+                Some(plain)
+            } else {
+                self.converted(number, plain, unit)
+            };
+            number.map(|number| (number, shortest(number)))
+        };
+        match written {
+            Some((number, text)) if number.is_finite() => Ok(text),
+            Some(_) => Err(Mistyped::TooLarge {
+                typed: typed.to_owned(),
+            }),
+            None => Err(Mistyped::Unit {
+                unit: unit.to_owned(),
+                units: self.units(),
+            }),
+        }
+    }
+
+    /// What stands in the file for this value moved by a step in its own unit. Decimals that neither the
+    /// value nor the step has do not come in by rounding.
+    #[must_use]
+    pub fn moved(&self, by: f64) -> String {
+        let sum = self.number + by;
+        let decimals = decimals(self.number).max(decimals(by));
+        let sum = format!("{sum:.decimals$}").parse().unwrap_or(sum);
+        self.written(&shortest(sum))
+    }
+
+    fn no_number(&self, typed: &str) -> Mistyped {
+        Mistyped::NoNumber {
+            typed: typed.to_owned(),
+            units: self.units(),
+        }
+    }
+
+    /// The units that may be typed, that of the file first.
+    fn units(&self) -> Vec<&'static str> {
+        let all: Vec<&'static str> = match (self.measure, self.measure.rate(self.scene)) {
+            (_, Some((kind, degree))) => rate::units(kind, degree).to_vec(),
+            (Measure::Angle, None) => vec!["deg", "rad"],
+            (Measure::Length | Measure::Coordinate | Measure::Start, None) => {
+                Unit::ALL.map(Unit::symbol).to_vec()
+            }
+            (measure, None) => scales(measure).iter().map(|s| s.symbol).collect(),
+        };
+        let others = all.into_iter().filter(|&unit| unit != self.unit);
+        std::iter::once(self.unit).chain(others).collect()
+    }
+
+    /// A number in another unit than the file's, in the file's; `None` where the unit does not fit.
+    fn converted(&self, number: &str, plain: f64, unit: &str) -> Option<f64> {
+        match self.measure {
+            Measure::Angle => (unit == "rad").then(|| plain.to_degrees()),
+            Measure::Length | Measure::Coordinate | Measure::Start => {
+                let typed = Unit::ALL.into_iter().find(|u| u.symbol() == unit)?;
+                let [times, of] = [typed, self.scene].map(Unit::whole_tenths_of_mm);
+                Some(scaled(number, plain, times, of))
+            }
+            measure => {
+                let mut known = scales(measure).iter();
+                let scale = known.find(|scale| same(scale.symbol, unit))?;
+                Some(scaled(number, plain, scale.times, scale.of))
+            }
+        }
+    }
+}
+
+/// The units of a value that is neither a length nor an angle nor a rate.
+fn scales(measure: Measure) -> &'static [Scale] {
+    match measure {
+        Measure::Mass => &MASSES,
+        Measure::Inertia => &INERTIAS,
+        Measure::Force => &FORCES,
+        Measure::Torque => &TORQUES,
+        Measure::Gravity => &GRAVITIES,
+        Measure::Length
+        | Measure::Coordinate
+        | Measure::Start
+        | Measure::Angle
+        | Measure::TurnSpeed
+        | Measure::TurnAcceleration
+        | Measure::PushSpeed
+        | Measure::PushAcceleration => &[],
+    }
+}
+
+/// Whether two units are the same but for blanks.
+fn same(one: &str, other: &str) -> bool {
+    let bare = |c: &char| *c != ' ';
+    one.chars().filter(bare).eq(other.chars().filter(bare))
+}
+
+/// The double nearest to `number * times / of`.
+fn scaled(number: &str, plain: f64, times: u32, of: u32) -> f64 {
+    exactly(number, times, of).unwrap_or(plain * f64::from(times) / f64::from(of))
+}
+
+/// The same in decimals; `None` where there are more digits than anybody types.
+fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
+    let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+    let negative = mantissa.starts_with('-');
+    let mantissa = mantissa.trim_start_matches(['+', '-']);
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits: u128 = format!("{whole}{fraction}").parse().ok()?;
+    let mut exponent: i64 = exponent.parse().ok()?;
+    exponent = exponent.checked_sub(i64::try_from(fraction.len()).ok()?)?;
+    let (mut product, of) = (digits.checked_mul(times.into())?, u128::from(of));
+    // As many more digits as there is room for, until the division leaves nothing.
+    while product % of != 0 {
+        let Some(longer) = product.checked_mul(10) else {
+            break;
+        };
+        product = longer;
+        exponent -= 1;
+    }
+    let quotient = product / of;
+    // More than 30 digits are there; one behind them says on which side of a tie the rest is.
+    let (rest, shift) = if product % of == 0 { ("", 0) } else { ("1", 1) };
+    let sign = if negative { "-" } else { "" };
+    format!("{sign}{quotient}{rest}e{}", exponent - shift)
+        .parse()
+        .ok()
+}
+
+/// As few digits as tell the double, as TOML reads them.
+fn shortest(number: f64) -> String {
+    // What is nothing has no sign.
+    let text = format!("{:?}", number + 0.0);
+    text.strip_suffix(".0").unwrap_or(&text).to_owned()
+}
+
+/// Decimals of a number when it is written in full.
+fn decimals(number: f64) -> usize {
+    let text = number.to_string();
+    text.split_once('.')
+        .map_or(0, |(_, fraction)| fraction.len())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Scene;
+
+    const TEXT: &str = "unit = \"mm\"\ngravity = [0, -9.81]\n[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\n\
+        link = \"r2\"\nangle = 60\nspeed = \"15 rad/s\"\n[links]\n\
+        r2 = { from = \"A\", to = \"B\", length = 100, com = [50, 0], mass = 1, inertia = 2 }\n\
+        r3 = { from = \"B\", to = \"C\", length = 300 }\nr4 = { from = \"C\", to = \"D\", length = 250 }\n\
+        [start]\nC = [310, 230]\n[[loads]]\nlink = \"r4\"\ntorque = 1\n[[loads]]\npoint = \"C\"\nforce = [1, 2]\n";
+
+    fn value_in(text: &str, name: &str) -> Value {
+        let values = Scene::parse(text, "test").unwrap().values();
+        values.into_iter().find(|v| v.name == name).unwrap()
+    }
+
+    fn typed(name: &str, text: &str) -> String {
+        value_in(TEXT, name).typed(text).unwrap()
+    }
+
+    #[test]
+    fn what_was_typed_short_stays_short() {
+        for (text, expected) in [
+            ("100.5", "100.5"),
+            ("100,5", "100.5"),
+            (" 100.50 mm", "100.5"),
+            ("12 in", "304.8"),
+            ("1.1in", "27.94"),
+            ("0.3 m", "300"),
+            ("30cm", "300"),
+            (".7 in", "17.78"),
+            ("1e2", "100"),
+            ("1e-3 m", "1"),
+            ("-0", "0"),
+            ("1e17", "1e17"),
+            ("0.1", "0.1"),
+        ] {
+            assert_eq!(typed("r2 length", text), expected, "{text}");
+        }
+        let inches = TEXT.replace("\"mm\"", "\"in\"");
+        let value = value_in(&inches, "r2 length");
+        assert_eq!(value.typed("25.4 mm").unwrap(), "1");
+        assert_eq!(value.typed("1 cm").unwrap().parse(), Ok(100.0 / 254.0));
+    }
+
+    #[test]
+    fn every_measure_has_its_units() {
+        for (name, text, expected) in [
+            ("driver angle", "90 deg", "90"),
+            ("driver angle", "1.2 rad", "68.75493541569878"),
+            ("driver speed", "143,2 rpm", "143.2 rpm"),
+            ("driver speed", "12", "12 rad/s"),
+            ("driver speed", "90deg/s", "90 deg/s"),
+            ("r2 mass", "350 g", "0.35"),
+            ("r2 inertia", "12 kg mm^2", "0.000012"),
+            ("r4 torque", "12 Nm", "12"),
+            ("r4 torque", "5 N mm", "0.005"),
+            ("C force y", "-1.2kN", "-1200"),
+            ("gravity y", "-9810 mm/s^2", "-9.81"),
+        ] {
+            let found = typed(name, text);
+            assert_eq!(found.parse::<f64>(), expected.parse::<f64>(), "{text}");
+            assert!(found.len() <= expected.len(), "{found}");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_read_says_what_would_be_right() {
+        let refused =
+            |name: &str, text: &str| value_in(TEXT, name).typed(text).unwrap_err().to_string();
+        assert_eq!(
+            refused("r2 length", "long"),
+            "no number: long; type one, alone or in mm, cm, m, in"
+        );
+        assert_eq!(
+            refused("r2 length", "12 kg"),
+            "kg does not fit here: mm, cm, m, in"
+        );
+        assert_eq!(
+            refused("driver speed", "12 mm/s"),
+            "mm/s does not fit here: rad/s, deg/s, rpm"
+        );
+        for wrong in [
+            "", "nan", "inf", "1,2,3", "1 2", "1,000.5", "--1", "1e400", "-",
+        ] {
+            assert!(value_in(TEXT, "r2 length").typed(wrong).is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_step_brings_no_decimals_of_its_own() {
+        let moved = |literal: &str, by: f64| {
+            let text = TEXT.replace("length = 100", &format!("length = {literal}"));
+            value_in(&text, "r2 length").moved(by)
+        };
+        assert_eq!(moved("100.1", 0.2), "100.3");
+        assert_eq!(moved("0.1", 0.2), "0.3");
+        assert_eq!(moved("99.9", 0.1), "100");
+        assert_eq!(moved("1_00", -1.0), "99");
+        assert_eq!(moved("1e-7", 1e-9), "1.01e-7");
+        assert_eq!(moved("1e200", 1e199), "1.1e200");
+        assert_eq!(value_in(TEXT, "driver speed").moved(0.5), "15.5 rad/s");
+    }
+
+    #[test]
+    fn conversions_are_rounded_once() {
+        // By the definition of the inch, in exact integers: n tenths of an inch are 254 n hundredths
+        // of a millimetre.
+        for n in 0..5000_u32 {
+            let typed = format!("{}.{} in", n / 10, n % 10);
+            let exact = format!("{}.{:02}", 254 * n / 100, 254 * n % 100);
+            let found = value_in(TEXT, "r2 length").typed(&typed).unwrap();
+            assert_eq!(found.parse::<f64>(), exact.parse(), "{typed}");
+        }
+    }
+}

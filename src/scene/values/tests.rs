@@ -1,0 +1,160 @@
+use super::*;
+use crate::scene::presets;
+use proptest::prelude::*;
+
+/// Every way to write things, with a byte order mark and line breaks of another system.
+const ALL: &str = "\u{feff}# mine\r\nunit = \"cm\"\r\ngravity = [ 0, -9.81 ] # down\r\n\
+    [ground]\r\nA = [0, 0.0]\r\nD = [4_0, 0] # right\r\n\
+    driver = 1\r\n";
+
+fn names(text: &str) -> Vec<String> {
+    let values = Scene::parse(text, "test").unwrap().values();
+    let shown = |v: &Value| format!("{} = {} {}", v.name, v.literal, v.unit);
+    values.iter().map(shown).collect()
+}
+
+#[test]
+fn every_number_has_a_name_and_a_unit_in_the_order_of_the_file() {
+    let four_bar = presets::find("four-bar").unwrap();
+    assert_eq!(
+        names(four_bar.text),
+        [
+            "A x = 0 mm",
+            "A y = 0 mm",
+            "D x = 400 mm",
+            "D y = 0 mm",
+            "driver angle = 60 deg",
+            "driver speed = 15 rad/s",
+            "r2 length = 100 mm",
+            "r2 com x = 0 mm",
+            "r2 com y = 0 mm",
+            "r3 length = 300 mm",
+            "r3 com x = 150 mm",
+            "r3 com y = 0 mm",
+            "r4 length = 250 mm",
+            "r4 com x = 125 mm",
+            "r4 com y = 0 mm",
+            "C start x = 310 mm",
+            "C start y = 230 mm",
+        ]
+    );
+}
+
+/// Dotted keys, inline tables, several loads, escapes in a text, a mark at the beginning: what is changed
+/// is the number alone.
+#[test]
+fn a_value_is_changed_wherever_and_however_it_is_written() {
+    let text = ALL.replace(
+        "driver = 1\r\n",
+        "[driver]\r\nlink = \"r2\"\r\nangle = +6e1\r\nspeed = \"1\\u0035 rad/s\" # fast\r\nacceleration = ' 2 deg/s^2'\r\n\
+        [links]\r\nr2.from = \"A\"\r\nr2.to = \"B\"\r\nr2.length = 10 # crank\r\nr2.com = [5, 0]\r\nr2.mass = 1.50\r\n\
+        r3 = { from = \"B\", to = \"C\", length = 30, points = { P = [15, 8] } }\r\n\
+        [links.r4]\r\nfrom = \"C\"\r\nto = \"D\"\r\nlength = 25\r\n\
+        [start]\r\nC = [31, 23]\r\n\
+        [[loads]]\r\npoint = \"P\"\r\nforce = [1, 2]\r\n[[loads]]\r\npoint = \"P\"\r\nforce = [3, 4]\r\n\
+        [[loads]]\r\nlink = \"r4\"\r\ntorque = 1_000.5\r\n",
+    );
+    let scene = Scene::parse(&text, "test").unwrap();
+    let changed = |name: &str, by: &str| {
+        let values = scene.values();
+        let value = values.iter().find(|v| v.name == name).unwrap();
+        scene.with_value(value, by)
+    };
+    let without_mark = text.strip_prefix('\u{feff}').unwrap();
+    for (name, by, from, to) in [
+        ("gravity y", "-1", "-9.81 ]", "-1 ]"),
+        ("D x", "41", "4_0,", "41,"),
+        ("driver angle", "7", "+6e1", "7"),
+        ("driver speed", "3 rpm", "\"1\\u0035 rad/s\"", "\"3 rpm\""),
+        (
+            "driver acceleration",
+            "0 rad/s^2",
+            "' 2 deg/s^2'",
+            "'0 rad/s^2'",
+        ),
+        ("r2 length", "11", "10 #", "11 #"),
+        ("r2 mass", "2", "1.50", "2"),
+        ("r3 P y", "9.5", "[15, 8]", "[15, 9.5]"),
+        ("r4 length", "26", "length = 25", "length = 26"),
+        ("C start x", "32", "[31,", "[32,"),
+        ("P force x (2)", "5", "[3,", "[5,"),
+        ("r4 torque", "7", "1_000.5", "7"),
+    ] {
+        let expected = without_mark.replacen(from, to, 1);
+        assert_ne!(expected, without_mark);
+        assert_eq!(changed(name, by), expected, "{name}");
+        assert!(Scene::parse(&expected, "test").is_ok(), "{name}");
+    }
+}
+
+#[test]
+fn slides_have_values_too() {
+    let text = presets::find("slider-crank").unwrap().text;
+    assert!(
+        names(text).iter().any(|n| n.starts_with("r4 angle = ")),
+        "{:?}",
+        names(text)
+    );
+    let boom = presets::find("excavator-boom").unwrap().text;
+    assert!(names(boom).contains(&"driver position = 2.0 m".to_owned()));
+    assert!(names(boom).contains(&"driver speed = 0.15 m/s".to_owned()));
+    assert!(names(boom).contains(&"boom T x = 5.6 m".to_owned()));
+}
+
+#[test]
+fn every_value_of_every_preset_by_itself_is_the_same_text() {
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let values = scene.values();
+        let mut places: Vec<_> = values.iter().map(|v| v.place.clone()).collect();
+        places.dedup_by(|later, earlier| later.start < earlier.end);
+        assert_eq!(
+            places.len(),
+            values.len(),
+            "places of {} overlap",
+            preset.name
+        );
+        for value in &values {
+            assert_eq!(
+                scene.with_value(value, &value.text()),
+                scene.text(),
+                "{}",
+                value.name
+            );
+            let typed = value.typed(&value.literal).unwrap();
+            let again = scene.with_value(value, &typed);
+            let again = Scene::parse(&again, preset.name).unwrap();
+            let found = again.values().into_iter().find(|v| v.name == value.name);
+            assert_eq!(found.unwrap().number, value.number);
+        }
+    }
+}
+
+proptest! {
+    /// Whatever is put in the place of a value, everything around it stays to the byte.
+    #[test]
+    fn the_rest_stays_to_the_byte(preset in 0..presets::all().len(), at in 0_usize..1000, text in "\\PC{0,12}") {
+        let preset = &presets::all()[preset];
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let values = scene.values();
+        let value = &values[at % values.len()];
+        let changed = scene.with_value(value, &text);
+        prop_assert_eq!(&changed[..value.place.start], &scene.text()[..value.place.start]);
+        prop_assert!(changed.ends_with(&scene.text()[value.place.end..]));
+        // Neither reading it nor typing it panics.
+        let _ = Scene::parse(&changed, preset.name);
+        let _ = value.typed(&text);
+    }
+
+    /// A step forth and back leads to the same number.
+    #[test]
+    fn steps_can_be_taken_back(number in -1e6_f64..1e6, exponent in -6_i32..3) {
+        let text = presets::find("four-bar").unwrap().text;
+        let number = (number * 1e3).round() / 1e3;
+        let scene = Scene::parse(&text.replace("A = [0, 0]", &format!("A = [{number:?}, 0]")), "t").unwrap();
+        let value = &scene.values()[0];
+        let step: f64 = format!("2e{exponent}").parse().unwrap();
+        let there = Value { number: value.moved(step).parse().unwrap(), ..value.clone() };
+        prop_assert_eq!(there.moved(-step).parse::<f64>().unwrap(), number);
+    }
+}
