@@ -89,6 +89,7 @@
 
 mod arithmetic;
 pub mod assembly;
+mod capability;
 pub mod cli;
 pub mod drawing;
 mod explain;

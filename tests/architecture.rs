@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 15] = [
+const PLACES: [(&str, u8); 16] = [
     ("nearest", 0),
     ("arithmetic", 0),
     ("replace", 0),
@@ -24,9 +24,10 @@ const PLACES: [(&str, u8); 15] = [
     ("study", 5),
     ("drawing", 6),
     ("report", 6),
-    ("tui", 7),
-    ("cli", 8),
-    ("main", 9),
+    ("capability", 7),
+    ("tui", 8),
+    ("cli", 9),
+    ("main", 10),
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.

@@ -1,6 +1,7 @@
 //! What the terminal behind standard error can show.
 
-use std::ffi::OsString;
+use crate::capability::{Colours, Judgement, Kind};
+use crate::drawing::Glyphs;
 use std::io::{IsTerminal, stderr};
 
 /// What messages may use.
@@ -17,26 +18,24 @@ pub(super) struct Screen {
 impl Screen {
     /// As the environment says.
     pub(super) fn detect() -> Self {
-        Screen::judge(|name| std::env::var_os(name), stderr().is_terminal())
+        Screen::judge(&judgement(), stderr().is_terminal())
     }
 
-    fn judge(variable: impl Fn(&str) -> Option<OsString>, terminal: bool) -> Self {
-        let set = |name: &str| variable(name).filter(|value| !value.is_empty());
-        // The order in which POSIX has them override each other.
-        let locale = set("LC_ALL").or_else(|| set("LC_CTYPE"));
-        let locale = locale.or_else(|| set("LANG")).unwrap_or_default();
-        let locale = locale.to_string_lossy().to_ascii_lowercase();
-        let utf8 = locale.contains("utf-8") || locale.contains("utf8");
-        let term = set("TERM").unwrap_or_default();
-        let term = term.to_string_lossy();
-        let plain = term.is_empty() || term == "dumb" || term.starts_with("vt");
+    fn judge(judgement: &Judgement, terminal: bool) -> Self {
+        let kind = judgement.kind();
         Screen {
             // The Linux console speaks UTF-8, but its fonts lack most of it.
-            ascii: !utf8 || plain || term == "linux",
-            colour: terminal && !plain && set("NO_COLOR").is_none(),
-            redraws: terminal && !term.is_empty() && term != "dumb",
+            ascii: judgement.glyphs().value != Glyphs::Braille,
+            colour: terminal && judgement.colours().value != Colours::None,
+            redraws: terminal && !matches!(kind, Kind::Unknown | Kind::Dumb),
         }
     }
+}
+
+/// What the environment says of the terminal.
+pub(super) fn judgement() -> Judgement {
+    let text = |value: std::ffi::OsString| value.to_string_lossy().into_owned();
+    Judgement::of(|name| std::env::var_os(name).map(text))
 }
 
 #[cfg(test)]
@@ -45,7 +44,8 @@ mod tests {
 
     fn screen(variables: &[(&str, &str)], terminal: bool) -> Screen {
         let find = |name: &str| variables.iter().find(|(n, _)| *n == name);
-        Screen::judge(|name| find(name).map(|(_, v)| v.into()), terminal)
+        let judgement = Judgement::of(|name| find(name).map(|(_, v)| (*v).to_owned()));
+        Screen::judge(&judgement, terminal)
     }
 
     #[test]

@@ -26,10 +26,11 @@ mod views;
 mod workbench;
 mod writing;
 
+pub use crate::capability::Colours;
 pub use action::key_list;
-pub use terminal::Colours;
 pub use workbench::Workbench;
 
+use crate::capability::Judgement;
 use crate::drawing::Glyphs;
 use crate::scene::Scene;
 use crate::solver::Solver;
@@ -40,7 +41,7 @@ use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
-use terminal::{Capability, Dumb, Gate, Notice, Wake};
+use terminal::{Gate, Notice, Wake};
 use thiserror::Error;
 
 /// Where a scene comes from.
@@ -131,9 +132,9 @@ impl Error {
 /// Where there is no terminal that can show it, and what the system says about it. A panic inside is
 /// an error too.
 pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
-    let env = |name: &str| std::env::var(name).ok();
-    let capability =
-        Capability::detect(env, options.glyphs, options.colours).map_err(|Dumb| Error::Dumb)?;
+    let judgement = Judgement::of(|name| std::env::var(name).ok());
+    let capability = judgement.capability(options.glyphs, options.colours);
+    let capability = capability.ok_or(Error::Dumb)?;
     let end = catching(|| {
         let gate = Gate::open(capability)?;
         let size = gate.size();

@@ -2,10 +2,10 @@
 
 use super::app::{App, Effect};
 use super::key::Key;
-use super::terminal::Colours;
-use super::terminal::{Capability, Painter};
+use super::terminal::Painter;
 use super::views::{self, Sketch};
 use super::{Frames, Opened};
+use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use ratatui::layout::Size;
 use std::time::Duration;

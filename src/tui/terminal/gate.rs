@@ -1,9 +1,9 @@
 //! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
 
-use super::capability::Capability;
 use super::keyboard::{Input, Keyboard};
 use super::pace::{Pace, QUESTION};
 use super::signals::{self, Notice, Signals};
+use crate::capability::Capability;
 use crate::tui::Error;
 use crate::tui::key::Key;
 use ratatui::layout::Size;

@@ -4,15 +4,12 @@
 //! linkages. One reader reads all that the terminal sends (`keyboard`), one writer writes whole
 //! frames (`painter`), one guard puts the terminal back as it was found (`gate`).
 
-mod capability;
 mod gate;
 mod keyboard;
 mod pace;
 mod painter;
 mod signals;
 
-pub use capability::Colours;
-pub(crate) use capability::{Capability, Dumb};
 pub(crate) use gate::{Gate, Wake};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};

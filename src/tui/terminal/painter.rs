@@ -5,7 +5,7 @@
 //! a VT100 understands (CUP, CUF, EL, SGR), asks nothing, and never relies on where the cursor is
 //! after the last column. Every cell is one column wide: the views let nothing else through.
 
-use super::capability::{Capability, Colours};
+use crate::capability::{Capability, Colours};
 use crate::tui::Frames;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;

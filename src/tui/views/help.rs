@@ -7,11 +7,11 @@
 
 use super::table::UNSURE;
 use super::{print, print_right};
+use crate::capability::Colours;
 use crate::drawing::Glyphs;
 use crate::tui::action::{ACTIONS, Action, entry_of};
 use crate::tui::app::App;
 use crate::tui::sheet::FOUND;
-use crate::tui::terminal::Colours;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

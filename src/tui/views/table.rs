@@ -1,11 +1,11 @@
 //! Figures in columns: beside or below the drawing, and as a view of their own.
 
 use super::{columns, mark_more, print, print_right};
+use crate::capability::Colours;
 use crate::tui::app::App;
 use crate::tui::figures::Unsure;
 use crate::tui::sheet::{Line, Shown};
 use crate::tui::stage::shown;
-use crate::tui::terminal::Colours;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -1,0 +1,285 @@
+//! What a terminal can show, judged from the environment alone: in one place, for the workbench and
+//! for messages. Nothing is asked of the terminal itself: many never answer, and a slow one answers
+//! into the shell.
+
+use crate::drawing::Glyphs;
+
+/// How many colours may be used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Colours {
+    /// None; bold and reverse remain.
+    None,
+    /// The 16 names of the terminal's own palette.
+    Sixteen,
+    /// The fixed palette of 256.
+    Indexed,
+    /// Any colour.
+    True,
+}
+
+impl Colours {
+    /// As the options and the configuration name it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Colours::None => "none",
+            Colours::Sixteen => "16",
+            Colours::Indexed => "256",
+            Colours::True => "true",
+        }
+    }
+
+    /// The next more, and after all of them none.
+    #[must_use]
+    pub(crate) fn next(self) -> Self {
+        match self {
+            Colours::None => Colours::Sixteen,
+            Colours::Sixteen => Colours::Indexed,
+            Colours::Indexed => Colours::True,
+            Colours::True => Colours::None,
+        }
+    }
+}
+
+/// What the terminal can show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Capability {
+    /// The characters that are safe.
+    pub(crate) glyphs: Glyphs,
+    /// The colours that are safe.
+    pub(crate) colours: Colours,
+    /// Whether it is an emulator that ignores a private mode it does not know: synchronised frames
+    /// and bracketed paste are switched on only there.
+    pub(crate) modern: bool,
+}
+
+/// What TERM says of the terminal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// It says nothing.
+    Unknown,
+    /// It cannot place its cursor.
+    Dumb,
+    /// A real terminal of old, or something that is as modest.
+    Old,
+    /// The console of Linux: UTF-8, but fonts with few characters.
+    Console,
+    /// An emulator with a window of its own.
+    Emulator,
+}
+
+/// The variables that name the locale, in the order in which POSIX has them override each other.
+const LOCALE: [&str; 3] = ["LC_ALL", "LC_CTYPE", "LANG"];
+
+/// The environment, as far as it tells about the terminal, and what follows from it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Judgement {
+    term: String,
+    /// The variable that decides, and what it says.
+    locale: Option<(&'static str, String)>,
+    no_color: Option<String>,
+    colorterm: Option<String>,
+}
+
+/// What was found, and from what it follows.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Found<T> {
+    /// What was found.
+    pub(crate) value: T,
+    /// Why, in a few words.
+    pub(crate) why: String,
+}
+
+fn found<T>(value: T, why: impl Into<String>) -> Found<T> {
+    let why = why.into();
+    Found { value, why }
+}
+
+impl Judgement {
+    /// Reads the environment through `env`; a variable that is empty is not set.
+    pub(crate) fn of(env: impl Fn(&str) -> Option<String>) -> Self {
+        let given = |name: &str| env(name).filter(|value| !value.is_empty());
+        let locale = |name| given(name).map(|value| (name, value));
+        Judgement {
+            term: given("TERM").unwrap_or_default(),
+            locale: LOCALE.into_iter().find_map(locale),
+            no_color: given("NO_COLOR"),
+            colorterm: given("COLORTERM"),
+        }
+    }
+
+    /// What TERM says.
+    pub(crate) fn kind(&self) -> Kind {
+        match self.term.as_str() {
+            "" => Kind::Unknown,
+            "dumb" => Kind::Dumb,
+            "linux" => Kind::Console,
+            term if term.starts_with("vt") => Kind::Old,
+            _ => Kind::Emulator,
+        }
+    }
+
+    /// Whether the locale's characters are UTF-8.
+    pub(crate) fn is_utf8(&self) -> bool {
+        let locale = self.locale.as_ref().map(|(_, value)| value);
+        locale.is_some_and(|value| {
+            let value = value.to_ascii_lowercase();
+            value.contains("utf-8") || value.contains("utf8")
+        })
+    }
+
+    /// The characters to draw with.
+    pub(crate) fn glyphs(&self) -> Found<Glyphs> {
+        if !self.is_utf8() {
+            return found(Glyphs::Ascii, "the locale is not UTF-8");
+        }
+        match self.kind() {
+            Kind::Unknown => found(Glyphs::Ascii, "TERM is not set"),
+            Kind::Dumb | Kind::Old => {
+                found(Glyphs::Ascii, format!("TERM={} has no others", self.term))
+            }
+            Kind::Console => found(Glyphs::Line, "console fonts have lines, but no Braille"),
+            Kind::Emulator => found(Glyphs::Braille, "an emulator in a UTF-8 locale"),
+        }
+    }
+
+    /// The colours to draw with.
+    pub(crate) fn colours(&self) -> Found<Colours> {
+        if self.no_color.is_some() {
+            return found(Colours::None, "NO_COLOR is set");
+        }
+        match (self.kind(), self.colorterm.as_deref()) {
+            (Kind::Unknown, _) => found(Colours::None, "TERM is not set"),
+            (Kind::Dumb | Kind::Old, _) => {
+                found(Colours::None, format!("TERM={} has none", self.term))
+            }
+            (Kind::Console | Kind::Emulator, Some(many @ ("truecolor" | "24bit"))) => {
+                found(Colours::True, format!("COLORTERM={many}"))
+            }
+            (Kind::Console | Kind::Emulator, _) => self.colours_of_term(),
+        }
+    }
+
+    fn colours_of_term(&self) -> Found<Colours> {
+        let why = format!("TERM={}", self.term);
+        if self.term.contains("direct") {
+            found(Colours::True, why)
+        } else if self.term.contains("256color") {
+            found(Colours::Indexed, why)
+        } else {
+            found(Colours::Sixteen, format!("{why} promises no more"))
+        }
+    }
+
+    /// What the workbench may use, where nobody wishes otherwise; `None` where no cursor can be
+    /// placed, and so there is no screen to draw on.
+    pub(crate) fn capability(
+        &self,
+        glyphs: Option<Glyphs>,
+        colours: Option<Colours>,
+    ) -> Option<Capability> {
+        let capability = Capability {
+            glyphs: glyphs.unwrap_or(self.glyphs().value),
+            colours: colours.unwrap_or(self.colours().value),
+            modern: self.kind() == Kind::Emulator,
+        };
+        (self.kind() != Kind::Dumb).then_some(capability)
+    }
+
+    /// What was read: each variable and what it says, or that it is not set.
+    pub(crate) fn variables(&self) -> [(&'static str, Option<&str>); 4] {
+        let (name, locale) = match &self.locale {
+            Some((name, value)) => (*name, Some(value.as_str())),
+            None => ("locale", None),
+        };
+        let term = (!self.term.is_empty()).then_some(self.term.as_str());
+        [
+            ("TERM", term),
+            (name, locale),
+            ("NO_COLOR", self.no_color.as_deref()),
+            ("COLORTERM", self.colorterm.as_deref()),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn judge(environment: &[(&str, &str)]) -> Judgement {
+        Judgement::of(|name| {
+            let found = environment.iter().find(|(n, _)| *n == name);
+            found.map(|(_, value)| (*value).to_owned())
+        })
+    }
+
+    #[test]
+    fn environments_are_told_apart() {
+        use Colours::{Indexed, None, Sixteen, True};
+        use Glyphs::{Ascii, Braille, Line};
+        let utf8 = ("LANG", "en_GB.UTF-8");
+        let found = |extra: &[(&str, &str)]| {
+            let all = judge(&[&[utf8], extra].concat());
+            let found = all.capability(Option::None, Option::None).unwrap();
+            (found.glyphs, found.colours, found.modern)
+        };
+        let xterm = ("TERM", "xterm-256color");
+        assert_eq!(found(&[xterm]), (Braille, Indexed, true));
+        assert_eq!(found(&[("TERM", "xterm")]), (Braille, Sixteen, true));
+        assert_eq!(found(&[("TERM", "xterm-direct")]), (Braille, True, true));
+        assert_eq!(found(&[("TERM", "linux")]), (Line, Sixteen, false));
+        assert_eq!(found(&[("TERM", "vt100")]), (Ascii, None, false));
+        assert_eq!(found(&[("TERM", "vt220")]), (Ascii, None, false));
+        assert_eq!(found(&[]), (Ascii, None, false));
+        let truecolor = ("COLORTERM", "truecolor");
+        assert_eq!(found(&[xterm, truecolor]), (Braille, True, true));
+        let no_color = ("NO_COLOR", "1");
+        assert_eq!(found(&[xterm, truecolor, no_color]), (Braille, None, true));
+        assert_eq!(found(&[xterm, ("NO_COLOR", "")]), (Braille, Indexed, true));
+        assert_eq!(found(&[xterm, ("LC_ALL", "C")]), (Ascii, Indexed, true));
+        assert_eq!(found(&[xterm, ("LC_ALL", "")]), (Braille, Indexed, true));
+        let posix = ("LC_CTYPE", "POSIX");
+        assert_eq!(found(&[xterm, posix]), (Ascii, Indexed, true));
+        let c_utf8 = ("LC_ALL", "C.utf8");
+        assert_eq!(found(&[xterm, c_utf8]), (Braille, Indexed, true));
+        let dumb = judge(&[("TERM", "dumb")]);
+        assert_eq!(dumb.capability(Option::None, Option::None), Option::None);
+    }
+
+    #[test]
+    fn wishes_override_what_was_found() {
+        let vt = judge(&[("TERM", "vt100")]);
+        let wished = vt.capability(Some(Glyphs::Braille), Some(Colours::True));
+        let wished = wished.unwrap();
+        assert_eq!(
+            (wished.glyphs, wished.colours),
+            (Glyphs::Braille, Colours::True)
+        );
+        assert!(!wished.modern, "nobody wishes a VT100 to be another one");
+    }
+
+    #[test]
+    fn reasons_name_what_decided() {
+        let judged = judge(&[
+            ("TERM", "xterm"),
+            ("LC_ALL", "C"),
+            ("LANG", "de_DE.UTF-8"),
+            ("NO_COLOR", "1"),
+        ]);
+        assert_eq!(judged.glyphs().why, "the locale is not UTF-8");
+        assert_eq!(judged.colours().why, "NO_COLOR is set");
+        assert_eq!(judged.variables()[1], ("LC_ALL", Some("C")));
+        assert_eq!(judge(&[]).variables()[0], ("TERM", None));
+        assert_eq!(
+            judge(&[("TERM", "vt220")]).colours().why,
+            "TERM=vt220 has none"
+        );
+    }
+
+    #[test]
+    fn more_colours_come_round() {
+        let all = std::iter::successors(Some(Colours::None), |c| Some(c.next()));
+        let names: Vec<_> = all.take(5).map(Colours::name).collect();
+        assert_eq!(names, ["none", "16", "256", "true", "none"]);
+    }
+}
