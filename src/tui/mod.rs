@@ -10,7 +10,9 @@ mod chosen;
 mod cost;
 mod course;
 mod figures;
+mod help;
 mod key;
+mod keymap;
 mod line;
 mod opening;
 mod panel;
@@ -25,7 +27,7 @@ mod theme;
 mod views;
 mod workbench;
 
-pub use action::key_list;
+pub use help::key_list;
 pub use terminal::Colours;
 pub use workbench::Workbench;
 

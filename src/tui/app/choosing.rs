@@ -1,6 +1,6 @@
 //! Choosing another assembly, and saving the one that is shown.
 
-use super::super::action::{self, Action};
+use super::super::action::Action;
 use super::super::line::Line;
 use super::super::{Origin, saving};
 use super::{App, Mode, View};
@@ -43,8 +43,11 @@ impl App {
                 self.mode = Mode::Normal;
                 let at = self.stage.at();
                 self.playback.rebase(now, at);
-                let key = &action::entry_of(Action::Save).keys[0];
-                self.message = Some(format!("{wish} now; {key} saves it"));
+                let mut message = format!("{wish} now");
+                if let Some(key) = self.keymap.key(Action::Save) {
+                    message += &format!("; {key} saves it");
+                }
+                self.message = Some(message);
             }
             Err(why) => self.message = Some(format!("{wish}: {why}")),
         }
