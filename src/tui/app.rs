@@ -16,6 +16,7 @@ use super::chosen::Chosen;
 use super::course::{OutOfRange, rounded};
 use super::figures::coordinate;
 use super::key::Key;
+use super::lens::Lens;
 use super::line::Line;
 use super::opening;
 use super::playback::Playback;
@@ -126,6 +127,8 @@ pub(crate) struct App {
     scroll: [usize; View::ALL.len()],
     /// What the motion view shows of the tables.
     chosen: Chosen,
+    /// What the motion view shows beside the linkage, and how large.
+    lens: Lens,
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -155,6 +158,7 @@ impl App {
             survey: Survey::new(wall_clock),
             scroll: [0; View::ALL.len()],
             chosen: Chosen::default(),
+            lens: Lens::default(),
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -201,6 +205,11 @@ impl App {
         &self.chosen
     }
 
+    /// What the motion view shows beside the linkage, and how large.
+    pub(crate) fn lens(&self) -> &Lens {
+        &self.lens
+    }
+
     pub(crate) fn view(&self) -> View {
         self.view
     }
@@ -241,10 +250,12 @@ impl App {
 
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
-        self.type_key(key, now).unwrap_or_else(|| {
+        let effect = self.type_key(key, now).unwrap_or_else(|| {
             let action = action::of_key(key, self.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
-        })
+        });
+        self.focus();
+        effect
     }
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
@@ -267,6 +278,7 @@ impl App {
             self.survey.work();
         }
         self.now = now;
+        self.focus();
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }
@@ -492,6 +504,7 @@ impl App {
         self.look(self.view);
         self.scroll = [0; View::ALL.len()];
         self.chosen = Chosen::default();
+        self.lens.fit();
     }
 
     /// The same scene in another form: the driver stands where it stood, as far as it can be

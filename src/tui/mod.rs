@@ -11,6 +11,7 @@ mod cost;
 mod course;
 mod figures;
 mod key;
+mod lens;
 mod line;
 mod opening;
 mod panel;
