@@ -6,6 +6,7 @@ use crate::study::USUAL_POSITIONS;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// The keys that one cannot do without, where there is a workbench.
 #[cfg(feature = "tui")]
@@ -83,8 +84,7 @@ pub(super) struct WorkbenchArgs {
     pub(super) colour: Colour,
 }
 
-/// The characters that the workbench draws with.
-#[cfg(feature = "tui")]
+/// The characters to draw with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(super) enum Glyphs {
     /// As the locale and the terminal allow
@@ -141,6 +141,20 @@ Examples:
   krank table four-bar --format json
   krank table four-bar --at 240 --assembly C=-")]
     Table(TableArgs),
+    /// Draw the linkage at one angle: in characters, or as SVG
+    #[command(after_help = "\
+Examples:
+  krank draw four-bar --at 60
+  krank draw hoecken --traces
+  krank draw four-bar --velocities --accelerations C --size 120x40
+  krank draw jansen-leg --traces T --ghosts 6 --format svg -o leg.svg
+
+POINTS are names of points separated by commas, or all. Without them --traces
+draws the curves that are no circles about a ground pin (or these, where there
+is nothing else), --velocities and --accelerations the arrows of all joints and
+riders. Arrows of one kind have one scale over the whole motion; the line below
+tells it. One whose shaft is broken is longer than it is drawn.")]
+    Draw(DrawArgs),
     /// Write figures over the driver's angle, row by row
     #[command(after_help = "\
 Examples:
@@ -247,6 +261,102 @@ pub(super) struct TableArgs {
     pub(super) figures: FigureArgs,
     #[command(flatten)]
     pub(super) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct DrawArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
+    /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(super) at: Option<Decimal>,
+    /// Trace points over the whole motion
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
+    pub(super) traces: Option<Vec<String>>,
+    /// Arrows of velocity
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
+    pub(super) velocities: Option<Vec<String>>,
+    /// Arrows of acceleration
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
+    pub(super) accelerations: Option<Vec<String>>,
+    /// Show the linkage at so many places of its motion
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MOST_GHOSTS))]
+    pub(super) ghosts: u16,
+    /// Which names to write
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) names: Names,
+    /// Mark centres of mass
+    #[arg(long)]
+    pub(super) centres: bool,
+    /// Leave out guides and supports
+    #[arg(long)]
+    pub(super) no_guides: bool,
+    /// The characters to draw with
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) glyphs: Glyphs,
+    /// How large; a character is 8 x 16 units of an SVG [default: the terminal's size, or 80x24; 100 wide for an SVG]
+    #[arg(long, value_name = "COLSxROWS")]
+    pub(super) size: Option<Size>,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: PictureFormat,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
+}
+
+/// More positions would hide each other.
+const MOST_GHOSTS: i64 = 360;
+
+/// The names in a drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum Names {
+    /// None
+    None,
+    /// Of points
+    #[default]
+    Points,
+    /// Of points and links
+    All,
+}
+
+/// How a drawing is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum PictureFormat {
+    /// Characters
+    #[default]
+    Text,
+    /// Scalable vector graphics, for a browser or a report
+    Svg,
+}
+
+/// A size in characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Size {
+    pub(super) cols: u16,
+    pub(super) rows: u16,
+}
+
+/// Nobody looks at more characters than this; memory is for something else.
+const LARGEST_SIDE: u16 = 2000;
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once(['x', 'X']);
+        let side = |text: &str| text.parse().ok().filter(|n| (1..=LARGEST_SIDE).contains(n));
+        let size = sides.and_then(|(cols, rows)| {
+            Some(Size {
+                cols: side(cols)?,
+                rows: side(rows)?,
+            })
+        });
+        size.ok_or_else(|| {
+            format!("columns x rows are meant, such as 80x24, each 1 to {LARGEST_SIDE}")
+        })
+    }
 }
 
 #[derive(Debug, Args)]

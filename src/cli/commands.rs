@@ -43,13 +43,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     let at = args.at.map_or(start, |at| at.value());
     let mut state = solver.state();
     if solver.solve(at, Order::Acceleration, &mut state) == Condition::NoAssembly {
-        let catalogue = Catalogue::new(&scene);
-        let driver = catalogue.driver();
-        return Err(Failure::Cannot(format!(
-            "the mechanism cannot be assembled at {at} {}: the driver covers {}",
-            driver.unit,
-            limits_text(solver.motion().range, driver)
-        )));
+        return Err(out_of_reach(&scene, &solver, at));
     }
     tell_of_near_misses(&scene, &solver, screen);
     let mut enclosure = solver.enclosure();
@@ -80,6 +74,17 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         Format::Csv => tables.write_csv(style, out),
         Format::Json => writeln!(out, "{:#}", tables.to_json(style)),
     })
+}
+
+/// There is no state here.
+pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
+    let catalogue = Catalogue::new(scene);
+    let driver = catalogue.driver();
+    Failure::Cannot(format!(
+        "the mechanism cannot be assembled at {at} {}: the driver covers {}",
+        driver.unit,
+        limits_text(solver.motion().range, driver)
+    ))
 }
 
 /// Refuses more derivatives by lengths than there is memory and time for.

@@ -3,6 +3,7 @@
 mod accuracy;
 mod args;
 mod commands;
+mod draw;
 mod failure;
 mod misuse;
 mod output;
@@ -77,6 +78,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::List) => commands::list(screen),
         Some(Command::Check(args)) => commands::check(args, screen),
         Some(Command::Table(args)) => commands::table(args, screen),
+        Some(Command::Draw(args)) => draw::draw(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Start(args)) => commands::start(args),
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),

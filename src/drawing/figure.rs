@@ -1,6 +1,7 @@
 //! What is drawn, in world units: no cells, no glyphs.
 
 use crate::Vec2;
+use std::sync::Arc;
 
 /// What a shape, and later a cell, stands for: colours are chosen by it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -28,6 +29,14 @@ pub enum Role {
     CentreOfMass,
     /// Where the linkage could be as well.
     Ghost,
+    /// Where the linkage comes by elsewhere in its motion.
+    Echo,
+    /// Where a point comes by over the whole motion.
+    Trace,
+    /// An arrow of velocity.
+    Velocity,
+    /// An arrow of acceleration.
+    Acceleration,
     /// A name.
     Label,
     /// An axis of a chart and its labels.
@@ -89,8 +98,26 @@ pub enum Shape {
     Block {
         /// Its middle.
         at: Vec2,
+        /// The direction of its guide.
+        along: Vec2,
         /// Whether a pin sits in it.
         pin: bool,
+    },
+    /// Where a point comes by: a chain of straight lines, short enough to look like a curve.
+    Trace {
+        /// Its corners; one that is not finite is a gap. Shared, for it is the same in every frame.
+        course: Arc<[Vec2]>,
+    },
+    /// An arrow from a point.
+    Arrow {
+        /// The point.
+        from: Vec2,
+        /// The tip.
+        to: Vec2,
+        /// [`Role::Velocity`], or [`Role::Acceleration`] with its two heads.
+        role: Role,
+        /// Whether it is shorter than what it stands for; its shaft is then broken.
+        cut: bool,
     },
     /// A name beside a point.
     Label {
@@ -108,20 +135,23 @@ impl Shape {
         match self {
             Shape::Line { from, to, .. }
             | Shape::Barrel { from, to, .. }
-            | Shape::Hatching { from, to } => from.is_finite() && to.is_finite(),
+            | Shape::Hatching { from, to }
+            | Shape::Arrow { from, to, .. } => from.is_finite() && to.is_finite(),
+            // Gaps are a part of it.
+            Shape::Trace { .. } => true,
             Shape::Outline { corners, .. } => corners.iter().all(|c| c.is_finite()),
-            Shape::Mark { at, .. }
-            | Shape::Support { at }
-            | Shape::Block { at, .. }
-            | Shape::Label { at, .. } => at.is_finite(),
+            Shape::Mark { at, .. } | Shape::Support { at } | Shape::Label { at, .. } => {
+                at.is_finite()
+            }
+            Shape::Block { at, along, .. } => at.is_finite() && along.is_finite(),
         }
     }
 }
 
-/// Shapes in world units, every one finite.
+/// Shapes in world units, every one finite but for the gaps of traces.
 ///
 /// Of two shapes of the same kind the later one lies on top; kinds are ordered by the painter:
-/// the ground below, then guides, links, marks, and names.
+/// ghosts and traces below, then the ground, guides, links, arrows, marks, and names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     shapes: Vec<Shape>,

@@ -4,6 +4,7 @@ use super::figure::{Figure, Role, Shape};
 use super::raster::{Cell, Raster};
 use super::symbol::cell_of;
 use super::view::View;
+use crate::Vec2;
 
 /// Where the labels of a figure stood last; keep it from frame to frame.
 #[derive(Clone, Debug, Default)]
@@ -70,6 +71,8 @@ const SEATS: [Seat; 14] = [
 
 /// For each character that hides a piece of a line.
 const OVER_LINE: i32 = 7;
+/// For each character that hides a piece of an arrow, which moves more than lines do.
+const OVER_ARROW: i32 = 5;
 /// For each character that hides a piece of the ground or of a guide.
 const OVER_GROUND: i32 = 3;
 /// For a mark right before or behind.
@@ -86,10 +89,7 @@ const INERTIA: i32 = 6;
 impl Labels {
     /// Draws the labels of a figure over a raster in which everything else is drawn.
     pub(super) fn place(&mut self, figure: &Figure, view: &View, raster: &mut Raster) {
-        let labels = figure.shapes().iter().filter_map(|shape| match shape {
-            Shape::Label { at, text, role } => Some((*at, text.as_str(), *role)),
-            _ => None,
-        });
+        let labels = names(figure);
         let length: usize = labels.clone().map(|(_, text, _)| text.len()).sum();
         let is_line = |cell: &&Cell| matches!(cell.role, Role::Link | Role::Driver);
         let lines = raster.lines().flatten().filter(is_line).count();
@@ -114,6 +114,32 @@ impl Labels {
         }
         self.places.truncate(count);
     }
+}
+
+impl Labels {
+    /// The names of a figure that were placed, with the cell of their first character.
+    pub(super) fn standing<'f>(
+        &self,
+        figure: &'f Figure,
+        view: &View,
+    ) -> impl Iterator<Item = (&'f str, i32, i32)> {
+        let placed = names(figure).zip(&self.places);
+        placed.filter_map(move |((at, text, _), place)| match *place {
+            Place::Seat(seat) => {
+                let (col, row) = origin(&SEATS[seat], cell_of(view.cell(at)), text);
+                Some((text, col, row))
+            }
+            Place::New | Place::Hidden => None,
+        })
+    }
+}
+
+/// The names of a figure, where they belong, and whose they are.
+fn names(figure: &Figure) -> impl Iterator<Item = (Vec2, &str, Role)> + Clone {
+    figure.shapes().iter().filter_map(|shape| match shape {
+        Shape::Label { at, text, role } => Some((*at, text.as_str(), *role)),
+        _ => None,
+    })
 }
 
 /// Writes a name, with a blank before and behind where there is hatching.
@@ -176,9 +202,10 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     let mut sum = 0;
     for c in col..end {
         sum += match raster.cell(c, row)?.role {
-            // Names stay where they are when ghosts come and go.
-            Role::Empty | Role::Ghost => 0,
+            // Names stay where they are when ghosts and traces come and go.
+            Role::Empty | Role::Ghost | Role::Echo | Role::Trace => 0,
             Role::Ground | Role::Guide => OVER_GROUND,
+            Role::Velocity | Role::Acceleration => OVER_ARROW,
             Role::Link | Role::Driver => OVER_LINE,
             Role::Joint
             | Role::GroundPin
@@ -194,8 +221,8 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     for c in [col - 1, end] {
         let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
         sum += match role {
-            Role::Empty | Role::Ground | Role::Guide | Role::Ghost => 0,
-            Role::Link | Role::Driver => BESIDE_LINE,
+            Role::Empty | Role::Ground | Role::Guide | Role::Ghost | Role::Echo | Role::Trace => 0,
+            Role::Link | Role::Driver | Role::Velocity | Role::Acceleration => BESIDE_LINE,
             Role::Joint | Role::GroundPin | Role::Slider | Role::Rider | Role::CentreOfMass => {
                 TOUCHING
             }
@@ -227,7 +254,6 @@ impl Labels {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Vec2;
     use crate::drawing::{Glyphs, Reach, render, render_into};
     use proptest::prelude::*;
 

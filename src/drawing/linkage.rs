@@ -57,6 +57,17 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
 
 /// Adds the links that are elsewhere in another state of the same scene, to be drawn below everything.
 pub fn add_ghost(figure: &mut Figure, scene: &Scene, now: &State, other: &State) {
+    add_moved(figure, scene, now, other, Role::Ghost);
+}
+
+/// Adds the links that are elsewhere in another state, as this role.
+pub(super) fn add_moved(
+    figure: &mut Figure,
+    scene: &Scene,
+    now: &State,
+    other: &State,
+    role: Role,
+) {
     let mechanism = &scene.mechanism;
     let points = || mechanism.point_ids();
     let size = points()
@@ -73,11 +84,7 @@ pub fn add_ghost(figure: &mut Figure, scene: &Scene, now: &State, other: &State)
             at: other.position(m.point),
             block: roles[m.point.index()] == Role::Slider,
         };
-        outline::draw(
-            figure,
-            &solid().map(corner).collect::<Vec<_>>(),
-            Role::Ghost,
-        );
+        outline::draw(figure, &solid().map(corner).collect::<Vec<_>>(), role);
     }
 }
 
@@ -194,7 +201,8 @@ impl Sketch<'_> {
                 Slider::Pin(_) => true,
                 Slider::Link { origin, .. } => self.mechanism.point(origin).links.len() > 1,
             };
-            self.figure.add(Shape::Block { at, pin });
+            let along = self.state.travel(id).guide;
+            self.figure.add(Shape::Block { at, along, pin });
         }
     }
 

@@ -25,11 +25,16 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arrow;
 mod chart;
 mod figure;
 mod labels;
+mod legend;
 mod linkage;
 mod outline;
+mod overlay;
+mod picture;
+mod points;
 mod raster;
 mod reach;
 mod render;
@@ -38,13 +43,18 @@ mod svg;
 mod symbol;
 #[cfg(test)]
 mod tests;
+mod trace;
 mod trade_off;
 mod view;
 
 pub use chart::{Axis, Chart, Datum};
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
+pub use legend::{LegendEntry, Piece, legend_lines};
 pub use linkage::{Layers, add_ghost, linkage};
+pub use overlay::{Overlay, Wanted};
+pub use picture::svg;
+pub use points::{moving_points, usual_arrows, usual_traces};
 pub use raster::{Cell, Raster};
 pub use reach::Reach;
 pub use render::{Glyphs, render, render_into};

@@ -20,6 +20,8 @@ pub struct Reach {
     ground: Bounds,
     /// The ends of the guides on the ground.
     guides: Bounds,
+    /// The tips of arrows.
+    arrows: Bounds,
     /// How far each slide travels along its guide, in the scene's length unit.
     travel: Vec<Option<(f64, f64)>>,
     anchor: Vec2,
@@ -66,6 +68,14 @@ impl Reach {
         reach
     }
 
+    /// The same with room for the tips of arrows. They belong to the drawing, not to the linkage, and
+    /// so are no part of [`Reach::bounds`].
+    pub(super) fn with_arrows(&self, tips: Bounds) -> Reach {
+        let mut reach = self.clone();
+        reach.arrows = tips;
+        reach
+    }
+
     fn at_rest(scene: &Scene) -> Reach {
         let mechanism = &scene.mechanism;
         let mut ground = Bounds::default();
@@ -79,6 +89,7 @@ impl Reach {
             moving: Bounds::default(),
             ground,
             guides: Bounds::default(),
+            arrows: Bounds::default(),
             travel: vec![None; mechanism.slides().len()],
             anchor: anchor.unwrap_or(Vec2::ZERO),
             name: (longest as f64).min(LONGEST_NAME),
@@ -133,7 +144,7 @@ impl Reach {
     }
 
     /// The parts that must be seen, with the cells that their names and symbols take.
-    pub(super) fn parts(&self) -> [(Bounds, Margin); 3] {
+    pub(super) fn parts(&self) -> [(Bounds, Margin); 4] {
         let side = self.name + 2.0;
         let margin = |side, above, below| Margin {
             left: side,
@@ -145,6 +156,7 @@ impl Reach {
             (self.moving, margin(side, 2.0, 2.0)),
             (self.ground, margin(3.5, 2.0, 3.5)),
             (self.guides, margin(4.0, 2.0, 2.5)),
+            (self.arrows, margin(1.0, 1.0, 1.0)),
         ]
     }
 }
@@ -176,6 +188,7 @@ impl Reach {
             moving: around(moving),
             ground: around(ground),
             guides: Bounds::default(),
+            arrows: Bounds::default(),
             travel: Vec::new(),
             anchor: ground.first().copied().unwrap_or(Vec2::ZERO),
             name: 1.0,

@@ -1,10 +1,12 @@
 //! From a figure to cells.
 
+use super::arrow;
 use super::figure::{Figure, Role, Shape};
 use super::labels::Labels;
 use super::raster::Raster;
 use super::stroke;
 use super::symbol::Symbols;
+use super::trace;
 use super::view::View;
 use crate::Vec2;
 
@@ -24,20 +26,24 @@ pub enum Glyphs {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Layer {
     Ghosts,
+    Traces,
     Ground,
     Guides,
     Links,
     Blocks,
+    Arrows,
     Marks,
     Labels,
 }
 
-const LAYERS: [Layer; 6] = [
+const LAYERS: [Layer; 8] = [
     Layer::Ghosts,
+    Layer::Traces,
     Layer::Ground,
     Layer::Guides,
     Layer::Links,
     Layer::Blocks,
+    Layer::Arrows,
     Layer::Marks,
 ];
 
@@ -46,11 +52,13 @@ fn layer(shape: &Shape) -> Layer {
         Shape::Support { .. } | Shape::Hatching { .. } => Layer::Ground,
         Shape::Line { role, .. } | Shape::Outline { role, .. } => match role {
             Role::Guide => Layer::Guides,
-            Role::Ghost => Layer::Ghosts,
+            Role::Ghost | Role::Echo => Layer::Ghosts,
             _ => Layer::Links,
         },
         Shape::Barrel { .. } => Layer::Links,
         Shape::Block { .. } => Layer::Blocks,
+        Shape::Trace { .. } => Layer::Traces,
+        Shape::Arrow { .. } => Layer::Arrows,
         Shape::Mark { .. } => Layer::Marks,
         Shape::Label { .. } => Layer::Labels,
     }
@@ -73,12 +81,18 @@ pub fn render_into(
         glyphs,
         raster,
     };
-    for current in LAYERS {
-        for shape in figure.shapes().iter().filter(|s| layer(s) == current) {
-            draw(&mut symbols, shape);
-        }
+    for shape in draw_order(figure) {
+        draw(&mut symbols, shape);
     }
     labels.place(figure, view, raster);
+}
+
+/// The shapes of a figure but for its names, from the lowest to the highest.
+pub(super) fn draw_order(figure: &Figure) -> impl Iterator<Item = &Shape> {
+    let of = |current| move |shape: &&Shape| layer(shape) == current;
+    LAYERS
+        .into_iter()
+        .flat_map(move |current| figure.shapes().iter().filter(of(current)))
 }
 
 /// Draws a single picture.
@@ -103,7 +117,26 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
         Shape::Mark { at, role } => symbols.mark(at, role),
         Shape::Support { at } => symbols.support(at),
         Shape::Hatching { from, to } => symbols.hatching(from, to),
-        Shape::Block { at, pin } => symbols.block(at, pin),
+        Shape::Block { at, pin, .. } => symbols.block(at, pin),
+        Shape::Trace { ref course } => {
+            trace::draw(symbols.raster, symbols.glyphs, symbols.view, course);
+        }
+        Shape::Arrow {
+            from,
+            to,
+            role,
+            cut,
+        } => {
+            let ends = [from, to].map(|p| symbols.view.cell(p));
+            arrow::draw(
+                symbols.raster,
+                symbols.glyphs,
+                symbols.view.aspect(),
+                ends,
+                role,
+                cut,
+            );
+        }
         // Names come last, when all that they must avoid is in place.
         Shape::Label { .. } => {}
     }
@@ -150,7 +183,27 @@ mod tests {
             (place(), role()).prop_map(|(at, role)| Shape::Mark { at, role }),
             place().prop_map(|at| Shape::Support { at }),
             (place(), place()).prop_map(|(from, to)| Shape::Hatching { from, to }),
-            (place(), any::<bool>()).prop_map(|(at, pin)| Shape::Block { at, pin }),
+            (place(), place(), any::<bool>()).prop_map(|(at, along, pin)| Shape::Block {
+                at,
+                along,
+                pin
+            }),
+            prop::collection::vec(place(), 0..9).prop_map(|course| Shape::Trace {
+                course: course.into()
+            }),
+            (place(), place(), any::<[bool; 2]>()).prop_map(|(from, to, [twice, cut])| {
+                let role = if twice {
+                    Role::Acceleration
+                } else {
+                    Role::Velocity
+                };
+                Shape::Arrow {
+                    from,
+                    to,
+                    role,
+                    cut,
+                }
+            }),
             (place(), "[ -~]{0,12}", role()).prop_map(|(at, text, role)| Shape::Label {
                 at,
                 text,

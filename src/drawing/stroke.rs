@@ -18,9 +18,9 @@ const CLIMB: f64 = 0.36;
 /// Draws the line from `a` to `b`, in cell coordinates.
 pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: Role) {
     match glyphs {
-        Glyphs::Ascii if role == Role::Ghost => points(raster, a, b, '.'),
+        Glyphs::Ascii if is_dotted(role) => points(raster, a, b, '.', role),
         // Console fonts have it: it is in Latin-1.
-        Glyphs::Line if role == Role::Ghost => points(raster, a, b, '\u{b7}'),
+        Glyphs::Line if is_dotted(role) => points(raster, a, b, '\u{b7}', role),
         Glyphs::Ascii => strokes(raster, a, b, role, ('-', '|')),
         Glyphs::Line => strokes(raster, a, b, role, ('─', '│')),
         Glyphs::Braille => dots(raster, a, b, role),
@@ -198,19 +198,36 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, (flat, upright): (
             course.shallow(cell, flat)
         };
         let (col, row) = course.cell(cell, side);
+        if !is_gap(role, cell, 1) {
+            raster.put(col, row, glyph, role);
+        }
+    }
+}
+
+/// Dashes and gaps of a broken line, in cells.
+const DASH: i32 = 2;
+const GAP: i32 = 1;
+
+/// Whether a line of this role is broken at the place so many parts of a cell along its main axis.
+pub(super) fn is_gap(role: Role, place: i32, parts: i32) -> bool {
+    role == Role::Acceleration && place.rem_euclid((DASH + GAP) * parts) >= DASH * parts
+}
+
+/// A line of points, which no colour needs to tell from one of strokes.
+fn points(raster: &mut Raster, a: Vec2, b: Vec2, glyph: char, role: Role) {
+    let spacing = if role == Role::Echo { 2 } else { 1 };
+    for (col, row) in cells(raster, a, b).step_by(spacing) {
         raster.put(col, row, glyph, role);
     }
 }
 
-/// A line of points, which no colour needs to tell from one of strokes.
-fn points(raster: &mut Raster, a: Vec2, b: Vec2, glyph: char) {
-    for (col, row) in cells(raster, a, b) {
-        raster.put(col, row, glyph, Role::Ghost);
-    }
+fn is_dotted(role: Role) -> bool {
+    matches!(role, Role::Ghost | Role::Echo)
 }
 
-/// One dot of so many is set in the line of a ghost.
+/// One dot of so many is set in the line of a ghost, and of an echo, of which there are more.
 const SPARSE: usize = 3;
+const SPARSER: usize = 4;
 
 /// The Braille pattern without a dot; the next 255 follow.
 const BLANK: u32 = 0x2800;
@@ -218,21 +235,41 @@ const BLANK: u32 = 0x2800;
 /// The bit of each dot of a Braille cell, by row and column.
 const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
+/// How many dots a cell has along x and along y.
+pub(super) const FINE: Vec2 = Vec2 { x: 2.0, y: 4.0 };
+
 fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
-    let Some((a, b)) = clip(a, b, raster) else {
-        return;
+    let spacing = match role {
+        Role::Ghost => SPARSE,
+        Role::Echo => SPARSER,
+        _ => 1,
     };
-    let fine = |p: Vec2| Vec2::new(p.x * 2.0, p.y * 4.0);
-    let course = Course::new(fine(a), fine(b));
-    let spacing = if role == Role::Ghost { SPARSE } else { 1 };
-    for cell in course.cells().step_by(spacing) {
-        let (x, y) = course.cell(cell, course.middle(cell).floor() as i32);
-        dot(raster, x, y, role);
+    for (x, y) in parts(raster, a, b, FINE).step_by(spacing) {
+        // The sum runs along the line whichever its main axis is, if not quite evenly.
+        if !is_gap(role, x + y, 2) {
+            dot(raster, x, y, role);
+        }
     }
 }
 
+/// The parts of cells that the line from `a` to `b` passes, where a cell has so many of them along x
+/// and y; counted over the whole raster, from the left, or from above if the line is steep.
+pub(super) fn parts(
+    raster: &Raster,
+    a: Vec2,
+    b: Vec2,
+    count: Vec2,
+) -> impl Iterator<Item = (i32, i32)> + use<> {
+    let finer = |p: Vec2| Vec2::new(p.x * count.x, p.y * count.y);
+    let course = clip(a, b, raster).map(|(a, b)| Course::new(finer(a), finer(b)));
+    course.into_iter().flat_map(|course| {
+        let cells = course.cells();
+        cells.map(move |cell| course.cell(cell, course.middle(cell).floor() as i32))
+    })
+}
+
 /// Sets one dot, counted over the whole raster, and keeps those that the cell has.
-fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
+pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
     let (col, row) = (x.div_euclid(2), y.div_euclid(4));
     let Some(old) = raster.cell(col, row) else {
         return;

@@ -171,9 +171,10 @@ fn glyph_of(role: Role) -> char {
         Role::Joint | Role::GroundPin | Role::Slider => 'o',
         Role::Rider => '*',
         Role::CentreOfMass => 'x',
-        Role::Ghost => '.',
+        Role::Ghost | Role::Echo => '.',
         Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
-        // Charts draw their own.
+        // These are drawn by others.
+        Role::Trace | Role::Velocity | Role::Acceleration => '+',
         Role::Axis | Role::Datum | Role::Front => '+',
     }
 }

@@ -79,6 +79,9 @@ pub(super) const CELL_ASPECT: f64 = 2.0;
 /// Columns, and rows, below which the margins shrink with the window.
 const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
 
+/// Rows that a drawing of its own has at least.
+const LOWEST: u16 = 8;
+
 impl View {
     /// The largest window of true aspect that holds the whole `reach` with its labels and supports.
     ///
@@ -134,6 +137,52 @@ impl View {
         view
     }
 
+    /// The lowest window of so many columns in which the drawing is as large as in one of `most` rows.
+    #[must_use]
+    pub fn snug(reach: &Reach, cols: u16, most: u16, aspect: f64) -> View {
+        let highest = View::fit(reach, cols, most, aspect);
+        // A rounding error makes no drawing smaller.
+        let least = highest.scale.x * (1.0 - 1e-9);
+        let lower = (LOWEST..most).map(|rows| View::fit(reach, cols, rows, aspect));
+        let mut fitting = lower.filter(|view| view.scale.x >= least);
+        fitting.next().unwrap_or(highest)
+    }
+
+    /// The same window `zoom` times as large about its middle, and then moved over the world by `shift`.
+    ///
+    /// Without a zoom and a shift it is the window as it is. Factors that are not positive and finite, and
+    /// shifts that are not finite, stand for none.
+    #[must_use]
+    pub fn zoomed(&self, reach: &Reach, zoom: f64, shift: Vec2) -> View {
+        let zoom = if zoom > 0.0 && zoom.is_finite() {
+            zoom
+        } else {
+            1.0
+        };
+        let shift = if shift.is_finite() { shift } else { Vec2::ZERO };
+        let scale = self.scale * zoom;
+        if (zoom == 1.0 && shift == Vec2::ZERO) || !(scale.is_finite() && scale.x > 0.0) {
+            return *self;
+        }
+        let middle = Vec2::new(f64::from(self.cols), f64::from(self.rows)) * 0.5;
+        let centre = self.world(middle) + shift;
+        let (pin, view) = (middle, *self);
+        let mut zoomed = View {
+            scale,
+            centre,
+            pin,
+            ..view
+        };
+        zoomed.rest_on(reach.anchor());
+        zoomed
+    }
+
+    /// The world point that lies at a place in cell coordinates.
+    fn world(&self, cell: Vec2) -> Vec2 {
+        let offset = cell - self.pin;
+        self.centre + Vec2::new(offset.x / self.scale.x, -offset.y / self.scale.y)
+    }
+
     /// Moves the window by less than a cell so that `anchor` lies in the middle of one: ground pins
     /// and guides through it are then drawn along the middle of their row.
     fn rest_on(&mut self, anchor: Vec2) {
@@ -160,6 +209,12 @@ impl View {
     #[must_use]
     pub fn aspect(&self) -> f64 {
         self.scale.x / self.scale.y
+    }
+
+    /// How many columns a length in the world takes that lies level.
+    #[must_use]
+    pub fn cells_along(&self, length: f64) -> f64 {
+        length * self.scale.x
     }
 
     /// Where a world point lies, in cell coordinates.
@@ -247,6 +302,42 @@ mod tests {
             let up = view.cell(corner + Vec2::new(0.0, size)) - origin;
             prop_assert!((right.x + up.y * aspect).abs() < 1e-6 * right.x.abs());
         }
+    }
+
+    proptest! {
+        #[test]
+        fn a_zoomed_window_keeps_its_shape_and_its_middle(
+            points in prop::collection::vec((-50.0..50.0, -50.0..50.0), 2..8),
+            zoom in 0.2..80.0,
+            (cols, rows) in (1_u16..400, 1_u16..200),
+            (x, y) in (-60.0..60.0, -60.0..60.0),
+        ) {
+            let reach = reach(&points, &points[..1]);
+            let view = View::fit(&reach, cols, rows, 2.0);
+            let shift = Vec2::new(x, y);
+            let zoomed = view.zoomed(&reach, zoom, shift);
+            prop_assert_eq!((zoomed.cols(), zoomed.rows()), (cols, rows));
+            prop_assert!((zoomed.aspect() / view.aspect() - 1.0).abs() < 1e-12);
+            prop_assert!((zoomed.cells_along(1.0) / view.cells_along(zoom) - 1.0).abs() < 1e-12);
+            let middle = Vec2::new(f64::from(cols), f64::from(rows)) * 0.5;
+            let off = zoomed.cell(view.world(middle) + shift) - middle;
+            prop_assert!(off.x.abs() <= 0.5 + 1e-6 && off.y.abs() <= 0.5 + 1e-6, "{off:?}");
+            for odd in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
+                prop_assert_eq!(view.zoomed(&reach, odd, Vec2::new(odd * 0.0, 0.0)), view);
+            }
+        }
+    }
+
+    #[test]
+    fn a_snug_window_is_low_and_its_drawing_as_large() {
+        let reach = reach(&[(0.0, 0.0), (40.0, 5.0)], &[(0.0, 0.0)]);
+        let (snug, high) = (
+            View::snug(&reach, 80, 40, 2.0),
+            View::fit(&reach, 80, 40, 2.0),
+        );
+        assert!(snug.rows() < 20, "{snug:?}");
+        assert!((snug.cells_along(1.0) / high.cells_along(1.0) - 1.0).abs() < 1e-6);
+        assert_eq!(View::snug(&reach, 80, 3, 2.0).rows(), 3);
     }
 
     #[test]

@@ -19,6 +19,7 @@ use super::figures::coordinate;
 use super::help::Help;
 use super::key::Key;
 use super::keymap::Keymap;
+use super::lens::Lens;
 use super::line::Line;
 use super::opening;
 use super::playback::Playback;
@@ -131,6 +132,8 @@ pub(crate) struct App {
     /// What the motion view shows of the tables.
     chosen: Chosen,
     keymap: Keymap,
+    /// What the motion view shows beside the linkage, and how large.
+    lens: Lens,
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -161,6 +164,7 @@ impl App {
             scroll: [0; View::ALL.len()],
             chosen: Chosen::default(),
             keymap: Keymap::default(),
+            lens: Lens::default(),
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -212,6 +216,11 @@ impl App {
         &self.keymap
     }
 
+    /// What the motion view shows beside the linkage, and how large.
+    pub(crate) fn lens(&self) -> &Lens {
+        &self.lens
+    }
+
     pub(crate) fn view(&self) -> View {
         self.view
     }
@@ -252,10 +261,12 @@ impl App {
 
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
-        self.type_key(key, now).unwrap_or_else(|| {
+        let effect = self.type_key(key, now).unwrap_or_else(|| {
             let action = self.keymap.action(key, self.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
-        })
+        });
+        self.focus();
+        effect
     }
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
@@ -278,6 +289,7 @@ impl App {
             self.survey.work();
         }
         self.now = now;
+        self.focus();
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }
@@ -498,6 +510,7 @@ impl App {
         self.look(self.view);
         self.scroll = [0; View::ALL.len()];
         self.chosen = Chosen::default();
+        self.lens.fit();
     }
 
     /// The same scene in another form: the driver stands where it stood, as far as it can be

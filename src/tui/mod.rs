@@ -13,6 +13,7 @@ mod figures;
 mod help;
 mod key;
 mod keymap;
+mod lens;
 mod line;
 mod opening;
 mod panel;

@@ -46,8 +46,12 @@ pub(crate) fn role(role: Role) -> Style {
     let style = Style::new();
     match role {
         Role::Empty | Role::Link | Role::Guide | Role::Label | Role::Datum => style,
-        Role::Ground | Role::Ghost | Role::Axis => style.add_modifier(Modifier::DIM),
+        Role::Ground | Role::Ghost | Role::Echo | Role::Trace | Role::Axis => {
+            style.add_modifier(Modifier::DIM)
+        }
         Role::Driver => style.fg(Color::Red),
+        Role::Velocity => style.add_modifier(Modifier::BOLD),
+        Role::Acceleration => style.fg(Color::Red),
         Role::Joint | Role::GroundPin | Role::Slider | Role::Front => {
             style.add_modifier(Modifier::BOLD)
         }

@@ -3,6 +3,7 @@
 
 mod accuracy;
 mod assembly;
+mod draw;
 mod readme;
 mod scenes;
 mod streams;
@@ -114,6 +115,7 @@ fn help_has_an_example_for_each_command() {
         "list",
         "check",
         "table",
+        "draw",
         "sweep",
         "start",
         "accuracy",

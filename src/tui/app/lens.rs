@@ -1,10 +1,49 @@
 //! What the motion view shows, and how large.
 
 use super::super::action::MotionAction;
+use super::super::lens::Layer;
 use super::App;
 
 impl App {
-    pub(super) fn move_lens(&mut self, _action: MotionAction) {
-        self.message = Some("not there yet".into());
+    pub(super) fn move_lens(&mut self, action: MotionAction) {
+        use MotionAction as M;
+        match action {
+            M::Names => self.message = Some(self.lens.next_names().text().into()),
+            M::Velocities => self.switch(Layer::Velocities, "arrows of velocity"),
+            M::Accelerations => self.switch(Layer::Accelerations, "arrows of acceleration"),
+            M::Traces => self.switch(Layer::Traces, "traces"),
+            M::Ghosts => self.switch(Layer::Ghosts, "other positions"),
+            M::Centres => self.switch(Layer::Centres, "centres of mass"),
+            M::Guides => self.switch(Layer::Guides, "guides and supports"),
+            M::ZoomIn => self.zoom(1),
+            M::ZoomOut => self.zoom(-1),
+            M::Fit => self.lens.fit(),
+            M::PanLeft => self.pan(-1.0, 0.0),
+            M::PanDown => self.pan(0.0, -1.0),
+            M::PanUp => self.pan(0.0, 1.0),
+            M::PanRight => self.pan(1.0, 0.0),
+        }
+    }
+
+    fn switch(&mut self, layer: Layer, name: &str) {
+        let on = if self.lens.toggle(layer) { "on" } else { "off" };
+        self.message = Some(format!("{name} {on}"));
+    }
+
+    fn zoom(&mut self, steps: i8) {
+        if !self.lens.enlarge(steps) {
+            self.message = Some("there is no more to zoom".into());
+        }
+    }
+
+    fn pan(&mut self, right: f64, up: f64) {
+        if !self.lens.pan(&self.stage, right, up) {
+            self.message = Some("the motion ends here".into());
+        }
+    }
+
+    /// Brings what the lens shows of the whole motion up to date.
+    pub(super) fn focus(&mut self) {
+        self.lens.focus(&self.stage, &self.chosen, self.opened);
     }
 }

@@ -1,8 +1,8 @@
 //! The linkage, and its tables live beside or below it: wherever it is drawn larger.
 
-use super::{assemblies, inset, table};
+use super::{assemblies, columns, inset, print, table};
 use crate::Vec2;
-use crate::drawing::{self, Glyphs, Labels, Layers, Raster};
+use crate::drawing::{self, Glyphs, Labels, Piece, Raster, Role};
 use crate::tui::app::{App, Mode};
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
@@ -12,6 +12,8 @@ use ratatui::layout::Rect;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Arrangement {
     pub(super) drawing: Rect,
+    /// Below the drawing, without a line where nothing needs to be told.
+    pub(super) legend: Rect,
     /// One cell wide or high.
     pub(super) rule: Rect,
     pub(super) table: Rect,
@@ -33,10 +35,55 @@ const LOWEST_DRAWING: u16 = 4;
 /// Puts the tables where they leave the linkage the larger scale.
 pub(super) fn arrange(app: &App, area: Rect) -> Arrangement {
     let below = below(app, area);
-    match beside(app, area) {
+    let arrangement = match beside(app, area) {
         Some(beside) if scale(app, beside.drawing) >= scale(app, below.drawing) => beside,
         _ => below,
+    };
+    arrangement.with_legend(app)
+}
+
+/// A legend takes so many lines at the most, and one on low screens.
+const MOST_LEGEND: usize = 2;
+
+impl Arrangement {
+    /// The legend takes its lines from the drawing.
+    fn with_legend(self, app: &App) -> Arrangement {
+        let drawing = self.drawing;
+        let lines = legend(app, drawing).len();
+        let lines = u16::try_from(lines).unwrap_or(0);
+        let height = drawing.height.saturating_sub(lines).max(1);
+        Arrangement {
+            drawing: Rect { height, ..drawing },
+            legend: Rect {
+                y: drawing.y + height,
+                height: drawing.height - height,
+                ..inset(drawing)
+            },
+            ..self
+        }
     }
+}
+
+/// The lines of the legend for a drawing in this area.
+fn legend(app: &App, area: Rect) -> Vec<Vec<Piece>> {
+    let most = if area.height < ROOM_FOR_RULE {
+        1
+    } else {
+        MOST_LEGEND
+    };
+    let view = window(app, area);
+    let width = usize::from(inset(area).width);
+    drawing::legend_lines(&app.lens().legend(&view), app.glyphs(), width, most)
+}
+
+/// The window on the drawing in this area.
+fn window(app: &App, area: Rect) -> drawing::View {
+    let (lens, stage) = (app.lens(), app.stage());
+    let reach = match (app.mode(), stage.panel()) {
+        (Mode::Assemblies(_), Some(panel)) => panel.reach(),
+        _ => lens.reach(stage),
+    };
+    lens.view(reach, (area.width, area.height), app.aspect())
 }
 
 fn beside(app: &App, area: Rect) -> Option<Arrangement> {
@@ -60,6 +107,7 @@ fn beside(app: &App, area: Rect) -> Option<Arrangement> {
     });
     Some(Arrangement {
         drawing,
+        legend: Rect::ZERO,
         rule,
         table: inset(table),
     })
@@ -110,6 +158,7 @@ fn below(app: &App, area: Rect) -> Arrangement {
     });
     Arrangement {
         drawing,
+        legend: Rect::ZERO,
         rule,
         table: inset(table),
     }
@@ -139,17 +188,13 @@ impl Sketch {
             self.labels = Labels::default();
         }
         let stage = app.stage();
-        let area = arrange(app, body).drawing;
-        let layers = Layers::default();
-        let mut figure = drawing::linkage(stage.scene(), stage.reach(), stage.state(), layers);
-        let mut reach = stage.reach();
+        let mut figure = app.lens().figure(stage);
         if let (&Mode::Assemblies(cursor), Some(panel)) = (app.mode(), stage.panel()) {
-            reach = panel.reach();
             for ghost in panel.ghosts(cursor) {
                 drawing::add_ghost(&mut figure, stage.scene(), stage.state(), ghost);
             }
         }
-        let view = drawing::View::fit(reach, area.width, area.height, app.aspect());
+        let view = window(app, arrange(app, body).drawing);
         let Sketch { labels, raster, .. } = self;
         drawing::render_into(&figure, &view, app.glyphs(), labels, raster);
     }
@@ -158,6 +203,7 @@ impl Sketch {
 pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer) {
     let arrangement = arrange(app, area);
     show(sketch, arrangement.drawing, buffer);
+    explain(app, arrangement, buffer);
     rule(app.glyphs(), arrangement.rule, buffer);
     match *app.mode() {
         Mode::Assemblies(cursor) => assemblies::render(app, cursor, arrangement.table, buffer),
@@ -173,6 +219,24 @@ fn show(sketch: &Sketch, area: Rect, buffer: &mut Buffer) {
             buffer[(x, y)]
                 .set_char(cell.glyph)
                 .set_style(theme::role(cell.role));
+        }
+    }
+}
+
+/// The legend, arrows in the look that they have in the drawing.
+fn explain(app: &App, arrangement: Arrangement, buffer: &mut Buffer) {
+    let area = arrangement.legend;
+    // Where the arrows were measured, so that both say the same.
+    let lines = legend(app, arrangement.drawing);
+    for (y, line) in (area.top()..area.bottom()).zip(lines) {
+        let mut x = area.x;
+        for Piece { text, role } in line {
+            let style = match role {
+                Role::Label | Role::Empty => theme::part(Part::Quiet),
+                role => theme::role(role),
+            };
+            let room = area.right().saturating_sub(x);
+            x = print(buffer, x, y, room.min(columns(&text)), &text, style);
         }
     }
 }

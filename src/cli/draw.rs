@@ -1,0 +1,187 @@
+//! `krank draw`: the linkage at one coordinate of its driver, in characters or as SVG.
+
+use super::args::{DrawArgs, Glyphs, Names, PictureFormat, Size};
+use super::commands::out_of_reach;
+use super::failure::{Failure, note};
+use super::output::{goes_to_terminal, write_text};
+use super::screen::{self, Screen};
+use super::source::{Opened, open};
+use crate::drawing::{self, Layers, Overlay, Reach, View, Wanted};
+use crate::nearest::nearest;
+use crate::quantity::Catalogue;
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Solver, State};
+use crate::{Mechanism, PointId};
+
+/// Where nothing tells the size.
+const USUAL: Size = Size { cols: 80, rows: 24 };
+/// Columns of an SVG, and the rows that it has at most.
+const SVG_COLUMNS: u16 = 100;
+const SVG_ROWS: u16 = 50;
+/// The height of a character for its width.
+const ASPECT: f64 = 2.0;
+/// Lines of a legend.
+const MOST_LEGEND: usize = 2;
+
+pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let start = scene.mechanism.driver().start;
+    let at = args.at.map_or(start, |at| at.value());
+    let wanted = wanted(args, &scene)?;
+    let mut state = solver.state();
+    match solver.solve(at, Order::Acceleration, &mut state) {
+        Condition::NoAssembly => return Err(out_of_reach(&scene, &solver, at)),
+        Condition::DeadPoint if args.velocities.is_some() || args.accelerations.is_some() => {
+            note(
+                "there are no arrows: at a dead point there are no rates",
+                screen,
+            );
+        }
+        Condition::DeadPoint | Condition::Ok | Condition::ChangePoint => {}
+    }
+    let picture = Picture::new(args, &scene, &solver, &state, &wanted);
+    let text = match args.format {
+        PictureFormat::Text => picture.text(glyphs(args.glyphs), size(args)),
+        PictureFormat::Svg => picture.svg(args.size, at),
+    };
+    write_text(args.output.output.as_deref(), &text)
+}
+
+/// A scene in a state, ready to be drawn.
+struct Picture<'a> {
+    scene: &'a Scene,
+    figure: drawing::Figure,
+    overlay: Overlay,
+    reach: Reach,
+}
+
+impl<'a> Picture<'a> {
+    fn new(
+        args: &DrawArgs,
+        scene: &'a Scene,
+        solver: &Solver,
+        state: &State,
+        wanted: &Wanted,
+    ) -> Self {
+        let reach = Reach::of(scene, solver);
+        let overlay = Overlay::of(scene, solver, &reach, wanted);
+        let mut figure = drawing::linkage(scene, &reach, state, layers(args));
+        overlay.add_to(&mut figure, scene, state, 1.0);
+        Picture {
+            scene,
+            figure,
+            reach: overlay.reach(&reach).unwrap_or(reach),
+            overlay,
+        }
+    }
+
+    fn text(&self, glyphs: drawing::Glyphs, Size { cols, rows }: Size) -> String {
+        let view = |rows| View::fit(&self.reach, cols, rows, ASPECT);
+        let legend = |view: &View| {
+            let entries = self.overlay.legend(view, 1.0);
+            drawing::legend_lines(&entries, glyphs, usize::from(cols), MOST_LEGEND)
+        };
+        // How many lines it takes hardly depends on their number.
+        let lines = u16::try_from(legend(&view(rows)).len()).unwrap_or(0);
+        let view = view(rows.saturating_sub(lines).max(1));
+        let mut text = drawing::render(&self.figure, &view, glyphs).text();
+        for line in legend(&view) {
+            text.extend(line.into_iter().map(|piece| piece.text));
+            text.push('\n');
+        }
+        text
+    }
+
+    fn svg(&self, size: Option<Size>, at: f64) -> String {
+        let view = match size {
+            Some(Size { cols, rows }) => View::fit(&self.reach, cols, rows, ASPECT),
+            None => View::snug(&self.reach, SVG_COLUMNS, SVG_ROWS, ASPECT),
+        };
+        let catalogue = Catalogue::new(self.scene);
+        let unit = &catalogue.driver().unit;
+        let title = format!("{} at {at} {unit}", self.scene.name);
+        drawing::svg(
+            &self.figure,
+            &view,
+            &title,
+            &self.overlay.legend(&view, 1.0),
+        )
+    }
+}
+
+fn layers(args: &DrawArgs) -> Layers {
+    Layers {
+        ground: !args.no_guides,
+        points: args.names != Names::None,
+        links: args.names == Names::All,
+        centres: args.centres,
+    }
+}
+
+fn glyphs(wish: Glyphs) -> drawing::Glyphs {
+    match wish {
+        Glyphs::Auto => screen::judgement().glyphs().value,
+        Glyphs::Braille => drawing::Glyphs::Braille,
+        Glyphs::Ascii => drawing::Glyphs::Ascii,
+        Glyphs::Line => drawing::Glyphs::Line,
+    }
+}
+
+/// As asked, or as large as the terminal that it goes to, the prompt's line left free.
+fn size(args: &DrawArgs) -> Size {
+    let terminal = || {
+        let told = screen::size().filter(|_| goes_to_terminal(args.output.output.as_deref()));
+        told.map(|(cols, rows)| Size {
+            cols,
+            rows: rows.saturating_sub(1).max(1),
+        })
+    };
+    args.size.or_else(terminal).unwrap_or(USUAL)
+}
+
+fn wanted(args: &DrawArgs, scene: &Scene) -> Result<Wanted, Failure> {
+    let (traces, arrows) = (drawing::usual_traces, drawing::usual_arrows);
+    Ok(Wanted {
+        traces: points(scene, "--traces", args.traces.as_deref(), traces)?,
+        velocities: points(scene, "--velocities", args.velocities.as_deref(), arrows)?,
+        accelerations: points(
+            scene,
+            "--accelerations",
+            args.accelerations.as_deref(),
+            arrows,
+        )?,
+        ghosts: args.ghosts,
+    })
+}
+
+/// The points that an option names; without names the usual ones.
+fn points(
+    scene: &Scene,
+    option: &str,
+    names: Option<&[String]>,
+    usual: impl Fn(&Mechanism) -> Vec<PointId>,
+) -> Result<Vec<PointId>, Failure> {
+    let mechanism = &scene.mechanism;
+    match names {
+        None => Ok(Vec::new()),
+        Some([]) => Ok(usual(mechanism)),
+        Some([all]) if all == "all" => Ok(drawing::moving_points(mechanism).collect()),
+        Some(names) => names
+            .iter()
+            .map(|name| point(scene, option, name))
+            .collect(),
+    }
+}
+
+fn point(scene: &Scene, option: &str, name: &str) -> Result<PointId, Failure> {
+    let named = |id: &PointId| scene.point_name(*id) == Some(name);
+    scene.mechanism.point_ids().find(named).ok_or_else(|| {
+        let names = scene.mechanism.point_ids();
+        let names = names.filter_map(|id| scene.point_name(id));
+        let mend = match nearest(name, names) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => "`krank check SCENE` names the points".into(),
+        };
+        Failure::Usage(format!("{option}: the scene has no point `{name}`; {mend}"))
+    })
+}

@@ -1,0 +1,162 @@
+//! Arrows in cells. A velocity has one head, an acceleration two and a dashed shaft, as on paper, so
+//! that no colour is needed to tell them apart; the shaft of one that is too long for its place is
+//! broken in the middle.
+
+use super::figure::Role;
+use super::raster::Raster;
+use super::render::Glyphs;
+use super::stroke;
+use super::symbol::cell_of;
+use crate::Vec2;
+
+/// Shorter than this, in widths of a cell, an arrow would be a head without a shaft.
+const SHORTEST: f64 = 1.0;
+/// The part of the shaft that is left out where it is broken.
+const BREAK: (f64, f64) = (0.4, 0.65);
+
+/// Where the shaft's pieces begin and end, as shares of its length.
+pub(super) fn pieces(cut: bool) -> &'static [(f64, f64)] {
+    if cut {
+        &[(0.0, BREAK.0), (BREAK.1, 1.0)]
+    } else {
+        &[(0.0, 1.0)]
+    }
+}
+
+/// Draws an arrow between two places in cell coordinates, on cells `aspect` times as high as wide.
+pub(super) fn draw(
+    raster: &mut Raster,
+    glyphs: Glyphs,
+    aspect: f64,
+    [from, to]: [Vec2; 2],
+    role: Role,
+    cut: bool,
+) {
+    let step = to - from;
+    let length = Vec2::new(step.x, step.y * aspect);
+    if !(length.norm() >= SHORTEST && length.is_finite()) {
+        return;
+    }
+    for &(begin, end) in pieces(cut) {
+        stroke::line(raster, glyphs, from + step * begin, from + step * end, role);
+    }
+    let glyph = head(length);
+    let (col, row) = cell_of(to);
+    raster.put(col, row, glyph, role);
+    if role == Role::Acceleration {
+        // The cell before, along the longer side.
+        let cells = step.x.abs().max(step.y.abs()).max(1.0);
+        let (before, above) = cell_of(to - step * (1.0 / cells));
+        if (before, above) != cell_of(from) {
+            raster.put(before, above, glyph, role);
+        }
+    }
+}
+
+/// The head of an arrow of this direction on the screen, y downwards.
+fn head(direction: Vec2) -> char {
+    if direction.x.abs() >= direction.y.abs() {
+        if direction.x > 0.0 { '>' } else { '<' }
+    } else if direction.y > 0.0 {
+        'v'
+    } else {
+        '^'
+    }
+}
+
+/// An arrow to the right, so many cells long, for a legend.
+pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
+    let shaft = match glyphs {
+        Glyphs::Ascii => '-',
+        Glyphs::Line => '\u{2500}',
+        Glyphs::Braille => '\u{2824}',
+    };
+    let heads = if role == Role::Acceleration { 2 } else { 1 };
+    let of_cell = |cell| match cell {
+        _ if cell > cells - heads => '>',
+        _ if stroke::is_gap(role, cell - 1, 1) => ' ',
+        _ => shaft,
+    };
+    (1..=cells).map(of_cell).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Figure, Reach, Shape, View, render};
+
+    /// Arrows in twelve directions, from a ring around the middle.
+    fn rosette(glyphs: Glyphs, role: Role, cut: bool) -> String {
+        let corners = [Vec2::new(-14.0, -14.0), Vec2::new(14.0, 14.0)];
+        let view = View::fit(&Reach::by_hand(&corners, &[]), 44, 22, 2.0);
+        let mut figure = Figure::new();
+        for k in 0..12 {
+            let direction = crate::angle::unit(f64::from(k) * 30.0);
+            let (from, to) = (direction * 5.0, direction * 13.5);
+            figure.add(Shape::Arrow {
+                from,
+                to,
+                role,
+                cut,
+            });
+        }
+        render(&figure, &view, glyphs).text()
+    }
+
+    #[test]
+    fn velocities_and_accelerations_are_told_apart_without_colours() {
+        for (name, glyphs) in [
+            ("ascii", Glyphs::Ascii),
+            ("line", Glyphs::Line),
+            ("braille", Glyphs::Braille),
+        ] {
+            let velocity = rosette(glyphs, Role::Velocity, false);
+            insta::assert_snapshot!(format!("velocities-{name}"), velocity);
+            let acceleration = rosette(glyphs, Role::Acceleration, false);
+            insta::assert_snapshot!(format!("accelerations-{name}"), acceleration);
+            assert_ne!(velocity, acceleration);
+        }
+        let cut = rosette(Glyphs::Ascii, Role::Velocity, true);
+        insta::assert_snapshot!("velocities-cut", cut);
+    }
+
+    #[test]
+    fn heads_point_where_the_arrow_goes() {
+        let v = Vec2::new;
+        for (direction, glyph) in [
+            (v(1.0, 0.9), '>'),
+            (v(-1.0, 0.9), '<'),
+            (v(0.9, 1.0), 'v'),
+            (v(0.9, -1.0), '^'),
+        ] {
+            assert_eq!(head(direction), glyph);
+        }
+    }
+
+    #[test]
+    fn the_arrow_of_a_legend_is_as_long_as_it_says() {
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            for role in [Role::Velocity, Role::Acceleration] {
+                for cells in 0..12_usize {
+                    let text = level(glyphs, role, i32::try_from(cells).unwrap());
+                    assert_eq!(text.chars().count(), cells);
+                    assert!(cells == 0 || text.ends_with('>'), "{text}");
+                }
+            }
+        }
+        assert_eq!(level(Glyphs::Ascii, Role::Velocity, 5), "---->");
+        assert_eq!(level(Glyphs::Ascii, Role::Acceleration, 7), "-- -->>");
+    }
+
+    #[test]
+    fn what_hardly_moves_has_no_arrow() {
+        let mut raster = Raster::new();
+        raster.reset(9, 9);
+        let at = Vec2::new(4.5, 4.5);
+        for step in [Vec2::ZERO, Vec2::new(0.9, 0.0), Vec2::new(f64::NAN, 3.0)] {
+            let ends = [at, at + step];
+            draw(&mut raster, Glyphs::Ascii, 2.0, ends, Role::Velocity, false);
+        }
+        assert_eq!(raster.text().trim(), "");
+    }
+}

@@ -1,0 +1,191 @@
+//! What the arrows of a drawing mean, and what else is shown, in a line or two.
+//!
+//! ```text
+//! v 500 mm/s = ------>   a 5000 mm/s^2 = -- ->>   trace P
+//! ```
+
+use super::arrow;
+use super::figure::Role;
+use super::render::Glyphs;
+
+/// An entry of a legend.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LegendEntry {
+    /// An arrow and what its length means.
+    Arrow {
+        /// [`Role::Velocity`] or [`Role::Acceleration`].
+        role: Role,
+        /// `v 500 mm/s`.
+        text: String,
+        /// Its length in widths of a cell.
+        cells: f64,
+    },
+    /// Words.
+    Note(String),
+}
+
+/// A piece of a legend's line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// What is written.
+    pub text: String,
+    /// What it stands for.
+    pub role: Role,
+}
+
+/// The arrow of a legend is at least so long; the next round value would be less than 2.5 times as long.
+const SHORTEST: f64 = 4.0;
+/// Between two entries.
+const GAP: &str = "   ";
+
+impl LegendEntry {
+    /// The arrow of a round value, where one unit is so many widths of a cell long.
+    pub(super) fn arrow(role: Role, letter: &str, unit: &str, cells_each: f64) -> LegendEntry {
+        let value = round_up(SHORTEST / cells_each);
+        match value {
+            Some(value) => LegendEntry::Arrow {
+                role,
+                text: format!("{letter} {} {unit}", plain(value)),
+                cells: value * cells_each,
+            },
+            None => LegendEntry::Note(format!("{letter} 0: the driver stands still")),
+        }
+    }
+
+    fn pieces(&self, glyphs: Glyphs) -> Vec<Piece> {
+        let piece = |text: String, role| Piece { text, role };
+        match self {
+            LegendEntry::Arrow { role, text, cells } => {
+                #[expect(clippy::cast_possible_truncation, reason = "some cells")]
+                let cells = cells.round() as i32;
+                let sample = arrow::level(glyphs, *role, cells);
+                vec![
+                    piece(format!("{text} = "), Role::Label),
+                    piece(sample, *role),
+                ]
+            }
+            LegendEntry::Note(text) => vec![piece(text.clone(), Role::Label)],
+        }
+    }
+}
+
+/// The legend in lines of `width` characters, at most so many; what finds no room is left out.
+#[must_use]
+pub fn legend_lines(
+    keys: &[LegendEntry],
+    glyphs: Glyphs,
+    width: usize,
+    most: usize,
+) -> Vec<Vec<Piece>> {
+    let mut lines: Vec<Vec<Piece>> = Vec::new();
+    let length =
+        |pieces: &[Piece]| -> usize { pieces.iter().map(|p| p.text.chars().count()).sum() };
+    for key in keys {
+        let pieces = key.pieces(glyphs);
+        let wanted = length(&pieces);
+        if wanted > width {
+            continue;
+        }
+        let room = |line: &&mut Vec<Piece>| length(line) + GAP.len() + wanted <= width;
+        if let Some(line) = lines.last_mut().filter(room) {
+            let (text, role) = (GAP.to_owned(), Role::Empty);
+            line.push(Piece { text, role });
+            line.extend(pieces);
+        } else if lines.len() < most {
+            lines.push(pieces);
+        }
+    }
+    lines
+}
+
+/// The least of 1, 2 and 5 times a power of ten that is no smaller; `None` if that is no number.
+fn round_up(value: f64) -> Option<f64> {
+    let power = 10.0_f64.powf(value.log10().floor());
+    let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * power);
+    let least = steps.into_iter().find(|&step| step >= value);
+    least.filter(|v| v.is_finite() && *v > 0.0)
+}
+
+/// A round value without needless digits.
+fn plain(value: f64) -> String {
+    if (1e-3..1e6).contains(&value) {
+        let text = format!("{value:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        format!("{value:.0e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn text(lines: &[Vec<Piece>]) -> Vec<String> {
+        let line = |pieces: &Vec<Piece>| pieces.iter().map(|p| p.text.as_str()).collect();
+        lines.iter().map(line).collect()
+    }
+
+    fn entries() -> Vec<LegendEntry> {
+        vec![
+            LegendEntry::arrow(Role::Velocity, "v", "mm/s", 0.012),
+            LegendEntry::arrow(Role::Acceleration, "a", "mm/s^2", 5e-4),
+            LegendEntry::Note("trace P".into()),
+        ]
+    }
+
+    #[test]
+    fn a_legend_says_what_a_length_means() {
+        let shown = |glyphs, width, most| text(&legend_lines(&entries(), glyphs, width, most));
+        let velocity = "v 500 mm/s = ----->";
+        let acceleration = "a 10000 mm/s^2 = -- >>";
+        assert_eq!(
+            shown(Glyphs::Ascii, 80, 1),
+            [format!("{velocity}   {acceleration}   trace P")]
+        );
+        assert_eq!(
+            shown(Glyphs::Ascii, 40, 2),
+            [velocity.to_owned(), format!("{acceleration}   trace P")]
+        );
+        // What has no room gives way to what has.
+        assert_eq!(
+            shown(Glyphs::Ascii, 30, 1),
+            [format!("{velocity}   trace P")]
+        );
+        assert_eq!(shown(Glyphs::Ascii, 6, 1), [""; 0]);
+        let line = shown(Glyphs::Line, 80, 1).concat();
+        assert!(
+            line.contains("= \u{2500}\u{2500}\u{2500}\u{2500}\u{2500}>"),
+            "{line}"
+        );
+        let dots = shown(Glyphs::Braille, 80, 1).concat();
+        assert!(
+            dots.contains("= \u{2824}\u{2824}\u{2824}\u{2824}\u{2824}>"),
+            "{dots}"
+        );
+    }
+
+    #[test]
+    fn where_nothing_moves_there_is_no_scale() {
+        let entry = LegendEntry::arrow(Role::Velocity, "v", "m/s", 0.0);
+        let LegendEntry::Note(text) = entry else {
+            panic!("{entry:?}");
+        };
+        assert!(text.contains("stands still"), "{text}");
+    }
+
+    proptest! {
+        #[test]
+        fn values_are_round_and_arrows_neither_short_nor_long(power in -300.0..300.0) {
+            let each = 10.0_f64.powf(power);
+            let LegendEntry::Arrow { text, cells, .. } = LegendEntry::arrow(Role::Velocity, "v", "m/s", each) else {
+                return Err(TestCaseError::fail("an arrow"));
+            };
+            prop_assert!((SHORTEST * 0.999..SHORTEST * 2.501).contains(&cells), "{cells}");
+            let value: f64 = text.split(' ').nth(1).unwrap().parse().unwrap();
+            prop_assert!((value * each / cells - 1.0).abs() < 1e-6, "{text}");
+            let first = text.chars().find(|c| ('1'..='9').contains(c)).unwrap();
+            prop_assert!("125".contains(first), "{text}");
+        }
+    }
+}

@@ -1,0 +1,545 @@
+//! What is shown of a whole motion beside the linkage as it is: traces, other positions, and arrows to
+//! one scale. The motion is solved once; every frame then draws from what was found.
+
+use super::figure::{Figure, Role, Shape};
+use super::legend::LegendEntry;
+use super::linkage::add_moved;
+use super::reach::Reach;
+use super::view::{Bounds, View};
+use crate::scene::Scene;
+use crate::solver::{Condition, Order, Range, Solver, State};
+use crate::{PointId, Vec2};
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+/// What is wanted of the motion; nothing by default.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Wanted {
+    /// The points that leave traces.
+    pub traces: Vec<PointId>,
+    /// The points whose velocities are shown.
+    pub velocities: Vec<PointId>,
+    /// The points whose accelerations are shown.
+    pub accelerations: Vec<PointId>,
+    /// How many positions of the linkage, spread over the motion, are shown.
+    pub ghosts: u16,
+}
+
+impl Wanted {
+    /// Whether nothing is wanted.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        *self == Wanted::default()
+    }
+}
+
+/// What was found of a motion.
+#[derive(Clone, Debug, Default)]
+pub struct Overlay {
+    traces: Vec<Arc<[Vec2]>>,
+    ghosts: Vec<State>,
+    velocities: Arrows,
+    accelerations: Arrows,
+    /// Where the tips of arrows come to.
+    tips: Bounds,
+    /// The scene's unit of length.
+    unit: &'static str,
+}
+
+/// Arrows of one kind.
+#[derive(Clone, Debug, Default)]
+struct Arrows {
+    points: Vec<PointId>,
+    /// What the longest arrow stands for, in the scene's unit of length per second or per second squared.
+    most: f64,
+    /// Units of length of the drawing for one of these.
+    per: f64,
+}
+
+/// Places in a turn, or in a motion between limits: half a degree, at which the chords of a circle lie
+/// within 1e-5 of its radius.
+const SAMPLES: u32 = 720;
+
+/// The longest arrow for the diagonal of all places that the linkage comes to.
+const LONGEST: f64 = 0.2;
+
+/// Close to a dead point rates grow beyond all bounds. What exceeds the upper quartile of all rates by
+/// this factor is cut, so that the rest can still be seen.
+const OUTSTANDING: f64 = 3.0;
+
+impl Overlay {
+    /// Follows the motion once, to the order that is needed, for what is wanted.
+    #[must_use]
+    pub fn of(scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) -> Overlay {
+        let mut overlay = Overlay {
+            unit: scene.unit.symbol(),
+            ..Overlay::default()
+        };
+        if !(wanted.traces.is_empty()
+            && wanted.velocities.is_empty()
+            && wanted.accelerations.is_empty())
+        {
+            overlay.follow(scene, solver, reach, wanted);
+        }
+        overlay.ghosts = ghosts(scene, solver, wanted.ghosts);
+        overlay
+    }
+
+    fn follow(&mut self, scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) {
+        let order = match (
+            wanted.velocities.is_empty(),
+            wanted.accelerations.is_empty(),
+        ) {
+            (true, true) => Order::Position,
+            (false, true) => Order::Velocity,
+            (_, false) => Order::Acceleration,
+        };
+        let mut traces = vec![Vec::new(); wanted.traces.len()];
+        let mut rates = [Vec::new(), Vec::new()];
+        let mut state = solver.state();
+        for at in course(scene, solver) {
+            let condition = solver.solve(at, order, &mut state);
+            for (trace, &point) in traces.iter_mut().zip(&wanted.traces) {
+                trace.push(match condition {
+                    Condition::NoAssembly => Vec2::new(f64::NAN, f64::NAN),
+                    _ => state.position(point),
+                });
+            }
+            if has_rates(condition) {
+                let from = |p: &PointId| state.position(*p);
+                let velocities = wanted.velocities.iter();
+                rates[0].extend(velocities.map(|p| (from(p), state.velocity(*p))));
+                let accelerations = wanted.accelerations.iter();
+                rates[1].extend(accelerations.map(|p| (from(p), state.acceleration(*p))));
+            }
+        }
+        self.traces = traces.into_iter().map(Arc::from).collect();
+        let longest = LONGEST * reach.bounds().size().norm();
+        let [velocities, accelerations] = rates;
+        self.velocities = self.arrows(&wanted.velocities, &velocities, longest);
+        self.accelerations = self.arrows(&wanted.accelerations, &accelerations, longest);
+    }
+
+    /// Arrows to a scale at which the longest of these rates is as long as it may be.
+    fn arrows(&mut self, points: &[PointId], rates: &[(Vec2, Vec2)], longest: f64) -> Arrows {
+        let most = usual_most(rates.iter().map(|(_, rate)| rate.norm()).collect());
+        let per = if most > 0.0 { longest / most } else { 0.0 };
+        let arrows = Arrows {
+            points: points.to_vec(),
+            most,
+            per,
+        };
+        for &(from, rate) in rates {
+            self.tips.include(arrows.tip(from, rate, 1.0).0);
+        }
+        arrows
+    }
+
+    /// The same reach with room for the tips of all arrows; `None` where there are none.
+    #[must_use]
+    pub fn reach(&self, reach: &Reach) -> Option<Reach> {
+        (!self.tips.is_empty()).then(|| reach.with_arrows(self.tips))
+    }
+
+    /// Adds what was found to the figure of the linkage in a state. Arrows keep their size on a drawing
+    /// that is shown `zoom` times as large.
+    pub fn add_to(&self, figure: &mut Figure, scene: &Scene, state: &State, zoom: f64) {
+        for ghost in &self.ghosts {
+            add_moved(figure, scene, state, ghost, Role::Echo);
+        }
+        for course in &self.traces {
+            let course = Arc::clone(course);
+            figure.add(Shape::Trace { course });
+        }
+        if !has_rates(state.condition()) {
+            return;
+        }
+        let accelerations = |p| state.acceleration(p);
+        self.accelerations
+            .add_to(figure, Role::Acceleration, state, zoom, accelerations);
+        let velocities = |p| state.velocity(p);
+        self.velocities
+            .add_to(figure, Role::Velocity, state, zoom, velocities);
+    }
+
+    /// What the arrows mean on a drawing with this window.
+    #[must_use]
+    pub fn legend(&self, view: &View, zoom: f64) -> Vec<LegendEntry> {
+        let kinds = [
+            (Role::Velocity, "v", "/s", &self.velocities),
+            (Role::Acceleration, "a", "/s^2", &self.accelerations),
+        ];
+        let shown = kinds.into_iter().filter(|(.., a)| !a.points.is_empty());
+        let keys = shown.map(|(role, letter, per, arrows)| {
+            let unit = format!("{}{per}", self.unit);
+            LegendEntry::arrow(role, letter, &unit, view.cells_along(arrows.per / zoom))
+        });
+        keys.collect()
+    }
+}
+
+impl Arrows {
+    /// The tip of the arrow of a rate at a point, and whether it was cut.
+    fn tip(&self, from: Vec2, rate: Vec2, zoom: f64) -> (Vec2, bool) {
+        let size = rate.norm();
+        // What rounding adds to the longest is no reason to break it.
+        let cut = size > self.most * (1.0 + 1e-9);
+        let shown = if cut { rate * (self.most / size) } else { rate };
+        (from + shown * (self.per / zoom), cut)
+    }
+
+    fn add_to(
+        &self,
+        figure: &mut Figure,
+        role: Role,
+        state: &State,
+        zoom: f64,
+        rate: impl Fn(PointId) -> Vec2,
+    ) {
+        for &point in &self.points {
+            let from = state.position(point);
+            let (to, cut) = self.tip(from, rate(point), zoom);
+            figure.add(Shape::Arrow {
+                from,
+                to,
+                role,
+                cut,
+            });
+        }
+    }
+}
+
+fn has_rates(condition: Condition) -> bool {
+    match condition {
+        Condition::Ok | Condition::ChangePoint => true,
+        Condition::DeadPoint | Condition::NoAssembly => false,
+    }
+}
+
+/// The largest of these, or where that stands out, so much as [`OUTSTANDING`] allows.
+fn usual_most(mut sizes: Vec<f64>) -> f64 {
+    sizes.retain(|size| size.is_finite());
+    sizes.sort_by(f64::total_cmp);
+    let largest = sizes.last().copied().unwrap_or(0.0);
+    let usual = sizes.get(sizes.len() * 3 / 4).copied().unwrap_or(0.0);
+    if usual > 0.0 {
+        largest.min(OUTSTANDING * usual)
+    } else {
+        largest
+    }
+}
+
+/// The coordinates of the driver along the motion, both ends included.
+fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> {
+    let (low, high, count, closed) = ends(scene, solver);
+    (0..=count).map(move |k| {
+        let share = f64::from(k) / f64::from(count);
+        // Closer towards limits, where points change fastest.
+        let share = if closed {
+            share
+        } else {
+            (1.0 - (PI * share).cos()) / 2.0
+        };
+        (low + (high - low) * share).min(high)
+    })
+}
+
+/// Where the motion begins and ends, how many samples that is worth, and whether it closes.
+fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, u32, bool) {
+    let start = scene.mechanism.driver().start;
+    match solver.motion().range {
+        Range::Full { period } => {
+            let count = if period > crate::angle::TURN {
+                2 * SAMPLES
+            } else {
+                SAMPLES
+            };
+            (start, start + period, count, true)
+        }
+        Range::Limited { low, high } => (low, high, SAMPLES, false),
+    }
+}
+
+/// States spread evenly over the motion, from where the scene opens or from limit to limit.
+fn ghosts(scene: &Scene, solver: &Solver, count: u16) -> Vec<State> {
+    let (low, high, _, closed) = ends(scene, solver);
+    let steps = if closed { count } else { count.max(2) - 1 };
+    let mut state = solver.state();
+    let at = |k: u16| (low + (high - low) * f64::from(k) / f64::from(steps)).min(high);
+    let states = (0..count).filter_map(|k| {
+        let condition = solver.solve(at(k), Order::Position, &mut state);
+        (condition != Condition::NoAssembly).then(|| state.clone())
+    });
+    states.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{
+        Glyphs, Layers, linkage, moving_points, render, usual_arrows, usual_traces,
+    };
+    use crate::scene::presets;
+
+    struct Stage {
+        scene: Scene,
+        solver: Solver,
+        reach: Reach,
+    }
+
+    impl Stage {
+        fn of(text: &str) -> Stage {
+            let scene = Scene::parse(text, "test").unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let reach = Reach::of(&scene, &solver);
+            Stage {
+                scene,
+                solver,
+                reach,
+            }
+        }
+
+        fn preset(name: &str) -> Stage {
+            Stage::of(presets::find(name).unwrap().text)
+        }
+
+        fn overlay(&self, wanted: &Wanted) -> Overlay {
+            Overlay::of(&self.scene, &self.solver, &self.reach, wanted)
+        }
+
+        fn names(&self, points: &[PointId]) -> Vec<&str> {
+            let name = |p: &PointId| self.scene.point_name(*p).unwrap();
+            points.iter().map(name).collect()
+        }
+
+        fn everything(&self) -> Wanted {
+            let points = usual_arrows(&self.scene.mechanism);
+            Wanted {
+                traces: usual_traces(&self.scene.mechanism),
+                velocities: points.clone(),
+                accelerations: points,
+                ghosts: 6,
+            }
+        }
+    }
+
+    fn traces(figure: &Figure) -> Vec<Arc<[Vec2]>> {
+        let trace = |shape: &Shape| match shape {
+            Shape::Trace { course } => Some(Arc::clone(course)),
+            _ => None,
+        };
+        figure.shapes().iter().filter_map(trace).collect()
+    }
+
+    /// Half of the coupler curve is straight to 0.2 % of its length, traversed from 90 to 270 degrees.
+    #[test]
+    fn the_trace_of_hoeckens_linkage_has_its_straight_part() {
+        let stage = Stage::preset("hoecken");
+        let traces_of = usual_traces(&stage.scene.mechanism);
+        assert_eq!(stage.names(&traces_of), ["P"]);
+        let overlay = stage.overlay(&Wanted {
+            traces: traces_of,
+            ..Wanted::default()
+        });
+        let mut figure = Figure::new();
+        let state = stage.solver.state();
+        overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+        let course = traces(&figure).remove(0);
+        assert_eq!(course.first(), course.last(), "the curve closes");
+        // The scene opens at 120 degrees, and samples are half a degree apart.
+        let at = |degrees: usize| course[(degrees + 360 - 120) % 360 * 2];
+        let straight: Vec<Vec2> = (90..=270).map(at).collect();
+        let (low, high) = straight
+            .iter()
+            .fold((f64::MAX, f64::MIN), |(low, high), p| {
+                (low.min(p.y), high.max(p.y))
+            });
+        let length = (straight[180] - straight[0]).norm();
+        assert!(length > 150.0, "{length}");
+        assert!(high - low < 0.002 * length, "{low} to {high}");
+        // The way back is none of it.
+        let arc = course.iter().map(|p| p.y).fold(f64::MIN, f64::max);
+        assert!(arc - high > 20.0, "{arc}");
+    }
+
+    #[test]
+    fn traces_are_where_the_points_are() {
+        for preset in presets::all() {
+            let stage = Stage::of(preset.text);
+            let points = usual_traces(&stage.scene.mechanism);
+            assert!(!points.is_empty(), "{}", preset.name);
+            let overlay = stage.overlay(&Wanted {
+                traces: points.clone(),
+                ..Wanted::default()
+            });
+            let start = stage.scene.mechanism.driver().start;
+            let mut state = stage.solver.state();
+            stage.solver.solve(start, Order::Position, &mut state);
+            let mut figure = Figure::new();
+            overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+            let size = stage.reach.bounds().size().norm();
+            for (course, &point) in traces(&figure).iter().zip(&points) {
+                let at = state.position(point);
+                let distances = course.iter().map(|p| (*p - at).norm());
+                let nearest = distances.fold(f64::INFINITY, f64::min);
+                assert!(nearest < 0.01 * size, "{}: {nearest}", preset.name);
+                let joined = course.windows(2).map(|w| (w[1] - w[0]).norm());
+                assert!(joined.fold(0.0, f64::max) < 0.1 * size, "{}", preset.name);
+            }
+        }
+    }
+
+    #[test]
+    fn joints_on_pinned_links_are_traced_only_where_there_is_nothing_else() {
+        let names = |preset: &str| {
+            let stage = Stage::preset(preset);
+            let points = usual_traces(&stage.scene.mechanism);
+            stage.names(&points).join(" ")
+        };
+        assert_eq!(names("four-bar"), "B C");
+        assert_eq!(names("slider-crank"), "B C");
+        assert_eq!(names("jansen-leg"), "V T");
+    }
+
+    /// v = r omega is known at the crank's pin: the arrow of 1500 mm/s, and its direction.
+    #[test]
+    fn arrows_have_one_scale_over_the_motion() {
+        let stage = Stage::preset("four-bar");
+        let b = moving_points(&stage.scene.mechanism).next().unwrap();
+        let overlay = stage.overlay(&Wanted {
+            velocities: vec![b],
+            ..Wanted::default()
+        });
+        let mut state = stage.solver.state();
+        for at in [0.0, 60.0, 200.0] {
+            stage.solver.solve(at, Order::Velocity, &mut state);
+            let mut figure = Figure::new();
+            overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+            let [Shape::Arrow { from, to, cut, .. }] = figure.shapes() else {
+                panic!("{figure:?}");
+            };
+            let arrow = *to - *from;
+            let longest = LONGEST * stage.reach.bounds().size().norm();
+            assert!((arrow.norm() / longest - 1.0).abs() < 1e-9 && !cut);
+            let crank = crate::angle::unit(at);
+            assert!(arrow.dot(crank).abs() < 1e-9 * longest && crank.cross(arrow) > 0.0);
+        }
+        // Shown twice as large, it is as long as before.
+        let mut near = Figure::new();
+        overlay.add_to(&mut near, &stage.scene, &state, 2.0);
+        let Shape::Arrow { from, to, .. } = near.shapes()[0] else {
+            panic!("{near:?}");
+        };
+        let longest = LONGEST * stage.reach.bounds().size().norm();
+        assert!(((to - from).norm() * 2.0 / longest - 1.0).abs() < 1e-9);
+        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let [LegendEntry::Arrow { text, cells, .. }] = &overlay.legend(&view, 1.0)[..] else {
+            panic!("one arrow");
+        };
+        let value: f64 = text.split(' ').nth(1).unwrap().parse().unwrap();
+        assert!(
+            (cells / view.cells_along(longest) - value / 1500.0).abs() < 1e-9,
+            "{text}"
+        );
+    }
+
+    const SWINGING: &str = r#"
+        unit = "mm"
+        ground = { A = [0, 0], D = [100, 0] }
+        driver = { link = "r2", angle = 60, speed = "1 rad/s" }
+        [links]
+        r2 = { from = "A", to = "B", length = 60 }
+        r3 = { from = "B", to = "C", length = 50 }
+        r4 = { from = "C", to = "D", length = 60 }
+        [start]
+        C = [75, 55]"#;
+
+    /// Rates grow beyond all bounds there: arrows are cut, say so, and vanish at the point itself.
+    #[test]
+    fn close_to_a_dead_point_arrows_are_cut_and_at_it_there_are_none() {
+        let stage = Stage::of(SWINGING);
+        let overlay = stage.overlay(&stage.everything());
+        let Range::Limited { high, .. } = stage.solver.motion().range else {
+            panic!("it swings");
+        };
+        let longest = LONGEST * stage.reach.bounds().size().norm();
+        let arrows = |at: f64| {
+            let mut state = stage.solver.state();
+            stage.solver.solve(at, Order::Acceleration, &mut state);
+            let mut figure = Figure::new();
+            overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+            let arrow = |shape: &Shape| match *shape {
+                Shape::Arrow { from, to, cut, .. } => Some(((to - from).norm(), cut)),
+                _ => None,
+            };
+            figure.shapes().iter().filter_map(arrow).collect::<Vec<_>>()
+        };
+        let near = arrows(high - 1e-6);
+        assert!(near.iter().any(|(_, cut)| *cut), "{near:?}");
+        assert!(
+            near.iter()
+                .all(|(length, _)| *length <= longest * 1.000_001)
+        );
+        assert!(arrows(60.0).iter().all(|(_, cut)| !cut));
+        assert!(arrows(high).is_empty());
+    }
+
+    /// Everything of every preset is inside the window, at any size, in every state.
+    #[test]
+    fn tips_stay_inside_the_window() {
+        for preset in presets::all() {
+            let stage = Stage::of(preset.text);
+            let overlay = stage.overlay(&stage.everything());
+            let reach = overlay.reach(&stage.reach).expect("something moves");
+            let view = View::fit(&reach, 80, 24, 2.0);
+            let mut state = stage.solver.state();
+            for at in course(&stage.scene, &stage.solver).step_by(31) {
+                stage.solver.solve(at, Order::Acceleration, &mut state);
+                let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+                overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+                for shape in figure.shapes() {
+                    if let Shape::Arrow { to, .. } = *shape {
+                        let tip = view.cell(to);
+                        let inside = (0.0..80.0).contains(&tip.x) && (0.0..24.0).contains(&tip.y);
+                        assert!(inside, "{} at {at}: {tip:?}", preset.name);
+                    }
+                }
+                for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+                    let text = render(&figure, &view, glyphs).text();
+                    assert!(glyphs != Glyphs::Ascii || text.is_ascii());
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_driver_that_stands_still_has_no_arrows() {
+        let stage = Stage::of(&SWINGING.replace("1 rad/s", "0 rad/s"));
+        let overlay = stage.overlay(&stage.everything());
+        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let legend = overlay.legend(&view, 1.0);
+        assert!(matches!(&legend[0], LegendEntry::Note(text) if text.contains("stands still")));
+    }
+
+    #[test]
+    fn positions_are_spread_over_the_motion() {
+        let count = |preset: &str, ghosts| {
+            let stage = Stage::preset(preset);
+            let wanted = Wanted {
+                ghosts,
+                ..Wanted::default()
+            };
+            stage
+                .overlay(&wanted)
+                .ghosts
+                .iter()
+                .map(State::at)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(count("four-bar", 4), [60.0, 150.0, 240.0, 330.0]);
+        assert!(count("four-bar", 0).is_empty());
+        let swings = count("double-rocker", 3);
+        assert_eq!(swings.len(), 3);
+        assert!((swings[0] + swings[2] - 2.0 * swings[1]).abs() < 1e-9);
+    }
+}

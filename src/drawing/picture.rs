@@ -1,0 +1,457 @@
+//! A figure as an SVG document: the same shapes, window and places of names as in cells.
+//!
+//! The document is as large as the window's cells would be: eight user units to a column.
+
+use super::arrow;
+use super::figure::{Figure, Role, Shape};
+use super::labels::Labels;
+use super::legend::LegendEntry;
+use super::raster::Raster;
+use super::render::{Glyphs, draw_order, render_into};
+use super::svg::{Anchor, Style, Svg};
+use super::view::View;
+use crate::Vec2;
+use std::f64::consts::FRAC_1_SQRT_2;
+
+/// Width of a column in user units.
+const COLUMN: f64 = 8.0;
+/// Height of a line of the legend.
+const LEGEND: f64 = 26.0;
+
+/// Sizes of symbols in user units.
+const PIN: f64 = 4.5;
+const SUPPORT: f64 = 14.0;
+const TOOTH: f64 = 7.0;
+const BLOCK: Vec2 = Vec2 { x: 14.0, y: 8.0 };
+const BARREL: f64 = 6.0;
+const HEAD: f64 = 9.0;
+
+/// Paper, ink, and two colours that hold on both grounds; roles are told by dashes, weights and heads
+/// too.
+const STYLE: Style = Style {
+    light: "\
+.link,.plate,.driver{stroke-width:3}
+.plate{fill:#222;fill-opacity:.06}
+.driver,.barrel{stroke:#b3261e}
+.barrel{fill:#fff}
+.guide,.ground{stroke-width:1.2;stroke:#666}
+.ghost{stroke-width:1.5;stroke:#888;stroke-dasharray:2 5}
+.echo{stroke-width:1;stroke:#888;stroke-opacity:.6}
+.trace{stroke-width:1.2;stroke:#1b5fab}
+.velocity{stroke:#1b5fab}
+.acceleration{stroke:#b3261e;stroke-dasharray:7 4}
+.head{stroke-dasharray:none}
+.pin,.block{fill:#fff}
+circle{stroke:#222;stroke-width:2}
+.rider{fill:#222}
+.centre{fill:none;stroke-width:1.2}
+.cross{stroke-width:1.2}
+.halo{stroke:#fff;stroke-width:4;stroke-linejoin:round;fill:none}
+",
+    dark: "\
+.plate{fill:#ddd}
+.driver,.barrel,.acceleration{stroke:#ff8a80}
+.barrel,.pin,.block{fill:#181818}
+.guide,.ground{stroke:#999}
+.trace,.velocity{stroke:#82b1ff}
+circle{stroke:#ddd}
+.rider{fill:#ddd}
+.halo{stroke:#181818}
+",
+};
+
+/// The figure in this window as a document of its own, with its legend below.
+#[must_use]
+pub fn svg(figure: &Figure, view: &View, title: &str, legend: &[LegendEntry]) -> String {
+    let cell = Vec2::new(COLUMN, COLUMN * view.aspect());
+    let size = Vec2::new(
+        f64::from(view.cols()) * cell.x,
+        f64::from(view.rows()) * cell.y,
+    );
+    let below = if legend.is_empty() { 0.0 } else { LEGEND };
+    let whole = Vec2::new(size.x.max(1.0), (size.y + below).max(1.0));
+    let mut picture = Picture {
+        view,
+        cell,
+        svg: Svg::new(whole, title, STYLE),
+    };
+    for shape in draw_order(figure) {
+        picture.shape(shape);
+    }
+    picture.names(figure);
+    picture.legend(legend, size);
+    picture.svg.finish()
+}
+
+struct Picture<'a> {
+    view: &'a View,
+    cell: Vec2,
+    svg: Svg,
+}
+
+impl Picture<'_> {
+    /// A world point in user units.
+    fn place(&self, point: Vec2) -> Vec2 {
+        let at = self.view.cell(point);
+        Vec2::new(at.x * self.cell.x, at.y * self.cell.y)
+    }
+
+    fn shape(&mut self, shape: &Shape) {
+        match *shape {
+            Shape::Line { from, to, role } => {
+                let ends = [from, to].map(|p| self.place(p));
+                self.svg.polyline(ends, class(role));
+            }
+            Shape::Outline { ref corners, role } => {
+                let corners: Vec<Vec2> = corners.iter().map(|&c| self.place(c)).collect();
+                let class = match role {
+                    Role::Ghost | Role::Echo => self::class(role),
+                    Role::Driver => "plate driver",
+                    _ => "plate",
+                };
+                self.svg.polygon(corners, class);
+            }
+            Shape::Barrel { from, to, .. } => {
+                let [a, b] = [from, to].map(|p| self.place(p));
+                let across = unit(b - a).perp() * BARREL;
+                let corners = [a + across, b + across, b - across, a - across];
+                self.svg.polygon(corners, "barrel");
+            }
+            Shape::Mark { at, role } => self.mark(at, role),
+            Shape::Support { at } => self.support(at),
+            Shape::Hatching { from, to } => {
+                let [a, b] = [from, to].map(|p| self.place(p));
+                self.teeth(a, b);
+            }
+            Shape::Block { at, along, pin } => self.block(at, along, pin),
+            Shape::Trace { ref course } => {
+                let places: Vec<Vec2> = course.iter().map(|&p| self.place(p)).collect();
+                self.svg.polyline(fewer(&places), "trace");
+            }
+            Shape::Arrow {
+                from,
+                to,
+                role,
+                cut,
+            } => {
+                let [a, b] = [from, to].map(|p| self.place(p));
+                self.arrow(a, b, role, cut);
+            }
+            Shape::Label { .. } => {}
+        }
+    }
+
+    fn mark(&mut self, at: Vec2, role: Role) {
+        let at = self.place(at);
+        match role {
+            Role::Rider => self.svg.circle(at, PIN - 1.5, "rider"),
+            Role::CentreOfMass => {
+                self.svg.circle(at, PIN, "centre");
+                let arm = PIN * FRAC_1_SQRT_2;
+                for corner in [Vec2::new(arm, arm), Vec2::new(arm, -arm)] {
+                    self.svg.polyline([at - corner, at + corner], "cross");
+                }
+            }
+            Role::Ground => self.svg.circle(at, 1.5, "rider"),
+            _ => self.svg.circle(at, PIN, "pin"),
+        }
+    }
+
+    fn support(&mut self, at: Vec2) {
+        let apex = self.place(at);
+        let [left, right] = [-SUPPORT * 0.7, SUPPORT * 0.7].map(|x| apex + Vec2::new(x, SUPPORT));
+        self.svg.polyline([left, apex, right], "ground");
+        let [left, right] = [-SUPPORT, SUPPORT].map(|x| apex + Vec2::new(x, SUPPORT));
+        self.svg.polyline([left, right], "ground");
+        self.teeth(left, right);
+    }
+
+    /// Hatching to the right of a direction on the drawing.
+    fn teeth(&mut self, a: Vec2, b: Vec2) {
+        let along = b - a;
+        let unit = unit(along);
+        // User units count downwards, and so `perp` points to the right.
+        let tooth = (unit.perp() - unit) * (TOOTH * FRAC_1_SQRT_2);
+        // One that is far larger than the paper would have teeth without end.
+        let most = (self.svg.size().norm() * 4.0 / TOOTH).min(10_000.0);
+        let count = (along.norm() / TOOTH).min(most).floor();
+        let places = std::iter::successors(Some(1.0), |k| Some(k + 1.0));
+        let mut teeth = Vec::new();
+        for k in places.take_while(|&k| k <= count) {
+            let foot = a + unit * (k * TOOTH);
+            teeth.extend([foot, foot + tooth, GAP]);
+        }
+        self.svg.polyline(teeth, "ground");
+    }
+
+    fn block(&mut self, at: Vec2, along: Vec2, pin: bool) {
+        let at = self.place(at);
+        let along = unit(Vec2::new(along.x, -along.y));
+        let (x, y) = (along * BLOCK.x, along.perp() * BLOCK.y);
+        self.svg
+            .polygon([at + x + y, at - x + y, at - x - y, at + x - y], "block");
+        if pin {
+            self.svg.circle(at, PIN, "pin");
+        }
+    }
+
+    fn arrow(&mut self, from: Vec2, to: Vec2, role: Role, cut: bool) {
+        let step = to - from;
+        if step.norm() < HEAD / 2.0 {
+            return;
+        }
+        let class = class(role);
+        for &(begin, end) in arrow::pieces(cut) {
+            self.svg
+                .polyline([from + step * begin, from + step * end], class);
+        }
+        let back = unit(step) * HEAD;
+        let side = back.perp() * 0.4;
+        let heads: &[f64] = match role {
+            Role::Acceleration => &[0.0, 0.8],
+            _ => &[0.0],
+        };
+        for &behind in heads {
+            let tip = to - back * behind;
+            let barbs = [tip - back + side, tip, tip - back - side];
+            self.svg.polyline(barbs, &format!("{class} head"));
+        }
+    }
+
+    /// Names stand where they would stand in cells, out of the way of everything else.
+    fn names(&mut self, figure: &Figure) {
+        let (mut labels, mut raster) = (Labels::default(), Raster::new());
+        render_into(figure, self.view, Glyphs::Braille, &mut labels, &mut raster);
+        for (text, col, row) in labels.standing(figure, self.view) {
+            let at = Vec2::new(
+                f64::from(col) * self.cell.x,
+                (f64::from(row) + 0.75) * self.cell.y,
+            );
+            self.svg.text(at, Anchor::Start, "halo", text);
+            self.svg.text(at, Anchor::Start, "name", text);
+        }
+    }
+
+    fn legend(&mut self, legend: &[LegendEntry], below: Vec2) {
+        let mut at = Vec2::new(COLUMN, below.y + LEGEND * 0.5);
+        for entry in legend {
+            let (text, arrow) = match entry {
+                LegendEntry::Arrow { role, text, cells } => {
+                    (format!("{text} ="), Some((*role, cells * COLUMN)))
+                }
+                LegendEntry::Note(text) => (text.clone(), None),
+            };
+            self.svg
+                .text(at + Vec2::new(0.0, 4.0), Anchor::Start, "name", &text);
+            at.x += (text.chars().count() as f64 + 1.0) * COLUMN;
+            if let Some((role, length)) = arrow {
+                self.arrow(at, at + Vec2::new(length, 0.0), role, false);
+                at.x += length + COLUMN;
+            }
+            at.x += 2.0 * COLUMN;
+        }
+    }
+}
+
+/// What a chain of lines may be off by, in user units, for fewer corners.
+const OFF: f64 = 0.1;
+
+/// The chain without the corners that no eye sees; gaps stay.
+fn fewer(places: &[Vec2]) -> Vec<Vec2> {
+    let mut kept = Vec::new();
+    for run in places.split(|p| !p.is_finite()) {
+        if !kept.is_empty() {
+            kept.push(GAP);
+        }
+        let mut from = 0;
+        for to in 1..run.len() {
+            let chord = run[to] - run[from];
+            let near = |p: &Vec2| (*p - run[from]).cross(chord).abs() <= OFF * chord.norm();
+            // Where it turns back along the same line is a corner too.
+            let goes_on = (run[to - 1] - run[from]).norm() <= chord.norm();
+            if !(goes_on && run[from + 1..to].iter().all(near)) {
+                kept.push(run[from]);
+                from = to - 1;
+            }
+        }
+        kept.extend(run.get(from));
+        kept.extend(run.last().filter(|_| from + 1 < run.len()));
+    }
+    kept
+}
+
+/// Lifts the pen.
+const GAP: Vec2 = Vec2 {
+    x: f64::NAN,
+    y: f64::NAN,
+};
+
+/// A unit vector; nowhere for one of no length.
+fn unit(v: Vec2) -> Vec2 {
+    v / v.norm()
+}
+
+fn class(role: Role) -> &'static str {
+    match role {
+        Role::Ground => "ground",
+        Role::Guide => "guide",
+        Role::Driver => "driver",
+        Role::Ghost => "ghost",
+        Role::Echo => "echo",
+        Role::Trace => "trace",
+        Role::Velocity => "velocity",
+        Role::Acceleration => "acceleration",
+        Role::Empty
+        | Role::Link
+        | Role::Joint
+        | Role::GroundPin
+        | Role::Slider
+        | Role::Rider
+        | Role::CentreOfMass
+        | Role::Label
+        | Role::Axis
+        | Role::Datum
+        | Role::Front => "link",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Layers, Overlay, Reach, Wanted, linkage, usual_arrows, usual_traces};
+    use crate::scene::{Scene, presets};
+    use crate::solver::{Order, Solver};
+
+    /// A preset with everything that can be shown of it, `zoom` times as large.
+    fn document(text: &str, title: &str, zoom: f64) -> String {
+        let scene = Scene::parse(text, "test").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let reach = Reach::of(&scene, &solver);
+        let points = usual_arrows(&scene.mechanism);
+        let wanted = Wanted {
+            traces: usual_traces(&scene.mechanism),
+            velocities: points.clone(),
+            accelerations: points,
+            ghosts: 3,
+        };
+        let overlay = Overlay::of(&scene, &solver, &reach, &wanted);
+        let mut state = solver.state();
+        solver.solve(
+            scene.mechanism.driver().start,
+            Order::Acceleration,
+            &mut state,
+        );
+        let layers = Layers {
+            links: true,
+            centres: true,
+            ..Layers::default()
+        };
+        let mut figure = linkage(&scene, &reach, &state, layers);
+        overlay.add_to(&mut figure, &scene, &state, zoom);
+        let view = View::snug(&reach, 100, 50, 2.0).zoomed(&reach, zoom, Vec2::ZERO);
+        svg(&figure, &view, title, &overlay.legend(&view, zoom))
+    }
+
+    /// Every element is closed, and nothing in it but what XML allows.
+    fn is_well_formed(document: &str) -> bool {
+        let mut open = Vec::new();
+        let mut rest = document;
+        while let Some(at) = rest.find('<') {
+            let Some(end) = rest[at..].find('>') else {
+                return false;
+            };
+            let tag = &rest[at + 1..at + end];
+            let name = tag.trim_start_matches('/').split([' ', '/']).next();
+            if tag.starts_with('/') {
+                if open.pop() != name {
+                    return false;
+                }
+            } else if !tag.ends_with('/') {
+                open.push(name.unwrap_or(""));
+            }
+            if tag.matches('"').count() % 2 == 1 || tag.contains('<') {
+                return false;
+            }
+            rest = &rest[at + end + 1..];
+        }
+        let allowed = |c: char| c == '\n' || !c.is_control();
+        open.is_empty() && !rest.contains('>') && document.chars().all(allowed)
+    }
+
+    #[test]
+    fn every_preset_makes_a_sound_document() {
+        for preset in presets::all() {
+            for zoom in [1.0, 40.0] {
+                let document = document(preset.text, preset.name, zoom);
+                assert!(is_well_formed(&document), "{}\n{document}", preset.name);
+                for word in ["NaN", "inf"] {
+                    assert!(!document.contains(word), "{}: {word}", preset.name);
+                }
+                assert!(
+                    document.len() < 200_000,
+                    "{}: {}",
+                    preset.name,
+                    document.len()
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn the_checker_finds_what_is_wrong() {
+        assert!(is_well_formed("<svg a=\"1\"><g/><t>x</t></svg>\n"));
+        for bad in ["<svg>", "<a><b></a></b>", "<a b=\"></a>", "<a>\u{1b}</a>"] {
+            assert!(!is_well_formed(bad), "{bad}");
+        }
+    }
+
+    #[test]
+    fn what_is_shown_is_there() {
+        let text = presets::find("press-ram").unwrap().text;
+        let document = document(text, "A & B", 1.0);
+        assert!(document.contains("<title>A &amp; B</title>"));
+        let classes = [
+            "link",
+            "driver",
+            "guide",
+            "ground",
+            "trace",
+            "echo",
+            "block",
+            "pin",
+            "velocity",
+            "velocity head",
+            "acceleration head",
+            "name",
+        ];
+        for class in classes {
+            assert!(document.contains(&format!("class=\"{class}\"")), "{class}");
+        }
+        for name in [">A<", ">r2<", "mm/s =<", "mm/s^2 =<"] {
+            assert!(document.contains(name), "{name}");
+        }
+        assert!(document.contains("prefers-color-scheme:dark"));
+    }
+
+    #[test]
+    fn few_corners_make_the_same_curve() {
+        let circle = |k: i32| crate::angle::unit(f64::from(k) * 0.5) * 200.0;
+        let mut course: Vec<Vec2> = (0..=720).map(circle).collect();
+        let kept = fewer(&course);
+        assert!(kept.len() < 200, "{}", kept.len());
+        assert_eq!((kept[0], kept[kept.len() - 1]), (course[0], course[720]));
+        for pair in kept.windows(2) {
+            let middle = (pair[0] + pair[1]) * 0.5;
+            assert!((middle.norm() - 200.0).abs() <= OFF);
+        }
+        course[100] = GAP;
+        let gaps = fewer(&course).iter().filter(|p| !p.is_finite()).count();
+        assert_eq!(gaps, 1);
+        // To and fro on a line: the turning point stays.
+        let along = [0.0, 4.0, 9.0, 5.0, 0.0].map(|x| Vec2::new(x, 0.0));
+        let turned: Vec<f64> = fewer(&along).iter().map(|p| p.x).collect();
+        assert_eq!(turned, [0.0, 9.0, 0.0]);
+        assert_eq!(fewer(&[]), []);
+        assert_eq!(fewer(&along[..1]), along[..1]);
+    }
+}

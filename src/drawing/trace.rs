@@ -1,0 +1,101 @@
+//! Traces in cells: fine dots in Braille, elsewhere points in the upper and the lower half of a cell.
+
+use super::figure::Role;
+use super::raster::Raster;
+use super::render::Glyphs;
+use super::stroke;
+use super::view::View;
+use crate::Vec2;
+
+/// Characters tell two heights in a cell.
+const HALVES: Vec2 = Vec2 { x: 1.0, y: 2.0 };
+const UPPER: char = '\'';
+const LOWER: char = '.';
+const BOTH: char = ':';
+
+/// Draws a chain of straight lines in world units; what is not finite is a gap.
+pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &View, course: &[Vec2]) {
+    let mut places = course.iter().map(|&p| view.cell(p));
+    let Some(mut last) = places.next() else {
+        return;
+    };
+    for place in places {
+        // A line from or to nowhere has no parts.
+        match glyphs {
+            Glyphs::Braille => {
+                for (x, y) in stroke::parts(raster, last, place, stroke::FINE) {
+                    stroke::dot(raster, x, y, Role::Trace);
+                }
+            }
+            Glyphs::Ascii | Glyphs::Line => {
+                for (col, half) in stroke::parts(raster, last, place, HALVES) {
+                    point(raster, col, half);
+                }
+            }
+        }
+        last = place;
+    }
+}
+
+/// Puts a point into the upper or the lower half of a cell, beside what is in the other.
+fn point(raster: &mut Raster, col: i32, half: i32) {
+    let row = half.div_euclid(2);
+    let (here, other) = if half.rem_euclid(2) == 0 {
+        (UPPER, LOWER)
+    } else {
+        (LOWER, UPPER)
+    };
+    let Some(old) = raster.cell(col, row) else {
+        return;
+    };
+    let shared = old.role == Role::Trace && [other, BOTH].contains(&old.glyph);
+    raster.put(col, row, if shared { BOTH } else { here }, Role::Trace);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Figure, Reach, Shape, render};
+    use std::sync::Arc;
+
+    /// A circle of radius 8, with a gap from 0 to 45 degrees.
+    fn circle() -> Arc<[Vec2]> {
+        let at = |k: i32| match k {
+            1..9 => Vec2::new(f64::NAN, 0.0),
+            _ => crate::angle::unit(f64::from(k) * 5.0) * 8.0,
+        };
+        (0..=72).map(at).collect()
+    }
+
+    fn picture(glyphs: Glyphs) -> String {
+        let corners = [Vec2::new(-8.0, -8.0), Vec2::new(8.0, 8.0)];
+        let view = View::fit(&Reach::by_hand(&corners, &[]), 26, 12, 2.0);
+        let mut figure = Figure::new();
+        figure.add(Shape::Trace { course: circle() });
+        render(&figure, &view, glyphs).text()
+    }
+
+    #[test]
+    fn a_curve_looks_like_one() {
+        insta::assert_snapshot!("trace-ascii", picture(Glyphs::Ascii));
+        insta::assert_snapshot!("trace-line", picture(Glyphs::Line));
+        insta::assert_snapshot!("trace-braille", picture(Glyphs::Braille));
+    }
+
+    #[test]
+    fn far_ends_and_nowhere_draw_nothing_outside() {
+        let mut figure = Figure::new();
+        let course = [
+            (f64::NAN, 1.0),
+            (1e300, -1e300),
+            (-1e300, 3.0),
+            (f64::INFINITY, 0.0),
+        ];
+        let course = course.map(|(x, y)| Vec2::new(x, y)).into();
+        figure.add(Shape::Trace { course });
+        let view = View::fit(&Reach::by_hand(&[Vec2::ZERO], &[]), 9, 4, 2.0);
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            assert_eq!(render(&figure, &view, glyphs).text().lines().count(), 4);
+        }
+    }
+}

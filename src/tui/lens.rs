@@ -1,0 +1,287 @@
+//! What the motion view shows beside the linkage, and which part of it how large.
+//!
+//! Layers are switched by keys and stay on from scene to scene; the window is fitted to each scene anew.
+//! What follows from the whole motion is found once for a scene and a choice, not for every frame.
+
+use super::chosen::Chosen;
+use super::stage::Stage;
+use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, View, Wanted};
+use crate::{PointId, Vec2};
+
+/// Positions of the linkage that are shown elsewhere in its motion.
+const GHOSTS: u16 = 6;
+
+/// Traces are named while they are so few.
+const MOST_NAMES: usize = 3;
+
+/// A picture of its own is so many columns wide, and so many rows high at the most.
+const PICTURE: (u16, u16) = (100, 50);
+/// The height of its characters for their width.
+const PICTURE_ASPECT: f64 = 2.0;
+
+/// Which names are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Names {
+    #[default]
+    Points,
+    PointsAndLinks,
+    None,
+}
+
+impl Names {
+    fn next(self) -> Names {
+        match self {
+            Names::Points => Names::PointsAndLinks,
+            Names::PointsAndLinks => Names::None,
+            Names::None => Names::Points,
+        }
+    }
+
+    /// In words.
+    pub(crate) fn text(self) -> &'static str {
+        match self {
+            Names::Points => "names of points",
+            Names::PointsAndLinks => "names of points and links",
+            Names::None => "no names",
+        }
+    }
+}
+
+/// A layer that is on or off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Layer {
+    Velocities,
+    Accelerations,
+    Traces,
+    Ghosts,
+    Centres,
+    Guides,
+}
+
+/// Which of the layers are on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct On([bool; 6]);
+
+impl On {
+    fn has(self, layer: Layer) -> bool {
+        self.0[layer as usize]
+    }
+}
+
+/// The part of the drawing that is seen: its magnification and where it was moved to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Window {
+    /// Half steps of two from the whole motion.
+    level: i8,
+    /// From the middle of the whole motion, in the scene's length unit.
+    shift: Vec2,
+}
+
+/// From a quarter of the size to 64 times.
+const LEVELS: std::ops::RangeInclusive<i8> = -4..=12;
+/// A pan goes so far, in diagonals of what is seen.
+const PAN: f64 = 0.1;
+
+impl Window {
+    fn zoom(self) -> f64 {
+        2.0_f64.powf(f64::from(self.level) / 2.0)
+    }
+}
+
+/// What the motion view shows, and how large.
+#[derive(Debug)]
+pub(crate) struct Lens {
+    names: Names,
+    on: On,
+    window: Window,
+    overlay: Overlay,
+    /// The space that the linkage needs with its arrows, where there are any.
+    reach: Option<Reach>,
+    /// For which scene, and what, the overlay was made.
+    made: Option<(usize, Wanted)>,
+    /// Which points leave traces, in words.
+    traced: String,
+}
+
+impl Default for Lens {
+    fn default() -> Self {
+        let mut on = On([false; 6]);
+        on.0[Layer::Guides as usize] = true;
+        Lens {
+            names: Names::default(),
+            on,
+            window: Window::default(),
+            overlay: Overlay::default(),
+            reach: None,
+            made: None,
+            traced: String::new(),
+        }
+    }
+}
+
+impl Lens {
+    /// Switches to the next names.
+    pub(crate) fn next_names(&mut self) -> Names {
+        self.names = self.names.next();
+        self.names
+    }
+
+    /// Switches a layer on or off, and says which.
+    pub(crate) fn toggle(&mut self, layer: Layer) -> bool {
+        let on = &mut self.on.0[layer as usize];
+        *on = !*on;
+        *on
+    }
+
+    /// Shows the whole motion.
+    pub(crate) fn fit(&mut self) {
+        self.window = Window::default();
+    }
+
+    /// Enlarges by so many steps; false at the end of what is sensible.
+    pub(crate) fn enlarge(&mut self, steps: i8) -> bool {
+        let level = self.window.level.saturating_add(steps);
+        let possible = LEVELS.contains(&level);
+        if possible {
+            self.window.level = level;
+        }
+        possible
+    }
+
+    /// Moves the window by a step to the right and upwards, as far as there is something to see.
+    pub(crate) fn pan(&mut self, stage: &Stage, right: f64, up: f64) -> bool {
+        let size = stage.reach().bounds().size();
+        let step = PAN * size.norm() / self.zoom();
+        let wanted = self.window.shift + Vec2::new(right, up) * step;
+        let within = |wanted: f64, size: f64| wanted.clamp(-size / 2.0, size / 2.0);
+        let shift = Vec2::new(within(wanted.x, size.x), within(wanted.y, size.y));
+        let moved = shift.is_finite() && shift != self.window.shift;
+        if moved {
+            self.window.shift = shift;
+        }
+        moved
+    }
+
+    fn zoom(&self) -> f64 {
+        self.window.zoom()
+    }
+
+    /// Finds what is wanted of the motion, unless it is known already.
+    pub(crate) fn focus(&mut self, stage: &Stage, chosen: &Chosen, opened: usize) {
+        let wanted = self.wanted(stage, chosen);
+        if wanted.is_empty() && self.made.is_none() {
+            return;
+        }
+        if self
+            .made
+            .as_ref()
+            .is_some_and(|(scene, made)| *scene == opened && *made == wanted)
+        {
+            return;
+        }
+        let (scene, reach) = (stage.scene(), stage.reach());
+        self.overlay = Overlay::of(scene, stage.solver(), reach, &wanted);
+        self.reach = self.overlay.reach(reach);
+        let names = wanted.traces.iter().filter_map(|&p| scene.point_name(p));
+        let names: Vec<&str> = names.collect();
+        self.traced = match names.len() {
+            0..=MOST_NAMES => format!("trace {}", names.join(",")),
+            more => format!("{more} traces"),
+        };
+        self.made = (!wanted.is_empty()).then_some((opened, wanted));
+    }
+
+    fn wanted(&self, stage: &Stage, chosen: &Chosen) -> Wanted {
+        let mechanism = &stage.scene().mechanism;
+        let points = |layer, usual: fn(&crate::Mechanism) -> Vec<PointId>| {
+            if !self.on.has(layer) {
+                return Vec::new();
+            }
+            // After an edit a point may be gone.
+            let count = mechanism.points().len();
+            let there = chosen.points().iter().filter(|p| p.index() < count);
+            let there: Vec<PointId> = there.copied().collect();
+            if there.is_empty() {
+                usual(mechanism)
+            } else {
+                there
+            }
+        };
+        Wanted {
+            traces: points(Layer::Traces, drawing::usual_traces),
+            velocities: points(Layer::Velocities, drawing::usual_arrows),
+            accelerations: points(Layer::Accelerations, drawing::usual_arrows),
+            ghosts: if self.on.has(Layer::Ghosts) {
+                GHOSTS
+            } else {
+                0
+            },
+        }
+    }
+
+    /// The linkage as it is now, with all layers that are on.
+    pub(crate) fn figure(&self, stage: &Stage) -> Figure {
+        let layers = Layers {
+            ground: self.on.has(Layer::Guides),
+            points: self.names != Names::None,
+            links: self.names == Names::PointsAndLinks,
+            centres: self.on.has(Layer::Centres),
+        };
+        let (scene, state) = (stage.scene(), stage.state());
+        let mut figure = drawing::linkage(scene, stage.reach(), state, layers);
+        self.overlay.add_to(&mut figure, scene, state, self.zoom());
+        figure
+    }
+
+    /// The space that the drawing is fitted to before it is enlarged.
+    pub(crate) fn reach<'s>(&'s self, stage: &'s Stage) -> &'s Reach {
+        self.reach.as_ref().unwrap_or(stage.reach())
+    }
+
+    /// The window of so many cells on a drawing that needs this space.
+    pub(crate) fn view(&self, reach: &Reach, (cols, rows): (u16, u16), aspect: f64) -> View {
+        let view = View::fit(reach, cols, rows, aspect);
+        view.zoomed(reach, self.zoom(), self.window.shift)
+    }
+
+    /// What is on that the drawing does not explain by itself, the most important first.
+    pub(crate) fn legend(&self, view: &View) -> Vec<LegendEntry> {
+        let mut entries = self.overlay.legend(view, self.zoom());
+        let note = |text: &str| LegendEntry::Note(text.to_owned());
+        if self.window != Window::default() {
+            entries.push(LegendEntry::Note(format!("zoom {}", times(self.zoom()))));
+        }
+        if self.on.has(Layer::Traces) {
+            entries.push(note(&self.traced));
+        }
+        if self.on.has(Layer::Ghosts) {
+            entries.push(LegendEntry::Note(format!("{GHOSTS} positions")));
+        }
+        if self.on.has(Layer::Centres) {
+            entries.push(note("x centre of mass"));
+        }
+        entries
+    }
+
+    /// The drawing as an SVG document, as it is seen now.
+    pub(crate) fn svg(&self, stage: &Stage) -> String {
+        let (cols, most) = PICTURE;
+        let reach = self.reach(stage);
+        let snug = View::snug(reach, cols, most, PICTURE_ASPECT);
+        let view = snug.zoomed(reach, self.zoom(), self.window.shift);
+        let at = stage.course().on_grid(stage.at());
+        let title = format!("{} at {at} {}", stage.scene().name, stage.unit());
+        drawing::svg(&self.figure(stage), &view, &title, &self.legend(&view))
+    }
+}
+
+/// `2x`, `1.4x`.
+fn times(zoom: f64) -> String {
+    let text = format!("{zoom:.2}");
+    let text = if zoom < 1.0 {
+        text
+    } else {
+        format!("{zoom:.1}")
+    };
+    format!("{}x", text.trim_end_matches('0').trim_end_matches('.'))
+}

@@ -1,0 +1,177 @@
+//! `krank draw`: pictures in characters and as SVG.
+
+use super::{PARALLEL_CRANKS, command, done, folder, json, krank, presets, refused, run};
+
+#[test]
+fn a_picture_is_as_large_as_asked_and_ascii_where_the_locale_is() {
+    let usual = done(&["draw", "four-bar", "--at", "60"]);
+    assert_eq!(usual.lines().count(), 24, "{usual}");
+    assert!(usual.is_ascii(), "{usual}");
+    assert!(usual.contains("/_\\") && usual.contains('C'), "{usual}");
+    for (size, cols, rows) in [("120x40", 120, 40), ("40x12", 40, 12), ("1x1", 1, 1)] {
+        let picture = done(&["draw", "four-bar", "--size", size]);
+        assert_eq!(picture.lines().count(), rows, "{picture}");
+        assert!(picture.lines().all(|line| line.chars().count() <= cols));
+    }
+    let small = done(&["draw", "four-bar", "--size", "60x20", "--velocities"]);
+    assert_eq!(
+        small.lines().count(),
+        20,
+        "the legend is a part of it\n{small}"
+    );
+}
+
+#[test]
+fn the_glyphs_are_chosen_by_locale_or_by_option() {
+    let drawn = |glyphs: &str| done(&["draw", "four-bar", "--glyphs", glyphs]);
+    assert_eq!(drawn("auto"), drawn("ascii"));
+    assert!(drawn("line").contains('\u{2502}'));
+    let is_dots = |text: &str| text.chars().any(|c| ('\u{2801}'..='\u{28ff}').contains(&c));
+    assert!(is_dots(&drawn("braille")) && !is_dots(&drawn("line")));
+    let mut command = command(&["draw", "four-bar"]);
+    let utf8 = run(command.env("LC_ALL", "C.UTF-8").env("TERM", "xterm")).out;
+    assert!(is_dots(&utf8), "{utf8}");
+}
+
+#[test]
+fn layers_are_drawn_and_explained() {
+    let picture = done(&["draw", "four-bar", "--velocities", "--accelerations", "C"]);
+    let legend = picture.lines().last().unwrap();
+    assert!(legend.starts_with("v 500 mm/s = --"), "{legend}");
+    assert!(legend.contains("   a 10000 mm/s^2 = "), "{legend}");
+    let bare = done(&["draw", "hoecken"]);
+    let traced = done(&["draw", "hoecken", "--traces"]);
+    assert_eq!(traced, done(&["draw", "hoecken", "--traces", "P"]));
+    assert_ne!(traced, bare);
+    assert!(traced.contains("......"), "{traced}");
+    let all = done(&["draw", "hoecken", "--traces", "all"]);
+    assert_eq!(all, done(&["draw", "hoecken", "--traces", "B,C,P"]));
+    assert_ne!(all, traced);
+    assert_ne!(done(&["draw", "hoecken", "--ghosts", "5"]), bare);
+    let named = |names: &str| done(&["draw", "four-bar", "--names", names]);
+    assert!(named("all").contains("r3") && !named("points").contains("r3"));
+    assert!(!named("none").contains('C'));
+    let free = done(&["draw", "four-bar", "--no-guides"]);
+    assert!(!free.contains("/_\\"), "{free}");
+    assert!(done(&["draw", "four-bar", "--centres"]).contains('x'));
+}
+
+#[test]
+fn a_figure_can_be_taken_as_svg() {
+    let file = folder("draw").join("leg.svg");
+    let path = file.to_str().unwrap();
+    let args = ["draw", "jansen-leg", "--traces", "T", "--ghosts", "4"];
+    let svg = done(&[&args[..], &["--format", "svg"]].concat());
+    assert!(
+        svg.starts_with("<svg xmlns=") && svg.ends_with("</svg>\n"),
+        "{svg}"
+    );
+    assert!(
+        svg.contains("<title>Jansen's walking leg at 60 deg</title>"),
+        "{svg}"
+    );
+    assert!(
+        svg.contains("class=\"trace\"") && svg.contains(">T</text>"),
+        "{svg}"
+    );
+    assert_eq!(
+        done(&[&args[..], &["--format", "svg", "-o", path]].concat()),
+        ""
+    );
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), svg);
+    let sized = done(&["draw", "four-bar", "--format", "svg", "--size", "50x20"]);
+    assert!(sized.contains("width=\"400\" height=\"320\""), "{sized}");
+}
+
+/// A scene's title is whatever somebody has written.
+#[test]
+fn no_scene_writes_markup() {
+    let hostile = PARALLEL_CRANKS.replace(
+        "Three parallel cranks",
+        "</title><script>1</script>\\u001B[2J&",
+    );
+    let mut command = command(&["draw", "-", "--format", "svg"]);
+    let heard = run(command.write_stdin(hostile));
+    assert_eq!(heard.code, 0, "{}", heard.err);
+    let title =
+        "<title>&lt;/title&gt;&lt;script&gt;1&lt;/script&gt;\u{fffd}[2J&amp; at 60 deg</title>";
+    assert!(heard.out.contains(title), "{}", heard.out);
+    assert!(!heard.out.contains("<script>") && !heard.out.contains('\u{1b}'));
+}
+
+#[test]
+fn every_preset_is_drawn() {
+    for preset in presets() {
+        let everything = [
+            "draw",
+            &preset,
+            "--traces",
+            "--velocities",
+            "--accelerations",
+            "--ghosts",
+            "4",
+            "--names",
+            "all",
+            "--centres",
+        ];
+        let picture = done(&everything);
+        assert!(picture.is_ascii() && picture.contains('o'), "{picture}");
+        let svg = done(&[&everything[..], &["--format", "svg"]].concat());
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{preset}");
+    }
+}
+
+#[test]
+fn where_there_is_no_assembly_it_is_said_as_by_table() {
+    let args = |command| [command, "double-rocker", "--at", "5"];
+    assert_eq!(refused(1, &args("draw")), refused(1, &args("table")));
+    // At a limit there is a picture, without arrows, and the reason.
+    let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
+    let limit = facts["range"][0].to_string();
+    let heard = krank(&["draw", "double-rocker", "--at", &limit, "--velocities"]);
+    assert_eq!(heard.code, 0);
+    assert_eq!(
+        heard.err,
+        "note: there are no arrows: at a dead point there are no rates\n"
+    );
+    assert!(heard.out.contains("/_\\"), "{}", heard.out);
+}
+
+#[test]
+fn the_assembly_is_the_one_that_is_wished() {
+    let open = done(&["draw", "four-bar"]);
+    assert_ne!(open, done(&["draw", "four-bar", "--assembly", "C=-"]));
+}
+
+#[test]
+fn what_is_not_understood_is_refused() {
+    for (args, phrase) in [
+        (&["draw"][..], "<SCENE>"),
+        (&["draw", "four-bar", "--size", "80"], "columns x rows"),
+        (&["draw", "four-bar", "--size", "0x9"], "columns x rows"),
+        (&["draw", "four-bar", "--size", "9x99999"], "columns x rows"),
+        (&["draw", "four-bar", "--ghosts", "400"], "--ghosts"),
+        (&["draw", "four-bar", "--glyphs", "crayon"], "--glyphs"),
+        (&["draw", "four-bar", "--format", "csv"], "--format"),
+        (
+            &["draw", "four-bar", "--traces", "E"],
+            "--traces: the scene has no point `E`",
+        ),
+        (
+            &["draw", "press", "--velocities", "b"],
+            "--velocities: the scene has no point `b`; ",
+        ),
+    ] {
+        let message = refused(2, args);
+        assert!(message.contains(phrase), "{args:?}: {message}");
+    }
+}
+
+#[test]
+fn a_file_that_cannot_be_written_ends_with_1() {
+    let message = refused(1, &["draw", "four-bar", "-o", "/no/such/folder/x.svg"]);
+    assert!(
+        message.contains("cannot write `/no/such/folder/x.svg`"),
+        "{message}"
+    );
+}
