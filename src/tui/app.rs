@@ -17,7 +17,9 @@ use super::figures::coordinate;
 use super::key::Key;
 use super::line::Line;
 use super::opening;
+use super::picker::Picker;
 use super::playback::Playback;
+use super::preview::Previews;
 use super::stage::Stage;
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
@@ -28,7 +30,7 @@ use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
 use std::path::PathBuf;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
 
 /// What keys go to.
@@ -46,6 +48,8 @@ pub(crate) enum Mode {
     SaveAs(Line),
     /// The question whether to write to this file.
     Confirm(PathBuf),
+    /// The list of presets and files.
+    Pick(Box<Picker>),
 }
 
 /// What is looked at.
@@ -112,6 +116,10 @@ pub(crate) struct App {
     scroll: [usize; View::ALL.len()],
     /// What the motion view shows of the tables.
     chosen: Chosen,
+    /// What was seen of the scenes in the list of presets and files.
+    previews: Previews,
+    /// The text of the scene as it was opened.
+    original: Arc<str>,
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -131,6 +139,7 @@ pub(crate) struct App {
 impl App {
     /// A workbench with an open scene, paused where it says, or at `at`.
     pub(crate) fn new(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
+        let original = opened.scene.text().into();
         let stage = Stage::new(opened);
         let mut app = App {
             steps: steps_of(&stage),
@@ -141,6 +150,8 @@ impl App {
             survey: Survey::new(wall_clock),
             scroll: [0; View::ALL.len()],
             chosen: Chosen::default(),
+            previews: Previews::default(),
+            original,
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -235,8 +246,10 @@ impl App {
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
     pub(crate) fn paste(&mut self, text: &str) {
-        if let Mode::GoTo(line) | Mode::SaveAs(line) = &mut self.mode {
-            text.chars().for_each(|c| line.push(c));
+        match &mut self.mode {
+            Mode::GoTo(line) | Mode::SaveAs(line) => text.chars().for_each(|c| line.push(c)),
+            Mode::Pick(picker) => text.chars().for_each(|c| picker.push(c)),
+            Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) | Mode::Confirm(_) => {}
         }
     }
 
@@ -278,7 +291,9 @@ impl App {
 
     /// When to call [`App::tick`]; never while paused.
     pub(crate) fn next_frame(&self) -> Option<Duration> {
-        self.playback.is_playing().then(|| self.frame + FRAME)
+        // While another scene is looked for, this one waits.
+        let plays = self.playback.is_playing() && !matches!(self.mode, Mode::Pick(_));
+        plays.then(|| self.frame + FRAME)
     }
 
     /// The program was stopped meanwhile: playing goes on from where it was.
@@ -301,7 +316,8 @@ impl App {
                     | Mode::GoTo(_)
                     | Mode::Assemblies(_)
                     | Mode::SaveAs(_)
-                    | Mode::Confirm(_) => Mode::Help(0),
+                    | Mode::Confirm(_)
+                    | Mode::Pick(_) => Mode::Help(0),
                 }
             }
             Action::LineUp => self.scroll_by(-1),
@@ -360,6 +376,9 @@ impl App {
 
     /// Keys of the line in which a coordinate is typed; `None` for those that mean the same everywhere.
     fn type_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        if let Mode::Pick(_) = self.mode {
+            return self.pick_key(key, now);
+        }
         if let (Mode::Assemblies(cursor), Key::Enter) = (&self.mode, key) {
             self.take_assembly(*cursor, now);
             return Some(Effect::Show);
@@ -472,6 +491,7 @@ impl App {
 
     /// Another scene, paused where it opens: nothing is left of the one before.
     pub(crate) fn show(&mut self, opened: Opened) {
+        self.original = opened.scene.text().into();
         self.stage = Stage::new(opened);
         self.opened += 1;
         self.steps = steps_of(&self.stage);
@@ -551,7 +571,7 @@ impl App {
         };
         let scroll = match &mut self.mode {
             Mode::Help(scroll) | Mode::Assemblies(scroll) => scroll,
-            Mode::Normal | Mode::GoTo(_) | Mode::SaveAs(_) | Mode::Confirm(_) => {
+            Mode::Normal | Mode::GoTo(_) | Mode::SaveAs(_) | Mode::Confirm(_) | Mode::Pick(_) => {
                 &mut self.scroll[self.view as usize]
             }
         };
