@@ -22,7 +22,9 @@ use super::keymap::Keymap;
 use super::lens::Lens;
 use super::line::Line;
 use super::opening;
+use super::picker::Picker;
 use super::playback::Playback;
+use super::preview::Previews;
 use super::stage::Stage;
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
@@ -33,7 +35,7 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use ratatui::layout::Size;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
 
 /// What keys go to.
@@ -51,6 +53,8 @@ pub(crate) enum Mode {
     FileName(Prompt),
     /// The question whether to write to a file.
     Confirm(Question),
+    /// The list of presets and files.
+    Pick(Box<Picker>),
 }
 
 impl Mode {
@@ -60,7 +64,7 @@ impl Mode {
             Mode::GoTo(line) => Some(line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
-            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) => None,
+            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Pick(_) => None,
         }
     }
 }
@@ -134,6 +138,10 @@ pub(crate) struct App {
     keymap: Keymap,
     /// What the motion view shows beside the linkage, and how large.
     lens: Lens,
+    /// What was seen of the scenes in the list of presets and files.
+    previews: Previews,
+    /// The text of the scene as it was opened.
+    original: Arc<str>,
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -153,6 +161,7 @@ pub(crate) struct App {
 impl App {
     /// A workbench with an open scene, paused where it says, or at `at`.
     pub(crate) fn new(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
+        let original = opened.scene.text().into();
         let stage = Stage::new(opened);
         let mut app = App {
             steps: steps_of(&stage),
@@ -165,6 +174,8 @@ impl App {
             chosen: Chosen::default(),
             keymap: Keymap::default(),
             lens: Lens::default(),
+            previews: Previews::default(),
+            original,
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -271,7 +282,9 @@ impl App {
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
     pub(crate) fn paste(&mut self, text: &str) {
-        if let Some(line) = self.mode.line() {
+        if let Mode::Pick(picker) = &mut self.mode {
+            text.chars().for_each(|c| picker.push(c));
+        } else if let Some(line) = self.mode.line() {
             text.chars().for_each(|c| line.push(c));
         }
     }
@@ -315,7 +328,9 @@ impl App {
 
     /// When to call [`App::tick`]; never while paused.
     pub(crate) fn next_frame(&self) -> Option<Duration> {
-        self.playback.is_playing().then(|| self.frame + FRAME)
+        // While another scene is looked for, this one waits.
+        let plays = self.playback.is_playing() && !matches!(self.mode, Mode::Pick(_));
+        plays.then(|| self.frame + FRAME)
     }
 
     /// The program was stopped meanwhile: playing goes on from where it was.
@@ -391,6 +406,9 @@ impl App {
     fn type_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         if matches!(self.mode, Mode::Help(_)) {
             return self.search_help(key);
+        }
+        if let Mode::Pick(_) = self.mode {
+            return self.pick_key(key, now);
         }
         if let (Mode::Assemblies(cursor), Key::Enter) = (&self.mode, key) {
             self.take_assembly(*cursor, now);
@@ -502,6 +520,7 @@ impl App {
 
     /// Another scene, paused where it opens: nothing is left of the one before.
     pub(crate) fn show(&mut self, opened: Opened) {
+        self.original = opened.scene.text().into();
         self.stage = Stage::new(opened);
         self.opened += 1;
         self.steps = steps_of(&self.stage);
@@ -588,7 +607,7 @@ impl App {
         let scroll = match &mut self.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(scroll) => scroll,
-            Mode::Normal | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) => {
+            Mode::Normal | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) | Mode::Pick(_) => {
                 &mut self.scroll[self.view as usize]
             }
         };

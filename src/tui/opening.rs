@@ -4,9 +4,29 @@ use super::{Opened, Origin};
 use crate::scene::presets::Preset;
 use crate::scene::{Diagnostics, LARGEST_FILE, Scene};
 use crate::solver::Solver;
-use std::fs::File;
+use std::fs::{self, File, FileType};
 use std::io::{self, Read};
+use std::os::unix::fs::FileTypeExt;
 use std::path::Path;
+
+/// Why a file cannot be opened.
+#[derive(Debug)]
+pub(crate) enum Unopened {
+    /// It cannot be read; in words why.
+    Unread(String),
+    /// What it holds is no scene.
+    Wrong(Diagnostics),
+}
+
+impl Unopened {
+    /// What is wrong, or wrong first.
+    pub(crate) fn first_words(self) -> String {
+        match self {
+            Unopened::Unread(why) => format!("cannot be read: {why}"),
+            Unopened::Wrong(diagnostics) => first_words(&diagnostics),
+        }
+    }
+}
 
 /// Opens a preset; in words what is wrong with it, which a test keeps from happening.
 pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
@@ -23,10 +43,14 @@ pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
 
 /// Opens a file; in words what is wrong with it.
 pub(crate) fn file(path: &Path) -> Result<Opened, String> {
-    let shown = path.display().to_string();
-    let bytes = contents(path).map_err(|e| format!("cannot read {shown}: {e}"))?;
-    let scene = Scene::read(&bytes, &shown).and_then(assembled);
-    let (scene, solver) = scene.map_err(|d| format!("{shown}: {}", first_words(&d)))?;
+    scene_of(path).map_err(|why| format!("{}: {}", path.display(), why.first_words()))
+}
+
+/// Opens a file, or says all that is wrong with it.
+pub(crate) fn scene_of(path: &Path) -> Result<Opened, Unopened> {
+    let bytes = contents(path).map_err(|e| Unopened::Unread(e.to_string()))?;
+    let scene = Scene::read(&bytes, &path.display().to_string());
+    let (scene, solver) = scene.and_then(assembled).map_err(Unopened::Wrong)?;
     let origin = Origin::File(path.to_owned());
     Ok(Opened {
         scene,
@@ -57,13 +81,30 @@ fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
     }
 }
 
-/// What a file holds, up to one byte more than a scene may have.
+/// What a file holds, up to one byte more than a scene may have. A pipe or a device, which could keep
+/// whoever opens it waiting for ever, is not opened.
 fn contents(path: &Path) -> io::Result<Vec<u8>> {
+    let kind = fs::metadata(path)?.file_type();
+    if !kind.is_file() {
+        return Err(io::Error::other(no_file(kind)));
+    }
     let mut bytes = Vec::new();
     let most = u64::try_from(LARGEST_FILE).unwrap_or(u64::MAX);
     let file = File::open(path)?;
     file.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+fn no_file(kind: FileType) -> &'static str {
+    if kind.is_dir() {
+        "it is a folder"
+    } else if kind.is_fifo() {
+        "it is a pipe, not a file"
+    } else if kind.is_socket() {
+        "it is a socket, not a file"
+    } else {
+        "it is a device, not a file"
+    }
 }
 
 /// What a message begins with.

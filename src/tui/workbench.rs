@@ -81,6 +81,7 @@ impl Workbench {
 
     /// The bytes that bring the terminal from the last frame to this one; none if nothing differs.
     pub fn paint(&mut self) -> &[u8] {
+        self.app.catch_up();
         views::prepare(&self.app, &mut self.sketch);
         self.painter.frame(views::screen(&self.app, &self.sketch))
     }

@@ -1,9 +1,153 @@
 //! Choosing a preset or a file.
 
-use super::App;
+use super::super::key::Key;
+use super::super::opening::{self, Unopened};
+use super::super::picker::{Picker, Place, Purpose};
+use super::super::preview::Preview;
+use super::super::{Opened, Origin, views};
+use super::{App, Effect, Mode};
+use crate::scene::presets;
+use std::env;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 impl App {
+    /// Lists what can be opened, from the folder of the open file on.
     pub(super) fn pick(&mut self) {
-        self.message = Some("not there yet".into());
+        let here = Place::of(self.stage.origin());
+        self.list(Purpose::Open, here.as_ref());
     }
+
+    pub(super) fn list(&mut self, purpose: Purpose, at: Option<&Place>) {
+        let folder = match self.stage.origin() {
+            Origin::File(path) => path.parent().map(Path::to_owned),
+            Origin::Preset(_) | Origin::Stdin => None,
+        };
+        let original = purpose == Purpose::Compare && self.is_edited();
+        let folder = folder.unwrap_or_default();
+        self.previews.forget();
+        let picker = Picker::new(purpose, &folder, at, original);
+        self.mode = Mode::Pick(Box::new(picker));
+    }
+
+    /// Whether the scene is no longer what was opened.
+    fn is_edited(&self) -> bool {
+        self.stage.scene().text() != &*self.original
+    }
+
+    /// Brings what a frame shows beside the state itself up to date. It is done once for a frame, however
+    /// many keys came before it.
+    pub(crate) fn catch_up(&mut self) {
+        if let Mode::Pick(picker) = &self.mode
+            && let Some(item) = picker.chosen()
+        {
+            self.previews.make(&item.place, &self.original);
+        }
+    }
+
+    /// What is known of the entry under the cursor.
+    pub(crate) fn preview(&self) -> Option<&Preview> {
+        let Mode::Pick(picker) = &self.mode else {
+            return None;
+        };
+        self.previews.of(&picker.chosen()?.place)
+    }
+
+    /// Keys while something is chosen: letters search. `None` for those that mean the same everywhere.
+    pub(super) fn pick_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        let page = isize::try_from(views::page(self)).unwrap_or(isize::MAX);
+        let Mode::Pick(picker) = &mut self.mode else {
+            return None;
+        };
+        match key {
+            Key::Char(c) => picker.push(c),
+            Key::Backspace => picker.erase(),
+            Key::Ctrl('u') => picker.clear(),
+            Key::Up | Key::Ctrl('p') => picker.move_by(-1),
+            Key::Down | Key::Ctrl('n') => picker.move_by(1),
+            Key::PageUp => picker.move_by(-page),
+            Key::PageDown => picker.move_by(page),
+            Key::Home => picker.move_by(isize::MIN),
+            Key::End => picker.move_by(isize::MAX),
+            Key::Left => picker.leave(),
+            Key::Right => self.look_into_chosen(),
+            Key::Enter => self.accept_pick(now),
+            Key::Escape => self.leave_list(now),
+            Key::Tab | Key::BackTab | Key::Function(_) => {}
+            Key::Ctrl(_) => return None,
+        }
+        self.message = self.message.take().filter(|_| key == Key::Enter);
+        Some(Effect::Show)
+    }
+
+    /// Back to the open scene, which goes on from where it was.
+    fn leave_list(&mut self, now: Duration) {
+        self.mode = Mode::Normal;
+        self.previews.forget();
+        self.playback.rebase(now, self.stage.at());
+        self.frame = now;
+    }
+
+    fn look_into_chosen(&mut self) {
+        let Mode::Pick(picker) = &mut self.mode else {
+            return;
+        };
+        if let Some(Place::Folder(path)) = picker.chosen().map(|item| item.place.clone()) {
+            if picker.is_above(&path) {
+                picker.leave();
+            } else {
+                picker.look_into(&path, None);
+            }
+        }
+    }
+
+    /// Opens what is under the cursor, or looks into it.
+    fn accept_pick(&mut self, now: Duration) {
+        self.message = None;
+        let Mode::Pick(picker) = &mut self.mode else {
+            return;
+        };
+        let Some(place) = picker.chosen().map(|item| item.place.clone()) else {
+            return;
+        };
+        let purpose = picker.purpose();
+        if let Place::Folder(_) = place {
+            self.look_into_chosen();
+            return;
+        }
+        match self.open_place(&place) {
+            Ok(opened) => {
+                self.leave_list(now);
+                match purpose {
+                    Purpose::Open => self.show(opened),
+                    Purpose::Compare => {}
+                }
+            }
+            Err(why) => self.message = Some(why),
+        }
+    }
+
+    /// Opens a scene of the list; in words why it cannot be.
+    fn open_place(&self, place: &Place) -> Result<Opened, String> {
+        match place {
+            Place::Folder(path) => Err(format!("{} is a folder", path.display())),
+            // Its name is under the cursor.
+            Place::File(path) => opening::scene_of(&near(path)).map_err(Unopened::first_words),
+            Place::Preset(name) => match presets::find(name) {
+                Some(preset) => opening::preset(preset),
+                None => Err(format!("there is no preset {name}")),
+            },
+            Place::Original => {
+                let opened = opening::text(&self.original, self.stage.origin().clone());
+                opened.map_err(|d| opening::first_words(&d))
+            }
+        }
+    }
+}
+
+/// The path as seen from where the program runs, if it lies below: shorter to read.
+fn near(path: &Path) -> PathBuf {
+    let below = env::current_dir().and_then(|here| here.canonicalize());
+    let below = below.ok().and_then(|here| path.strip_prefix(here).ok());
+    below.unwrap_or(path).to_owned()
 }

@@ -13,6 +13,7 @@ mod forces;
 mod help;
 mod lengths;
 mod motion;
+mod picker;
 mod plots;
 mod popup;
 mod scene;
@@ -37,7 +38,8 @@ pub(crate) use motion::Sketch;
 
 /// Brings what the screen remembers of its last frame up to date.
 pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
-    if app.view() == View::Motion && !too_small(app.size()) {
+    let seen = app.view() == View::Motion && !matches!(app.mode(), Mode::Pick(_));
+    if seen && !too_small(app.size()) {
         sketch.draw(app, body(whole(app.size())));
     }
 }
@@ -57,6 +59,11 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
             &text,
             theme::part(Part::Text),
         );
+        return buffer;
+    }
+    if let Mode::Pick(picker) = app.mode() {
+        picker::render(app, picker, area, &mut buffer);
+        status::render(app, row(area, area.height - 1), &mut buffer);
         return buffer;
     }
     title::render(app, row(area, 0), &mut buffer);
@@ -96,6 +103,7 @@ fn on_top(app: &App) -> (usize, usize) {
     let body = body(area);
     match (app.mode(), app.view()) {
         (Mode::Help(help), _) => help::extent(app, help, body),
+        (Mode::Pick(picker), _) => picker::extent(picker, body),
         (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
         (_, View::Tables) => table::extent(app, inset(body)),
         (_, View::Accuracy) => accuracy::extent(app, body),

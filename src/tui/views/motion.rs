@@ -202,19 +202,25 @@ impl Sketch {
 
 pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer) {
     let arrangement = arrange(app, area);
-    show(sketch, arrangement.drawing, buffer);
+    show(&sketch.raster, arrangement.drawing, buffer);
     explain(app, arrangement, buffer);
     rule(app.glyphs(), arrangement.rule, buffer);
     match *app.mode() {
         Mode::Assemblies(cursor) => assemblies::render(app, cursor, arrangement.table, buffer),
-        Mode::Normal | Mode::Help(_) | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) => {
+        Mode::Normal
+        | Mode::Help(_)
+        | Mode::GoTo(_)
+        | Mode::FileName(_)
+        | Mode::Confirm(_)
+        | Mode::Pick(_) => {
             table::render(app, arrangement.table, buffer);
         }
     }
 }
 
-fn show(sketch: &Sketch, area: Rect, buffer: &mut Buffer) {
-    for (y, line) in (area.top()..area.bottom()).zip(sketch.raster.lines()) {
+/// Copies a drawing to the screen.
+pub(super) fn show(raster: &Raster, area: Rect, buffer: &mut Buffer) {
+    for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
         for (x, cell) in (area.left()..area.right()).zip(line) {
             buffer[(x, y)]
                 .set_char(cell.glyph)
@@ -241,7 +247,8 @@ fn explain(app: &App, arrangement: Arrangement, buffer: &mut Buffer) {
     }
 }
 
-fn rule(glyphs: Glyphs, area: Rect, buffer: &mut Buffer) {
+/// A line between two parts of the screen.
+pub(super) fn rule(glyphs: Glyphs, area: Rect, buffer: &mut Buffer) {
     let (upright, level) = match glyphs {
         Glyphs::Ascii => ('|', '-'),
         Glyphs::Line | Glyphs::Braille => ('\u{2502}', '\u{2500}'),

@@ -14,6 +14,8 @@ use crate::tui::app::{App, Mode, View};
 use crate::tui::figures::coordinate;
 use crate::tui::key::Key;
 use crate::tui::line::Line;
+use crate::tui::picker::{Picker, Place, Purpose};
+use crate::tui::preview::Preview;
 use crate::tui::sheet::FOUND;
 use crate::tui::stage::{Stage, shown};
 use crate::tui::survey::Phase;
@@ -53,6 +55,10 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Mode::Confirm(asked) => {
             question(app, asked, &mut line);
+            return;
+        }
+        Mode::Pick(picker) => {
+            picking(app, picker, &mut line);
             return;
         }
         Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) => {}
@@ -125,7 +131,8 @@ fn trust(app: &App) -> Option<String> {
             | Mode::GoTo(_)
             | Mode::Assemblies(_)
             | Mode::FileName(_)
-            | Mode::Confirm(_),
+            | Mode::Confirm(_)
+            | Mode::Pick(_),
             _,
         ) => false,
     };
@@ -151,6 +158,10 @@ fn mode(app: &App) -> &'static str {
         | (Mode::Confirm(Question { document, .. }), _) => match document {
             Document::Scene => "save",
             Document::Text(_) => "write",
+        },
+        (Mode::Pick(picker), _) => match picker.purpose() {
+            Purpose::Open => "open",
+            Purpose::Compare => "compare",
         },
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
@@ -258,6 +269,40 @@ fn file_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
+/// What is under the cursor of a list of scenes, in a few words, and what can be done with it.
+fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
+    line.gap(1);
+    let enter = match picker.chosen().map(|item| &item.place) {
+        None => None,
+        Some(Place::Folder(_)) => Some("look inside"),
+        Some(Place::Original | Place::File(_) | Place::Preset(_)) => Some(mode(app)),
+    };
+    let keys = [(Key::Enter, enter), (Key::Escape, Some("back"))];
+    let keys = keys.map(|(key, name)| Some((key.to_string(), name?)));
+    let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + 2;
+    // Where there is no room for a preview, the title alone tells what it would show.
+    let hints: u16 = match app.size().width < ROOM_FOR_GAPS {
+        true => 0,
+        false => keys.iter().flatten().map(needed).sum(),
+    };
+    let (words, part) = match app.preview() {
+        _ if let Some(message) = app.message() => (message, Part::Warning),
+        Some(Preview::Scene(sample)) => (sample.scene.name.as_str(), Part::Text),
+        Some(Preview::Fault(fault)) => (fault.what.as_str(), Part::Warning),
+        Some(Preview::Unseen(why)) => (why.as_str(), Part::Quiet),
+        Some(Preview::Folder(names)) if names.is_empty() => ("no scene in it", Part::Quiet),
+        Some(Preview::Folder(_)) => ("a folder", Part::Quiet),
+        None => ("", Part::Quiet),
+    };
+    let longest = line.room().saturating_sub(hints + 1);
+    let words = cut(&shown(words, app.glyphs()), longest.into());
+    line.say(&words, part);
+    line.gap(2);
+    for (key, name) in keys.iter().flatten() {
+        line.hint(key, name);
+    }
+}
+
 /// Whether to write over a file.
 fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let to = &asked.to;
@@ -284,6 +329,7 @@ fn offered(app: &App) -> &'static [Action] {
     match (app.mode(), app.view()) {
         (Mode::Help(_), _) => &[Action::Back, Action::Search, Action::LineDown, Action::Quit],
         (Mode::Assemblies(_), _) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
+        (Mode::Pick(_), _) => &[Action::Back],
         (_, View::Motion) => &[
             Action::Help,
             Action::Play,
