@@ -6,6 +6,8 @@ mod commands;
 mod failure;
 mod misuse;
 mod output;
+mod picture;
+mod plot;
 #[cfg(feature = "tui")]
 mod progress;
 #[cfg(not(feature = "tui"))]
@@ -78,6 +80,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Check(args)) => commands::check(args, screen),
         Some(Command::Table(args)) => commands::table(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
+        Some(Command::Plot(args)) => plot::plot(args, screen),
         Some(Command::Start(args)) => commands::start(args),
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         Some(Command::Completions { shell }) => commands::completions(*shell),

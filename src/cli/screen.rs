@@ -39,6 +39,19 @@ impl Screen {
     }
 }
 
+/// The columns and rows of the terminal behind standard output, if there is one that tells them.
+#[cfg(feature = "tui")]
+pub(super) fn size() -> Option<(u16, u16)> {
+    let told = rustix::termios::tcgetwinsize(std::io::stdout()).ok()?;
+    (told.ws_col > 0 && told.ws_row > 0).then_some((told.ws_col, told.ws_row))
+}
+
+/// Without the workbench krank does not know how to ask.
+#[cfg(not(feature = "tui"))]
+pub(super) fn size() -> Option<(u16, u16)> {
+    None
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

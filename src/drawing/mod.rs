@@ -30,6 +30,7 @@ mod figure;
 mod labels;
 mod linkage;
 mod outline;
+pub mod plot;
 mod raster;
 mod reach;
 mod render;

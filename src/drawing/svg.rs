@@ -1,17 +1,18 @@
 //! An SVG document, element by element: what a drawing or a plot becomes on paper.
 //!
-//! Coordinates are user units, y downwards. What a shape looks like follows from its class, in one
-//! style sheet that reads well on a light and on a dark ground.
-
-#![expect(
-    dead_code,
-    reason = "the drawing and the plots are written with it next"
-)]
+//! Coordinates are user units, y downwards. What a shape looks like follows from its class. The
+//! document lies on a paper of its own, light or dark as the reader prefers, so that it reads well on
+//! any ground. Text loses its control characters and is escaped: no scene can write markup.
 
 use crate::Vec2;
+use crate::scene::harmless;
 use std::fmt::Write as _;
 
 /// Where a text stands against its place.
+#[allow(
+    dead_code,
+    reason = "the drawing itself starts all its texts where they stand"
+)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     /// It begins there.
@@ -27,16 +28,32 @@ pub(super) enum Anchor {
 pub(super) struct Svg {
     size: Vec2,
     title: String,
+    style: Style,
     body: String,
 }
 
+/// Rules of a style sheet beside those for paper, lines (`path`) and `text`.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Style {
+    /// Everywhere.
+    pub(super) light: &'static str,
+    /// On top of that, where the reader prefers a dark ground.
+    pub(super) dark: &'static str,
+}
+
 impl Svg {
-    pub(super) fn new(size: Vec2, title: &str) -> Self {
+    pub(super) fn new(size: Vec2, title: &str, style: Style) -> Self {
         Svg {
             size,
             title: escaped(title),
+            style,
             body: String::new(),
         }
+    }
+
+    /// How large it is.
+    pub(super) fn size(&self) -> Vec2 {
+        self.size
     }
 
     /// A chain of straight lines; what is not finite breaks it.
@@ -102,19 +119,27 @@ impl Svg {
     /// The whole document.
     pub(super) fn finish(self) -> String {
         let [w, h] = [self.size.x, self.size.y].map(number);
+        let Style { light, dark } = self.style;
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
-             viewBox=\"0 0 {w} {h}\">\n<title>{}</title>\n<style>\n{STYLE}</style>\n{}</svg>\n",
+             viewBox=\"0 0 {w} {h}\">\n<title>{}</title>\n\
+             <style>\n{LIGHT}{light}@media (prefers-color-scheme:dark){{\n{DARK}{dark}}}\n</style>\n\
+             <rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n{}</svg>\n",
             self.title, self.body
         )
     }
 }
 
-/// By class; `currentColor` would be black where the file stands alone.
-const STYLE: &str = "\
+/// The ink that stands alone where a viewer knows no preference; `currentColor` would be black there.
+const LIGHT: &str = "\
+.paper{fill:#fff}
 path{fill:none;stroke:#222;stroke-width:2;stroke-linecap:round;stroke-linejoin:round}
 text{font:13px sans-serif;fill:#222}
-@media (prefers-color-scheme:dark){path{stroke:#ddd}text{fill:#ddd}}
+";
+const DARK: &str = "\
+.paper{fill:#181818}
+path{stroke:#ddd}
+text{fill:#ddd}
 ";
 
 /// Hundredths of a user unit are finer than any printer.
@@ -126,7 +151,7 @@ fn number(value: f64) -> String {
 
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
+    for c in harmless(text, false).chars() {
         match c {
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),
@@ -142,15 +167,23 @@ fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
 
+    const PLAIN: Style = Style {
+        light: "",
+        dark: "",
+    };
+
     #[test]
     fn what_is_not_finite_breaks_a_line_and_text_is_escaped() {
-        let mut svg = Svg::new(Vec2::new(100.0, 50.0), "a < b");
+        let mut svg = Svg::new(Vec2::new(100.0, 50.0), "a < b\u{1b}[2J", PLAIN);
         let gap = Vec2::new(f64::NAN, 0.0);
         let [a, b] = [Vec2::new(0.0, 1.0), Vec2::new(2.5, 3.0)];
         svg.polyline([a, b, gap, a, b], "trace");
         svg.text(a, Anchor::Middle, "label", "\"B'\" & C");
         let text = svg.finish();
-        assert!(text.contains("<title>a &lt; b</title>"));
+        assert!(
+            text.contains("<title>a &lt; b\u{fffd}[2J</title>"),
+            "{text}"
+        );
         assert!(text.contains("d=\"M0 1L2.5 3M0 1L2.5 3\""), "{text}");
         assert!(text.contains("&quot;B'&quot; &amp; C</text>"));
         assert!(!text.contains("NaN"));

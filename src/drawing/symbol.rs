@@ -174,6 +174,6 @@ fn glyph_of(role: Role) -> char {
         Role::Ghost => '.',
         Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
         // Charts draw their own.
-        Role::Axis | Role::Datum | Role::Front => '+',
+        Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => '+',
     }
 }

@@ -47,10 +47,10 @@ pub(crate) fn role(role: Role) -> Style {
     match role {
         Role::Empty | Role::Link | Role::Guide | Role::Label | Role::Datum => style,
         Role::Ground | Role::Ghost | Role::Axis => style.add_modifier(Modifier::DIM),
-        Role::Driver => style.fg(Color::Red),
+        Role::Driver | Role::Second => style.fg(Color::Red),
         Role::Joint | Role::GroundPin | Role::Slider | Role::Front => {
             style.add_modifier(Modifier::BOLD)
         }
-        Role::Rider | Role::CentreOfMass => style.fg(Color::Magenta),
+        Role::Rider | Role::CentreOfMass | Role::Third => style.fg(Color::Magenta),
     }
 }
