@@ -2,8 +2,14 @@
 //!
 //! Tables, plots, CSV columns, JSON keys and the demand given to the solver all come from here.
 
+mod clock;
+mod curves;
+mod extrema;
 mod sensitivity;
 
+pub use clock::Clock;
+pub use curves::{Abscissa, Curve, Curves, Here, NoTime};
+pub use extrema::Extremum;
 pub use sensitivity::{Derivatives, MOST_DERIVATIVES, Sensitivity};
 
 use crate::nearest::nearest;

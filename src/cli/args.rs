@@ -173,6 +173,20 @@ unit, at the worst.
 Without --from and --to a sweep covers the motion range and ends on its limits,
 or after one period.")]
     Sweep(SweepArgs),
+    /// Plot figures over the motion: in characters, or as SVG
+    #[command(after_help = "\
+Examples:
+  krank plot four-bar --columns r4.omega
+  krank plot four-bar --columns 'C.v*,r4.alpha' --size 120x40
+  krank plot slider-crank --columns C.vx --against C.x
+  krank plot hoecken --columns P.y --against P.x --format svg -o curve.svg
+
+Columns are named as in krank sweep; every unit has a panel of its own. Over
+time, 0 s is where the scene opens, and the driver goes on from there with its
+speed and acceleration. Maxima and minima are marked with their value and place,
+which are solved for, not read from the picture: the value to rounding, the
+place to about 1e-5 deg. Where no value exists there is a gap.")]
+    Plot(PlotArgs),
     /// Print a scene with the [start] of another assembly
     #[command(after_help = "\
 Examples:
@@ -263,6 +277,44 @@ pub(super) struct TableArgs {
     pub(super) output: OutputArgs,
 }
 
+/// How a drawing is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum PictureFormat {
+    /// Characters
+    #[default]
+    Text,
+    /// Scalable vector graphics, for a browser or a report
+    Svg,
+}
+
+/// A size in characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Size {
+    pub(super) cols: u16,
+    pub(super) rows: u16,
+}
+
+/// Nobody looks at more characters than this; memory is for something else.
+const LARGEST_SIDE: u16 = 2000;
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once(['x', 'X']);
+        let side = |text: &str| text.parse().ok().filter(|n| (1..=LARGEST_SIDE).contains(n));
+        let size = sides.and_then(|(cols, rows)| {
+            Some(Size {
+                cols: side(cols)?,
+                rows: side(rows)?,
+            })
+        });
+        size.ok_or_else(|| {
+            format!("columns x rows are meant, such as 80x24, each 1 to {LARGEST_SIDE}")
+        })
+    }
+}
+
 #[derive(Debug, Args)]
 pub(super) struct DrawArgs {
     #[arg(help = SCENE_HELP)]
@@ -321,44 +373,6 @@ pub(super) enum Names {
     All,
 }
 
-/// How a drawing is written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(super) enum PictureFormat {
-    /// Characters
-    #[default]
-    Text,
-    /// Scalable vector graphics, for a browser or a report
-    Svg,
-}
-
-/// A size in characters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Size {
-    pub(super) cols: u16,
-    pub(super) rows: u16,
-}
-
-/// Nobody looks at more characters than this; memory is for something else.
-const LARGEST_SIDE: u16 = 2000;
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let sides = text.split_once(['x', 'X']);
-        let side = |text: &str| text.parse().ok().filter(|n| (1..=LARGEST_SIDE).contains(n));
-        let size = sides.and_then(|(cols, rows)| {
-            Some(Size {
-                cols: side(cols)?,
-                rows: side(rows)?,
-            })
-        });
-        size.ok_or_else(|| {
-            format!("columns x rows are meant, such as 80x24, each 1 to {LARGEST_SIDE}")
-        })
-    }
-}
-
 #[derive(Debug, Args)]
 pub(super) struct SweepArgs {
     #[arg(help = SCENE_HELP)]
@@ -382,6 +396,40 @@ pub(super) struct SweepArgs {
     pub(super) format: Format,
     #[command(flatten)]
     pub(super) figures: FigureArgs,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct PlotArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
+    /// Names of figures, * for any characters; separated by commas
+    #[arg(long, value_name = "PATTERNS", value_delimiter = ',', required = true)]
+    pub(super) columns: Vec<String>,
+    /// What stands along x: driver, time, or the name of a figure
+    #[arg(long, value_name = "NAME", default_value = "driver")]
+    pub(super) against: String,
+    /// Where the driver begins [default: the beginning of the motion range]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(super) from: Option<Decimal>,
+    /// Where the driver ends [default: the end of the motion range]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(super) to: Option<Decimal>,
+    /// Leave out the marks at maxima and minima
+    #[arg(long)]
+    pub(super) no_extrema: bool,
+    /// The characters to draw with
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) glyphs: Glyphs,
+    /// How large; a character is 8 x 16 units of an SVG [default: the terminal's size, or 80x24; 100x40 for an SVG]
+    #[arg(long, value_name = "COLSxROWS")]
+    pub(super) size: Option<Size>,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) format: PictureFormat,
     #[command(flatten)]
     pub(super) output: OutputArgs,
 }

@@ -1,10 +1,11 @@
 //! `krank draw`: the linkage at one coordinate of its driver, in characters or as SVG.
 
-use super::args::{DrawArgs, Glyphs, Names, PictureFormat, Size};
+use super::args::{DrawArgs, Names, PictureFormat, Size};
 use super::commands::out_of_reach;
 use super::failure::{Failure, note};
-use super::output::{goes_to_terminal, write_text};
-use super::screen::{self, Screen};
+use super::output::write_text;
+use super::picture::{ASPECT, glyphs, size};
+use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::drawing::{self, Layers, Overlay, Reach, View, Wanted};
 use crate::nearest::nearest;
@@ -13,13 +14,9 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State};
 use crate::{Mechanism, PointId};
 
-/// Where nothing tells the size.
-const USUAL: Size = Size { cols: 80, rows: 24 };
 /// Columns of an SVG, and the rows that it has at most.
 const SVG_COLUMNS: u16 = 100;
 const SVG_ROWS: u16 = 50;
-/// The height of a character for its width.
-const ASPECT: f64 = 2.0;
 /// Lines of a legend.
 const MOST_LEGEND: usize = 2;
 
@@ -41,7 +38,10 @@ pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
     }
     let picture = Picture::new(args, &scene, &solver, &state, &wanted);
     let text = match args.format {
-        PictureFormat::Text => picture.text(glyphs(args.glyphs), size(args)),
+        PictureFormat::Text => picture.text(
+            glyphs(args.glyphs),
+            size(args.size, args.output.output.as_deref()),
+        ),
         PictureFormat::Svg => picture.svg(args.size, at),
     };
     write_text(args.output.output.as_deref(), &text)
@@ -116,27 +116,6 @@ fn layers(args: &DrawArgs) -> Layers {
         links: args.names == Names::All,
         centres: args.centres,
     }
-}
-
-fn glyphs(wish: Glyphs) -> drawing::Glyphs {
-    match wish {
-        Glyphs::Auto => screen::judgement().glyphs().value,
-        Glyphs::Braille => drawing::Glyphs::Braille,
-        Glyphs::Ascii => drawing::Glyphs::Ascii,
-        Glyphs::Line => drawing::Glyphs::Line,
-    }
-}
-
-/// As asked, or as large as the terminal that it goes to, the prompt's line left free.
-fn size(args: &DrawArgs) -> Size {
-    let terminal = || {
-        let told = screen::size().filter(|_| goes_to_terminal(args.output.output.as_deref()));
-        told.map(|(cols, rows)| Size {
-            cols,
-            rows: rows.saturating_sub(1).max(1),
-        })
-    };
-    args.size.or_else(terminal).unwrap_or(USUAL)
 }
 
 fn wanted(args: &DrawArgs, scene: &Scene) -> Result<Wanted, Failure> {

@@ -7,6 +7,8 @@ mod draw;
 mod failure;
 mod misuse;
 mod output;
+mod picture;
+mod plot;
 #[cfg(feature = "tui")]
 mod progress;
 #[cfg(not(feature = "tui"))]
@@ -80,6 +82,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Table(args)) => commands::table(args, screen),
         Some(Command::Draw(args)) => draw::draw(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
+        Some(Command::Plot(args)) => plot::plot(args, screen),
         Some(Command::Start(args)) => commands::start(args),
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         Some(Command::Completions { shell }) => commands::completions(*shell),

@@ -61,7 +61,10 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
 
 /// The figures that the patterns name; all where there are none. The driver and the state may be
 /// named: they have their columns anyway.
-fn figures(catalogue: &Catalogue, patterns: &[String]) -> Result<Vec<Quantity>, Failure> {
+pub(super) fn figures(
+    catalogue: &Catalogue,
+    patterns: &[String],
+) -> Result<Vec<Quantity>, Failure> {
     if patterns.is_empty() {
         return Ok(catalogue.all().to_vec());
     }
@@ -135,7 +138,7 @@ fn decimal(value: f64) -> Result<Decimal, Failure> {
 }
 
 /// Where a sweep begins that was not told.
-fn first(range: Range, down: bool) -> f64 {
+pub(super) fn first(range: Range, down: bool) -> f64 {
     match (range, down) {
         (Range::Full { .. }, false) => 0.0,
         (Range::Full { period }, true) => period,
@@ -145,7 +148,7 @@ fn first(range: Range, down: bool) -> f64 {
 }
 
 /// Where a sweep ends that was not told: one period on, or on the limit.
-fn last(range: Range, down: bool, from: f64) -> f64 {
+pub(super) fn last(range: Range, down: bool, from: f64) -> f64 {
     match (range, down) {
         (Range::Full { period }, false) => from + period,
         (Range::Full { period }, true) => from - period,

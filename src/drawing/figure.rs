@@ -41,8 +41,12 @@ pub enum Role {
     Label,
     /// An axis of a chart and its labels.
     Axis,
-    /// A point of a chart.
+    /// A point of a chart, or the first curve of a plot.
     Datum,
+    /// The second curve of a plot.
+    Second,
+    /// The third curve of a plot.
+    Third,
     /// A point of a chart's best front, and the steps that join them.
     Front,
 }

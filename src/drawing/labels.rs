@@ -181,6 +181,17 @@ fn best_place(raster: &Raster, point: (i32, i32), text: &str, last: Place, limit
         .map_or(Place::Hidden, |(_, index)| Place::Seat(index))
 }
 
+/// Where a text can stand beside a cell and hides nothing, by its first cell, the best place first.
+pub(super) fn free_places(raster: &Raster, point: (i32, i32), text: &str) -> Vec<(i32, i32)> {
+    let free = |seat: &&Seat| {
+        let (col, row) = origin(seat, point, text);
+        cover(raster, col, row, text) == Some(0)
+    };
+    let mut seats: Vec<&Seat> = SEATS.iter().filter(free).collect();
+    seats.sort_by_key(|seat| seat.cost);
+    seats.iter().map(|seat| origin(seat, point, text)).collect()
+}
+
 /// Characters, of which no name has more than a raster has columns and is still shown.
 fn width(text: &str) -> i32 {
     text.chars().count().min(usize::from(u16::MAX)) as i32
@@ -215,6 +226,8 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
             | Role::Label
             | Role::Axis
             | Role::Datum
+            | Role::Second
+            | Role::Third
             | Role::Front => return None,
         };
     }
@@ -227,7 +240,9 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
                 TOUCHING
             }
             // `B` beside `C` would read as one name.
-            Role::Label | Role::Axis | Role::Datum | Role::Front => return None,
+            Role::Label | Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => {
+                return None;
+            }
         };
     }
     Some(sum)

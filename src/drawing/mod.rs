@@ -34,6 +34,7 @@ mod linkage;
 mod outline;
 mod overlay;
 mod picture;
+pub mod plot;
 mod points;
 mod raster;
 mod reach;

@@ -311,6 +311,8 @@ fn class(role: Role) -> &'static str {
         | Role::Label
         | Role::Axis
         | Role::Datum
+        | Role::Second
+        | Role::Third
         | Role::Front => "link",
     }
 }

@@ -41,17 +41,24 @@ fn middle_of_cell(p: Vec2) -> Vec2 {
     Vec2::new(p.x.floor() + 0.5, p.y.floor() + 0.5)
 }
 
-/// The part of the line inside the cells and one around them (Liang and Barsky 1984); `None` if there
-/// is none, or if an end is not finite.
+/// The part of the line inside the cells and one around them; `None` if there is none, or if an end is
+/// not finite.
 pub(super) fn clip(a: Vec2, b: Vec2, raster: &Raster) -> Option<(Vec2, Vec2)> {
     let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
+    let one = Vec2::new(1.0, 1.0);
+    clip_to(a, b, [Vec2::ZERO - one, size + one])
+}
+
+/// The part of the line inside a box (Liang and Barsky 1984); `None` if there is none, or if an end is
+/// not finite.
+pub(super) fn clip_to(a: Vec2, b: Vec2, [low, high]: [Vec2; 2]) -> Option<(Vec2, Vec2)> {
     let step = b - a;
     if !(a.is_finite() && step.is_finite()) {
         return None;
     }
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for (start, rate, high) in [(a.x, step.x, size.x), (a.y, step.y, size.y)] {
-        let (to_low, to_high) = (-1.0 - start, high + 1.0 - start);
+    for (start, rate, low, high) in [(a.x, step.x, low.x, high.x), (a.y, step.y, low.y, high.y)] {
+        let (to_low, to_high) = (low - start, high - start);
         if rate == 0.0 {
             if to_low > 0.0 || to_high < 0.0 {
                 return None;

@@ -175,6 +175,6 @@ fn glyph_of(role: Role) -> char {
         Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
         // These are drawn by others.
         Role::Trace | Role::Velocity | Role::Acceleration => '+',
-        Role::Axis | Role::Datum | Role::Front => '+',
+        Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => '+',
     }
 }

@@ -49,12 +49,12 @@ pub(crate) fn role(role: Role) -> Style {
         Role::Ground | Role::Ghost | Role::Echo | Role::Trace | Role::Axis => {
             style.add_modifier(Modifier::DIM)
         }
-        Role::Driver => style.fg(Color::Red),
+        Role::Driver | Role::Second => style.fg(Color::Red),
         Role::Velocity => style.add_modifier(Modifier::BOLD),
         Role::Acceleration => style.fg(Color::Red),
         Role::Joint | Role::GroundPin | Role::Slider | Role::Front => {
             style.add_modifier(Modifier::BOLD)
         }
-        Role::Rider | Role::CentreOfMass => style.fg(Color::Magenta),
+        Role::Rider | Role::CentreOfMass | Role::Third => style.fg(Color::Magenta),
     }
 }

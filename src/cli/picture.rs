@@ -1,0 +1,33 @@
+//! What pictures on standard output or in a file have in common: their characters and their size.
+
+use super::args::{Glyphs, Size};
+use super::output::goes_to_terminal;
+use super::screen;
+use crate::drawing;
+use std::path::Path;
+
+/// Where nothing tells the size.
+const USUAL: Size = Size { cols: 80, rows: 24 };
+
+/// The height of a character for its width, in most fonts.
+pub(super) const ASPECT: f64 = 2.0;
+
+/// The characters that were asked for, or that the locale and the terminal allow.
+pub(super) fn glyphs(wish: Glyphs) -> drawing::Glyphs {
+    match wish {
+        Glyphs::Auto => screen::judgement().glyphs().value,
+        Glyphs::Braille => drawing::Glyphs::Braille,
+        Glyphs::Ascii => drawing::Glyphs::Ascii,
+        Glyphs::Line => drawing::Glyphs::Line,
+    }
+}
+
+/// As asked, or as large as the terminal that it goes to, the prompt's line left free.
+pub(super) fn size(wish: Option<Size>, output: Option<&Path>) -> Size {
+    let terminal = || {
+        let (cols, rows) = screen::size().filter(|_| goes_to_terminal(output))?;
+        let rows = rows.saturating_sub(1).max(1);
+        Some(Size { cols, rows })
+    };
+    wish.or_else(terminal).unwrap_or(USUAL)
+}

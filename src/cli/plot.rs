@@ -1,0 +1,143 @@
+//! `krank plot`: which figures, over what, and how they are drawn.
+
+use super::args::{PictureFormat, PlotArgs, Size};
+use super::commands::tell_of_near_misses;
+use super::failure::{Failure, note};
+use super::output::write_text;
+use super::picture::{self, ASPECT};
+use super::screen::Screen;
+use super::source::{Opened, open};
+use super::sweep::{figures, first, last};
+use crate::Vec2;
+use crate::drawing::plot::{Look, Plot};
+use crate::quantity::{Abscissa, Catalogue, Curves, Quantity, UnknownColumn};
+use crate::report::limits_text;
+use crate::solver::{Condition, Range};
+
+/// An SVG where no size was asked for, and the size of a character in its units.
+const SVG: Size = Size {
+    cols: 100,
+    rows: 40,
+};
+const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
+
+pub(super) fn plot(args: &PlotArgs, screen: Screen) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let catalogue = Catalogue::new(&scene);
+    let figures = figures(&catalogue, &args.columns)?;
+    let figures: Vec<Quantity> = figures
+        .into_iter()
+        .filter(|q| q != catalogue.driver())
+        .collect();
+    if figures.is_empty() {
+        return Err(Failure::Usage(
+            "--columns: these are no figures to plot; C.vx or r4.omega would be".into(),
+        ));
+    }
+    let abscissa = abscissa(&catalogue, &args.against)?;
+    let range = solver.motion().range;
+    let window = window(args, range)?;
+    let curves = Curves::new(&scene, &solver, &figures, abscissa, window)
+        .map_err(|e| Failure::Cannot(format!("--against time: {e}")))?;
+    judge(&curves, &limits_text(range, catalogue.driver()), screen)?;
+    tell_of_near_misses(&scene, &solver, screen);
+    let drawn = Plot::of(&curves);
+    let text = match args.format {
+        PictureFormat::Text => text(args, &drawn, screen)?,
+        PictureFormat::Svg => {
+            let Size { cols, rows } = args.size.unwrap_or(SVG);
+            let size = Vec2::new(f64::from(cols) * CHARACTER.x, f64::from(rows) * CHARACTER.y);
+            drawn.svg(&scene.name, size, !args.no_extrema, None)
+        }
+    };
+    write_text(args.output.output.as_deref(), &text)
+}
+
+fn text(args: &PlotArgs, plot: &Plot, screen: Screen) -> Result<String, Failure> {
+    let Size { cols, rows } = picture::size(args.size, args.output.output.as_deref());
+    let look = Look {
+        cols,
+        // Every panel has its place: paper has no end.
+        rows: rows
+            .max(plot.least_rows())
+            .min(if args.size.is_some() { rows } else { u16::MAX }),
+        glyphs: picture::glyphs(args.glyphs),
+        aspect: ASPECT,
+        extrema: !args.no_extrema,
+        first: 0,
+    };
+    if !plot.fits(&look) {
+        return Err(Failure::Usage(format!(
+            "--size: {cols}x{rows} is too small for a plot; 40x12 is enough for one panel"
+        )));
+    }
+    let hidden = plot.panels.len() - plot.panels_in(look.rows);
+    if hidden > 0 {
+        let all = plot.least_rows();
+        note(
+            &format!("{hidden} more panels have no room: --size {cols}x{all} shows all"),
+            screen,
+        );
+    }
+    Ok(plot.render(&look, None).text())
+}
+
+/// What stands along x.
+fn abscissa(catalogue: &Catalogue, name: &str) -> Result<Abscissa, Failure> {
+    let name = name.trim();
+    if name == "driver" || name == catalogue.driver().name {
+        return Ok(Abscissa::Driver);
+    }
+    if name == "time" {
+        return Ok(Abscissa::Time);
+    }
+    let unknown = |e: UnknownColumn| Failure::Usage(format!("--against: {e}"));
+    let mut named = catalogue.select(&[name]).map_err(unknown)?;
+    match (named.pop(), named.len()) {
+        (Some(figure), 0) => Ok(Abscissa::Figure(figure)),
+        (_, more) => Err(Failure::Usage(format!(
+            "--against: `{name}` names {} figures, and one stands along x",
+            more + 1
+        ))),
+    }
+}
+
+/// The part of the motion that was asked for; `None` for all of it.
+fn window(args: &PlotArgs, range: Range) -> Result<Option<(f64, f64)>, Failure> {
+    if args.from.is_none() && args.to.is_none() {
+        return Ok(None);
+    }
+    let from = args.from.map_or(first(range, false), |from| from.value());
+    let to = args.to.map_or(last(range, false, from), |to| to.value());
+    if from == to {
+        return Err(Failure::Usage(format!(
+            "--from and --to are both {from}: there is no way between to plot over"
+        )));
+    }
+    Ok(Some((from, to)))
+}
+
+/// Says what has no values; a plot without any has failed.
+fn judge(curves: &Curves, range: &str, screen: Screen) -> Result<(), Failure> {
+    let all = curves.conditions.len();
+    let outside = |c: &&Condition| **c == Condition::NoAssembly;
+    let outside = curves.conditions.iter().filter(outside).count();
+    if outside == all {
+        return Err(Failure::Cannot(format!(
+            "no place of the plot lies within the motion: the driver covers {range}"
+        )));
+    }
+    if outside > 0 {
+        note(
+            &format!("a part of the plot lies outside the motion: the driver covers {range}"),
+            screen,
+        );
+    }
+    for curve in &curves.curves {
+        if curve.values.iter().all(Option::is_none) {
+            let name = &curve.quantity.name;
+            note(&format!("{name} has no value anywhere"), screen);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,274 @@
+//! Where the parts of a plot are, in cells.
+
+use super::path::Block;
+use super::ticks::{Style, Ticks};
+use super::{Look, Plot};
+use crate::Vec2;
+use crate::drawing::Glyphs;
+
+/// The axis and its labels, below the last panel.
+const FOOT: i32 = 2;
+/// The legend above each panel, and the least rows of a panel.
+const LEGEND: i32 = 1;
+const LEAST_BODY: i32 = 4;
+/// Smaller than this nothing can be read from a plot.
+const LEAST_ROWS: i32 = FOOT + LEGEND + 2;
+const LEAST_COLS: i32 = 16;
+/// Rows from one label to the next, at the least, and the most labels of an axis.
+const LABEL_ROWS: i32 = 2;
+const MOST_LABELS: usize = 9;
+/// Blanks between two labels of the level axis.
+const LABEL_GAP: i32 = 2;
+/// There are not so many units.
+const MOST_PANELS: i32 = 1000;
+/// A panel higher than this has room for a legend of two rows.
+const TALL: i32 = 7;
+
+/// The parts of a plot.
+pub(super) struct Layout {
+    /// The column of the upright axes, behind their labels.
+    pub(super) axis: i32,
+    /// The row of the level axis; its labels are below it.
+    pub(super) foot: i32,
+    /// Behind the last column.
+    pub(super) end: i32,
+    pub(super) x: Scale,
+    pub(super) x_ticks: Ticks,
+    /// The panels that are shown, by their number.
+    pub(super) panels: Vec<(usize, Frame)>,
+}
+
+/// Where a panel is.
+pub(super) struct Frame {
+    /// The row of its legend.
+    pub(super) legend: i32,
+    /// Rows that the legend may take.
+    pub(super) legend_rows: i32,
+    pub(super) block: Block,
+    pub(super) y: Scale,
+    pub(super) ticks: Ticks,
+    /// How the figures of its curves are written.
+    pub(super) style: Style,
+}
+
+/// From values to cells: the ends lie on the middle of the first and the last cell, or dot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Scale {
+    low: f64,
+    high: f64,
+    /// Where the low end lies, and from there to the high end, in cells.
+    start: f64,
+    length: f64,
+}
+
+impl Scale {
+    fn along(low: f64, high: f64, from: i32, cells: i32, inset: f64) -> Scale {
+        Scale {
+            low,
+            high,
+            start: f64::from(from) + inset,
+            length: f64::from(cells) - 2.0 * inset,
+        }
+    }
+
+    fn upwards(low: f64, high: f64, top: i32, cells: i32, inset: f64) -> Scale {
+        let length = f64::from(cells) - 2.0 * inset;
+        Scale {
+            low,
+            high,
+            start: f64::from(top) + inset + length,
+            length: -length,
+        }
+    }
+
+    /// From a place to another, whatever they count.
+    pub(super) fn between(low: f64, high: f64, from: f64, to: f64) -> Scale {
+        Scale {
+            low,
+            high,
+            start: from,
+            length: to - from,
+        }
+    }
+
+    /// The values at its ends.
+    pub(super) fn ends(&self) -> (f64, f64) {
+        (self.low, self.high)
+    }
+
+    /// Where a value lies, in cell coordinates.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        self.start + (value - self.low) / (self.high - self.low) * self.length
+    }
+
+    pub(super) fn holds(&self, value: f64) -> bool {
+        (self.low..=self.high).contains(&value)
+    }
+
+    /// The cell of a value that it holds.
+    pub(super) fn cell(&self, value: f64) -> Option<i32> {
+        self.holds(value).then(|| self.place(value).floor() as i32)
+    }
+
+    /// Whether a value lies between the ends.
+    pub(super) fn crosses(&self, value: f64) -> bool {
+        self.low < value && value < self.high
+    }
+}
+
+/// How many panels of so many have room in some rows.
+fn shown(panels: usize, rows: i32) -> usize {
+    let room = (rows - FOOT) / (LEGEND + LEAST_BODY);
+    panels.min(usize::try_from(room).unwrap_or(0).max(1))
+}
+
+impl Plot {
+    /// How many panels are shown in so many rows; the others are reached by another first one.
+    #[must_use]
+    pub fn panels_in(&self, rows: u16) -> usize {
+        shown(self.panels.len(), i32::from(rows))
+    }
+
+    /// The rows in which all panels are shown.
+    #[must_use]
+    pub fn least_rows(&self) -> u16 {
+        let panels = i32::try_from(self.panels.len())
+            .unwrap_or(0)
+            .min(MOST_PANELS);
+        let rows = FOOT + panels * (LEGEND + LEAST_BODY);
+        u16::try_from(rows).unwrap_or(u16::MAX)
+    }
+
+    /// Whether there is room for anything.
+    #[must_use]
+    pub fn fits(&self, look: &Look) -> bool {
+        self.layout(look).is_some()
+    }
+
+    /// `None` where there is no room.
+    pub(super) fn layout(&self, look: &Look) -> Option<Layout> {
+        let (cols, rows) = (i32::from(look.cols), i32::from(look.rows));
+        if self.panels.is_empty() || rows < LEAST_ROWS || cols < LEAST_COLS {
+            return None;
+        }
+        let count = shown(self.panels.len(), rows);
+        let first = look.first.min(self.panels.len() - count);
+        let inset = match look.glyphs {
+            Glyphs::Ascii | Glyphs::Line => Vec2::new(0.5, 0.5),
+            Glyphs::Braille => Vec2::new(0.25, 0.125),
+        };
+        let body = rows - FOOT;
+        let shares = i32::try_from(count).unwrap_or(1);
+        let mut frames = Vec::with_capacity(count);
+        let mut top = 0;
+        for (k, number) in (0..shares).zip(first..) {
+            let height = (body - top) / (shares - k);
+            let crowd = self.panels[number].curves.len() > 2;
+            let legend_rows = LEGEND + i32::from(crowd && height > TALL);
+            frames.push((number, top, legend_rows, height - legend_rows));
+            top += height;
+        }
+        let mut panels: Vec<(usize, Frame)> = frames
+            .into_iter()
+            .map(|(number, top, legend_rows, height)| {
+                let y = &self.panels[number].y;
+                let top_row = top + legend_rows;
+                let block = Block {
+                    left: 0,
+                    top: top_row,
+                    width: 0,
+                    height,
+                };
+                let frame = Frame {
+                    legend: top,
+                    legend_rows,
+                    block,
+                    y: Scale::upwards(y.low, y.high, top_row, height, inset.y),
+                    ticks: Ticks::between(y.low, y.high, y.is_angle, labels(height)),
+                    style: Style::of_range(y.low, y.high),
+                };
+                (number, frame)
+            })
+            .collect();
+        let widest = panels.iter().map(|(_, frame)| frame.ticks.widest()).max();
+        let axis = i32::try_from(widest.unwrap_or(0)).unwrap_or(cols);
+        let (left, width) = (axis + 1, cols - axis - 1);
+        if width < LEAST_COLS / 2 {
+            return None;
+        }
+        let (mut low, mut high) = (self.x.low, self.x.high);
+        if let ([(number, frame)], true) = (&mut panels[..], self.is_true) {
+            let y = &self.panels[*number].y;
+            let height = frame.block.height;
+            let cells = Vec2::new(f64::from(width), f64::from(height)) - inset * 2.0;
+            let ends = true_ends((low, high), (y.low, y.high), cells, look.aspect);
+            (low, high) = ends[0];
+            frame.y = Scale::upwards(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
+            let ticks = Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height));
+            // There is room for labels no longer than those that were foreseen.
+            if i32::try_from(ticks.widest()).is_ok_and(|widest| widest <= axis) {
+                frame.ticks = ticks;
+            }
+        }
+        for (_, frame) in &mut panels {
+            (frame.block.left, frame.block.width) = (left, width);
+        }
+        Some(Layout {
+            axis,
+            foot: body,
+            end: cols,
+            x: Scale::along(low, high, left, width, inset.x),
+            x_ticks: level_ticks(low, high, self.x.is_angle, width),
+            panels,
+        })
+    }
+}
+
+/// The most ticks whose labels have room beside each other.
+fn level_ticks(low: f64, high: f64, is_angle: bool, width: i32) -> Ticks {
+    let fits = |ticks: &Ticks| {
+        let gaps = ticks.values.len().saturating_sub(1).max(1);
+        let first = ticks.values.first().copied().unwrap_or(low);
+        let last = ticks.values.last().copied().unwrap_or(high);
+        let apart = f64::from(width) * (last - first) / (high - low) / gaps as f64;
+        apart >= ticks.widest() as f64 + f64::from(LABEL_GAP)
+    };
+    let most = usize::try_from(width / 4).unwrap_or(0).clamp(2, 25);
+    let tried = (2..=most)
+        .rev()
+        .map(|most| Ticks::between(low, high, is_angle, most));
+    let few = || Ticks::between(low, high, is_angle, 2);
+    tried.into_iter().find(fits).unwrap_or_else(few)
+}
+
+/// The most labels beside an upright axis of so many rows.
+fn labels(height: i32) -> usize {
+    let most = usize::try_from((height + 1) / LABEL_ROWS).unwrap_or(0);
+    most.clamp(2, MOST_LABELS)
+}
+
+/// The ranges along x and upwards, one of them larger than it need be, so that a length is as long
+/// upwards as along x on so many cells, of which each is `aspect` times as high as wide.
+pub(super) fn true_ends(x: (f64, f64), y: (f64, f64), cells: Vec2, aspect: f64) -> [(f64, f64); 2] {
+    let aspect = if aspect > 0.0 && aspect.is_finite() {
+        aspect
+    } else {
+        2.0
+    };
+    // The length of a column's width.
+    let scale = ((x.1 - x.0) / cells.x).max((y.1 - y.0) / (cells.y * aspect));
+    [
+        grown(x, scale * cells.x),
+        grown(y, scale * cells.y * aspect),
+    ]
+}
+
+/// The range about the same middle, of another size.
+fn grown((low, high): (f64, f64), size: f64) -> (f64, f64) {
+    let middle = low + (high - low) / 2.0;
+    if size > high - low && size.is_finite() {
+        (middle - size / 2.0, middle + size / 2.0)
+    } else {
+        (low, high)
+    }
+}

@@ -1,0 +1,255 @@
+//! Plots: curves against an axis, one small panel for each unit, above one axis that they share.
+//!
+//! ```text
+//! mm/s     * C.vx -722.6   x C.vy  -273.8          over driver.angle  60.00 deg
+//!  1000 |          :   **^***  1083 at 149.26
+//!     0 |......****:..x.......xxx.....
+//! -1000 |*xx***    :                  *****
+//! rad/s    * r4.omega  3.094
+//!     2 |   ...
+//!       +---+---+---+---+---+---+---+---+
+//!       0   45  90  135 180 225 270 315 360 deg
+//! ```
+//!
+//! A [`Plot`] is made of [`Curves`] once; [`Plot::render`] then draws it at any size, with the cursor
+//! where the driver is. Curves are drawn through every sample that has a value, and nowhere else: what
+//! does not exist, and where a figure jumps, is a gap. Nothing here knows a terminal.
+
+mod layout;
+mod paint;
+mod paper;
+mod path;
+#[cfg(test)]
+mod tests;
+mod ticks;
+
+use crate::Vec2;
+use crate::drawing::Glyphs;
+use crate::quantity::{Abscissa, Aspect, Curves, Quantity, Subject};
+
+/// Curves against an axis, in panels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// What stands along x.
+    pub x: Axis,
+    /// From the top; every one has its own unit.
+    pub panels: Vec<Panel>,
+    /// Whether a length is as long upwards as along x, where there is one panel: a coupler curve.
+    pub is_true: bool,
+}
+
+/// What is counted along an axis, and from where to where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What it is: `driver.angle`; of an upright axis nothing, for its curves have names of their own.
+    pub name: String,
+    /// In which unit.
+    pub unit: String,
+    /// In degrees, which have round steps of their own.
+    pub is_angle: bool,
+    /// The low end.
+    pub low: f64,
+    /// The high end; never below the low one.
+    pub high: f64,
+}
+
+/// Curves of one unit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Panel {
+    /// The upright axis.
+    pub y: Axis,
+    /// What is drawn.
+    pub curves: Vec<Line>,
+}
+
+/// A curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Its name in the legend.
+    pub name: String,
+    /// Which of the quantities it shows, counted as they were asked for; `None` where the cursor has no
+    /// value of it, as of another scene.
+    pub figure: Option<usize>,
+    /// Its parts that hang together, in the units of the axes; all finite.
+    pub pieces: Vec<Vec<Vec2>>,
+    /// Where it turns.
+    pub turns: Vec<Turn>,
+    /// Drawn by points only, as the curve of another scene is.
+    pub is_dotted: bool,
+}
+
+/// A place where a curve turns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// Where, in the units of the axes.
+    pub at: Vec2,
+    /// At a maximum, or else at a minimum.
+    pub is_peak: bool,
+    /// The largest of the maxima, or the smallest of the minima.
+    pub is_extreme: bool,
+}
+
+/// How a plot is to be drawn in cells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    /// Columns.
+    pub cols: u16,
+    /// Rows.
+    pub rows: u16,
+    /// What it is drawn with.
+    pub glyphs: Glyphs,
+    /// The height of a cell for its width.
+    pub aspect: f64,
+    /// Whether to mark where curves turn.
+    pub extrema: bool,
+    /// The first panel that is shown, where there is no room for all.
+    pub first: usize,
+}
+
+/// A curve that does not change is shown in the middle of this part of its size, or of 1.
+const ROOM: f64 = 0.5;
+
+impl Plot {
+    /// The plot of what was sampled: a panel for each unit, in the order in which they come first.
+    #[must_use]
+    pub fn of(curves: &Curves) -> Plot {
+        let [name, unit] = curves.title.clone();
+        let (low, high) = spread(curves.span());
+        let x = Axis {
+            name,
+            is_angle: unit == "deg",
+            unit,
+            low,
+            high,
+        };
+        let mut panels: Vec<Panel> = Vec::new();
+        let mut ranges: Vec<Option<(f64, f64)>> = Vec::new();
+        for (figure, curve) in curves.curves.iter().enumerate() {
+            let unit = &curve.quantity.unit;
+            let known = panels.iter().position(|panel| panel.y.unit == *unit);
+            let place = known.unwrap_or_else(|| {
+                panels.push(Panel::of(unit));
+                ranges.push(None);
+                panels.len() - 1
+            });
+            panels[place].curves.push(line(curves, figure));
+            // What does not change has no range of its own but a place.
+            let range = curve.range().map(|(low, high)| {
+                let middle = low + (high - low) / 2.0;
+                if curve.is_level() {
+                    (middle, middle)
+                } else {
+                    (low, high)
+                }
+            });
+            ranges[place] = union(ranges[place], range);
+        }
+        for (panel, range) in panels.iter_mut().zip(ranges) {
+            (panel.y.low, panel.y.high) = spread(range);
+        }
+        let is_true = is_true(curves);
+        Plot { x, panels, is_true }
+    }
+
+    /// Adds the curves of another scene, dotted: to the panel of their unit. The axes grow as they must.
+    /// What has no panel is left out, for there is nothing to compare it with.
+    pub fn compare(&mut self, other: &Plot, name: &str) {
+        let (low, high) = (self.x.low.min(other.x.low), self.x.high.max(other.x.high));
+        (self.x.low, self.x.high) = (low, high);
+        for panel in &mut self.panels {
+            let same = other.panels.iter().filter(|o| o.y.unit == panel.y.unit);
+            for from in same {
+                panel.y.low = panel.y.low.min(from.y.low);
+                panel.y.high = panel.y.high.max(from.y.high);
+                panel.curves.extend(from.curves.iter().map(|line| Line {
+                    name: format!("{} {name}", line.name),
+                    figure: None,
+                    turns: Vec::new(),
+                    is_dotted: true,
+                    pieces: line.pieces.clone(),
+                }));
+            }
+        }
+    }
+
+    /// Whether any curve has a value anywhere.
+    #[must_use]
+    pub fn has_values(&self) -> bool {
+        let mut lines = self.panels.iter().flat_map(|panel| &panel.curves);
+        lines.any(|line| !line.pieces.is_empty())
+    }
+}
+
+impl Panel {
+    fn of(unit: &str) -> Panel {
+        Panel {
+            y: Axis {
+                name: String::new(),
+                is_angle: unit == "deg",
+                unit: unit.to_owned(),
+                low: 0.0,
+                high: 1.0,
+            },
+            curves: Vec::new(),
+        }
+    }
+}
+
+fn line(curves: &Curves, figure: usize) -> Line {
+    let curve = &curves.curves[figure];
+    let place = |[x, y]: [f64; 2]| Vec2::new(x, y);
+    let pieces = curves.pieces(figure).into_iter();
+    let finite = |piece: Vec<[f64; 2]>| -> Vec<Vec2> {
+        let places = piece.into_iter().map(place);
+        places.filter(|p| p.is_finite()).collect()
+    };
+    let turns = curve.extrema.iter().map(|extremum| Turn {
+        at: Vec2::new(extremum.along, extremum.value),
+        is_peak: extremum.is_peak,
+        is_extreme: extremum.is_extreme,
+    });
+    Line {
+        name: curve.quantity.name.clone(),
+        figure: Some(figure),
+        pieces: pieces
+            .map(finite)
+            .filter(|piece| !piece.is_empty())
+            .collect(),
+        turns: turns.filter(|turn| turn.at.is_finite()).collect(),
+        is_dotted: false,
+    }
+}
+
+/// Whether both axes are places in the plane, in one unit.
+fn is_true(curves: &Curves) -> bool {
+    let is_place = |quantity: &Quantity| {
+        matches!(quantity.subject, Subject::Point(_))
+            && matches!(quantity.aspect, Aspect::X | Aspect::Y)
+    };
+    match &curves.abscissa {
+        Abscissa::Figure(along) => {
+            is_place(along) && curves.curves.iter().all(|curve| is_place(&curve.quantity))
+        }
+        Abscissa::Driver | Abscissa::Time => false,
+    }
+}
+
+fn union(a: Option<(f64, f64)>, b: Option<(f64, f64)>) -> Option<(f64, f64)> {
+    match (a, b) {
+        (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
+        (a, b) => a.or(b),
+    }
+}
+
+/// A range as an axis needs it: of some size, however little the values differ.
+fn spread(range: Option<(f64, f64)>) -> (f64, f64) {
+    let Some((low, high)) = range.filter(|(low, high)| low.is_finite() && high.is_finite()) else {
+        return (0.0, 1.0);
+    };
+    let size = low.abs().max(high.abs());
+    if high - low > size * 1e-12 && (high - low).is_finite() {
+        return (low, high);
+    }
+    let room = if size > 0.0 { size * ROOM } else { 1.0 };
+    (low - room, high + room)
+}

@@ -1,0 +1,345 @@
+//! From a plot to cells.
+
+use super::layout::{Frame, Layout};
+use super::path::Pen;
+use super::{Look, Panel, Plot, Turn};
+use crate::Vec2;
+use crate::drawing::figure::Role;
+use crate::drawing::labels::free_places;
+use crate::drawing::raster::Raster;
+use crate::drawing::render::Glyphs;
+use crate::quantity::Here;
+
+/// Symbols of curves, in the order in which they come in a panel; more curves begin anew.
+const SYMBOLS: [char; 12] = ['*', 'x', '#', '+', '%', '@', '&', '=', '$', 'a', 'b', 'c'];
+const ROLES: [Role; 3] = [Role::Datum, Role::Second, Role::Third];
+/// Where the cursor meets a curve.
+const CURSOR: char = 'O';
+const PEAK: char = '^';
+const DIP: char = 'v';
+/// Symbols on a line stand apart by this part of the panel's width, but no fewer cells.
+const APART: i32 = 5;
+const LEAST_APART: i32 = 8;
+
+/// The glyphs of the frame.
+struct Strokes {
+    upright: char,
+    level: char,
+    corner: char,
+    tick: char,
+    nought: char,
+    cursor: char,
+    /// What stands for a line in a legend.
+    sample: char,
+}
+
+impl Strokes {
+    fn of(glyphs: Glyphs) -> Strokes {
+        let [upright, level, corner, nought, cursor, sample] = match glyphs {
+            Glyphs::Ascii => ['|', '-', '+', '.', ':', '*'],
+            // Every console font has these; the half-crossings not all.
+            Glyphs::Line => [
+                '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', ':', '\u{2500}',
+            ],
+            Glyphs::Braille => [
+                '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', '\u{2506}', '\u{2500}',
+            ],
+        };
+        Strokes {
+            upright,
+            level,
+            corner,
+            tick: '+',
+            nought,
+            cursor,
+            sample,
+        }
+    }
+}
+
+impl Plot {
+    /// The plot in cells, with the cursor in a state; empty where there is no room for it.
+    #[must_use]
+    pub fn render(&self, look: &Look, here: Option<&Here>) -> Raster {
+        let mut raster = Raster::new();
+        raster.reset(look.cols, look.rows);
+        if let Some(layout) = self.layout(look) {
+            let painter = Painter {
+                plot: self,
+                look,
+                here,
+                strokes: Strokes::of(look.glyphs),
+                layout: &layout,
+            };
+            painter.paint(&mut raster);
+        }
+        raster
+    }
+}
+
+struct Painter<'a> {
+    plot: &'a Plot,
+    look: &'a Look,
+    here: Option<&'a Here>,
+    strokes: Strokes,
+    layout: &'a Layout,
+}
+
+impl Painter<'_> {
+    fn paint(&self, raster: &mut Raster) {
+        self.level_axis(raster);
+        let cursor = self.cursor_title(raster);
+        for (k, (number, frame)) in self.layout.panels.iter().enumerate() {
+            let panel = &self.plot.panels[*number];
+            let right = if k == 0 { cursor } else { self.layout.end };
+            self.upright_axis(frame, raster);
+            self.legend(panel, frame, right, raster);
+            self.curves(panel, frame, raster);
+            if self.look.extrema {
+                self.turns(panel, frame, raster);
+            }
+            self.meeting_points(panel, frame, raster);
+        }
+    }
+
+    fn level_axis(&self, raster: &mut Raster) {
+        let Layout {
+            axis, foot, end, ..
+        } = *self.layout;
+        for col in axis + 1..end {
+            raster.put(col, foot, self.strokes.level, Role::Axis);
+        }
+        raster.put(axis, foot, self.strokes.corner, Role::Axis);
+        let ticks = &self.layout.x_ticks;
+        let mut labels: Vec<(i32, String)> = Vec::new();
+        for (value, label) in ticks.labels() {
+            if let Some(col) = self.layout.x.cell(value) {
+                raster.put(col, foot, self.strokes.tick, Role::Axis);
+                labels.push((col, label));
+            }
+        }
+        // The last one has the unit; the others leave it its room.
+        let mut taken = end + 1;
+        if let Some((_, label)) = labels.last_mut() {
+            *label = format!("{label} {}", self.plot.x.unit);
+        }
+        for (col, label) in labels.iter().rev() {
+            let from = (col - length(label) / 2).min(end - length(label)).max(0);
+            if from + length(label) < taken {
+                write(raster, from, foot + 1, label, Role::Axis);
+                taken = from;
+            }
+        }
+    }
+
+    /// What stands along x, and where the cursor is, at the right end of the first legend; gives the
+    /// column where it begins.
+    fn cursor_title(&self, raster: &mut Raster) -> i32 {
+        let end = self.layout.end;
+        let x = &self.plot.x;
+        let Some((_, frame)) = self.layout.panels.first() else {
+            return end;
+        };
+        let style = super::ticks::Style::of_range(x.low, x.high);
+        let width = [x.low, x.high].map(|v| style.text(v).len());
+        let width = width[0].max(width[1]);
+        let here = self
+            .here
+            .and_then(|here| here.along)
+            .map_or(String::new(), |along| {
+                format!("{:>width$} {}", style.text(along), x.unit)
+            });
+        let long = format!("over {} {here}", x.name);
+        let room = end - self.layout.axis - 1;
+        // The curves' own names matter more.
+        let title = [long, format!("over {}", x.name), here];
+        let title = title.iter().find(|text| length(text.trim()) <= room / 2);
+        let Some(title) = title
+            .map(|text| text.trim())
+            .filter(|text| !text.is_empty())
+        else {
+            return end;
+        };
+        let from = end - length(title);
+        write(raster, from, frame.legend, title, Role::Axis);
+        from - 1
+    }
+
+    fn upright_axis(&self, frame: &Frame, raster: &mut Raster) {
+        let axis = self.layout.axis;
+        let block = frame.block;
+        for row in block.top..block.top + block.height {
+            raster.put(axis, row, self.strokes.upright, Role::Axis);
+        }
+        let mut free = block.top + block.height;
+        for (value, label) in frame.ticks.labels() {
+            let Some(row) = frame.y.cell(value).filter(|&row| row < free) else {
+                continue;
+            };
+            write(raster, axis - length(&label), row, &label, Role::Axis);
+            raster.put(axis, row, self.strokes.tick, Role::Axis);
+            free = row;
+        }
+        if let Some(row) = frame.y.cell(0.0).filter(|_| frame.y.crosses(0.0)) {
+            for col in (block.left..block.left + block.width).step_by(2) {
+                raster.put(col, row, self.strokes.nought, Role::Ghost);
+            }
+        }
+        let along = self.here.and_then(|here| here.along);
+        if let Some(col) = along.and_then(|x| self.layout.x.cell(x)) {
+            for row in block.top..block.top + block.height {
+                raster.put(col, row, self.strokes.cursor, Role::Ghost);
+            }
+        }
+    }
+
+    /// The unit, and each curve with its symbol, its name and its value here.
+    fn legend(&self, panel: &Panel, frame: &Frame, right: i32, raster: &mut Raster) {
+        let start = (self.layout.axis + 1).max(length(&panel.y.unit) + 1);
+        write(raster, 0, frame.legend, &panel.y.unit, Role::Axis);
+        let width = [panel.y.low, panel.y.high].map(|v| frame.style.text(v).len());
+        let width = width[0].max(width[1]);
+        let (mut col, mut row) = (start, frame.legend);
+        let last = frame.legend + frame.legend_rows - 1;
+        let count = panel.curves.len();
+        for (i, line) in panel.curves.iter().enumerate() {
+            let value = line.figure.and_then(|figure| {
+                let value = self.here?.values.get(figure).copied()?;
+                let text = value.map_or_else(|| "-".into(), |v| frame.style.text(v));
+                Some(format!(" {text:>width$}"))
+            });
+            let text = format!("{}{}", line.name, value.unwrap_or_default());
+            let more = i + 1 < count && row == last;
+            let end = |row| {
+                if row == frame.legend {
+                    right
+                } else {
+                    self.layout.end
+                }
+            };
+            let needed = 2 + length(&text) + if more { 4 } else { 0 };
+            if col + needed > end(row) && col > start && row < last {
+                (col, row) = (start, row + 1);
+            }
+            if col + needed > end(row) && (col > start || more) {
+                write(raster, col, row, &format!("+{}", count - i), Role::Axis);
+                break;
+            }
+            raster.put(col, row, self.symbol(panel, i), ROLES[i % ROLES.len()]);
+            let room = usize::try_from(end(row) - col - 2).unwrap_or(0);
+            let text: String = text.chars().take(room).collect();
+            write(raster, col + 2, row, &text, Role::Label);
+            col += 2 + length(&text) + 3;
+        }
+    }
+
+    /// What stands for a curve in the legend and on the curve.
+    fn symbol(&self, panel: &Panel, i: usize) -> char {
+        if panel.curves[i].is_dotted {
+            return if self.look.glyphs == Glyphs::Ascii {
+                '.'
+            } else {
+                '\u{b7}'
+            };
+        }
+        let alone = panel.curves.iter().filter(|line| !line.is_dotted).count() == 1;
+        if alone && self.look.glyphs != Glyphs::Ascii {
+            return self.strokes.sample;
+        }
+        SYMBOLS[i % SYMBOLS.len()]
+    }
+
+    fn curves(&self, panel: &Panel, frame: &Frame, raster: &mut Raster) {
+        let count = i32::try_from(panel.curves.len()).unwrap_or(1);
+        let every = (frame.block.width / APART).max(LEAST_APART);
+        let alone = panel.curves.iter().filter(|line| !line.is_dotted).count() == 1;
+        let pens = (0..).zip(&panel.curves).map(|(i, line)| {
+            let number = usize::try_from(i).unwrap_or(0);
+            let first = every / 2 + every * i / count;
+            let marks = (!alone && !line.is_dotted)
+                .then(|| (every.unsigned_abs() as usize, first.unsigned_abs() as usize));
+            let pen = Pen {
+                glyphs: self.look.glyphs,
+                symbol: SYMBOLS[number % SYMBOLS.len()],
+                role: ROLES[number % ROLES.len()],
+                dotted: line.is_dotted,
+                marks,
+            };
+            let cells = |piece: &Vec<Vec2>| -> Vec<Vec2> {
+                piece.iter().map(|&p| self.place(frame, p)).collect()
+            };
+            let pieces: Vec<Vec<Vec2>> = line.pieces.iter().map(cells).collect();
+            (pen, pieces)
+        });
+        let pens: Vec<(Pen, Vec<Vec<Vec2>>)> = pens.collect();
+        for (pen, pieces) in &pens {
+            for piece in pieces {
+                pen.draw(piece, &frame.block, raster);
+            }
+        }
+        for (pen, pieces) in &pens {
+            for piece in pieces {
+                pen.mark(piece, &frame.block, raster);
+            }
+        }
+    }
+
+    fn place(&self, frame: &Frame, p: Vec2) -> Vec2 {
+        Vec2::new(self.layout.x.place(p.x), frame.y.place(p.y))
+    }
+
+    /// Marks where curves turn, and says what and where, as far as there is room: of the largest and the
+    /// smallest first.
+    fn turns(&self, panel: &Panel, frame: &Frame, raster: &mut Raster) {
+        let turns = || panel.curves.iter().flat_map(|line| &line.turns);
+        let cell = |turn: &Turn| Some((self.layout.x.cell(turn.at.x)?, frame.y.cell(turn.at.y)?));
+        for turn in turns() {
+            if let Some((col, row)) = cell(turn) {
+                let glyph = if turn.is_peak { PEAK } else { DIP };
+                raster.put(col, row, glyph, Role::Front);
+            }
+        }
+        let x = super::ticks::Style::of_range(self.plot.x.low, self.plot.x.high);
+        for is_extreme in [true, false] {
+            for turn in turns().filter(|turn| turn.is_extreme == is_extreme) {
+                let Some(point) = cell(turn) else {
+                    continue;
+                };
+                let (value, along) = (frame.style.text(turn.at.y), x.text(turn.at.x));
+                let text = format!("{value} at {along}");
+                let inside = |&(col, row): &(i32, i32)| {
+                    frame.block.contains((col, row))
+                        && frame.block.contains((col + length(&text) - 1, row))
+                };
+                let places = free_places(raster, point, &text);
+                if let Some((col, row)) = places.into_iter().find(inside) {
+                    write(raster, col, row, &text, Role::Label);
+                }
+            }
+        }
+    }
+
+    /// Marks where the cursor meets the curves.
+    fn meeting_points(&self, panel: &Panel, frame: &Frame, raster: &mut Raster) {
+        let Some(here) = self.here else { return };
+        let Some(col) = here.along.and_then(|x| self.layout.x.cell(x)) else {
+            return;
+        };
+        let figures = panel.curves.iter().filter_map(|line| line.figure);
+        for value in figures.filter_map(|figure| here.values.get(figure).copied().flatten()) {
+            if let Some(row) = frame.y.cell(value) {
+                raster.put(col, row, CURSOR, Role::Front);
+            }
+        }
+    }
+}
+
+fn length(text: &str) -> i32 {
+    i32::try_from(text.chars().count()).unwrap_or(i32::MAX)
+}
+
+fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
+    for (col, glyph) in (col..).zip(text.chars()) {
+        raster.put(col, row, glyph, role);
+    }
+}

@@ -1,0 +1,228 @@
+//! A plot as an SVG document. Curves are told apart by dashes, not by colour alone.
+
+use super::layout::Scale;
+use super::ticks::{Style as Digits, Ticks};
+use super::{Line, Panel, Plot};
+use crate::Vec2;
+use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::quantity::Here;
+
+/// Around the panels; at the left for the labels of the upright axes.
+const LEFT: f64 = 72.0;
+const RIGHT: f64 = 24.0;
+const TOP: f64 = 12.0;
+const FOOT: f64 = 48.0;
+/// The legend above each panel, and the blank below it.
+const LEGEND: f64 = 26.0;
+const BELOW: f64 = 10.0;
+/// From one label of an axis to the next, at the least.
+const LABEL_APART: Vec2 = Vec2 { x: 48.0, y: 28.0 };
+const TICK: f64 = 5.0;
+/// Of a line in the legend, and of a character on average.
+const SAMPLE: f64 = 26.0;
+const CHARACTER: f64 = 7.5;
+/// The radius of a mark.
+const MARK: f64 = 3.0;
+/// Below the base line of a text, to its middle.
+const HALF_TEXT: f64 = 4.5;
+/// Dashes repeat after so many curves.
+const DASHES: usize = 5;
+
+const SHEET: Style = Style {
+    light: "\
+.axis{stroke-width:1}
+.grid{stroke:#bbb;stroke-width:.5}
+.cursor{stroke-width:1;stroke-dasharray:2 4}
+.dotted{stroke-width:1.5;stroke-dasharray:1 5}
+.c1{stroke:#b4002e;stroke-dasharray:9 5}
+.c2{stroke:#7a1fa2;stroke-dasharray:3 4}
+.c3{stroke:#005a9c;stroke-dasharray:12 4 3 4}
+.c4{stroke:#00695c;stroke-dasharray:16 6}
+.mark{fill:#222}
+",
+    dark: "\
+.grid{stroke:#555}
+.c1{stroke:#ff7a8a}
+.c2{stroke:#d79bff}
+.c3{stroke:#7cc4ff}
+.c4{stroke:#6fd8c8}
+.mark{fill:#ddd}
+",
+};
+
+impl Plot {
+    /// The plot as an SVG document of a size in user units, with the cursor in a state.
+    #[must_use]
+    pub fn svg(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> String {
+        let mut sheet = Sheet {
+            plot: self,
+            svg: Svg::new(size, title, SHEET),
+            extrema,
+            here,
+            x: Scale::between(self.x.low, self.x.high, LEFT, size.x - RIGHT),
+        };
+        let foot = size.y - FOOT;
+        let count = self.panels.len().max(1) as f64;
+        let height = (foot - TOP) / count;
+        for (k, panel) in self.panels.iter().enumerate() {
+            let top = TOP + height * k as f64;
+            sheet.panel(panel, top, top + height);
+        }
+        sheet.foot(foot);
+        sheet.svg.finish()
+    }
+}
+
+struct Sheet<'a> {
+    plot: &'a Plot,
+    svg: Svg,
+    extrema: bool,
+    here: Option<&'a Here>,
+    x: Scale,
+}
+
+impl Sheet<'_> {
+    fn right(&self) -> f64 {
+        self.svg.size().x - RIGHT
+    }
+
+    fn panel(&mut self, panel: &Panel, top: f64, bottom: f64) {
+        let (top, bottom) = (top + LEGEND, bottom - BELOW);
+        let axis = &panel.y;
+        let mut y = Scale::between(axis.low, axis.high, bottom, top);
+        if self.plot.is_true && self.plot.panels.len() == 1 {
+            y = self.true_scales(panel, top, bottom);
+        }
+        let digits = Digits::of_range(axis.low, axis.high);
+        let most = ((bottom - top) / LABEL_APART.y).clamp(2.0, 12.0) as usize;
+        let (low, high) = y.ends();
+        let ticks = Ticks::between(low, high, axis.is_angle, most);
+        for (value, label) in ticks.labels() {
+            let at = y.place(value);
+            self.line(Vec2::new(LEFT, at), Vec2::new(self.right(), at), "grid");
+            let place = Vec2::new(LEFT - TICK - 3.0, at + HALF_TEXT);
+            self.svg.text(place, Anchor::End, "label", &label);
+        }
+        let corner = Vec2::new(LEFT, bottom);
+        let ends = [
+            Vec2::new(LEFT, top),
+            corner,
+            Vec2::new(self.right(), bottom),
+        ];
+        self.svg.polyline(ends, "axis");
+        self.legend(panel, digits, top - 9.0);
+        let along = self
+            .here
+            .and_then(|here| here.along)
+            .filter(|&x| self.x.holds(x));
+        if let Some(x) = along.map(|x| self.x.place(x)) {
+            self.line(Vec2::new(x, top), Vec2::new(x, bottom), "cursor");
+        }
+        for (i, line) in panel.curves.iter().enumerate() {
+            self.curve(line, i, &y);
+            if self.extrema {
+                self.turns(line, &y, digits);
+            }
+        }
+    }
+
+    /// Lengths as long upwards as along x.
+    fn true_scales(&mut self, panel: &Panel, top: f64, bottom: f64) -> Scale {
+        let cells = Vec2::new(self.right() - LEFT, bottom - top);
+        let (x, y) = (&self.plot.x, &panel.y);
+        let ends = super::layout::true_ends((x.low, x.high), (y.low, y.high), cells, 1.0);
+        self.x = Scale::between(ends[0].0, ends[0].1, LEFT, self.right());
+        Scale::between(ends[1].0, ends[1].1, bottom, top)
+    }
+
+    fn line(&mut self, from: Vec2, to: Vec2, class: &str) {
+        self.svg.polyline([from, to], class);
+    }
+
+    fn legend(&mut self, panel: &Panel, digits: Digits, base: f64) {
+        let unit = &panel.y.unit;
+        let place = Vec2::new(LEFT - TICK - 3.0, base);
+        self.svg.text(place, Anchor::End, "label", unit);
+        let mut x = LEFT + TICK;
+        for (i, line) in panel.curves.iter().enumerate() {
+            let middle = base - HALF_TEXT;
+            let ends = [Vec2::new(x, middle), Vec2::new(x + SAMPLE, middle)];
+            self.line(ends[0], ends[1], &class(line, i));
+            let value = line.figure.and_then(|i| self.here?.values.get(i).copied());
+            let value = value.map(|v| v.map_or(" -".into(), |v| format!(" {}", digits.text(v))));
+            let text = format!("{}{}", line.name, value.unwrap_or_default());
+            let place = Vec2::new(x + SAMPLE + TICK, base);
+            self.svg.text(place, Anchor::Start, "label", &text);
+            x += SAMPLE + TICK + CHARACTER * (text.chars().count() as f64 + 2.0);
+        }
+    }
+
+    /// What is drawn ends where the panel ends.
+    fn curve(&mut self, line: &Line, i: usize, y: &Scale) {
+        let (low, high) = y.ends();
+        for piece in &line.pieces {
+            let inside = piece.iter().map(|p| {
+                let place = Vec2::new(self.x.place(p.x), y.place(p.y));
+                let seen = (low..=high).contains(&p.y);
+                if seen {
+                    place
+                } else {
+                    Vec2::new(f64::NAN, 0.0)
+                }
+            });
+            let inside: Vec<Vec2> = inside.collect();
+            self.svg.polyline(inside, &class(line, i));
+        }
+    }
+
+    fn turns(&mut self, line: &Line, y: &Scale, digits: Digits) {
+        let along = Digits::of_range(self.plot.x.low, self.plot.x.high);
+        for turn in &line.turns {
+            if !(self.x.holds(turn.at.x) && y.holds(turn.at.y)) {
+                continue;
+            }
+            let place = Vec2::new(self.x.place(turn.at.x), y.place(turn.at.y));
+            self.svg.circle(place, MARK, "mark");
+            let text = format!("{} at {}", digits.text(turn.at.y), along.text(turn.at.x));
+            let (value, x) = (turn.at.y, place.x);
+            let room = CHARACTER * text.chars().count() as f64;
+            let anchor = if x + room > self.right() {
+                Anchor::End
+            } else {
+                Anchor::Start
+            };
+            let aside = if anchor == Anchor::End { -8.0 } else { 8.0 };
+            let down = if turn.is_peak { 14.0 } else { -6.0 };
+            debug_assert!(value.is_finite());
+            self.svg
+                .text(place + Vec2::new(aside, down), anchor, "label", &text);
+        }
+    }
+
+    fn foot(&mut self, foot: f64) {
+        let axis = &self.plot.x;
+        let most = ((self.right() - LEFT) / LABEL_APART.x).clamp(2.0, 25.0) as usize;
+        let (low, high) = self.x.ends();
+        let base = foot - BELOW;
+        for (value, label) in Ticks::between(low, high, axis.is_angle, most).labels() {
+            let x = self.x.place(value);
+            self.line(Vec2::new(x, base), Vec2::new(x, base + TICK), "axis");
+            let place = Vec2::new(x, base + TICK + 14.0);
+            self.svg.text(place, Anchor::Middle, "label", &label);
+        }
+        let here = self.here.and_then(|here| here.along);
+        let digits = Digits::of_range(axis.low, axis.high);
+        let here = here.map_or(String::new(), |x| format!(" = {}", digits.text(x)));
+        let title = format!("{}{here} [{}]", axis.name, axis.unit);
+        let middle = Vec2::new((LEFT + self.right()) / 2.0, base + TICK + 34.0);
+        self.svg.text(middle, Anchor::Middle, "label", &title);
+    }
+}
+
+fn class(line: &Line, i: usize) -> String {
+    if line.is_dotted {
+        "dotted".into()
+    } else {
+        format!("c{}", i % DASHES)
+    }
+}

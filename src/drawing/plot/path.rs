@@ -1,0 +1,268 @@
+//! Curves in cells, of three kinds.
+//!
+//! A curve goes from the cell of each sample to that of the next by the nearest cells between: whoever
+//! looks for a sample finds its cell marked. With 7-bit characters every cell has the symbol of the
+//! curve; with lines the cells are joined by box-drawing strokes that step from row to row; dots of
+//! Braille do the same on a grid that is eight times as fine.
+
+use super::super::figure::Role;
+use super::super::raster::Raster;
+use super::super::render::Glyphs;
+use super::super::stroke::{clip_to, dot};
+use crate::Vec2;
+
+/// A block of cells: what is drawn stays inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Block {
+    pub(super) left: i32,
+    pub(super) top: i32,
+    pub(super) width: i32,
+    pub(super) height: i32,
+}
+
+impl Block {
+    pub(super) fn contains(&self, (col, row): (i32, i32)) -> bool {
+        (self.left..self.left + self.width).contains(&col)
+            && (self.top..self.top + self.height).contains(&row)
+    }
+
+    fn ends(&self) -> [Vec2; 2] {
+        let corner = |col, row| Vec2::new(f64::from(col), f64::from(row));
+        let low = corner(self.left, self.top);
+        [low, corner(self.left + self.width, self.top + self.height)]
+    }
+}
+
+/// How finely a cell is divided, across and upwards.
+type Grain = (i32, i32);
+const WHOLE: Grain = (1, 1);
+const DOTS: Grain = (2, 4);
+
+/// The way of a curve through a grid, in stretches that hang together inside the block.
+fn ways(points: &[Vec2], block: &Block, (across, down): Grain) -> Vec<Vec<(i32, i32)>> {
+    let fine = |p: Vec2| Vec2::new(p.x * f64::from(across), p.y * f64::from(down));
+    let [low, high] = block.ends().map(fine);
+    let most = (high.x as i32 - 1, high.y as i32 - 1);
+    let cell = |p: Vec2| {
+        let inside = |v: f64, low: f64, most: i32| (v.floor() as i32).clamp(low as i32, most);
+        (inside(p.x, low.x, most.0), inside(p.y, low.y, most.1))
+    };
+    let mut ways: Vec<Vec<(i32, i32)>> = Vec::new();
+    let points: Vec<Vec2> = points.iter().map(|&p| fine(p)).collect();
+    // A piece of one sample goes from there to there.
+    let only = points.first().copied();
+    let pairs = points.windows(2).map(|pair| (pair[0], pair[1]));
+    let pairs = pairs.chain(only.filter(|_| points.len() == 1).map(|p| (p, p)));
+    for (a, b) in pairs {
+        let Some((a, b)) = clip_to(a, b, [low, high]) else {
+            continue;
+        };
+        let (from, to) = (cell(a), cell(b));
+        match ways.last_mut() {
+            Some(way) if way.last() == Some(&from) => march(from, to, way),
+            _ => {
+                let mut way = vec![from];
+                march(from, to, &mut way);
+                ways.push(way);
+            }
+        }
+    }
+    ways
+}
+
+/// Appends the cells behind `from` up to `to` (Bresenham 1965).
+fn march(from: (i32, i32), to: (i32, i32), way: &mut Vec<(i32, i32)>) {
+    let (wide, high) = ((to.0 - from.0).abs(), (to.1 - from.1).abs());
+    let sense = ((to.0 - from.0).signum(), (to.1 - from.1).signum());
+    let (mut at, mut error) = (from, wide - high);
+    while at != to {
+        let twice = 2 * error;
+        if twice > -high {
+            error -= high;
+            at.0 += sense.0;
+        }
+        if twice < wide {
+            error += wide;
+            at.1 += sense.1;
+        }
+        way.push(at);
+    }
+}
+
+/// How a curve is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Pen {
+    pub(super) glyphs: Glyphs,
+    /// The symbol of the curve.
+    pub(super) symbol: char,
+    pub(super) role: Role,
+    /// Only points, for the curve of another scene.
+    pub(super) dotted: bool,
+    /// Where symbols stand on a line, in cells from one to the next, and where the first one stands;
+    /// `None` where the line has no need of them.
+    pub(super) marks: Option<(usize, usize)>,
+}
+
+/// Of a dotted curve one cell, or dot, of so many is drawn.
+const SPARSE: usize = 3;
+
+impl Pen {
+    /// Draws a piece of a curve, given in cell coordinates.
+    pub(super) fn draw(&self, points: &[Vec2], block: &Block, raster: &mut Raster) {
+        match self.glyphs {
+            Glyphs::Ascii => {
+                let glyph = if self.dotted { '.' } else { self.symbol };
+                for way in ways(points, block, WHOLE) {
+                    self.cells(&way, glyph, raster);
+                }
+            }
+            Glyphs::Line if self.dotted => {
+                for way in ways(points, block, WHOLE) {
+                    self.cells(&way, '\u{b7}', raster);
+                }
+            }
+            Glyphs::Line => {
+                for way in ways(points, block, WHOLE) {
+                    self.strokes(&way, raster);
+                }
+            }
+            Glyphs::Braille => {
+                let spacing = if self.dotted { SPARSE } else { 1 };
+                for way in ways(points, block, DOTS) {
+                    for &(x, y) in way.iter().step_by(spacing) {
+                        dot(raster, x, y, self.role);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Puts the symbol on the line from time to time, so that curves are told apart without colour.
+    pub(super) fn mark(&self, points: &[Vec2], block: &Block, raster: &mut Raster) {
+        let (Some((every, first)), false) = (self.marks, self.glyphs == Glyphs::Ascii) else {
+            return;
+        };
+        for way in ways(points, block, WHOLE) {
+            let first = first.min(way.len() / 2);
+            for &(col, row) in way.iter().skip(first).step_by(every.max(1)) {
+                raster.put(col, row, self.symbol, self.role);
+            }
+        }
+    }
+
+    fn cells(&self, way: &[(i32, i32)], glyph: char, raster: &mut Raster) {
+        let spacing = if self.dotted { SPARSE } else { 1 };
+        for &(col, row) in way.iter().step_by(spacing) {
+            raster.put(col, row, glyph, self.role);
+        }
+    }
+
+    /// Box-drawing strokes from cell to cell; where the way goes slantwise it steps up or down first.
+    fn strokes(&self, way: &[(i32, i32)], raster: &mut Raster) {
+        let mut steps: Vec<(i32, i32)> = Vec::with_capacity(way.len() * 2);
+        for &(col, row) in way {
+            if let Some(&(last_col, last_row)) = steps.last()
+                && last_col != col
+                && last_row != row
+            {
+                steps.push((last_col, row));
+            }
+            steps.push((col, row));
+        }
+        let beside = |i: Option<usize>| i.and_then(|i| steps.get(i)).copied();
+        for (i, &(col, row)) in steps.iter().enumerate() {
+            let sides = [beside(i.checked_sub(1)), beside(Some(i + 1))];
+            let sides = sides.map(|side| side.map(|(c, r)| (c - col, r - row)));
+            raster.put(col, row, stroke(sides), self.role);
+        }
+    }
+}
+
+/// The stroke that joins a cell with the one before and the one behind, given as steps to them.
+fn stroke(sides: [Option<(i32, i32)>; 2]) -> char {
+    let has = |side| sides.contains(&Some(side));
+    let (left, right, up, down) = (has((-1, 0)), has((1, 0)), has((0, -1)), has((0, 1)));
+    match (left, right, up, down) {
+        (true, false, true, false) => '\u{2518}',
+        (true, false, false, true) => '\u{2510}',
+        (false, true, true, false) => '\u{2514}',
+        (false, true, false, true) => '\u{250c}',
+        (false, false, true, _) | (false, false, _, true) => '\u{2502}',
+        _ => '\u{2500}',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    const BLOCK: Block = Block {
+        left: 3,
+        top: 2,
+        width: 20,
+        height: 8,
+    };
+
+    fn drawn(points: &[Vec2], glyphs: Glyphs) -> Raster {
+        let mut raster = Raster::new();
+        raster.reset(30, 12);
+        let pen = Pen {
+            glyphs,
+            symbol: '*',
+            role: Role::Datum,
+            dotted: false,
+            marks: None,
+        };
+        pen.draw(points, &BLOCK, &mut raster);
+        raster
+    }
+
+    #[test]
+    fn strokes_step_from_row_to_row() {
+        let points = [(3.5, 9.5), (6.5, 9.5), (7.5, 6.5), (10.5, 6.5), (11.5, 7.5)];
+        let points = points.map(|(x, y)| Vec2::new(x, y));
+        let text = drawn(&points, Glyphs::Line).text();
+        let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+        assert_eq!(
+            lines[6..10],
+            [
+                "       \u{250c}\u{2500}\u{2500}\u{2510}",
+                "       \u{2502}  \u{2514}\u{2500}",
+                "      \u{250c}\u{2518}",
+                "   \u{2500}\u{2500}\u{2500}\u{2518}",
+            ]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn every_sample_is_marked_and_nothing_outside(
+            points in prop::collection::vec((-9.0..40.0_f64, -9.0..20.0_f64), 1..30),
+            far in prop::sample::select(vec![0.0, 1e9, -1e300, f64::MAX]),
+        ) {
+            let mut points: Vec<Vec2> = points.into_iter().map(|(x, y)| Vec2::new(x, y)).collect();
+            if far != 0.0 {
+                points.push(Vec2::new(9.0, far));
+            }
+            for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+                let raster = drawn(&points, glyphs);
+                for (row, line) in (0..).zip(raster.lines()) {
+                    for (col, cell) in (0..).zip(line) {
+                        prop_assert!(cell.role == Role::Empty || BLOCK.contains((col, row)));
+                    }
+                }
+                for p in &points {
+                    let inside = |v: f64| v.abs() < 100.0;
+                    if !(inside(p.x) && inside(p.y)) {
+                        continue;
+                    }
+                    let cell = (p.x.floor() as i32, p.y.floor() as i32);
+                    if BLOCK.contains(cell) {
+                        prop_assert_eq!(raster.cell(cell.0, cell.1).unwrap().role, Role::Datum);
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,245 @@
+//! Round places along an axis, and how numbers beside it are written.
+
+/// Steps of angles that divide a turn, in degrees; finer ones are decimal.
+const ANGLES: [f64; 6] = [15.0, 30.0, 45.0, 90.0, 180.0, 360.0];
+/// Coarser than this no range of doubles needs, and finer than that no double shows.
+const POWERS: std::ops::RangeInclusive<i32> = -320..=308;
+
+/// Multiples of a round step along an axis.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Ticks {
+    /// From the low end.
+    pub(super) values: Vec<f64>,
+    /// How they are written.
+    pub(super) style: Style,
+}
+
+impl Ticks {
+    /// The multiples from `low` to `high` of the smallest round step (1, 2 or 5 times a power of ten;
+    /// of angles 15, 30, 45, 90 or more degrees) that has no more than `most` of them.
+    pub(super) fn between(low: f64, high: f64, is_angle: bool, most: usize) -> Ticks {
+        let none = Ticks {
+            values: Vec::new(),
+            style: Style::of_ticks(0.0, 1.0),
+        };
+        let size = high - low;
+        if !(size > 0.0 && size.is_finite()) || most == 0 {
+            return none;
+        }
+        let few = |step: &f64| count(low, high, *step) <= most as f64;
+        let Some(step) = steps(size / most as f64, is_angle).find(few) else {
+            return none;
+        };
+        let first = multiple((low / step).ceil(), (low / step).round(), low / step);
+        let values = (0..=most).map(|k| (first + k as f64) * step);
+        let end = high + step * SLACK;
+        let values: Vec<f64> = values.take_while(|&v| v <= end).collect();
+        let largest = low.abs().max(high.abs());
+        Ticks {
+            values,
+            style: Style::of_ticks(largest, step),
+        }
+    }
+
+    pub(super) fn labels(&self) -> impl Iterator<Item = (f64, String)> + '_ {
+        self.values.iter().map(|&v| (v, self.style.text(v)))
+    }
+
+    /// Characters of the longest label.
+    pub(super) fn widest(&self) -> usize {
+        self.labels().map(|(_, l)| l.len()).max().unwrap_or(0)
+    }
+}
+
+/// An end that misses a multiple by this part of a step only misses it by rounding.
+const SLACK: f64 = 1e-9;
+
+/// `near` where it is the quotient but for rounding, or else `inside`.
+fn multiple(inside: f64, near: f64, quotient: f64) -> f64 {
+    if (near - quotient).abs() <= SLACK {
+        near
+    } else {
+        inside
+    }
+}
+
+/// How many multiples there are from `low` to `high`.
+fn count(low: f64, high: f64, step: f64) -> f64 {
+    let first = multiple((low / step).ceil(), (low / step).round(), low / step);
+    let last = multiple((high / step).floor(), (high / step).round(), high / step);
+    last - first + 1.0
+}
+
+/// Round steps from about `least` on.
+fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
+    let power = least.log10().floor().clamp(-320.0, 308.0) as i32;
+    let powers = (power - 1).max(*POWERS.start())..=*POWERS.end();
+    let decimal = powers.flat_map(|power| [1, 2, 5].map(|n| format!("{n}e{power}")));
+    let decimal = decimal.filter_map(|step| step.parse::<f64>().ok());
+    let decimal = decimal.filter(move |&s| s > 0.0 && s.is_finite() && !(is_angle && s > 10.0));
+    let doubled = (1..64).map(|k| 360.0 * f64::from(k).exp2());
+    let angles = ANGLES.into_iter().chain(doubled);
+    decimal.chain(angles.filter(move |&s| is_angle && s >= least / 2.0))
+}
+
+/// How the numbers of an axis are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Style {
+    /// With so many decimals.
+    Fixed(usize),
+    /// With an exponent, down to the digit of this power of ten.
+    Exponent(i32),
+}
+
+/// From here on, and below that, numbers take an exponent.
+const LARGE: f64 = 1e6;
+const SMALL: f64 = 1e-4;
+/// Significant digits of a figure, and of the part of it that changes.
+const DIGITS: i32 = 5;
+const CHANGING: i32 = 4;
+/// No number has more decimals.
+const MOST_DECIMALS: i32 = 9;
+
+impl Style {
+    /// For multiples of a step up to a size.
+    fn of_ticks(largest: f64, step: f64) -> Style {
+        let power = exponent(step);
+        if largest >= LARGE || step < SMALL {
+            return Style::Exponent(power);
+        }
+        Style::Fixed(usize::try_from(-power).unwrap_or(0))
+    }
+
+    /// For figures between two values.
+    pub(super) fn of_range(low: f64, high: f64) -> Style {
+        let largest = low.abs().max(high.abs());
+        if largest == 0.0 {
+            return Style::Fixed(0);
+        }
+        let change = Some(high - low).filter(|&c| c > largest * 1e-9);
+        let digits = (DIGITS - 1) - exponent(largest);
+        let digits = change.map_or(digits, |c| digits.max(CHANGING - 1 - exponent(c)));
+        if !(SMALL..LARGE * 10.0).contains(&largest) {
+            return Style::Exponent(-digits);
+        }
+        Style::Fixed(usize::try_from(digits.min(MOST_DECIMALS)).unwrap_or(0))
+    }
+
+    /// The number; zero has no sign.
+    pub(super) fn text(self, value: f64) -> String {
+        let text = match self {
+            Style::Fixed(decimals) => format!("{value:.decimals$}"),
+            Style::Exponent(_) if value == 0.0 => "0".into(),
+            Style::Exponent(last) => {
+                let digits = usize::try_from(exponent(value) - last).unwrap_or(0);
+                let digits = digits.min(17);
+                format!("{value:.digits$e}")
+            }
+        };
+        let is_nought = !text.contains(|c: char| ('1'..='9').contains(&c));
+        match text.strip_prefix('-') {
+            Some(bare) if is_nought => bare.to_owned(),
+            Some(_) | None => text,
+        }
+    }
+}
+
+/// The power of ten of the first digit.
+fn exponent(value: f64) -> i32 {
+    let text = format!("{:e}", value.abs());
+    let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());
+    exponent.unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn labels(low: f64, high: f64, is_angle: bool, most: usize) -> Vec<String> {
+        let ticks = Ticks::between(low, high, is_angle, most);
+        ticks.labels().map(|(_, label)| label).collect()
+    }
+
+    #[test]
+    fn ticks_of_usual_ranges() {
+        assert_eq!(
+            labels(0.0, 360.0, true, 9),
+            ["0", "45", "90", "135", "180", "225", "270", "315", "360"]
+        );
+        assert_eq!(
+            labels(0.0, 360.0, true, 5),
+            ["0", "90", "180", "270", "360"]
+        );
+        assert_eq!(labels(-46.6, 46.6, true, 4), ["-45", "0", "45"]);
+        assert_eq!(
+            labels(-46.6, 46.6, true, 12),
+            ["-45", "-30", "-15", "0", "15", "30", "45"]
+        );
+        assert_eq!(
+            labels(0.0, 0.42, false, 5),
+            ["0.0", "0.1", "0.2", "0.3", "0.4"]
+        );
+        assert_eq!(
+            labels(-820.0, 1083.0, false, 4),
+            ["-500", "0", "500", "1000"]
+        );
+        assert_eq!(
+            labels(-1.2e6, 3.1e6, false, 5),
+            ["-1e6", "0", "1e6", "2e6", "3e6"]
+        );
+        assert_eq!(labels(1.0, 1.0, false, 5), [""; 0]);
+        assert_eq!(labels(f64::NAN, 1.0, false, 5), [""; 0]);
+    }
+
+    #[test]
+    fn figures_have_the_digits_that_tell_their_changes() {
+        let text = |low, high, value| Style::of_range(low, high).text(value);
+        assert_eq!(text(-820.0, 1083.0, -722.630_802), "-722.6");
+        assert_eq!(text(0.0, 360.0, 60.0), "60.00");
+        assert_eq!(text(-1e-17, 0.3, -1e-17), "0.00000");
+        assert_eq!(text(0.0, 0.0, 0.0), "0");
+        assert_eq!(text(1000.0, 1000.2, 1000.123_456), "1000.1235");
+        assert_eq!(text(-2.5e7, 2.5e7, 1_234_567.0), "1.235e6");
+        assert_eq!(text(0.0, 2e-7, 1.5e-7), "1.5000e-7");
+    }
+
+    proptest! {
+        #[test]
+        fn ticks_are_round_and_lie_inside(
+            low in -1e9..1e9_f64,
+            power in -9.0..9.0_f64,
+            is_angle: bool,
+            most in 1..20_usize,
+        ) {
+            let high = low + 10_f64.powf(power);
+            let ticks = Ticks::between(low, high, is_angle, most);
+            prop_assert!(ticks.values.len() <= most);
+            let slack = (high - low) * 1e-6;
+            prop_assert!(ticks.values.iter().all(|&v| low - slack <= v && v <= high + slack));
+            // As many as half of what is allowed, but for angles, whose steps are farther apart.
+            if most >= 5 && (high - low) > 1e-6 * low.abs() {
+                prop_assert!(ticks.values.len() >= most / 5, "{ticks:?}");
+            }
+            for pair in ticks.values.windows(2) {
+                let step = pair[1] - pair[0];
+                let lead = step / 10_f64.powf(step.log10().floor());
+                let decimal = [1.0, 2.0, 5.0, 10.0].iter().any(|n| (lead - n).abs() < 1e-3);
+                let angle = is_angle && (step.rem_euclid(15.0).min(15.0 - step.rem_euclid(15.0))) < 1e-3;
+                prop_assert!(decimal || angle, "{step}");
+                let whole = pair[0] / step;
+                prop_assert!((whole - whole.round()).abs() < 1e-3);
+            }
+        }
+
+        #[test]
+        fn any_number_is_written(value: f64, low: f64, high: f64) {
+            let text = Style::of_range(low.min(high), low.max(high)).text(value);
+            prop_assert!(text.is_ascii() && !text.is_empty());
+            for most in 0..9 {
+                let _ = Ticks::between(low.min(high), low.max(high), false, most);
+                let _ = Ticks::between(low.min(high), low.max(high), true, most);
+            }
+        }
+    }
+}

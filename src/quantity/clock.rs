@@ -1,0 +1,193 @@
+//! The driver's course over time.
+//!
+//! Time is 0 where the scene opens, and the driver runs from there as the scene says: with its speed
+//! w and its acceleration a it stands at q(t) = q0 + w t + a t^2 / 2 and moves with w + a t. Everywhere
+//! else in krank a figure belongs to a coordinate that is passed with the speed w, wherever it is; with
+//! an acceleration the two differ, and a curve over time has the rates that belong to its own speed, so
+//! that the slope of a position over time is the velocity that stands beside it.
+
+use super::{Aspect, Quantity, Subject, value};
+use crate::solver::{Range, State};
+use crate::{Driver, Input};
+
+/// Where the driver is at a time, in seconds from where the scene opens.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock {
+    /// Where the scene opens, in degrees or in the scene's length unit.
+    start: f64,
+    /// Of the coordinate, per second; not 0.
+    speed: f64,
+    /// Of the coordinate, per second squared.
+    acceleration: f64,
+}
+
+/// How fast the driver runs at a time, against what the scene says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pace {
+    /// Its speed then as a part of the scene's.
+    ratio: f64,
+    /// Its acceleration by the scene's speed, per second.
+    drift: f64,
+}
+
+impl Clock {
+    /// The clock of a driver; `None` where it stands still: its time says nothing.
+    #[must_use]
+    pub fn new(driver: &Driver) -> Option<Clock> {
+        let scale = |rate: f64| match driver.input {
+            Input::Turn(_) => rate.to_degrees(),
+            Input::Push(_) => rate,
+        };
+        let clock = Clock {
+            start: driver.start,
+            speed: scale(driver.speed),
+            acceleration: scale(driver.acceleration),
+        };
+        let runs = clock.speed != 0.0 && (1.0 / clock.speed).is_finite();
+        runs.then_some(clock)
+    }
+
+    /// Where the driver is, in degrees or in the scene's length unit.
+    #[must_use]
+    pub fn coordinate(&self, time: f64) -> f64 {
+        self.start + time * (self.speed + 0.5 * self.acceleration * time)
+    }
+
+    /// When the driver is there, going the way it goes at 0 s; `None` where it turns back before.
+    #[must_use]
+    pub fn time(&self, coordinate: f64) -> Option<f64> {
+        self.times(coordinate - self.start)[0]
+    }
+
+    /// Whether the driver keeps its speed.
+    pub(super) fn is_even(&self) -> bool {
+        self.acceleration == 0.0
+    }
+
+    pub(super) fn speed(&self) -> f64 {
+        self.speed
+    }
+
+    /// `None` where the driver runs as fast as the scene says.
+    pub(super) fn pace(&self, time: f64) -> Option<Pace> {
+        let drift = self.acceleration / self.speed;
+        (!self.is_even()).then(|| Pace {
+            ratio: 1.0 + drift * time,
+            drift,
+        })
+    }
+
+    /// From when to when the motion goes: from 0 s over one period, or from the limit where the
+    /// driver came from to the limit where it ends.
+    #[must_use]
+    pub fn span(&self, range: Range) -> (f64, f64) {
+        match range {
+            Range::Full { period } => (0.0, self.exit(-period, period)),
+            Range::Limited { low, high } => {
+                let (low, high) = (low - self.start, high - self.start);
+                let back = Clock {
+                    speed: -self.speed,
+                    ..*self
+                };
+                (-back.exit(low, high), self.exit(low, high))
+            }
+        }
+    }
+
+    /// When the driver first leaves the stretch from `low` to `high`, both counted from its start.
+    fn exit(&self, low: f64, high: f64) -> f64 {
+        let outwards = [(low, -1.0), (high, 1.0)];
+        let leaves = outwards.into_iter().flat_map(|(far, sense)| {
+            let times = self.times(far).into_iter().flatten();
+            let rate = move |t: f64| (self.speed + self.acceleration * t) * sense;
+            times.filter(move |&t| t >= 0.0 && rate(t) > 0.0)
+        });
+        leaves.min_by(f64::total_cmp).unwrap_or(0.0)
+    }
+
+    /// The times at which the driver is so far from its start, first that of the way it goes at 0 s:
+    /// the roots of a t^2 / 2 + w t - far, without a difference of equals.
+    fn times(&self, far: f64) -> [Option<f64>; 2] {
+        let (w, a) = (self.speed, self.acceleration);
+        let root = (w * w + 2.0 * a * far).sqrt().copysign(w);
+        let near = 2.0 * far / (w + root);
+        let other = -(w + root) / a;
+        [near, other].map(|t| Some(t).filter(|t| t.is_finite()))
+    }
+}
+
+/// The value of a quantity where the driver runs at another pace than the scene's: rates are K q' and
+/// K q'' + K' q'^2, of which the state has those for the scene's own q' and q''.
+pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> Option<f64> {
+    let plain = quantity.value(state)?;
+    let (Some(pace), false) = (pace, quantity.subject == Subject::Driver) else {
+        return Some(plain);
+    };
+    let first = |aspect| value(quantity.subject, aspect, state).map(|rate| rate * pace.drift);
+    let second = |driven: f64| driven + (plain - driven) * pace.ratio * pace.ratio;
+    let paced = match quantity.aspect {
+        Aspect::X | Aspect::Y | Aspect::Angle | Aspect::Length => plain,
+        Aspect::Vx | Aspect::Vy | Aspect::Omega | Aspect::Rate => plain * pace.ratio,
+        Aspect::Ax => second(first(Aspect::Vx)?),
+        Aspect::Ay => second(first(Aspect::Vy)?),
+        Aspect::Alpha => second(first(Aspect::Omega)?),
+        Aspect::Accel => second(first(Aspect::Rate)?),
+    };
+    paced.is_finite().then_some(paced)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clock(start: f64, speed: f64, acceleration: f64) -> Clock {
+        Clock {
+            start,
+            speed,
+            acceleration,
+        }
+    }
+
+    const LIMITED: Range = Range::Limited {
+        low: -30.0,
+        high: 90.0,
+    };
+
+    #[test]
+    fn time_is_nought_at_the_opening_and_leads_there_and_back() {
+        for clock in [
+            clock(60.0, 100.0, 0.0),
+            clock(60.0, -100.0, 7.0),
+            clock(-5.0, 3.0, 2.0),
+        ] {
+            assert_eq!(clock.coordinate(0.0), clock.start);
+            for time in [-0.3, 0.0, 0.1, 1.0] {
+                let back = clock.time(clock.coordinate(time)).unwrap();
+                assert!((back - time).abs() < 1e-12, "{clock:?} {time} {back}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_motion_goes_from_limit_to_limit_or_once_round() {
+        assert_eq!(clock(60.0, 100.0, 0.0).span(LIMITED), (-0.9, 0.3));
+        assert_eq!(clock(60.0, -100.0, 0.0).span(LIMITED), (-0.3, 0.9));
+        let full = Range::Full { period: 720.0 };
+        assert_eq!(clock(60.0, -100.0, 0.0).span(full), (0.0, 7.2));
+        // On the limit already.
+        assert_eq!(clock(90.0, 10.0, 0.0).span(LIMITED), (-12.0, 0.0));
+    }
+
+    #[test]
+    fn a_driver_that_turns_back_leaves_by_the_limit_it_came_from() {
+        // From 60 up to 70 in 2 s, and back: at -30 after 2 + sqrt(20 * 100 / 50) s.
+        let clock = clock(60.0, 10.0, -5.0);
+        let (from, to) = clock.span(LIMITED);
+        let way = 40.0_f64.sqrt();
+        assert!(
+            (to - 2.0 - way).abs() < 1e-12 && (from - 2.0 + way).abs() < 1e-12,
+            "{from} {to}"
+        );
+        assert_eq!(clock.time(71.0), None);
+    }
+}

@@ -1,0 +1,46 @@
+//! What was plotted, as comma separated values.
+
+use super::number::shortest;
+use super::rows::plain;
+use crate::quantity::{Abscissa, Curves, state_word};
+use std::io;
+
+/// The samples of a plot, a row each, in the manner of `krank sweep`: the driver's coordinate first,
+/// then time or the figure that stands along x, then the curves, and the state last. A value that does
+/// not exist is an empty cell.
+///
+/// # Errors
+/// None but of memory.
+pub fn curves_csv(curves: &Curves) -> io::Result<String> {
+    let mut csv = csv::Writer::from_writer(Vec::new());
+    let [name, unit] = &curves.title;
+    let along = match curves.abscissa {
+        Abscissa::Driver => None,
+        Abscissa::Time | Abscissa::Figure(_) => Some(format!("{name} [{unit}]")),
+    };
+    let figures = curves.curves.iter().map(|curve| curve.quantity.header());
+    let headers = [curves.driver.header()].into_iter().chain(along.clone());
+    let headers = headers.chain(figures).chain(["state".into()]);
+    csv.write_record(headers.map(String::into_bytes))
+        .map_err(plain)?;
+    let cell = |value: Option<f64>| {
+        let mut text = String::new();
+        if let Some(value) = value {
+            shortest(value, &mut text);
+        }
+        text
+    };
+    let rows = curves.at.iter().zip(&curves.along).zip(&curves.conditions);
+    for (i, ((&at, &x), &condition)) in rows.enumerate() {
+        let mut row = vec![cell(Some(at))];
+        row.extend(along.is_some().then(|| cell(x)));
+        let value = |curve: &crate::quantity::Curve| curve.values.get(i).copied().flatten();
+        row.extend(curves.curves.iter().map(|curve| cell(value(curve))));
+        row.push(state_word(condition).to_owned());
+        csv.write_record(row).map_err(plain)?;
+    }
+    let bytes = csv
+        .into_inner()
+        .map_err(|e| io::Error::other(e.to_string()))?;
+    String::from_utf8(bytes).map_err(io::Error::other)
+}
