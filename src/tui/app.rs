@@ -15,6 +15,7 @@ mod writing;
 use super::action::Action;
 use super::chosen::Chosen;
 use super::course::{OutOfRange, rounded};
+use super::cursor::Cursor;
 use super::figures::coordinate;
 use super::help::Help;
 use super::key::Key;
@@ -23,6 +24,7 @@ use super::lens::Lens;
 use super::line::Line;
 use super::opening;
 use super::playback::Playback;
+use super::search::Search;
 use super::stage::Stage;
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
@@ -51,6 +53,10 @@ pub(crate) enum Mode {
     FileName(Prompt),
     /// The question whether to write to a file.
     Confirm(Question),
+    /// The line in which a name is typed that is sought in the tables.
+    Search(Search),
+    /// The question how much of the tables is copied.
+    Copy,
 }
 
 impl Mode {
@@ -60,14 +66,15 @@ impl Mode {
             Mode::GoTo(line) => Some(line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
-            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) => None,
+            Mode::Search(search) => Some(&mut search.name),
+            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Copy => None,
         }
     }
 }
 
 /// What is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum View {
+pub enum View {
     /// The drawing, with live tables.
     Motion,
     /// All tables.
@@ -104,6 +111,8 @@ pub(crate) enum Effect {
     Show,
     /// Take these bytes, which are no part of a frame; then show what has changed.
     Send(Vec<u8>),
+    /// Keep the screen as it is, for [`App::ask_for_picture`].
+    Picture,
     /// Draw everything again.
     Redraw,
     /// Stop the program until the shell continues it.
@@ -129,6 +138,10 @@ pub(crate) struct App {
     survey: Survey,
     /// Lines that each view is scrolled by.
     scroll: [usize; View::ALL.len()],
+    /// Where the cursor of the tables is.
+    cursor: Cursor,
+    /// The name that was sought last.
+    sought: String,
     /// What the motion view shows of the tables.
     chosen: Chosen,
     keymap: Keymap,
@@ -162,6 +175,8 @@ impl App {
             mode: Mode::Normal,
             survey: Survey::new(wall_clock),
             scroll: [0; View::ALL.len()],
+            cursor: Cursor::default(),
+            sought: String::new(),
             chosen: Chosen::default(),
             keymap: Keymap::default(),
             lens: Lens::default(),
@@ -221,6 +236,11 @@ impl App {
         &self.lens
     }
 
+    /// The cursor of the tables.
+    pub(crate) fn cursor(&self) -> Cursor {
+        self.cursor
+    }
+
     pub(crate) fn view(&self) -> View {
         self.view
     }
@@ -273,6 +293,7 @@ impl App {
     pub(crate) fn paste(&mut self, text: &str) {
         if let Some(line) = self.mode.line() {
             text.chars().for_each(|c| line.push(c));
+            self.find();
         }
     }
 
@@ -280,6 +301,7 @@ impl App {
     pub(crate) fn resize(&mut self, size: Size, aspect: Option<f64>) {
         self.size = size;
         self.aspect = aspect.unwrap_or(USUAL_ASPECT);
+        self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
 
@@ -361,7 +383,9 @@ impl App {
             Action::Compare => self.compare(),
             Action::Open => self.pick(),
             Action::Search => self.search(),
-            Action::Copy | Action::Csv | Action::Picture | Action::Svg => self.take_out(action),
+            Action::Copy | Action::Csv | Action::Picture | Action::Svg => {
+                return self.take_out(action);
+            }
             Action::SaveAs | Action::Reload | Action::Undo | Action::Redo => {
                 self.edit_history(action);
             }
@@ -403,6 +427,12 @@ impl App {
                 return Some(Effect::Show);
             }
             return None;
+        }
+        if self.search_key(key) {
+            return Some(Effect::Show);
+        }
+        if self.mode == Mode::Copy {
+            return self.copy_key(key);
         }
         let line = self.mode.line()?;
         match key {
@@ -511,6 +541,7 @@ impl App {
         self.scroll = [0; View::ALL.len()];
         self.chosen = Chosen::default();
         self.lens.fit();
+        self.cursor = Cursor::default();
     }
 
     /// The same scene in another form: the driver stands where it stood, as far as it can be
@@ -522,6 +553,7 @@ impl App {
         self.survey.forget();
         self.look(self.view);
         self.arrive(self.stage.course().clamp(at), now);
+        self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
 
@@ -537,6 +569,7 @@ impl App {
         };
         self.capability.glyphs = glyphs;
         self.message = Some(format!("drawn with {name}"));
+        self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
 
@@ -548,7 +581,7 @@ impl App {
 
     /// Looks at a view. What the lengths do is found only while it is looked at; a study begins when it
     /// is looked at for the first time.
-    fn look(&mut self, view: View) {
+    pub(crate) fn look(&mut self, view: View) {
         self.view = view;
         self.stage.answer(view == View::Lengths);
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
@@ -588,9 +621,15 @@ impl App {
         let scroll = match &mut self.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(scroll) => scroll,
-            Mode::Normal | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) => {
-                &mut self.scroll[self.view as usize]
+            _ if self.view == View::Tables => {
+                return self.place_cursor(|cursor, table| cursor.moved(table, lines));
             }
+            Mode::Normal
+            | Mode::GoTo(_)
+            | Mode::FileName(_)
+            | Mode::Confirm(_)
+            | Mode::Search(_)
+            | Mode::Copy => &mut self.scroll[self.view as usize],
         };
         *scroll = scroll.saturating_add_signed(lines).min(most);
     }

@@ -207,7 +207,13 @@ pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer
     rule(app.glyphs(), arrangement.rule, buffer);
     match *app.mode() {
         Mode::Assemblies(cursor) => assemblies::render(app, cursor, arrangement.table, buffer),
-        Mode::Normal | Mode::Help(_) | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) => {
+        Mode::Normal
+        | Mode::Help(_)
+        | Mode::GoTo(_)
+        | Mode::FileName(_)
+        | Mode::Confirm(_)
+        | Mode::Search(_)
+        | Mode::Copy => {
             table::render(app, arrangement.table, buffer);
         }
     }
