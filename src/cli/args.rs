@@ -47,6 +47,8 @@ Examples:
   krank                          open the four-bar of the lectures
   krank slider-crank --at 30     open a preset at 30 degrees
   krank my-press.toml            open a scene file
+  krank press --view tables      open a preset with all its tables
+  krank press --print            print the screen that opens, and leave
   krank sweep four-bar -o four-bar.csv
 
 SCENE is a file, a preset's name (krank list) or - for standard input. A name
@@ -82,6 +84,82 @@ pub(super) struct WorkbenchArgs {
     #[cfg(feature = "tui")]
     #[arg(long, visible_alias = "color", value_enum, default_value_t)]
     pub(super) colour: Colour,
+    /// The view to open with
+    #[cfg(feature = "tui")]
+    #[arg(long, value_enum)]
+    pub(super) view: Option<View>,
+    /// Print the screen that opens as text, and leave: no terminal is needed
+    #[cfg(feature = "tui")]
+    #[arg(long)]
+    pub(super) print: bool,
+    /// The size of the screen that is printed [default: 80x24]
+    #[cfg(feature = "tui")]
+    #[arg(long, value_name = "COLSxROWS", requires = "print")]
+    pub(super) size: Option<ScreenSize>,
+}
+
+/// A view of the workbench.
+#[cfg(feature = "tui")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum View {
+    /// The drawing, with live tables
+    Motion,
+    /// All tables
+    Tables,
+    /// Figures over the motion
+    Plots,
+    /// Speed against error
+    Accuracy,
+    /// Forces
+    Forces,
+    /// What the scene gives
+    Scene,
+    /// What each length does
+    Lengths,
+}
+
+/// A screen of so many columns and rows.
+#[cfg(feature = "tui")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct ScreenSize {
+    pub(super) cols: u16,
+    pub(super) rows: u16,
+}
+
+#[cfg(feature = "tui")]
+impl ScreenSize {
+    /// What most terminals open with.
+    pub(super) const USUAL: ScreenSize = ScreenSize { cols: 80, rows: 24 };
+    /// No screen is larger.
+    const LARGEST: ScreenSize = ScreenSize {
+        cols: 1000,
+        rows: 400,
+    };
+}
+
+#[cfg(feature = "tui")]
+impl std::str::FromStr for ScreenSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let most = ScreenSize::LARGEST;
+        let read = |text: &str, most: u16| {
+            let number: u16 = text.parse().ok()?;
+            (1..=most).contains(&number).then_some(number)
+        };
+        let size = text.split_once('x').and_then(|(cols, rows)| {
+            Some(ScreenSize {
+                cols: read(cols, most.cols)?,
+                rows: read(rows, most.rows)?,
+            })
+        });
+        size.ok_or_else(|| {
+            format!(
+                "must be columns and rows, such as 80x24, up to {}x{}",
+                most.cols, most.rows
+            )
+        })
+    }
 }
 
 /// The characters to draw with.

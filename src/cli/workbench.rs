@@ -1,12 +1,14 @@
 //! Opening the workbench.
 
-use super::args::{Colour, Glyphs, WorkbenchArgs};
+use super::args::{Colour, Glyphs, ScreenSize, View, WorkbenchArgs};
 use super::failure::Failure;
+use super::output::write_text;
 use super::source::{Opened, Source, find, load};
 use crate::drawing;
 use crate::tui::{self, Colours, Options, Origin};
 
-/// Opens the scene on the terminal and returns when the workbench is left.
+/// Opens the scene on the terminal and returns when the workbench is left; or prints what would be seen
+/// there.
 pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
     let source = find(&args.scene)?;
     let Opened { scene, solver } = load(&source, &args.assembly.wishes)?;
@@ -19,12 +21,17 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
         at: args.at.map(|at| at.value()),
         glyphs: glyphs(args.glyphs),
         colours: colours(args.colour),
+        view: args.view.map(view),
     };
     let opened = tui::Opened {
         scene,
         solver,
         origin,
     };
+    if args.print {
+        let ScreenSize { cols, rows } = args.size.unwrap_or(ScreenSize::USUAL);
+        return write_text(None, &tui::picture(opened, &options, cols, rows));
+    }
     tui::run(opened, &options).map_err(|error| {
         if error.is_usage() {
             Failure::Usage(error.to_string())
@@ -32,6 +39,18 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
             Failure::Cannot(error.to_string())
         }
     })
+}
+
+fn view(wish: View) -> tui::View {
+    match wish {
+        View::Motion => tui::View::Motion,
+        View::Tables => tui::View::Tables,
+        View::Plots => tui::View::Plots,
+        View::Accuracy => tui::View::Accuracy,
+        View::Forces => tui::View::Forces,
+        View::Scene => tui::View::Scene,
+        View::Lengths => tui::View::Lengths,
+    }
 }
 
 fn glyphs(wish: Glyphs) -> Option<drawing::Glyphs> {

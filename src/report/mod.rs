@@ -41,4 +41,4 @@ pub use sweep::{Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TableStyle;
 #[cfg(feature = "tui")]
-pub(crate) use {number::upwards, text::wrapped};
+pub(crate) use {number::shortest, number::upwards, text::wrapped};

@@ -64,7 +64,7 @@ pub(super) fn direction(degrees: f64, digits: usize) -> String {
 ///
 /// A negative zero is written as `0`: a direction of approach that no table means. The value must
 /// be finite; what does not exist is no number and is never written by this function.
-pub(super) fn shortest(value: f64, to: &mut String) {
+pub(crate) fn shortest(value: f64, to: &mut String) {
     debug_assert!(
         value.is_finite(),
         "only values that exist are written: {value}"

@@ -15,6 +15,7 @@ mod writing;
 use super::action::Action;
 use super::chosen::Chosen;
 use super::course::{OutOfRange, rounded};
+use super::cursor::Cursor;
 use super::figures::coordinate;
 use super::help::Help;
 use super::key::Key;
@@ -25,6 +26,7 @@ use super::opening;
 use super::picker::Picker;
 use super::playback::Playback;
 use super::preview::Previews;
+use super::search::Search;
 use super::stage::Stage;
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
@@ -55,6 +57,10 @@ pub(crate) enum Mode {
     Confirm(Question),
     /// The list of presets and files.
     Pick(Box<Picker>),
+    /// The line in which a name is typed that is sought in the tables.
+    Search(Search),
+    /// The question how much of the tables is copied.
+    Copy,
 }
 
 impl Mode {
@@ -64,14 +70,17 @@ impl Mode {
             Mode::GoTo(line) => Some(line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
-            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Pick(_) => None,
+            Mode::Search(search) => Some(&mut search.name),
+            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Pick(_) | Mode::Copy => {
+                None
+            }
         }
     }
 }
 
 /// What is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum View {
+pub enum View {
     /// The drawing, with live tables.
     Motion,
     /// All tables.
@@ -108,6 +117,8 @@ pub(crate) enum Effect {
     Show,
     /// Take these bytes, which are no part of a frame; then show what has changed.
     Send(Vec<u8>),
+    /// Keep the screen as it is, for [`App::ask_for_picture`].
+    Picture,
     /// Draw everything again.
     Redraw,
     /// Stop the program until the shell continues it.
@@ -133,6 +144,10 @@ pub(crate) struct App {
     survey: Survey,
     /// Lines that each view is scrolled by.
     scroll: [usize; View::ALL.len()],
+    /// Where the cursor of the tables is.
+    cursor: Cursor,
+    /// The name that was sought last.
+    sought: String,
     /// What the motion view shows of the tables.
     chosen: Chosen,
     keymap: Keymap,
@@ -171,6 +186,8 @@ impl App {
             mode: Mode::Normal,
             survey: Survey::new(wall_clock),
             scroll: [0; View::ALL.len()],
+            cursor: Cursor::default(),
+            sought: String::new(),
             chosen: Chosen::default(),
             keymap: Keymap::default(),
             lens: Lens::default(),
@@ -232,6 +249,11 @@ impl App {
         &self.lens
     }
 
+    /// The cursor of the tables.
+    pub(crate) fn cursor(&self) -> Cursor {
+        self.cursor
+    }
+
     pub(crate) fn view(&self) -> View {
         self.view
     }
@@ -286,6 +308,7 @@ impl App {
             text.chars().for_each(|c| picker.push(c));
         } else if let Some(line) = self.mode.line() {
             text.chars().for_each(|c| line.push(c));
+            self.find();
         }
     }
 
@@ -293,6 +316,7 @@ impl App {
     pub(crate) fn resize(&mut self, size: Size, aspect: Option<f64>) {
         self.size = size;
         self.aspect = aspect.unwrap_or(USUAL_ASPECT);
+        self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
 
@@ -376,7 +400,9 @@ impl App {
             Action::Compare => self.compare(),
             Action::Open => self.pick(),
             Action::Search => self.search(),
-            Action::Copy | Action::Csv | Action::Picture | Action::Svg => self.take_out(action),
+            Action::Copy | Action::Csv | Action::Picture | Action::Svg => {
+                return self.take_out(action);
+            }
             Action::SaveAs | Action::Reload | Action::Undo | Action::Redo => {
                 self.edit_history(action);
             }
@@ -421,6 +447,12 @@ impl App {
                 return Some(Effect::Show);
             }
             return None;
+        }
+        if self.search_key(key) {
+            return Some(Effect::Show);
+        }
+        if self.mode == Mode::Copy {
+            return self.copy_key(key);
         }
         let line = self.mode.line()?;
         match key {
@@ -530,6 +562,7 @@ impl App {
         self.scroll = [0; View::ALL.len()];
         self.chosen = Chosen::default();
         self.lens.fit();
+        self.cursor = Cursor::default();
     }
 
     /// The same scene in another form: the driver stands where it stood, as far as it can be
@@ -541,6 +574,7 @@ impl App {
         self.survey.forget();
         self.look(self.view);
         self.arrive(self.stage.course().clamp(at), now);
+        self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
 
@@ -556,6 +590,7 @@ impl App {
         };
         self.capability.glyphs = glyphs;
         self.message = Some(format!("drawn with {name}"));
+        self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
 
@@ -567,7 +602,7 @@ impl App {
 
     /// Looks at a view. What the lengths do is found only while it is looked at; a study begins when it
     /// is looked at for the first time.
-    fn look(&mut self, view: View) {
+    pub(crate) fn look(&mut self, view: View) {
         self.view = view;
         self.stage.answer(view == View::Lengths);
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
@@ -607,9 +642,10 @@ impl App {
         let scroll = match &mut self.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(scroll) => scroll,
-            Mode::Normal | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) | Mode::Pick(_) => {
-                &mut self.scroll[self.view as usize]
+            _ if self.view == View::Tables => {
+                return self.place_cursor(|cursor, table| cursor.moved(table, lines));
             }
+            _ => &mut self.scroll[self.view as usize],
         };
         *scroll = scroll.saturating_add_signed(lines).min(most);
     }

@@ -4,6 +4,8 @@
 const LONGEST_NUMBER: usize = 24;
 /// Longer than any name of a file that a person types.
 const LONGEST_NAME: usize = 200;
+/// Longer than what anybody types to find a name.
+const LONGEST_SOUGHT: usize = 40;
 
 /// More words than this nobody searches for.
 const LONGEST_WORDS: usize = 60;
@@ -40,6 +42,14 @@ impl Line {
         };
         proposal.chars().for_each(|c| line.push(c));
         line
+    }
+
+    /// An empty line for a name that is sought.
+    pub(crate) fn for_search() -> Line {
+        Line {
+            text: String::new(),
+            longest: LONGEST_SOUGHT,
+        }
     }
 
     pub(crate) fn text(&self) -> &str {

@@ -7,8 +7,11 @@
 mod action;
 mod app;
 mod chosen;
+mod clipboard;
+mod copying;
 mod cost;
 mod course;
+mod cursor;
 mod figures;
 mod folder;
 mod help;
@@ -19,9 +22,11 @@ mod line;
 mod opening;
 mod panel;
 mod picker;
+mod picture;
 mod playback;
 mod preview;
 mod saving;
+mod search;
 mod sheet;
 mod stage;
 mod steps;
@@ -33,7 +38,9 @@ mod workbench;
 mod writing;
 
 pub use crate::capability::Colours;
+pub use app::View;
 pub use help::key_list;
+pub use picture::picture;
 pub use workbench::Workbench;
 
 use crate::capability::Judgement;
@@ -81,6 +88,8 @@ pub struct Options {
     pub glyphs: Option<Glyphs>,
     /// The colours to draw with.
     pub colours: Option<Colours>,
+    /// The view to open with.
+    pub view: Option<View>,
 }
 
 /// Frames with at least one changed cell, and what they cost.
@@ -145,6 +154,7 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         let gate = Gate::open(capability)?;
         let size = gate.size();
         let workbench = Workbench::on(opened, options.at, capability, size);
+        let workbench = workbench.looking_at(options.view.unwrap_or(View::Motion));
         let session = Session {
             gate,
             workbench,
@@ -274,7 +284,7 @@ impl Session {
             Wake::Room => {}
             Wake::Paste(text) => self.workbench.app().paste(&text),
             Wake::Key(key) => match self.workbench.key(key) {
-                Effect::Show => {}
+                Effect::Show | Effect::Picture => {}
                 Effect::Send(bytes) => self.gate.say(&bytes)?,
                 Effect::Redraw => self.start_over(),
                 Effect::Suspend => terminal::ask_to_suspend()?,

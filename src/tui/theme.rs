@@ -26,6 +26,8 @@ pub(crate) enum Part {
     Warning,
     /// Where typed text goes on.
     Caret,
+    /// What the cursor of a list or a table is on.
+    Cursor,
 }
 
 /// The look of a part of the screen.
@@ -36,7 +38,7 @@ pub(crate) fn part(part: Part) -> Style {
         Part::Title | Part::Key => style.add_modifier(Modifier::BOLD),
         Part::Quiet | Part::Unsure => style.add_modifier(Modifier::DIM),
         Part::Name => style.add_modifier(Modifier::BOLD),
-        Part::Mode | Part::Caret => style.add_modifier(Modifier::REVERSED),
+        Part::Mode | Part::Caret | Part::Cursor => style.add_modifier(Modifier::REVERSED),
         Part::Warning => style.fg(Color::Red).add_modifier(Modifier::BOLD),
     }
 }

@@ -1,6 +1,6 @@
 //! The workbench without its terminal: keys, time and sizes in, frames out.
 
-use super::app::{App, Effect};
+use super::app::{App, Effect, View};
 use super::key::Key;
 use super::terminal::Painter;
 use super::views::{self, Sketch};
@@ -43,6 +43,20 @@ impl Workbench {
         self
     }
 
+    /// Looks at another view.
+    #[must_use]
+    pub fn looking_at(mut self, view: View) -> Self {
+        self.app.look(view);
+        self
+    }
+
+    /// Does what there is to do between frames until nothing is left: a study is measured to its end.
+    pub fn finish(&mut self) {
+        while self.app.is_working() {
+            self.pass(Duration::ZERO);
+        }
+    }
+
     /// Opens a scene at `at`, or where it says.
     pub(super) fn on(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
         Workbench {
@@ -60,7 +74,7 @@ impl Workbench {
         let keys = keys.split_whitespace().filter_map(|word| word.parse().ok());
         for key in keys {
             match self.key(key) {
-                Effect::Show | Effect::Suspend => {}
+                Effect::Show | Effect::Suspend | Effect::Picture => {}
                 Effect::Send(bytes) => self.sent.extend(bytes),
                 Effect::Redraw => self.forget(),
                 Effect::Quit => return false,
@@ -84,6 +98,12 @@ impl Workbench {
         self.app.catch_up();
         views::prepare(&self.app, &mut self.sketch);
         self.painter.frame(views::screen(&self.app, &self.sketch))
+    }
+
+    /// The screen as text: its lines without the blanks at their ends.
+    pub fn text(&mut self) -> String {
+        views::prepare(&self.app, &mut self.sketch);
+        views::text(&views::screen(&self.app, &self.sketch))
     }
 
     /// What the keys pressed since the last call send to the terminal beside frames: text for its
@@ -111,7 +131,13 @@ impl Workbench {
     }
 
     pub(super) fn key(&mut self, key: Key) -> Effect {
-        self.app.key(key, self.now)
+        let effect = self.app.key(key, self.now);
+        if effect == Effect::Picture {
+            let text = self.text();
+            self.app.ask_for_picture(text);
+            return Effect::Show;
+        }
+        effect
     }
 
     pub(super) fn app(&mut self) -> &mut App {

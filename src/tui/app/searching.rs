@@ -1,14 +1,142 @@
-//! Finding rows by name.
+//! The cursor of the tables: moving it, finding a row by its name, and choosing what the motion view
+//! shows.
 
 use super::super::action::TablesAction;
-use super::App;
+use super::super::cursor::{self, Cursor};
+use super::super::key::Key;
+use super::super::line::Line;
+use super::super::search::{self, Search};
+use super::super::{chosen, sheet};
+use super::{App, Mode, View, views};
 
 impl App {
+    /// Asks for a name, in the views that have rows.
     pub(super) fn search(&mut self) {
-        self.message = Some("not there yet".into());
+        match self.view {
+            View::Tables => {
+                self.mode = Mode::Search(Search {
+                    name: Line::for_search(),
+                    from: self.cursor,
+                });
+            }
+            View::Motion
+            | View::Plots
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths => self.message = Some("there is nothing to search here".into()),
+        }
     }
 
-    pub(super) fn browse(&mut self, _action: TablesAction) {
-        self.message = Some("not there yet".into());
+    /// Keys of the line in which a name is typed; false for those that mean the same everywhere.
+    pub(super) fn search_key(&mut self, key: Key) -> bool {
+        let Mode::Search(search) = &mut self.mode else {
+            return false;
+        };
+        match key {
+            Key::Escape => {
+                let from = search.from;
+                self.mode = Mode::Normal;
+                self.message = None;
+                self.place_cursor(|_, _| from);
+                return true;
+            }
+            Key::Enter => {
+                self.accept_search();
+                return true;
+            }
+            Key::Ctrl('u') => search.name.clear(),
+            Key::Ctrl(_) => return false,
+            Key::Backspace => search.name.erase(),
+            Key::Char(c) => search.name.push(c),
+            _ => return true,
+        }
+        self.find();
+        true
     }
+
+    /// Moves to the row that is meant by what is typed so far; says so where there is none.
+    pub(super) fn find(&mut self) {
+        let Mode::Search(search) = &self.mode else {
+            return;
+        };
+        let (typed, from) = (search.name.text().to_owned(), search.from);
+        let found = match typed.trim() {
+            "" => Some(from),
+            typed => search::best(self.stage.tables(), typed, from),
+        };
+        self.message = found.is_none().then(|| nameless(&typed));
+        self.place_cursor(|_, _| found.unwrap_or(from));
+    }
+
+    /// Stays where the name led. Nothing typed means the next row of the name that was sought last; a
+    /// name that leads nowhere can be mended.
+    fn accept_search(&mut self) {
+        let Mode::Search(search) = &self.mode else {
+            return;
+        };
+        let typed = search.name.text().trim().to_owned();
+        if typed.is_empty() {
+            self.mode = Mode::Normal;
+            self.find_next();
+        } else if search::best(self.stage.tables(), &typed, search.from).is_some() {
+            self.sought = typed;
+            self.mode = Mode::Normal;
+        }
+    }
+
+    fn find_next(&mut self) {
+        if self.sought.is_empty() {
+            return;
+        }
+        match search::next(self.stage.tables(), &self.sought, self.cursor) {
+            Some(found) => self.place_cursor(|_, _| found),
+            None => self.message = Some(nameless(&self.sought)),
+        }
+    }
+
+    pub(super) fn browse(&mut self, action: TablesAction) {
+        match action {
+            TablesAction::Choose => self.choose(),
+            TablesAction::Left => self.place_cursor(|cursor, lines| cursor.aside(lines, -1)),
+            TablesAction::Right => self.place_cursor(|cursor, lines| cursor.aside(lines, 1)),
+        }
+    }
+
+    /// Moves the cursor over the lines of the tables, which scroll after it.
+    pub(super) fn place_cursor(&mut self, there: impl FnOnce(Cursor, &[sheet::Line]) -> Cursor) {
+        let (lines, height) = views::table_lines(self);
+        self.cursor = there(self.cursor, &lines).settled(&lines);
+        let scroll = &mut self.scroll[View::Tables as usize];
+        *scroll = cursor::follow(&lines, self.cursor, *scroll, height);
+    }
+
+    /// Chooses what the row under the cursor stands for, or no longer: a point, or the ends of a vector
+    /// that move.
+    fn choose(&mut self) {
+        let Cursor { part, row, .. } = self.cursor;
+        let moving = chosen::moving(self.stage.scene(), part, row);
+        if moving.is_empty() {
+            let name = part.name(self.stage.tables(), row);
+            self.message = Some(format!("{name} never moves: nothing to follow"));
+            return;
+        }
+        let all = moving.iter().all(|(point, _)| self.chosen.contains(*point));
+        let names = moving.iter().map(|(_, name)| *name).collect::<Vec<_>>();
+        let names = names.join(" and ");
+        self.message = Some(if all {
+            format!("{names} no longer chosen")
+        } else {
+            format!("{names} chosen for the motion view")
+        });
+        for (point, _) in moving {
+            if self.chosen.contains(point) == all {
+                self.chosen.toggle(point);
+            }
+        }
+    }
+}
+
+fn nameless(typed: &str) -> String {
+    format!("no row is named {}", typed.trim())
 }

@@ -19,9 +19,11 @@ mod popup;
 mod scene;
 mod status;
 mod table;
+mod tables;
 mod title;
 
 use super::app::{App, Mode, View};
+use super::sheet::Line;
 use super::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect, Size};
@@ -69,7 +71,7 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
     title::render(app, row(area, 0), &mut buffer);
     match app.view() {
         View::Motion => motion::render(app, sketch, body(area), &mut buffer),
-        View::Tables => table::render(app, inset(body(area)), &mut buffer),
+        View::Tables => tables::render(app, body(area), &mut buffer),
         View::Accuracy => accuracy::render(app, body(area), &mut buffer),
         View::Plots => plots::render(app, body(area), &mut buffer),
         View::Forces => forces::render(app, inset(body(area)), &mut buffer),
@@ -89,6 +91,24 @@ pub(crate) fn most_scroll(app: &App) -> usize {
     lines.saturating_sub(page)
 }
 
+/// The lines of the tables view, and how many of them are seen at once.
+pub(crate) fn table_lines(app: &App) -> (Vec<Line>, usize) {
+    if too_small(app.size()) {
+        return (Vec::new(), 0);
+    }
+    tables::lines(app, body(whole(app.size())))
+}
+
+/// A screen as text: its lines without the blanks at their ends.
+pub(crate) fn text(screen: &Buffer) -> String {
+    let width = usize::from(screen.area.width).max(1);
+    let lines = screen.content.chunks(width).map(|cells| {
+        let line: String = cells.iter().map(|cell| cell.symbol()).collect();
+        line.trim_end().to_owned() + "\n"
+    });
+    lines.collect()
+}
+
 /// Lines of what is on top that are seen at once.
 pub(crate) fn page(app: &App) -> usize {
     on_top(app).1
@@ -105,7 +125,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (Mode::Help(help), _) => help::extent(app, help, body),
         (Mode::Pick(picker), _) => picker::extent(picker, body),
         (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
-        (_, View::Tables) => table::extent(app, inset(body)),
+        (_, View::Tables) => tables::extent(app, body),
         (_, View::Accuracy) => accuracy::extent(app, body),
         (_, View::Lengths) => lengths::extent(app, inset(body)),
         (_, View::Plots | View::Forces | View::Scene) => (0, 0),

@@ -205,16 +205,10 @@ pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer
     show(&sketch.raster, arrangement.drawing, buffer);
     explain(app, arrangement, buffer);
     rule(app.glyphs(), arrangement.rule, buffer);
-    match *app.mode() {
-        Mode::Assemblies(cursor) => assemblies::render(app, cursor, arrangement.table, buffer),
-        Mode::Normal
-        | Mode::Help(_)
-        | Mode::GoTo(_)
-        | Mode::FileName(_)
-        | Mode::Confirm(_)
-        | Mode::Pick(_) => {
-            table::render(app, arrangement.table, buffer);
-        }
+    if let Mode::Assemblies(cursor) = *app.mode() {
+        assemblies::render(app, cursor, arrangement.table, buffer);
+    } else {
+        table::render(app, arrangement.table, buffer);
     }
 }
 

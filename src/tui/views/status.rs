@@ -9,7 +9,7 @@ use super::{columns, cut, most_scroll, print};
 use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
-use crate::tui::action::{Action, entry_of};
+use crate::tui::action::{Action, TablesAction, entry_of};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::figures::coordinate;
 use crate::tui::key::Key;
@@ -59,6 +59,14 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Mode::Pick(picker) => {
             picking(app, picker, &mut line);
+            return;
+        }
+        Mode::Search(search) => {
+            search_prompt(app, &search.name, &mut line);
+            return;
+        }
+        Mode::Copy => {
+            how_much(&mut line);
             return;
         }
         Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) => {}
@@ -132,12 +140,17 @@ fn trust(app: &App) -> Option<String> {
             | Mode::Assemblies(_)
             | Mode::FileName(_)
             | Mode::Confirm(_)
-            | Mode::Pick(_),
+            | Mode::Pick(_)
+            | Mode::Search(_)
+            | Mode::Copy,
             _,
         ) => false,
     };
     if !shows_figures || app.condition() != Condition::Ok {
         return None;
+    }
+    if app.view() == View::Tables {
+        return of_cursor(app);
     }
     let bound = match stage.largest_bound() {
         Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
@@ -146,6 +159,21 @@ fn trust(app: &App) -> Option<String> {
     Some(match stage.cost() {
         Some(cost) => format!("{cost}, {bound}"),
         None => bound,
+    })
+}
+
+/// How far the figure under the cursor can be from the truth.
+fn of_cursor(app: &App) -> Option<String> {
+    let (stage, cursor) = (app.stage(), app.cursor());
+    let (sheet, tables) = (stage.sheet(), stage.tables());
+    let entries = sheet.entries(tables, cursor.part, cursor.row);
+    let entry = entries.get(cursor.column).copied().flatten()?;
+    let unit = sheet.unit(cursor.part, cursor.column)?;
+    entry.value?;
+    Some(match entry.bound {
+        _ if entry.given => "given".into(),
+        Some(bound) => format!("+-{} {unit}", upwards(bound, 1)),
+        None => "no bound".into(),
     })
 }
 
@@ -163,6 +191,8 @@ fn mode(app: &App) -> &'static str {
             Purpose::Open => "open",
             Purpose::Compare => "compare",
         },
+        (Mode::Search(_), _) => "search",
+        (Mode::Copy, _) => "copy",
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
@@ -303,6 +333,29 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     }
 }
 
+/// Where a name is typed that is sought in the tables.
+fn search_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
+    line.say(" name: ", Part::Text);
+    line.say(typed.text(), Part::Text);
+    line.say(" ", Part::Caret);
+    line.gap(3);
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), "keep");
+    line.hint(&Key::Escape.to_string(), "back");
+}
+
+/// How much of the tables is copied.
+fn how_much(line: &mut Writer<'_>) {
+    line.gap(1);
+    for (key, name) in [("v", "value"), ("r", "row"), ("t", "table")] {
+        line.hint(key, name);
+    }
+    line.hint(&Key::Escape.to_string(), "back");
+}
+
 /// Whether to write over a file.
 fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let to = &asked.to;
@@ -354,7 +407,16 @@ fn offered(app: &App) -> &'static [Action] {
                 Action::Quit,
             ],
         },
-        (_, View::Tables | View::Plots | View::Forces | View::Scene | View::Lengths) => &[
+        (_, View::Tables) => &[
+            Action::Help,
+            Action::Search,
+            Action::Copy,
+            Action::MotionView,
+            Action::Tables(TablesAction::Choose),
+            Action::Csv,
+            Action::Quit,
+        ],
+        (_, View::Plots | View::Forces | View::Scene | View::Lengths) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,

@@ -1,4 +1,4 @@
-//! Figures in columns: beside or below the drawing, and as a view of their own.
+//! Figures in columns, live beside or below the drawing.
 
 use super::{columns, mark_more, print, print_right};
 use crate::capability::Colours;
@@ -38,7 +38,8 @@ pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
     (lines.len(), area.height.into())
 }
 
-fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
+/// One line of the tables in an area of its height.
+pub(super) fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
     let stage = app.stage();
     let width = usize::from(area.width);
     let (name, cells) = stage
@@ -92,6 +93,7 @@ fn doubt(colours: Colours, cell: &Shown, left: u16, y: u16, buffer: &mut Buffer)
 /// Stands for a digit that nothing proves, where it cannot be dimmed.
 pub(super) const UNSURE: char = '.';
 
-fn columns_of(width: usize) -> u16 {
+/// Columns from `usize`; more than there can be are too many.
+pub(super) fn columns_of(width: usize) -> u16 {
     u16::try_from(width).unwrap_or(u16::MAX)
 }

@@ -1,11 +1,16 @@
 //! The tables as columns that fit a width: which figures stand side by side, and in which form.
 
-use super::figures::{Format, Unsure, Written};
+mod column;
+mod names;
+
+use super::figures::{Unsure, Written};
 use crate::drawing::Glyphs;
-use crate::quantity::Aspect;
-use crate::report::{Entry, PointRow, Tables, VectorColumn};
-use std::collections::HashMap;
+use crate::report::{Entry, Tables};
+use column::{Column, Heading, POINT_FIGURES, VECTOR_FIGURES};
+use names::short_names;
 use std::ops::Range;
+
+pub(crate) use column::FOUND;
 
 /// The two parts of the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,36 +19,6 @@ pub(crate) enum Part {
     Vectors,
     /// Joints, centres of mass and other points.
     Points,
-}
-
-/// What a column shows, of the order 0 (position), 1 (velocity) or 2 (acceleration).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Figure {
-    /// The length of a vector, or its rates.
-    Length(usize),
-    /// The direction of a vector, or its rates.
-    Turning(usize),
-    /// A point's component along x.
-    AlongX(usize),
-    /// A point's component along y.
-    AlongY(usize),
-    /// The size of a point's velocity or acceleration.
-    Size(usize),
-    /// The direction of a point's velocity or acceleration.
-    Bearing(usize),
-}
-
-/// A column: what it shows, and how.
-#[derive(Clone, Debug)]
-struct Column {
-    figure: Figure,
-    unit: String,
-    format: Format,
-    /// Whether a chunk may begin with it: what belongs together is kept together.
-    opens: bool,
-    /// Whether some of its figures are found and others given: found ones then have a star behind
-    /// them, in a place of its own.
-    starred: bool,
 }
 
 /// A line of the tables at some width.
@@ -68,9 +43,6 @@ pub(crate) struct Shown {
     pub(crate) unsure: Unsure,
 }
 
-/// Stands behind a figure that was found; the others are given by the scene.
-pub(crate) const FOUND: char = '*';
-
 /// The columns of a scene's tables.
 #[derive(Clone, Debug)]
 pub(crate) struct Sheet {
@@ -84,38 +56,10 @@ pub(crate) struct Sheet {
     names: usize,
 }
 
-/// Longer names are cut: they would push the figures from a small screen.
-const LONGEST_NAME: usize = 9;
-/// Stands where a name was cut.
-const CUT: char = '~';
-
-const VECTOR_FIGURES: [(Figure, bool); 6] = [
-    (Figure::Length(0), true),
-    (Figure::Turning(0), false),
-    (Figure::Length(1), true),
-    (Figure::Turning(1), false),
-    (Figure::Length(2), true),
-    (Figure::Turning(2), false),
-];
-
-const POINT_FIGURES: [(Figure, bool); 10] = [
-    (Figure::AlongX(0), true),
-    (Figure::AlongY(0), false),
-    (Figure::AlongX(1), true),
-    (Figure::AlongY(1), false),
-    (Figure::Size(1), false),
-    (Figure::Bearing(1), false),
-    (Figure::AlongX(2), true),
-    (Figure::AlongY(2), false),
-    (Figure::Size(2), false),
-    (Figure::Bearing(2), false),
-];
-
 impl Sheet {
     /// Columns for tables that look like these over the motion.
     pub(crate) fn new(samples: &[Tables]) -> Self {
         let first = samples.first();
-        let unit = first.map_or("", |t| t.unit);
         let vectors = first.map_or(&[][..], |t| &t.vectors);
         let points = first.map_or(&[][..], |t| &t.points);
         let rows = [
@@ -124,14 +68,7 @@ impl Sheet {
         ];
         let names = rows.iter().flatten().map(|name| name.chars().count());
         let names = names.chain([Part::Vectors.title().len()]).max();
-        let column = |part, (figure, opens): (Figure, bool)| Column {
-            figure,
-            unit: figure.unit(unit),
-            format: figure.format(samples, part),
-            opens,
-            starred: part == Part::Vectors
-                && first.is_some_and(|t| figure.entries(t, part).any(|entry| !entry.given)),
-        };
+        let column = |part, figure| Column::new(samples, part, figure);
         Sheet {
             vectors: VECTOR_FIGURES.map(|f| column(Part::Vectors, f)).into(),
             points: POINT_FIGURES.map(|f| column(Part::Points, f)).into(),
@@ -139,6 +76,29 @@ impl Sheet {
             fixed: points.iter().map(|point| point.fixed).collect(),
             names: names.unwrap_or(0),
         }
+    }
+
+    /// How many rows a part has.
+    pub(crate) fn row_count(&self, part: Part) -> usize {
+        self.rows[part as usize].len()
+    }
+
+    /// The names of all figures of a part, with their units: `vx [mm/s]`.
+    pub(crate) fn headers(&self, part: Part) -> impl Iterator<Item = String> {
+        self.columns(part).iter().map(Column::header)
+    }
+
+    /// The unit of a figure.
+    pub(crate) fn unit(&self, part: Part, column: usize) -> Option<&str> {
+        self.columns(part).get(column).map(Column::plain_unit)
+    }
+
+    /// All figures of a row; `None` for those that it does not have at all.
+    pub(crate) fn entries(&self, tables: &Tables, part: Part, row: usize) -> Vec<Option<Entry>> {
+        let columns = self.columns(part).iter();
+        columns
+            .map(|column| column.entry(tables, part, row))
+            .collect()
     }
 
     /// The lines of both parts at this width.
@@ -298,185 +258,24 @@ impl Sheet {
     }
 }
 
-/// Where the units of columns stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Heading {
-    /// Behind the names: `r [mm]`.
-    One,
-    /// In a line of their own.
-    Two,
-}
-
-/// The names, none longer than may be, and those that differ still different: a name is cut behind its
-/// beginning, or where others begin alike, around the first part that it shares with no other.
-fn short_names(names: &[&str]) -> Vec<String> {
-    const HEAD: usize = LONGEST_NAME - 1;
-    const INNER: usize = LONGEST_NAME - 2;
-    let mut heads = HashMap::new();
-    let mut parts = HashMap::new();
-    for name in names {
-        *heads.entry(name.get(..HEAD)).or_insert(0) += 1;
-        for at in 0..name.len() {
-            *parts.entry(name.get(at..at + INNER)).or_insert(0) += 1;
-        }
-    }
-    let short = |name: &&str| -> String {
-        // Names of scenes are ASCII: a byte is a character.
-        if name.len() <= LONGEST_NAME || !name.is_ascii() {
-            return name.chars().take(LONGEST_NAME).collect();
-        }
-        let last = name.len() - INNER;
-        if heads[&name.get(..HEAD)] == 1 {
-            return format!("{}{CUT}", &name[..HEAD]);
-        }
-        let different = |at: &usize| parts[&name.get(*at..at + INNER)] == 1;
-        // Whole words are known again most easily.
-        let words = (1..=last).filter(|&at| !name.as_bytes()[at - 1].is_ascii_alphanumeric());
-        match words.chain(1..=last).find(different) {
-            Some(at) if at < last => format!("{CUT}{}{CUT}", &name[at..at + INNER]),
-            _ => format!("{CUT}{}", &name[name.len() - HEAD..]),
-        }
-    };
-    names.iter().map(short).collect()
-}
-
 /// Beyond one column, and beyond this, room to spare stays at the right.
 const WIDEST_GAP: usize = 4;
 
 impl Part {
-    fn title(self) -> &'static str {
+    pub(crate) fn title(self) -> &'static str {
         match self {
             Part::Vectors => "vector",
             Part::Points => "point",
         }
     }
-}
 
-impl Column {
-    fn unit(&self, glyphs: Glyphs) -> String {
-        match glyphs {
-            Glyphs::Ascii | Glyphs::Line => self.unit.clone(),
-            Glyphs::Braille => self.unit.replace("^2", "\u{b2}"),
-        }
-    }
-
-    fn title(&self, glyphs: Glyphs, heading: Heading) -> String {
-        let symbol = self.figure.symbol(glyphs);
-        match heading {
-            Heading::One => format!("{symbol} [{}]", self.unit(glyphs)),
-            Heading::Two => symbol.to_owned(),
-        }
-    }
-
-    fn width(&self, glyphs: Glyphs, heading: Heading) -> usize {
-        // Asked for many times a frame: counted without writing anything.
-        let symbol = self.figure.symbol(glyphs).chars().count();
-        let unit = match glyphs {
-            Glyphs::Ascii | Glyphs::Line => self.unit.len(),
-            Glyphs::Braille => self.unit.len() - self.unit.matches("^2").count(),
+    /// The whole name of a row; nothing where there is no such row.
+    pub(crate) fn name(self, tables: &Tables, row: usize) -> &str {
+        let name = match self {
+            Part::Vectors => tables.vectors.get(row).map(|vector| &vector.name),
+            Part::Points => tables.points.get(row).map(|point| &point.name),
         };
-        let title = match heading {
-            Heading::One => symbol + unit + " []".len(),
-            Heading::Two => symbol.max(unit),
-        };
-        title.max(self.format.width()) + usize::from(self.starred)
-    }
-
-    /// The figure, and the mark of one that was found.
-    fn cell(&self, tables: &Tables, part: Part, row: usize) -> (Written, Option<char>) {
-        let Some(entry) = self.figure.entry(tables, part, row) else {
-            return (Written::sure(String::new()), None);
-        };
-        let text = match self.figure {
-            Figure::Turning(0) | Figure::Bearing(_) => self.format.write_angle(&entry),
-            _ => self.format.write(&entry),
-        };
-        let found = entry.value.is_some() && !entry.given;
-        (text, found.then_some(FOUND))
-    }
-}
-
-impl Figure {
-    fn symbol(self, glyphs: Glyphs) -> &'static str {
-        let greek = glyphs == Glyphs::Braille;
-        match self {
-            Figure::Length(order) => ["r", "r'", "r''"][order],
-            Figure::Turning(order) if greek => ["\u{3b8}", "\u{3c9}", "\u{3b1}"][order],
-            Figure::Turning(order) => ["theta", "omega", "alpha"][order],
-            Figure::AlongX(order) => ["x", "vx", "ax"][order],
-            Figure::AlongY(order) => ["y", "vy", "ay"][order],
-            Figure::Size(order) => ["r", "v", "a"][order],
-            Figure::Bearing(order) => ["dir r", "dir v", "dir a"][order],
-        }
-    }
-
-    fn unit(self, length: &str) -> String {
-        let aspect = match self {
-            Figure::Length(order)
-            | Figure::AlongX(order)
-            | Figure::AlongY(order)
-            | Figure::Size(order) => [Aspect::Length, Aspect::Rate, Aspect::Accel][order],
-            Figure::Turning(order) => [Aspect::Angle, Aspect::Omega, Aspect::Alpha][order],
-            Figure::Bearing(_) => Aspect::Angle,
-        };
-        aspect.unit(length)
-    }
-
-    /// The decimals and the width that this figure needs in all rows over the motion. Components and
-    /// size of one order share theirs, so that they can be compared by eye.
-    fn format(self, samples: &[Tables], part: Part) -> Format {
-        let figure = match self {
-            Figure::Turning(0) | Figure::Bearing(_) => return Format::ANGLE,
-            Figure::AlongX(order) | Figure::AlongY(order) => Figure::Size(order),
-            other => other,
-        };
-        let of_sample = |tables: &Tables| {
-            let entries = figure.entries(tables, part);
-            entries
-                .filter_map(|e| e.value)
-                .map(f64::abs)
-                .collect::<Vec<_>>()
-        };
-        // What never moves says nothing about the size of what does.
-        let sizes = samples.iter().flat_map(of_sample).filter(|s| *s > 0.0);
-        Format::of_sizes(sizes.collect())
-    }
-
-    /// The entries of all rows that have such a figure.
-    fn entries(self, tables: &Tables, part: Part) -> impl Iterator<Item = Entry> {
-        let rows = match part {
-            Part::Vectors => tables.vectors.len(),
-            Part::Points => tables.points.len(),
-        };
-        (0..rows).filter_map(move |row| self.entry(tables, part, row))
-    }
-
-    fn entry(self, tables: &Tables, part: Part, row: usize) -> Option<Entry> {
-        match part {
-            Part::Vectors => self.vector_entry(tables.vectors.get(row)?),
-            Part::Points => Some(self.point_entry(tables.points.get(row)?)),
-        }
-    }
-
-    /// `None` where the vector has no such figure at all.
-    fn vector_entry(self, vector: &VectorColumn) -> Option<Entry> {
-        match self {
-            Figure::Length(order) => vector.length.map(|length| length[order]),
-            Figure::Turning(order) => Some(vector.direction[order]),
-            _ => None,
-        }
-    }
-
-    fn point_entry(self, point: &PointRow) -> Entry {
-        let (order, figure) = match self {
-            Figure::AlongX(order) => (order, 0),
-            Figure::AlongY(order) => (order, 1),
-            Figure::Size(order) => (order, 2),
-            Figure::Bearing(order) => (order, 3),
-            Figure::Length(_) | Figure::Turning(_) => return Entry::NONE,
-        };
-        let plane = point.motion[order].as_ref();
-        plane.map_or(Entry::NONE, |plane| plane.entries(point.fixed)[figure])
+        name.map_or("", String::as_str)
     }
 }
 
@@ -485,32 +284,6 @@ mod tests {
     use super::*;
     use crate::scene::{Scene, presets};
     use crate::solver::{Order, Solver};
-
-    #[test]
-    fn names_are_cut_so_that_they_still_differ() {
-        let short = short_names(&[
-            "r2",
-            "upper_rod",
-            "connecting_rod",
-            "crank_pin_upper",
-            "crank_pin_lower",
-            "driving_crank_of_the_press",
-            "driving_rod_of_the_press",
-        ]);
-        let expected = [
-            "r2",
-            "upper_rod",
-            "connecti~",
-            "~pin_upp~",
-            "~pin_low~",
-            "~crank_o~",
-            "~rod_of_~",
-        ];
-        assert_eq!(short, expected);
-        // Nothing tells a name from a longer one that begins with it; the longer one is told apart.
-        let nested = short_names(&["crank_pin_upper", "crank_pin_upper_2"]);
-        assert_eq!(nested, ["~in_upper", "~_upper_2"]);
-    }
 
     /// Every preset's tables at its opening.
     fn tables() -> Vec<Tables> {

@@ -1,0 +1,44 @@
+//! The clipboard of the terminal that the person sits at, which may be far from here: OSC 52.
+
+use termina::escape::osc::{Osc, Selection};
+use thiserror::Error;
+
+/// Many terminals drop a sequence of more than 100,000 bytes, and some of more than this in base64.
+const MOST_BASE64: usize = 74_994;
+/// Three bytes are four characters.
+const MOST_BYTES: usize = MOST_BASE64 / 4 * 3;
+
+/// More than a terminal takes.
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("{bytes} bytes are too many for a clipboard, which takes {MOST_BYTES}")]
+pub(crate) struct TooLarge {
+    bytes: usize,
+}
+
+/// The bytes that put a text on the clipboard. Nothing answers: whether it arrived is not known.
+pub(crate) fn sequence(text: &str) -> Result<Vec<u8>, TooLarge> {
+    if text.len() > MOST_BYTES {
+        return Err(TooLarge { bytes: text.len() });
+    }
+    let put = Osc::SetSelection(Selection::CLIPBOARD, text);
+    Ok(put.to_string().into_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_is_one_sequence_and_too_long_a_one_is_refused() {
+        assert_eq!(sequence("60").unwrap(), b"\x1b]52;c;NjA=\x1b\\");
+        let most = sequence(&"x".repeat(MOST_BYTES)).unwrap();
+        assert!(most.len() - b"\x1b]52;c;\x1b\\".len() <= MOST_BASE64);
+        let bytes = MOST_BYTES + 1;
+        let refused = sequence(&"x".repeat(bytes)).unwrap_err();
+        assert_eq!(refused, TooLarge { bytes });
+        assert_eq!(
+            refused.to_string(),
+            "56245 bytes are too many for a clipboard, which takes 56244"
+        );
+    }
+}

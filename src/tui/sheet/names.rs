@@ -1,0 +1,72 @@
+//! Names of rows, cut to what a small screen has room for.
+
+use std::collections::HashMap;
+
+/// Longer names are cut: they would push the figures from a small screen.
+const LONGEST_NAME: usize = 9;
+/// Stands where a name was cut.
+const CUT: char = '~';
+
+/// The names, none longer than may be, and those that differ still different: a name is cut behind its
+/// beginning, or where others begin alike, around the first part that it shares with no other.
+pub(super) fn short_names(names: &[&str]) -> Vec<String> {
+    const HEAD: usize = LONGEST_NAME - 1;
+    const INNER: usize = LONGEST_NAME - 2;
+    let mut heads = HashMap::new();
+    let mut parts = HashMap::new();
+    for name in names {
+        *heads.entry(name.get(..HEAD)).or_insert(0) += 1;
+        for at in 0..name.len() {
+            *parts.entry(name.get(at..at + INNER)).or_insert(0) += 1;
+        }
+    }
+    let short = |name: &&str| -> String {
+        // Names of scenes are ASCII: a byte is a character.
+        if name.len() <= LONGEST_NAME || !name.is_ascii() {
+            return name.chars().take(LONGEST_NAME).collect();
+        }
+        let last = name.len() - INNER;
+        if heads[&name.get(..HEAD)] == 1 {
+            return format!("{}{CUT}", &name[..HEAD]);
+        }
+        let different = |at: &usize| parts[&name.get(*at..at + INNER)] == 1;
+        // Whole words are known again most easily.
+        let words = (1..=last).filter(|&at| !name.as_bytes()[at - 1].is_ascii_alphanumeric());
+        match words.chain(1..=last).find(different) {
+            Some(at) if at < last => format!("{CUT}{}{CUT}", &name[at..at + INNER]),
+            _ => format!("{CUT}{}", &name[name.len() - HEAD..]),
+        }
+    };
+    names.iter().map(short).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_cut_so_that_they_still_differ() {
+        let short = short_names(&[
+            "r2",
+            "upper_rod",
+            "connecting_rod",
+            "crank_pin_upper",
+            "crank_pin_lower",
+            "driving_crank_of_the_press",
+            "driving_rod_of_the_press",
+        ]);
+        let expected = [
+            "r2",
+            "upper_rod",
+            "connecti~",
+            "~pin_upp~",
+            "~pin_low~",
+            "~crank_o~",
+            "~rod_of_~",
+        ];
+        assert_eq!(short, expected);
+        // Nothing tells a name from a longer one that begins with it; the longer one is told apart.
+        let nested = short_names(&["crank_pin_upper", "crank_pin_upper_2"]);
+        assert_eq!(nested, ["~in_upper", "~_upper_2"]);
+    }
+}

@@ -1,0 +1,99 @@
+//! All figures in columns, with a cursor on one of them. Where it is shows without colours and
+//! attributes too: `>` before its row, brackets around the figure; `+` marks the points that are
+//! chosen for the motion view.
+//!
+//! ```text
+//!    point        x [mm]      y [mm]
+//!    A             0.000       0.000
+//! >+ C           318.197    [236.202]
+//! ```
+
+use super::table::{columns_of, render_line};
+use super::{MARGIN, columns, mark_more, print};
+use crate::tui::app::App;
+use crate::tui::chosen;
+use crate::tui::cursor::seen;
+use crate::tui::sheet::{Line, Part as Rows};
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let (lines, height) = lines(app, area);
+    let area = place(area);
+    let most = lines.len().saturating_sub(height);
+    let scroll = app.scroll().min(most);
+    mark_more(area, scroll > 0, scroll < most, buffer);
+    for (y, at) in (area.top()..area.bottom()).zip(seen(&lines, scroll, height)) {
+        let height = 1;
+        let area = Rect { y, height, ..area };
+        render_line(app, &lines[at], area, buffer);
+        mark(app, &lines[at], area, buffer);
+    }
+}
+
+/// All lines of the tables at this width, and how many are seen.
+pub(super) fn lines(app: &App, area: Rect) -> (Vec<Line>, usize) {
+    let area = place(area);
+    let lines = app.stage().sheet().lines(area.width.into(), app.glyphs());
+    (lines, area.height.into())
+}
+
+pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
+    let (lines, height) = lines(app, area);
+    (lines.len(), height)
+}
+
+/// Where the figures stand: the marks to their left, the margin to their right.
+fn place(area: Rect) -> Rect {
+    Rect {
+        x: area.x + MARKS,
+        width: area.width.saturating_sub(MARKS + MARGIN),
+        ..area
+    }
+}
+
+/// The marks of the cursor and of what is chosen.
+fn mark(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
+    let Line::Row(part, row, _) = line else {
+        return;
+    };
+    let chosen = *part == Rows::Points && {
+        let points = chosen::moving(app.stage().scene(), *part, *row);
+        points
+            .iter()
+            .any(|(point, _)| app.chosen().contains(*point))
+    };
+    let key = theme::part(Part::Key);
+    if chosen {
+        print(buffer, area.x - 1, area.y, 1, CHOSEN, key);
+    }
+    let Some(cell) = app.cursor().cell_of(line) else {
+        return;
+    };
+    print(buffer, area.x - MARKS, area.y, 1, ROW, key);
+    let stage = app.stage();
+    let width = area.width.into();
+    let (name, cells) = stage
+        .sheet()
+        .show(line, stage.tables(), width, app.glyphs());
+    let widths = cells.iter().take(cell + 1).map(|cell| cell.width);
+    let right = name.width + widths.sum::<usize>();
+    let right = area.x.saturating_add(columns_of(right));
+    let Some(cell) = cells.get(cell).filter(|_| right <= area.right()) else {
+        return;
+    };
+    let text = columns(&cell.text);
+    let left = right.saturating_sub(text);
+    // There is a blank at either side of every figure.
+    print(buffer, left.saturating_sub(1), area.y, 1, "[", key);
+    print(buffer, right, area.y, 1, "]", key);
+    for x in left..right {
+        buffer[(x, area.y)].set_style(theme::part(Part::Cursor));
+    }
+}
+
+/// Columns at the left for the marks.
+const MARKS: u16 = 2;
+const ROW: &str = ">";
+const CHOSEN: &str = "+";
