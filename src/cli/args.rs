@@ -82,6 +82,14 @@ pub(super) struct WorkbenchArgs {
     #[cfg(feature = "tui")]
     #[arg(long, visible_alias = "color", value_enum, default_value_t)]
     pub(super) colour: Colour,
+    /// Which colours stand for the names of the palette [default: auto]
+    #[cfg(feature = "tui")]
+    #[arg(long, value_enum)]
+    pub(super) theme: Option<Theme>,
+    /// Tell what was found of the terminal, and why
+    #[cfg(feature = "tui")]
+    #[arg(long)]
+    pub(super) diagnose: bool,
 }
 
 /// The characters to draw with.
@@ -115,6 +123,20 @@ pub(super) enum Colour {
     Indexed,
     /// Any colour, in 24 bits
     True,
+}
+
+/// Colours that are chosen for a ground.
+#[cfg(feature = "tui")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Theme {
+    /// The palette's own, or such as read on any ground
+    Auto,
+    /// For a light ground
+    Light,
+    /// For a dark ground
+    Dark,
+    /// No colours
+    Plain,
 }
 
 #[derive(Debug, Subcommand)]

@@ -1,6 +1,6 @@
 //! Opening the workbench.
 
-use super::args::{Colour, Glyphs, WorkbenchArgs};
+use super::args::{Colour, Glyphs, Theme, WorkbenchArgs};
 use super::failure::Failure;
 use super::source::{Opened, Source, find, load};
 use crate::drawing;
@@ -15,11 +15,7 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
         Source::Preset(preset) => Origin::Preset(preset.name.to_owned()),
         Source::File(path) => Origin::File(path),
     };
-    let options = Options {
-        at: args.at.map(|at| at.value()),
-        glyphs: glyphs(args.glyphs),
-        colours: colours(args.colour),
-    };
+    let options = options(args);
     let opened = tui::Opened {
         scene,
         solver,
@@ -32,6 +28,25 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
             Failure::Cannot(error.to_string())
         }
     })
+}
+
+/// What is asked for on the command line.
+pub(super) fn options(args: &WorkbenchArgs) -> Options {
+    Options {
+        at: args.at.map(|at| at.value()),
+        glyphs: glyphs(args.glyphs),
+        colours: colours(args.colour),
+        theme: args.theme.map_or(tui::Theme::Auto, theme),
+    }
+}
+
+fn theme(wish: Theme) -> tui::Theme {
+    match wish {
+        Theme::Auto => tui::Theme::Auto,
+        Theme::Light => tui::Theme::Light,
+        Theme::Dark => tui::Theme::Dark,
+        Theme::Plain => tui::Theme::Plain,
+    }
 }
 
 fn glyphs(wish: Glyphs) -> Option<drawing::Glyphs> {

@@ -22,6 +22,7 @@ use super::keymap::Keymap;
 use super::lens::Lens;
 use super::line::Line;
 use super::opening;
+use super::palette::{Palette, Theme};
 use super::playback::Playback;
 use super::stage::Stage;
 use super::steps::Steps;
@@ -135,6 +136,7 @@ pub(crate) struct App {
     /// What the motion view shows beside the linkage, and how large.
     lens: Lens,
     capability: Capability,
+    theme: Theme,
     size: Size,
     /// The height of a cell for its width.
     aspect: f64,
@@ -166,6 +168,7 @@ impl App {
             keymap: Keymap::default(),
             lens: Lens::default(),
             capability,
+            theme: Theme::default(),
             size,
             aspect: USUAL_ASPECT,
             message: None,
@@ -253,6 +256,19 @@ impl App {
 
     pub(crate) fn colours(&self) -> Colours {
         self.capability.colours
+    }
+
+    /// How colours are sent.
+    pub(crate) fn palette(&self) -> Palette {
+        Palette {
+            colours: self.capability.colours,
+            theme: self.theme,
+        }
+    }
+
+    /// Names of colours stand for those of this theme.
+    pub(crate) fn set_theme(&mut self, theme: Theme) {
+        self.theme = theme;
     }
 
     pub(crate) fn message(&self) -> Option<&str> {
@@ -526,7 +542,14 @@ impl App {
     }
 
     fn next_colours(&mut self) {
-        self.message = Some("not there yet".into());
+        let colours = self.capability.colours.next();
+        self.capability.colours = colours;
+        self.message = Some(match colours {
+            Colours::None => "no colours".into(),
+            Colours::Sixteen => "the 16 colours of the terminal's palette".into(),
+            Colours::Indexed => "colours of the 256".into(),
+            Colours::True => "colours of 24 bits".into(),
+        });
     }
 
     fn next_glyphs(&mut self) {

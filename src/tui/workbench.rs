@@ -4,7 +4,7 @@ use super::app::{App, Effect};
 use super::key::Key;
 use super::terminal::Painter;
 use super::views::{self, Sketch};
-use super::{Frames, Opened};
+use super::{Frames, Opened, Theme};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use ratatui::layout::Size;
@@ -40,6 +40,13 @@ impl Workbench {
     #[must_use]
     pub fn timed_by(mut self, clock: fn() -> Duration) -> Self {
         self.app.set_clock(clock);
+        self
+    }
+
+    /// Names of colours stand for those of a theme.
+    #[must_use]
+    pub fn themed(mut self, theme: Theme) -> Self {
+        self.app.set_theme(theme);
         self
     }
 
@@ -81,8 +88,28 @@ impl Workbench {
 
     /// The bytes that bring the terminal from the last frame to this one; none if nothing differs.
     pub fn paint(&mut self) -> &[u8] {
-        views::prepare(&self.app, &mut self.sketch);
-        self.painter.frame(views::screen(&self.app, &self.sketch))
+        self.paint_within(usize::MAX)
+    }
+
+    /// The same on a line that has room for about so many bytes: what is urgent first, and what has no
+    /// room is left to [`Workbench::paint_rest`].
+    pub(super) fn paint_within(&mut self, room: usize) -> &[u8] {
+        let app = &self.app;
+        views::prepare(app, &mut self.sketch);
+        self.painter.paint_with(app.palette());
+        let canvas = self.painter.canvas(views::area(app));
+        views::render(app, &self.sketch, canvas);
+        self.painter.frame(&views::urgent(app), room)
+    }
+
+    /// Goes on with a frame that was cut: the screen as it was then.
+    pub(super) fn paint_rest(&mut self, room: usize) -> &[u8] {
+        self.painter.frame(&views::urgent(&self.app), room)
+    }
+
+    /// Whether the last frame was cut.
+    pub(super) fn is_cut(&self) -> bool {
+        self.painter.is_cut()
     }
 
     /// What the keys pressed since the last call send to the terminal beside frames: text for its
