@@ -84,6 +84,10 @@ pub(super) struct WorkbenchArgs {
     #[cfg(feature = "tui")]
     #[arg(long, visible_alias = "color", value_enum, default_value_t)]
     pub(super) colour: Colour,
+    /// Which colours stand for the names of the palette [default: auto]
+    #[cfg(feature = "tui")]
+    #[arg(long, value_enum)]
+    pub(super) theme: Option<Theme>,
     /// The view to open with
     #[cfg(feature = "tui")]
     #[arg(long, value_enum)]
@@ -95,7 +99,11 @@ pub(super) struct WorkbenchArgs {
     /// The size of the screen that is printed [default: 80x24]
     #[cfg(feature = "tui")]
     #[arg(long, value_name = "COLSxROWS", requires = "print")]
-    pub(super) size: Option<ScreenSize>,
+    pub(super) size: Option<Size>,
+    /// Tell what was found of the terminal, and why
+    #[cfg(feature = "tui")]
+    #[arg(long)]
+    pub(super) diagnose: bool,
 }
 
 /// A view of the workbench.
@@ -116,50 +124,6 @@ pub(super) enum View {
     Scene,
     /// What each length does
     Lengths,
-}
-
-/// A screen of so many columns and rows.
-#[cfg(feature = "tui")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct ScreenSize {
-    pub(super) cols: u16,
-    pub(super) rows: u16,
-}
-
-#[cfg(feature = "tui")]
-impl ScreenSize {
-    /// What most terminals open with.
-    pub(super) const USUAL: ScreenSize = ScreenSize { cols: 80, rows: 24 };
-    /// No screen is larger.
-    const LARGEST: ScreenSize = ScreenSize {
-        cols: 1000,
-        rows: 400,
-    };
-}
-
-#[cfg(feature = "tui")]
-impl std::str::FromStr for ScreenSize {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let most = ScreenSize::LARGEST;
-        let read = |text: &str, most: u16| {
-            let number: u16 = text.parse().ok()?;
-            (1..=most).contains(&number).then_some(number)
-        };
-        let size = text.split_once('x').and_then(|(cols, rows)| {
-            Some(ScreenSize {
-                cols: read(cols, most.cols)?,
-                rows: read(rows, most.rows)?,
-            })
-        });
-        size.ok_or_else(|| {
-            format!(
-                "must be columns and rows, such as 80x24, up to {}x{}",
-                most.cols, most.rows
-            )
-        })
-    }
 }
 
 /// The characters to draw with.
@@ -193,6 +157,20 @@ pub(super) enum Colour {
     Indexed,
     /// Any colour, in 24 bits
     True,
+}
+
+/// Colours that are chosen for a ground.
+#[cfg(feature = "tui")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Theme {
+    /// The palette's own, or such as read on any ground
+    Auto,
+    /// For a light ground
+    Light,
+    /// For a dark ground
+    Dark,
+    /// No colours
+    Plain,
 }
 
 #[derive(Debug, Subcommand)]

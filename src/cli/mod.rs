@@ -3,6 +3,8 @@
 mod accuracy;
 mod args;
 mod commands;
+#[cfg(feature = "tui")]
+mod diagnose;
 mod draw;
 mod failure;
 mod misuse;
@@ -76,6 +78,8 @@ fn lines_made_harmless(text: &str, screen: Screen) -> String {
 
 fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
     match &cli.command {
+        #[cfg(feature = "tui")]
+        None if cli.workbench.diagnose => diagnose::diagnose(&cli.workbench),
         None => workbench::open(&cli.workbench),
         Some(Command::List) => commands::list(screen),
         Some(Command::Check(args)) => commands::check(args, screen),

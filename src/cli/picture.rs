@@ -7,7 +7,7 @@ use crate::drawing;
 use std::path::Path;
 
 /// Where nothing tells the size.
-const USUAL: Size = Size { cols: 80, rows: 24 };
+pub(super) const USUAL: Size = Size { cols: 80, rows: 24 };
 
 /// The height of a character for its width, in most fonts.
 pub(super) const ASPECT: f64 = 2.0;

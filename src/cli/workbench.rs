@@ -1,8 +1,9 @@
 //! Opening the workbench.
 
-use super::args::{Colour, Glyphs, ScreenSize, View, WorkbenchArgs};
+use super::args::{Colour, Glyphs, Size, Theme, View, WorkbenchArgs};
 use super::failure::Failure;
 use super::output::write_text;
+use super::picture;
 use super::source::{Opened, Source, find, load};
 use crate::drawing;
 use crate::tui::{self, Colours, Options, Origin};
@@ -17,19 +18,14 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
         Source::Preset(preset) => Origin::Preset(preset.name.to_owned()),
         Source::File(path) => Origin::File(path),
     };
-    let options = Options {
-        at: args.at.map(|at| at.value()),
-        glyphs: glyphs(args.glyphs),
-        colours: colours(args.colour),
-        view: args.view.map(view),
-    };
+    let options = options(args);
     let opened = tui::Opened {
         scene,
         solver,
         origin,
     };
     if args.print {
-        let ScreenSize { cols, rows } = args.size.unwrap_or(ScreenSize::USUAL);
+        let Size { cols, rows } = args.size.unwrap_or(picture::USUAL);
         return write_text(None, &tui::picture(opened, &options, cols, rows));
     }
     tui::run(opened, &options).map_err(|error| {
@@ -39,6 +35,26 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
             Failure::Cannot(error.to_string())
         }
     })
+}
+
+/// What is asked for on the command line.
+pub(super) fn options(args: &WorkbenchArgs) -> Options {
+    Options {
+        at: args.at.map(|at| at.value()),
+        glyphs: glyphs(args.glyphs),
+        colours: colours(args.colour),
+        theme: args.theme.map_or(tui::Theme::Auto, theme),
+        view: args.view.map(view),
+    }
+}
+
+fn theme(wish: Theme) -> tui::Theme {
+    match wish {
+        Theme::Auto => tui::Theme::Auto,
+        Theme::Light => tui::Theme::Light,
+        Theme::Dark => tui::Theme::Dark,
+        Theme::Plain => tui::Theme::Plain,
+    }
 }
 
 fn view(wish: View) -> tui::View {

@@ -23,6 +23,7 @@ use super::keymap::Keymap;
 use super::lens::Lens;
 use super::line::Line;
 use super::opening;
+use super::palette::{Palette, Theme};
 use super::picker::Picker;
 use super::playback::Playback;
 use super::preview::Previews;
@@ -158,6 +159,7 @@ pub(crate) struct App {
     /// The text of the scene as it was opened.
     original: Arc<str>,
     capability: Capability,
+    theme: Theme,
     size: Size,
     /// The height of a cell for its width.
     aspect: f64,
@@ -194,6 +196,7 @@ impl App {
             previews: Previews::default(),
             original,
             capability,
+            theme: Theme::default(),
             size,
             aspect: USUAL_ASPECT,
             message: None,
@@ -286,6 +289,19 @@ impl App {
 
     pub(crate) fn colours(&self) -> Colours {
         self.capability.colours
+    }
+
+    /// How colours are sent.
+    pub(crate) fn palette(&self) -> Palette {
+        Palette {
+            colours: self.capability.colours,
+            theme: self.theme,
+        }
+    }
+
+    /// Names of colours stand for those of this theme.
+    pub(crate) fn set_theme(&mut self, theme: Theme) {
+        self.theme = theme;
     }
 
     pub(crate) fn message(&self) -> Option<&str> {
@@ -579,7 +595,14 @@ impl App {
     }
 
     fn next_colours(&mut self) {
-        self.message = Some("not there yet".into());
+        let colours = self.capability.colours.next();
+        self.capability.colours = colours;
+        self.message = Some(match colours {
+            Colours::None => "no colours".into(),
+            Colours::Sixteen => "the 16 colours of the terminal's palette".into(),
+            Colours::Indexed => "colours of the 256".into(),
+            Colours::True => "colours of 24 bits".into(),
+        });
     }
 
     fn next_glyphs(&mut self) {

@@ -5,6 +5,7 @@
 //! test. The timer follows the wall clock; while paused nothing wakes up and nothing is written.
 
 mod action;
+mod ahead;
 mod app;
 mod chosen;
 mod clipboard;
@@ -20,6 +21,7 @@ mod keymap;
 mod lens;
 mod line;
 mod opening;
+mod palette;
 mod panel;
 mod picker;
 mod picture;
@@ -40,7 +42,9 @@ mod writing;
 pub use crate::capability::Colours;
 pub use app::View;
 pub use help::key_list;
+pub use palette::Theme;
 pub use picture::picture;
+pub use terminal::Terminal;
 pub use workbench::Workbench;
 
 use crate::capability::Judgement;
@@ -90,6 +94,8 @@ pub struct Options {
     pub colours: Option<Colours>,
     /// The view to open with.
     pub view: Option<View>,
+    /// Which colours stand for the names of the palette.
+    pub theme: Theme,
 }
 
 /// Frames with at least one changed cell, and what they cost.
@@ -148,12 +154,13 @@ impl Error {
 /// an error too.
 pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     let judgement = Judgement::of(|name| std::env::var(name).ok());
-    let capability = judgement.capability(options.glyphs, options.colours);
+    let plain = (options.theme == Theme::Plain).then_some(Colours::None);
+    let capability = judgement.capability(options.glyphs, options.colours.or(plain));
     let capability = capability.ok_or(Error::Dumb)?;
     let end = catching(|| {
         let gate = Gate::open(capability)?;
         let size = gate.size();
-        let workbench = Workbench::on(opened, options.at, capability, size);
+        let workbench = Workbench::on(opened, options.at, capability, size).themed(options.theme);
         let workbench = workbench.looking_at(options.view.unwrap_or(View::Motion));
         let session = Session {
             gate,
@@ -215,24 +222,41 @@ type End = Option<i32>;
 
 impl Session {
     fn run(mut self) -> Result<End, Error> {
-        // Whether something has happened that no frame has shown yet.
-        let mut owed = true;
+        // Whether something has happened that no frame has shown yet, and whether that is worth another
+        // picture before the last one was sent to its end.
+        let (mut owed, mut anew) = (true, true);
         loop {
             let ready = self.gate.ready_at();
             if owed && ready.is_none_or(|ready| ready <= Instant::now()) {
-                self.workbench.app().weigh();
-                self.gate.send(self.workbench.paint())?;
-                owed = false;
+                self.paint(anew)?;
+                owed = self.workbench.is_cut();
+                anew = !owed;
                 fault_on_demand();
             }
             let deadline = self.deadline(owed);
             let wakes = self.gate.wait(deadline)?;
             owed = true;
+            // What moves on by itself waits for a slow line: half of one picture and half of the next
+            // would be none.
+            anew |= wakes.iter().any(|wake| *wake != Wake::Room);
             // Everything that has come is taken in before one frame shows it.
             if let Some(end) = self.take_all(wakes)? {
                 return Ok(end);
             }
         }
+    }
+
+    /// Sends the screen as it is now, or what was left of it before.
+    fn paint(&mut self, anew: bool) -> Result<(), Error> {
+        let room = self.gate.room();
+        let frame = if anew {
+            self.workbench.app().weigh();
+            self.workbench.paint_within(room)
+        } else {
+            self.workbench.paint_rest(room)
+        };
+        self.gate.send(frame)?;
+        Ok(())
     }
 
     /// Until when to wait, if nothing happens before.

@@ -4,9 +4,10 @@ use super::app::{App, Effect, View};
 use super::key::Key;
 use super::terminal::Painter;
 use super::views::{self, Sketch};
-use super::{Frames, Opened};
+use super::{Frames, Opened, Theme};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
+use ratatui::buffer::Buffer;
 use ratatui::layout::Size;
 use std::time::Duration;
 
@@ -57,6 +58,13 @@ impl Workbench {
         }
     }
 
+    /// Names of colours stand for those of a theme.
+    #[must_use]
+    pub fn themed(mut self, theme: Theme) -> Self {
+        self.app.set_theme(theme);
+        self
+    }
+
     /// Opens a scene at `at`, or where it says.
     pub(super) fn on(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
         Workbench {
@@ -95,15 +103,38 @@ impl Workbench {
 
     /// The bytes that bring the terminal from the last frame to this one; none if nothing differs.
     pub fn paint(&mut self) -> &[u8] {
+        self.paint_within(usize::MAX)
+    }
+
+    /// The same on a line that has room for about so many bytes: what is urgent first, and what has no
+    /// room is left to [`Workbench::paint_rest`].
+    pub(super) fn paint_within(&mut self, room: usize) -> &[u8] {
         self.app.catch_up();
-        views::prepare(&self.app, &mut self.sketch);
-        self.painter.frame(views::screen(&self.app, &self.sketch))
+        let app = &self.app;
+        views::prepare(app, &mut self.sketch);
+        self.painter.paint_with(app.palette());
+        let canvas = self.painter.canvas(views::area(app));
+        views::render(app, &self.sketch, canvas);
+        self.painter.frame(&views::urgent(app), room)
+    }
+
+    /// Goes on with a frame that was cut: the screen as it was then.
+    pub(super) fn paint_rest(&mut self, room: usize) -> &[u8] {
+        self.painter.frame(&views::urgent(&self.app), room)
+    }
+
+    /// Whether the last frame was cut.
+    pub(super) fn is_cut(&self) -> bool {
+        self.painter.is_cut()
     }
 
     /// The screen as text: its lines without the blanks at their ends.
     pub fn text(&mut self) -> String {
+        self.app.catch_up();
         views::prepare(&self.app, &mut self.sketch);
-        views::text(&views::screen(&self.app, &self.sketch))
+        let mut buffer = Buffer::empty(views::area(&self.app));
+        views::render(&self.app, &self.sketch, &mut buffer);
+        views::text(&buffer)
     }
 
     /// What the keys pressed since the last call send to the terminal beside frames: text for its

@@ -1,6 +1,7 @@
 //! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
 
 use super::keyboard::{Input, Keyboard};
+use super::line::Line;
 use super::pace::{Pace, QUESTION};
 use super::signals::{self, Notice, Signals};
 use crate::capability::Capability;
@@ -92,7 +93,7 @@ impl Gate {
             cut: false,
             signals: Signals::new()?,
             keyboard: Keyboard::default(),
-            pace: Pace::new(),
+            pace: Pace::new(None),
             wakes: Vec::new(),
         };
         gate.enter()?;
@@ -102,7 +103,7 @@ impl Gate {
     /// Raw mode and alternate screen. What the screen shows afterwards is not known.
     pub(crate) fn enter(&mut self) -> io::Result<()> {
         self.entered = true;
-        self.pace = Pace::new();
+        self.pace = Pace::new(Line::of(&self.screen).and_then(Line::rate));
         let mut raw = self.found.clone();
         raw.make_raw();
         tcsetattr(&self.keys, OptionalActions::Now, &raw)?;
@@ -167,13 +168,18 @@ impl Gate {
         self.pace.ready_at()
     }
 
+    /// So many bytes the next frame may have.
+    pub(crate) fn room(&self) -> usize {
+        self.pace.room()
+    }
+
     /// Writes a frame; one without a byte is none. On a line that hangs, what ends the program ends
     /// the writing too; it is reported by the next [`Gate::wait`].
     pub(crate) fn send(&mut self, frame: &[u8]) -> io::Result<()> {
         if frame.is_empty() {
             return Ok(());
         }
-        let ask = self.pace.send(Instant::now());
+        let ask = self.pace.send(frame.len(), Instant::now());
         let question = if ask { QUESTION } else { &[] };
         self.write_all(&[frame, question].concat())
     }
@@ -181,6 +187,7 @@ impl Gate {
     /// Writes what is no part of a frame and is never dropped for one: whole, once, behind what was
     /// sent before. The screen must not change by it.
     pub(crate) fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.pace.say(bytes.len());
         self.write_all(bytes)
     }
 
@@ -276,7 +283,7 @@ impl Gate {
                 Input::Key(key) => Wake::Key(key),
                 Input::Paste(text) => Wake::Paste(text),
                 Input::Answer => {
-                    self.pace.answered();
+                    self.pace.answered(now);
                     Wake::Room
                 }
             });

@@ -4,12 +4,16 @@
 //! linkages. One reader reads all that the terminal sends (`keyboard`), one writer writes whole
 //! frames (`painter`), one guard puts the terminal back as it was found (`gate`).
 
+mod about;
 mod gate;
 mod keyboard;
+mod line;
 mod pace;
 mod painter;
+mod pen;
 mod signals;
 
+pub use about::Terminal;
 pub(crate) use gate::{Gate, Wake};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};

@@ -4,47 +4,46 @@
 //! what differs: one frame, one block of bytes, none at all where nothing differs. It keeps to what
 //! a VT100 understands (CUP, CUF, EL, SGR), asks nothing, and never relies on where the cursor is
 //! after the last column. Every cell is one column wide: the views let nothing else through.
+//!
+//! A frame for which the line has no room is cut, and the rest is carried over: what the terminal
+//! shows is known cell by cell, so that the next frame simply has these changes left. What is urgent
+//! comes first, the rest from the top, or from where the last frame was cut.
 
-use crate::capability::{Capability, Colours};
+use super::pen::{Look, Pen, escape};
+use crate::capability::Capability;
 use crate::tui::Frames;
+use crate::tui::palette::{Palette, Theme};
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
-use ratatui::style::{Color, Modifier};
-use std::io::Write;
+use std::ops::Range;
 
 const SYNC_ON: &[u8] = b"\x1b[?2026h";
 const SYNC_OFF: &[u8] = b"\x1b[?2026l";
-const PLAIN: &[u8] = b"\x1b[0m";
-const CLEAR: &[u8] = b"\x1b[2J";
+/// Whatever was in force, and whatever is on the screen.
+const CLEAR: &[u8] = b"\x1b[0m\x1b[2J";
 const ERASE_TO_END: &[u8] = b"\x1b[K";
 
 /// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
 const REWRITE: u16 = 4;
-
-/// Colours and attributes in force.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Pen {
-    fg: Color,
-    bg: Color,
-    modifier: Modifier,
-}
-
-impl Pen {
-    const PLAIN: Pen = Pen {
-        fg: Color::Reset,
-        bg: Color::Reset,
-        modifier: Modifier::empty(),
-    };
-}
+/// What a frame may end with beyond its room: a cell with its way and its pen, and the pen put down.
+const ENDING: usize = 32;
 
 /// Writes frames.
 #[derive(Debug)]
 pub(crate) struct Painter {
-    capability: Capability,
-    /// What the terminal shows.
+    look: Look,
+    /// Whether frames are bracketed, so that they appear at once.
+    synchronised: bool,
+    /// What the terminal shows, as far as `stale` does not say otherwise.
     shown: Buffer,
+    /// What it is to show.
+    wanted: Buffer,
     /// Whether it shows something else, so that all must be cleared and drawn again.
     stale: bool,
+    /// The row at which the last frame was cut.
+    cut: Option<u16>,
+    /// So many bytes a frame may have.
+    room: usize,
     bytes: Vec<u8>,
     /// Where the cursor is, if that is certain.
     cursor: Option<(u16, u16)>,
@@ -52,14 +51,29 @@ pub(crate) struct Painter {
     frames: Frames,
 }
 
+/// The line has no room for more.
+#[derive(Debug)]
+struct Full;
+
 impl Painter {
     /// A painter for a terminal that shows anything.
     #[must_use]
     pub(crate) fn new(capability: Capability) -> Self {
+        let palette = Palette {
+            colours: capability.colours,
+            theme: Theme::Auto,
+        };
         Painter {
-            capability,
+            look: Look {
+                palette,
+                has_faint: capability.modern,
+            },
+            synchronised: capability.modern,
             shown: Buffer::empty(Rect::ZERO),
+            wanted: Buffer::empty(Rect::ZERO),
             stale: true,
+            cut: None,
+            room: usize::MAX,
             bytes: Vec::new(),
             cursor: None,
             pen: Pen::PLAIN,
@@ -72,78 +86,132 @@ impl Painter {
         self.stale = true;
     }
 
+    /// Sends colours so from now on. What was drawn with others is drawn again.
+    pub(crate) fn paint_with(&mut self, palette: Palette) {
+        self.stale |= self.look.palette != palette;
+        self.look.palette = palette;
+    }
+
     /// What has been painted so far.
     #[must_use]
     pub(crate) fn frames(&self) -> Frames {
         self.frames
     }
 
-    /// The bytes that make the terminal show `wanted`; none if it does already.
-    pub(crate) fn frame(&mut self, wanted: Buffer) -> &[u8] {
+    /// Whether the last frame was cut: the terminal does not yet show what is wanted.
+    #[must_use]
+    pub(crate) fn is_cut(&self) -> bool {
+        self.cut.is_some()
+    }
+
+    /// What the terminal is to show from the next frame on: empty, and of this size.
+    pub(crate) fn canvas(&mut self, area: Rect) -> &mut Buffer {
+        empty(&mut self.wanted, area);
+        &mut self.wanted
+    }
+
+    /// The bytes that make the terminal show what is wanted, what is `urgent` first; none if it does
+    /// already. About `room` of them at the most: [`Painter::is_cut`] says whether that was enough.
+    pub(crate) fn frame(&mut self, urgent: &[Rect], room: usize) -> &[u8] {
         self.bytes.clear();
-        let stale = self.stale || self.shown.area != wanted.area;
-        if stale {
-            self.shown = Buffer::empty(wanted.area);
-        }
-        if !stale && self.shown == wanted {
-            return &self.bytes;
-        }
-        self.cursor = None;
-        if self.capability.modern {
-            self.bytes.extend_from_slice(SYNC_ON);
-        }
-        if stale {
-            self.bytes.extend_from_slice(PLAIN);
+        (self.cursor, self.pen) = (None, Pen::PLAIN);
+        self.stale |= self.shown.area != self.wanted.area;
+        let prologue = if self.synchronised { SYNC_ON } else { &[] };
+        self.bytes.extend_from_slice(prologue);
+        let clear = std::mem::take(&mut self.stale);
+        if clear {
+            empty(&mut self.shown, self.wanted.area);
             self.bytes.extend_from_slice(CLEAR);
         }
-        let prologue = self.bytes.len();
-        for y in 0..wanted.area.height {
-            self.row(&wanted, y);
-        }
-        let changed = stale || self.bytes.len() > prologue;
-        if !changed {
-            // The screens differ in what this terminal cannot show, a colour for instance.
+        self.room = room.saturating_sub(ENDING);
+        let wanted = std::mem::replace(&mut self.wanted, Buffer::empty(Rect::ZERO));
+        let from = self.cut.take().unwrap_or(0);
+        self.cut = self.rows(&wanted, urgent, from).err();
+        self.wanted = wanted;
+        if self.bytes.len() == prologue.len() {
+            // If the screens differ, then in what this terminal cannot show, a colour for instance.
             self.bytes.clear();
-        } else {
-            self.set_pen(Pen::PLAIN);
-            if self.capability.modern {
-                self.bytes.extend_from_slice(SYNC_OFF);
-            }
-            self.frames.count += 1;
-            self.frames.bytes += self.bytes.len() as u64;
+            return &self.bytes;
         }
-        self.shown = wanted;
-        self.stale = false;
+        Pen::PLAIN.take_up(self.pen, &mut self.bytes);
+        if self.is_cut() {
+            // Half a picture need not appear at once, and the brackets cost as much as a figure.
+            self.bytes.drain(..prologue.len());
+        } else if self.synchronised {
+            self.bytes.extend_from_slice(SYNC_OFF);
+        }
+        self.frames.count += 1;
+        self.frames.bytes += self.bytes.len() as u64;
         &self.bytes
     }
 
-    fn row(&mut self, wanted: &Buffer, y: u16) {
+    /// Writes what differs, until there is no room: then the row that was being written.
+    fn rows(&mut self, wanted: &Buffer, urgent: &[Rect], from: u16) -> Result<(), u16> {
+        let area = wanted.area;
+        for part in urgent.iter().map(|part| part.intersection(area)) {
+            for y in part.top()..part.bottom() {
+                let span = part.left()..part.right();
+                self.span(wanted, y, span).map_err(|Full| from)?;
+            }
+        }
+        for y in (from..area.height).chain(0..from.min(area.height)) {
+            self.span(wanted, y, 0..area.width).map_err(|Full| y)?;
+        }
+        Ok(())
+    }
+
+    /// Writes what differs in some columns of a row.
+    fn span(&mut self, wanted: &Buffer, y: u16, columns: Range<u16>) -> Result<(), Full> {
         let width = wanted.area.width;
         let start = usize::from(y) * usize::from(width);
         let next = &wanted.content[start..start + usize::from(width)];
-        let shown = std::mem::take(&mut self.shown.content);
-        let previous = &shown[start..start + usize::from(width)];
-        let (end, erase) = self.tail(previous, next);
-        for x in 0..end {
+        let cells = usize::from(columns.start)..usize::from(columns.end);
+        if self.shown.content[start..][cells.clone()] == next[cells] {
+            return Ok(());
+        }
+        let (end, erase) = if columns.end == width {
+            self.tail(&self.shown.content[start..][..next.len()], next)
+        } else {
+            (columns.end, false)
+        };
+        for x in columns.start..end {
             let cell = &next[usize::from(x)];
-            if !self.same(&previous[usize::from(x)], cell) {
-                self.go_to(x, y, next);
-                self.put(cell, width);
+            if self
+                .look
+                .same(&self.shown.content[start + usize::from(x)], cell)
+            {
+                continue;
             }
+            self.has_room()?;
+            self.go_to(x, y, next);
+            self.put(cell, width);
+            self.shown.content[start + usize::from(x)] = cell.clone();
         }
         if erase {
+            self.has_room()?;
             self.go_to(end, y, next);
             self.set_pen(Pen::PLAIN);
             self.bytes.extend_from_slice(ERASE_TO_END);
+            self.shown.content[start + usize::from(end)..start + usize::from(width)]
+                .fill(Cell::EMPTY);
         }
-        self.shown.content = shown;
+        Ok(())
+    }
+
+    /// However little room there is, a frame brings something.
+    fn has_room(&self) -> Result<(), Full> {
+        let begun = self.bytes.len() > SYNC_ON.len() + CLEAR.len();
+        if begun && self.bytes.len() >= self.room {
+            return Err(Full);
+        }
+        Ok(())
     }
 
     /// Up to where a row is written cell by cell, and whether the rest is erased at once.
     fn tail(&self, previous: &[Cell], next: &[Cell]) -> (u16, bool) {
-        let blank = |cell: &Cell| cell.symbol() == " " && self.pen_of(cell) == Pen::PLAIN;
-        let end = next.iter().rposition(|c| !blank(c)).map_or(0, |i| i + 1);
-        let to_erase = previous[end..].iter().filter(|c| !blank(c)).count();
+        let is_ink = |cell: &Cell| !self.look.is_blank(cell);
+        let end = next.iter().rposition(is_ink).map_or(0, |i| i + 1);
+        let to_erase = previous[end..].iter().filter(|c| is_ink(c)).count();
         if to_erase > ERASE_TO_END.len() {
             (to_u16(end), true)
         } else {
@@ -151,39 +219,50 @@ impl Painter {
         }
     }
 
-    fn same(&self, a: &Cell, b: &Cell) -> bool {
-        a.symbol() == b.symbol() && self.pen_of(a) == self.pen_of(b)
-    }
-
     /// Moves the cursor by the shorter of the ways there.
     fn go_to(&mut self, x: u16, y: u16, row: &[Cell]) {
         match self.cursor {
             Some((cx, cy)) if (cx, cy) == (x, y) => return,
             Some((cx, cy)) if cy == y && cx < x => {
-                let between = &row[usize::from(cx)..usize::from(x)];
+                let between = usize::from(cx)..usize::from(x);
+                let start = usize::from(y) * row.len();
+                let shown = &self.shown.content[start..][..row.len()];
                 let cheap = x - cx <= REWRITE
-                    && between
+                    && row[between.clone()]
                         .iter()
-                        .all(|c| c.symbol().len() == 1 && self.pen_of(c) == self.pen);
+                        .zip(&shown[between.clone()])
+                        .all(|(cell, shown)| {
+                            cell.symbol().len() == 1
+                                && self.look.same(cell, shown)
+                                && self.suits(cell)
+                        });
                 if cheap {
-                    for cell in between {
+                    for cell in &row[between] {
                         self.bytes.extend_from_slice(cell.symbol().as_bytes());
                     }
                 } else if x - cx == 1 {
                     self.bytes.extend_from_slice(b"\x1b[C");
                 } else {
-                    self.escape(format_args!("\x1b[{}C", x - cx));
+                    escape(&mut self.bytes, format_args!("\x1b[{}C", x - cx));
                 }
             }
             Some((_, cy)) if x == 0 && y == cy + 1 => self.bytes.extend_from_slice(b"\r\n"),
-            _ if x == 0 => self.escape(format_args!("\x1b[{}H", y + 1)),
-            _ => self.escape(format_args!("\x1b[{};{}H", y + 1, x + 1)),
+            _ if x == 0 => escape(&mut self.bytes, format_args!("\x1b[{}H", y + 1)),
+            _ => escape(&mut self.bytes, format_args!("\x1b[{};{}H", y + 1, x + 1)),
         }
         self.cursor = Some((x, y));
     }
 
+    /// Whether a cell can be written with the pen in force. A blank shows nothing of most pens.
+    fn suits(&self, cell: &Cell) -> bool {
+        let pen = self.look.pen_of(cell);
+        pen == self.pen || (cell.symbol() == " " && pen == Pen::PLAIN && self.pen.leaves_blanks())
+    }
+
     fn put(&mut self, cell: &Cell, width: u16) {
-        self.set_pen(self.pen_of(cell));
+        if !self.suits(cell) {
+            self.set_pen(self.look.pen_of(cell));
+        }
         self.bytes.extend_from_slice(cell.symbol().as_bytes());
         // Behind the last column terminals differ.
         self.cursor = self
@@ -192,98 +271,17 @@ impl Painter {
             .filter(|&(x, _)| x < width);
     }
 
-    /// A cell's colours and attributes, as far as the terminal has them.
-    fn pen_of(&self, cell: &Cell) -> Pen {
-        let shown = |colour| match self.capability.colours {
-            Colours::None => Color::Reset,
-            Colours::Sixteen | Colours::Indexed | Colours::True => colour,
-        };
-        // The Linux console shows faint text in a grey that is hard to read; a VT100 has none.
-        let faint = if self.capability.modern {
-            Modifier::empty()
-        } else {
-            Modifier::DIM
-        };
-        Pen {
-            fg: shown(cell.fg),
-            bg: shown(cell.bg),
-            modifier: cell.modifier - faint,
-        }
-    }
-
     fn set_pen(&mut self, pen: Pen) {
-        if pen == self.pen {
-            return;
-        }
-        let has = self.pen;
+        pen.take_up(self.pen, &mut self.bytes);
         self.pen = pen;
-        if pen == Pen::PLAIN {
-            self.bytes.extend_from_slice(PLAIN);
-            return;
-        }
-        // An attribute is taken away by starting over: VT100s do not know how to end a single one.
-        let over = !pen.modifier.contains(has.modifier);
-        let has = if over { Pen::PLAIN } else { has };
-        self.bytes.extend_from_slice(b"\x1b[");
-        if over {
-            self.bytes.extend_from_slice(b"0;");
-        }
-        for (modifier, code) in ATTRIBUTES {
-            if (pen.modifier - has.modifier).contains(modifier) {
-                self.escape(format_args!("{code};"));
-            }
-        }
-        if pen.fg != has.fg {
-            self.colour(pen.fg, 0);
-        }
-        if pen.bg != has.bg {
-            self.colour(pen.bg, 10);
-        }
-        // The last separator becomes the end.
-        self.bytes.pop();
-        self.bytes.push(b'm');
-    }
-
-    /// A colour with a separator behind it; `layer` is 0 for the foreground, 10 for the background.
-    fn colour(&mut self, colour: Color, layer: u8) {
-        let name = match colour {
-            Color::Reset => 39,
-            Color::Black => 30,
-            Color::Red => 31,
-            Color::Green => 32,
-            Color::Yellow => 33,
-            Color::Blue => 34,
-            Color::Magenta => 35,
-            Color::Cyan => 36,
-            Color::Gray => 37,
-            Color::DarkGray => 90,
-            Color::LightRed => 91,
-            Color::LightGreen => 92,
-            Color::LightYellow => 93,
-            Color::LightBlue => 94,
-            Color::LightMagenta => 95,
-            Color::LightCyan => 96,
-            Color::White => 97,
-            Color::Indexed(i) => return self.escape(format_args!("{};5;{i};", 38 + layer)),
-            Color::Rgb(r, g, b) => {
-                return self.escape(format_args!("{};2;{r};{g};{b};", 38 + layer));
-            }
-        };
-        self.escape(format_args!("{};", name + layer));
-    }
-
-    fn escape(&mut self, text: std::fmt::Arguments<'_>) {
-        // Writing into memory cannot fail.
-        let _ = self.bytes.write_fmt(text);
     }
 }
 
-const ATTRIBUTES: [(Modifier, u8); 4] = [
-    (Modifier::BOLD, 1),
-    (Modifier::DIM, 2),
-    (Modifier::UNDERLINED, 4),
-    (Modifier::REVERSED, 7),
-];
+/// Nothing but ground, of this size; memory is used again.
+fn empty(buffer: &mut Buffer, area: Rect) {
+    buffer.resize(area);
+    buffer.reset();
+}
 
 /// Positions within a row, which is at most `u16::MAX` wide.
 fn to_u16(n: usize) -> u16 {
@@ -293,9 +291,11 @@ fn to_u16(n: usize) -> u16 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::capability::Colours;
     use crate::drawing::Glyphs;
     use proptest::prelude::*;
     use ratatui::style::Style;
+    use ratatui::style::{Color, Modifier};
     use std::num::NonZeroU16;
 
     const WIDTH: u16 = 12;
@@ -314,6 +314,13 @@ mod tests {
         vt100::Parser::new(rows, cols, 0)
     }
 
+    impl Painter {
+        fn whole(&mut self, wanted: Buffer) -> &[u8] {
+            self.wanted = wanted;
+            self.frame(&[], usize::MAX)
+        }
+    }
+
     fn text(lines: &[&str]) -> Buffer {
         let mut buffer = Buffer::empty(Rect::new(0, 0, WIDTH, HEIGHT));
         for (y, line) in (0..HEIGHT).zip(lines) {
@@ -325,20 +332,20 @@ mod tests {
     #[test]
     fn nothing_changed_is_no_byte() {
         let mut painter = painter(Colours::Sixteen, true);
-        assert!(!painter.frame(text(&["hello"])).is_empty());
-        assert!(painter.frame(text(&["hello"])).is_empty());
+        assert!(!painter.whole(text(&["hello"])).is_empty());
+        assert!(painter.whole(text(&["hello"])).is_empty());
         assert_eq!(painter.frames().count, 1);
         painter.forget();
-        assert!(!painter.frame(text(&["hello"])).is_empty());
+        assert!(!painter.whole(text(&["hello"])).is_empty());
     }
 
     #[test]
     fn what_the_terminal_cannot_show_is_no_change() {
         let mut painter = painter(Colours::None, true);
-        painter.frame(text(&["hello"]));
+        painter.whole(text(&["hello"]));
         let mut red = text(&["hello"]);
         red.set_style(Rect::new(0, 0, 3, 1), Style::new().fg(Color::Red));
-        assert!(painter.frame(red).is_empty());
+        assert!(painter.whole(red).is_empty());
     }
 
     #[test]
@@ -350,7 +357,7 @@ mod tests {
         );
         let bytes = |modern| {
             let mut painter = painter(Colours::Sixteen, modern);
-            painter.frame(faint.clone()).escape_ascii().to_string()
+            painter.whole(faint.clone()).escape_ascii().to_string()
         };
         assert!(bytes(true).contains(r"\x1b[2munit"), "{}", bytes(true));
         assert!(!bytes(false).contains("[2m"), "{}", bytes(false));
@@ -359,21 +366,21 @@ mod tests {
     #[test]
     fn a_change_costs_what_it_must() {
         let mut painter = painter(Colours::Sixteen, false);
-        painter.frame(text(&["omega 1.234", "alpha"]));
-        let frame = painter.frame(text(&["omega 1.235", "Alpha"])).to_vec();
+        painter.whole(text(&["omega 1.234", "alpha"]));
+        let frame = painter.whole(text(&["omega 1.235", "Alpha"])).to_vec();
         assert_eq!(frame.escape_ascii().to_string(), r"\x1b[1;11H5\r\nA");
-        let erased = painter.frame(text(&["", "Alpha"])).to_vec();
+        let erased = painter.whole(text(&["", "Alpha"])).to_vec();
         assert_eq!(erased.escape_ascii().to_string(), r"\x1b[1H\x1b[K");
     }
 
     #[test]
     fn colours_of_the_palette_have_their_short_form() {
         let mut painter = painter(Colours::Sixteen, false);
-        painter.frame(text(&[]));
+        painter.whole(text(&[]));
         let mut wanted = text(&["ab"]);
         let bold_red = Style::new().fg(Color::Red).add_modifier(Modifier::BOLD);
         wanted.set_style(Rect::new(0, 0, 1, 1), bold_red);
-        let frame = painter.frame(wanted).to_vec();
+        let frame = painter.whole(wanted).to_vec();
         assert_eq!(
             frame.escape_ascii().to_string(),
             r"\x1b[1H\x1b[1;31ma\x1b[0mb"
@@ -400,6 +407,28 @@ mod tests {
         })
     }
 
+    /// What can be seen of a cell: of a blank neither its colour nor whether it is bold.
+    fn seen(terminal: &vt100::Parser, x: u16, y: u16) -> impl PartialEq + std::fmt::Debug {
+        let cell = terminal.screen().cell(y, x).unwrap();
+        let blank = !cell.has_contents() || cell.contents() == " ";
+        let ink = (!blank || cell.inverse()).then(|| (cell.fgcolor(), cell.bold(), cell.dim()));
+        let text = if blank { " " } else { cell.contents() };
+        let ground = (cell.bgcolor(), cell.inverse(), cell.underline());
+        (text.to_owned(), ink, ground)
+    }
+
+    fn shows(terminal: &vt100::Parser, screen: &Buffer, modern: bool) -> Result<(), TestCaseError> {
+        let mut anew = self::terminal();
+        anew.process(painter(Colours::Sixteen, modern).whole(screen.clone()));
+        for (y, x) in (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (y, x))) {
+            prop_assert_eq!(seen(terminal, x, y), seen(&anew, x, y), "{} {}", x, y);
+            let contents = anew.screen().cell(y, x).unwrap().contents();
+            let contents = if contents.is_empty() { " " } else { contents };
+            prop_assert_eq!(contents, screen[(x, y)].symbol());
+        }
+        Ok(())
+    }
+
     proptest! {
         /// Frame by frame, the terminal shows what it would show if all were drawn anew.
         #[test]
@@ -407,22 +436,60 @@ mod tests {
             screens in prop::collection::vec(screens(), 1..6),
             modern: bool,
         ) {
-            let mut painter_of_differences = painter(Colours::Sixteen, modern);
+            let mut painter = painter(Colours::Sixteen, modern);
             let mut shown = terminal();
             for screen in screens {
-                shown.process(painter_of_differences.frame(screen.clone()));
-                let mut anew = terminal();
-                anew.process(painter(Colours::Sixteen, modern).frame(screen.clone()));
-                for (y, x) in (0..HEIGHT).flat_map(|y| (0..WIDTH).map(move |x| (y, x))) {
-                    let cell = |t: &vt100::Parser| t.screen().cell(y, x).unwrap().clone();
-                    let (a, b) = (cell(&shown), cell(&anew));
-                    let blank = |c: &vt100::Cell| if c.has_contents() { c.contents().to_owned() } else { " ".to_owned() };
-                    prop_assert_eq!(blank(&a), blank(&b));
-                    prop_assert_eq!(blank(&a), screen[(x, y)].symbol());
-                    prop_assert_eq!((a.bold(), a.inverse(), a.underline()), (b.bold(), b.inverse(), b.underline()));
-                    prop_assert_eq!((a.fgcolor(), a.bgcolor()), (b.fgcolor(), b.bgcolor()));
-                }
+                shown.process(painter.whole(screen.clone()));
+                shows(&shown, &screen, modern)?;
             }
         }
+
+        /// Frames that are cut add up, too, also where the next screen comes before the last one was
+        /// finished; none is longer than it may be, and what is urgent is shown first.
+        #[test]
+        fn frames_that_are_cut_add_up_to_the_screen(
+            screens in prop::collection::vec((screens(), 0_usize..6), 1..6),
+            room in 0_usize..120,
+            modern: bool,
+        ) {
+            let mut painter = painter(Colours::Sixteen, modern);
+            let mut shown = terminal();
+            let urgent = [Rect::new(0, HEIGHT - 1, WIDTH, 1), Rect::new(3, 1, 4, 2)];
+            let most = room.max(SYNC_ON.len() + CLEAR.len() + SYNC_OFF.len() + 1) + ENDING;
+            let last = screens.last().unwrap().0.clone();
+            for (screen, frames) in screens {
+                painter.wanted = screen.clone();
+                for _ in 0..frames {
+                    let frame = painter.frame(&urgent, room);
+                    prop_assert!(frame.len() <= most, "{} of {}", frame.len(), room);
+                    shown.process(frame);
+                }
+            }
+            painter.wanted = last.clone();
+            let mut frames = 0;
+            while frames == 0 || painter.is_cut() {
+                shown.process(painter.frame(&urgent, room));
+                frames += 1;
+                prop_assert!(frames < 200, "a frame must bring something");
+            }
+            shows(&shown, &last, modern)?;
+        }
+    }
+
+    #[test]
+    fn what_is_urgent_comes_first() {
+        let mut painter = painter(Colours::None, true);
+        painter.whole(text(&["", "", "", ""]));
+        painter.wanted = text(&["wwwwwwww", "xxxxxxxx", "yyyyyyyy", "zzzzzzzz"]);
+        let urgent = [Rect::new(0, 3, WIDTH, 1), Rect::new(0, 2, 5, 1)];
+        let mut frames = vec![painter.frame(&urgent, ENDING + 1).to_vec()];
+        while painter.is_cut() {
+            frames.push(painter.frame(&urgent, ENDING + 1).to_vec());
+        }
+        assert!(frames.len() > 1 && !frames[0].starts_with(SYNC_ON));
+        let mut rows = frames.concat();
+        rows.retain(|byte| b"wxyz".contains(byte));
+        rows.dedup();
+        assert_eq!(String::from_utf8(rows).unwrap(), "zywxy");
     }
 }

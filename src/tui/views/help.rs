@@ -110,10 +110,16 @@ fn legend(colours: Colours, wide: bool) -> String {
     format!(" {FOUND} found, rest given{digits} ")
 }
 
+/// Where the box is.
+pub(super) fn placed(app: &App, help: &Help, area: Rect) -> Rect {
+    let lines = help.lines(app.view(), app.keymap()).len();
+    popup::centred(area, width(area), height(area, lines))
+}
+
 /// Lines of the help, and how many are seen.
 pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
     let lines = help.lines(app.view(), app.keymap()).len();
-    let rows = popup::within(popup::centred(area, width(area), height(area, lines))).height;
+    let rows = popup::within(placed(app, help, area)).height;
     (lines, usize::from(rows) * usize::from(count(area)))
 }
 

@@ -46,43 +46,54 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
     }
 }
 
-/// The whole screen.
-pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
+/// Where the screen is.
+pub(crate) fn area(app: &App) -> Rect {
+    whole(app.size())
+}
+
+/// What a slow line is to show first: the last line, which answers a key, and then what lies over the
+/// view.
+pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     let area = whole(app.size());
-    let mut buffer = Buffer::empty(area);
+    if too_small(app.size()) {
+        return [area; 2];
+    }
+    let overlay = if let Mode::Help(help) = app.mode() {
+        help::placed(app, help, body(area))
+    } else {
+        Rect::ZERO
+    };
+    [row(area, area.height - 1), overlay]
+}
+
+/// The whole screen, into a buffer that is empty.
+pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
+    let area = whole(app.size());
     if too_small(app.size()) {
         let Size { width, height } = SMALLEST;
         let text = format!("krank needs {width} x {height} characters");
-        print(
-            &mut buffer,
-            0,
-            0,
-            area.width,
-            &text,
-            theme::part(Part::Text),
-        );
-        return buffer;
+        print(buffer, 0, 0, area.width, &text, theme::part(Part::Text));
+        return;
     }
     if let Mode::Pick(picker) = app.mode() {
-        picker::render(app, picker, area, &mut buffer);
-        status::render(app, row(area, area.height - 1), &mut buffer);
-        return buffer;
+        picker::render(app, picker, area, buffer);
+        status::render(app, row(area, area.height - 1), buffer);
+        return;
     }
-    title::render(app, row(area, 0), &mut buffer);
+    title::render(app, row(area, 0), buffer);
     match app.view() {
-        View::Motion => motion::render(app, sketch, body(area), &mut buffer),
-        View::Tables => tables::render(app, body(area), &mut buffer),
-        View::Accuracy => accuracy::render(app, body(area), &mut buffer),
-        View::Plots => plots::render(app, body(area), &mut buffer),
-        View::Forces => forces::render(app, inset(body(area)), &mut buffer),
-        View::Scene => scene::render(app, inset(body(area)), &mut buffer),
-        View::Lengths => lengths::render(app, inset(body(area)), &mut buffer),
+        View::Motion => motion::render(app, sketch, body(area), buffer),
+        View::Tables => tables::render(app, body(area), buffer),
+        View::Accuracy => accuracy::render(app, body(area), buffer),
+        View::Plots => plots::render(app, body(area), buffer),
+        View::Forces => forces::render(app, inset(body(area)), buffer),
+        View::Scene => scene::render(app, inset(body(area)), buffer),
+        View::Lengths => lengths::render(app, inset(body(area)), buffer),
     }
     if let Mode::Help(help) = app.mode() {
-        help::render(app, help, body(area), &mut buffer);
+        help::render(app, help, body(area), buffer);
     }
-    status::render(app, row(area, area.height - 1), &mut buffer);
-    buffer
+    status::render(app, row(area, area.height - 1), buffer);
 }
 
 /// How far what is on top can be scrolled, in lines.

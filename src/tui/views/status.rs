@@ -3,6 +3,7 @@
 //!
 //! ```text
 //!  motion  four-bar   60.00 deg  ok  63 ns, +-2e-13 mm  ? help  space play  q quit
+//!  motion  peaucellier   79.60 deg  dead point in 3.2 deg  ? help  space play  q quit
 //! ```
 
 use super::{columns, cut, most_scroll, print};
@@ -10,6 +11,7 @@ use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::action::{Action, TablesAction, entry_of};
+use crate::tui::ahead::ahead;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::figures::coordinate;
 use crate::tui::key::Key;
@@ -112,16 +114,37 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
     line.say(&driver, Part::Text);
     line.gap(gap);
-    if !(narrow && listing && app.condition() == Condition::Ok) {
+    let needed = gap + columns(&key) + 1 + columns(name);
+    let (begun, trust) = (line.x, trust(app));
+    let calm = columns(state) + trust.as_deref().map_or(0, |t| gap + columns(t)) + gap;
+    let near = near(app).filter(|text| !narrow && line.room() >= columns(text) + needed);
+    if let Some(near) = &near {
+        line.say(near, Part::Text);
+        line.gap(gap);
+    } else if !(narrow && listing && app.condition() == Condition::Ok) {
         line.say(state, part);
         line.gap(gap);
     }
-    let needed = gap + columns(&key) + 1 + columns(name);
-    if let Some(trust) = trust(app).filter(|t| line.room() >= columns(t) + needed) {
+    if let Some(trust) = trust.filter(|t| line.room() >= columns(t) + needed) {
         line.say(&trust, Part::Quiet);
         line.gap(gap);
+    } else if near.is_some() {
+        // What stands behind stays where it was.
+        line.x = line.x.max(begun + calm);
     }
     hints(app, &mut line);
+}
+
+/// What lies ahead of the driver, where figures exist and something is near.
+fn near(app: &App) -> Option<String> {
+    let stage = app.stage();
+    if app.condition() != Condition::Ok || studied(app).is_some() {
+        return None;
+    }
+    let backwards = app.playback().is_backwards();
+    let motion = stage.solver().motion();
+    let ahead = ahead(stage.course(), motion, stage.at(), backwards)?;
+    Some(ahead.text(stage.course(), stage.unit()))
 }
 
 /// What the last state cost, where that was measured, and how far a place in it can be from the truth.

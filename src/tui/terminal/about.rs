@@ -1,0 +1,52 @@
+//! What can be found out about the terminal without asking it.
+
+use super::line::{Line, window};
+use rustix::fs::{Mode, OFlags, open};
+use rustix::termios::isatty;
+use std::io::{stderr, stdin, stdout};
+use std::os::fd::AsFd;
+
+/// What the system knows of the terminal that the program runs on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Terminal {
+    /// Columns and rows of its screen, 0 where it does not tell.
+    pub size: (u16, u16),
+    /// Width and height of a cell in pixels, where it tells.
+    pub cell: Option<(u16, u16)>,
+    /// The speed of a real serial line.
+    pub baud: Option<u32>,
+    /// Whether it is a console of this machine.
+    pub console: bool,
+}
+
+impl Terminal {
+    /// The terminal behind standard output, input or error, or else the one that controls the program.
+    #[must_use]
+    pub fn find() -> Option<Self> {
+        let standard = Self::of(stdout())
+            .or_else(|| Self::of(stdin()))
+            .or_else(|| Self::of(stderr()));
+        standard.or_else(|| {
+            let flags = OFlags::RDWR | OFlags::NOCTTY | OFlags::CLOEXEC | OFlags::NONBLOCK;
+            Self::of(open("/dev/tty", flags, Mode::empty()).ok()?)
+        })
+    }
+
+    fn of(stream: impl AsFd) -> Option<Self> {
+        if !isatty(&stream) {
+            return None;
+        }
+        let [columns, rows, width, height] = window(&stream)?;
+        let cell = |pixels: u16, cells: u16| pixels.checked_div(cells).filter(|&n| n > 0);
+        let line = Line::of(&stream);
+        Some(Terminal {
+            size: (columns, rows),
+            cell: cell(width, columns).zip(cell(height, rows)),
+            baud: match line {
+                Some(Line::Serial(baud)) => Some(baud),
+                Some(Line::Pseudo | Line::Console) | None => None,
+            },
+            console: line == Some(Line::Console),
+        })
+    }
+}
