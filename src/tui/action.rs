@@ -223,10 +223,17 @@ const fn within(view: View, entry: Entry) -> Entry {
     }
 }
 
-/// All actions with their keys, in the order in which the help shows them.
+/// Rows that belong together.
+#[derive(Debug)]
+pub(crate) struct Section {
+    pub(crate) title: &'static str,
+    pub(crate) entries: &'static [Entry],
+}
+
+/// All actions with their keys, by what they are for, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static ACTIONS: [Entry; 71] = {
+pub(crate) static SECTIONS: [Section; 7] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     use MotionAction as M;
@@ -235,7 +242,7 @@ pub(crate) static ACTIONS: [Entry; 71] = {
     use TablesAction as T;
     use View::{Motion, Plots, Scene, Tables};
     [
-        // The motion.
+        Section { title: "The motion", entries: &[
         entry(A::Play, "play", "play or pause", &[Char(' ')]),
         entry(A::StepBack, "step back", "one step back", &[Char(','), Key::Left, Char('h')]),
         entry(A::StepForward, "step", "one step on", &[Char('.'), Key::Right, Char('l')]),
@@ -247,7 +254,8 @@ pub(crate) static ACTIONS: [Entry; 71] = {
         entry(A::GoTo, "go to", "type where to go", &[Char('g')]),
         entry(A::Opening, "opening", "where the scene opens", &[Key::Home]),
         entry(A::Assemblies, "assemblies", "other assemblies", &[Char('a')]),
-        // The views.
+        ] },
+        Section { title: "The views", entries: &[
         entry(A::NextView, "view", "the next view", &[Key::Tab]),
         entry(A::MotionView, "motion", "motion and live tables", &[Char('1')]),
         entry(A::TablesView, "tables", "all tables", &[Char('2')]),
@@ -256,7 +264,8 @@ pub(crate) static ACTIONS: [Entry; 71] = {
         entry(A::ForcesView, "forces", "forces", &[Char('5')]),
         entry(A::SceneView, "scene", "edit the scene", &[Char('6')]),
         entry(A::LengthsView, "lengths", "what each length does", &[Char('e')]),
-        // What the motion view shows.
+        ] },
+        Section { title: "What the motion view shows", entries: &[
         within(Motion, entry(A::Motion(M::Names), "names", "names of points, links", &[Char('i')])),
         within(Motion, entry(A::Motion(M::Velocities), "velocities", "arrows of velocity", &[Char('v')])),
         within(Motion, entry(A::Motion(M::Accelerations), "accelerations", "arrows of acceleration", &[Char('A')])),
@@ -271,7 +280,8 @@ pub(crate) static ACTIONS: [Entry; 71] = {
         within(Motion, entry(A::Motion(M::PanDown), "pan down", "move it down", &[Char('J')])),
         within(Motion, entry(A::Motion(M::PanUp), "pan up", "move it up", &[Char('K')])),
         within(Motion, entry(A::Motion(M::PanRight), "pan right", "move it right", &[Char('L')])),
-        // Lists.
+        ] },
+        Section { title: "Lists", entries: &[
         entry(A::LineUp, "up", "up a line", &[Key::Up, Char('k')]),
         entry(A::LineDown, "scroll", "down a line", &[Key::Down, Char('j')]),
         entry(A::PageUp, "page up", "up a screen", &[Key::PageUp]),
@@ -283,7 +293,8 @@ pub(crate) static ACTIONS: [Entry; 71] = {
         within(Plots, entry(A::Plots(P::Choose), "choose plots", "choose what is plotted", &[Char('x'), Key::Enter])),
         within(Plots, entry(A::Plots(P::Abscissa), "abscissa", "what stands along x", &[Char('X')])),
         within(Plots, entry(A::Plots(P::Extrema), "extrema", "mark the extrema", &[Char('m')])),
-        // The scene.
+        ] },
+        Section { title: "The scene", entries: &[
         within(Scene, entry(A::Scene(S::Edit), "edit", "type another value", &[Key::Enter])),
         within(Scene, entry(A::Scene(S::NudgeDown), "nudge down", "a little less", &[Char('<')])),
         within(Scene, entry(A::Scene(S::NudgeUp), "nudge up", "a little more", &[Char('>')])),
@@ -298,12 +309,14 @@ pub(crate) static ACTIONS: [Entry; 71] = {
         entry(A::NextPreset, "next", "the next preset", &[Char('n')]),
         entry(A::PreviousPreset, "previous", "the preset before", &[Char('p')]),
         entry(A::Compare, "compare", "beside another scene", &[Char('D')]),
-        // Taking things out.
+        ] },
+        Section { title: "Taking things out", entries: &[
         entry(A::Copy, "copy", "copy to the clipboard", &[Char('y')]),
         entry(A::Csv, "csv", "write a CSV file", &[Char('Y')]),
         entry(A::Picture, "picture", "write the screen", &[Char('P')]),
         entry(A::Svg, "svg", "write an SVG file", &[Char('S')]),
-        // The program.
+        ] },
+        Section { title: "The program", entries: &[
         entry(A::Glyphs, "glyphs", "ASCII, lines, Braille", &[Char('t')]),
         entry(A::Colours, "colours", "how many colours", &[Char('C')]),
         entry(A::Help, "help", "show or hide this help", &[Char('?'), Function(1)]),
@@ -313,38 +326,43 @@ pub(crate) static ACTIONS: [Entry; 71] = {
         entry(A::Suspend, "suspend", "stop; fg goes on", &[Ctrl('z')]),
         entry(A::Quit, "quit", "leave", &[Char('q')]),
         entry(A::Leave, "leave", "leave from anywhere", &[Ctrl('c')]),
+        ] },
     ]
 };
 
-/// The action of a key in a view.
-pub(crate) fn of_key(key: Key, view: View) -> Option<Action> {
-    let here = |entry: &&Entry| entry.place == Place::Everywhere || entry.place == Place::In(view);
-    let entry = ACTIONS
-        .iter()
-        .filter(here)
-        .find(|entry| entry.keys.contains(&key));
-    entry.map(|entry| entry.action)
+/// All rows of the table.
+pub(crate) fn entries() -> impl Iterator<Item = &'static Entry> {
+    SECTIONS.iter().flat_map(|section| section.entries)
 }
 
 /// The row of an action.
 pub(crate) fn entry_of(action: Action) -> &'static Entry {
-    ACTIONS
-        .iter()
+    entries()
         .find(|entry| entry.action == action)
-        .unwrap_or(&ACTIONS[0])
+        .unwrap_or(&SECTIONS[0].entries[0])
 }
 
-impl Entry {
-    /// The keys as people read them: `, Left h`.
-    pub(crate) fn keys(&self) -> String {
-        let keys: Vec<String> = self.keys.iter().map(Key::to_string).collect();
-        keys.join(" ")
+impl Place {
+    /// Whether its keys have their meaning in this view.
+    pub(crate) fn covers(self, view: View) -> bool {
+        match self {
+            Place::Everywhere => true,
+            Place::In(only) => only == view,
+        }
+    }
+
+    /// Whether there is a view where both have their meaning.
+    pub(crate) fn meets(self, other: Place) -> bool {
+        View::ALL
+            .iter()
+            .any(|&view| self.covers(view) && other.covers(view))
     }
 }
 
-/// The keys and what they do, one line each, for a manual.
-pub fn key_list() -> impl Iterator<Item = (String, &'static str)> {
-    ACTIONS.iter().map(|entry| (entry.keys(), entry.help))
+/// Keys as people read them: `, Left h`.
+pub(crate) fn listed(keys: &[Key]) -> String {
+    let keys: Vec<String> = keys.iter().map(Key::to_string).collect();
+    keys.join(" ")
 }
 
 #[cfg(test)]
@@ -353,38 +371,26 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn no_key_has_two_meanings_in_one_place_and_no_action_is_missing() {
-        for view in View::ALL {
-            let here = |e: &&Entry| e.place == Place::Everywhere || e.place == Place::In(view);
-            let keys: Vec<Key> = ACTIONS
-                .iter()
-                .filter(here)
-                .flat_map(|e| e.keys)
-                .copied()
-                .collect();
-            let different: HashSet<Key> = keys.iter().copied().collect();
-            assert_eq!(keys.len(), different.len(), "{view:?}");
-        }
-        for entry in &ACTIONS {
-            assert_eq!(entry_of(entry.action).name, entry.name);
-            let view = match entry.place {
-                Place::Everywhere => View::Motion,
-                Place::In(view) => view,
-            };
-            assert_eq!(of_key(entry.keys[0], view), Some(entry.action));
+    fn no_action_is_missing_and_none_stands_twice() {
+        let mut seen = Vec::new();
+        for entry in entries() {
+            assert!(!seen.contains(&entry.action), "{}", entry.name);
+            seen.push(entry.action);
+            assert!(!entry.keys.is_empty(), "{}", entry.name);
         }
     }
 
     #[test]
     fn names_tell_the_actions_apart() {
-        let names: HashSet<&str> = ACTIONS.iter().map(|entry| entry.name).collect();
-        assert_eq!(names.len(), ACTIONS.len());
+        let names: HashSet<&str> = entries().map(|entry| entry.name).collect();
+        assert_eq!(names.len(), entries().count());
     }
 
     #[test]
     fn a_help_line_fits_the_smallest_screen() {
-        for entry in &ACTIONS {
-            assert!(entry.keys().len() <= 12, "{}", entry.keys());
+        for entry in entries() {
+            let keys = listed(entry.keys);
+            assert!(keys.len() <= 12, "{keys}");
             assert!(
                 entry.help.is_ascii() && entry.help.len() <= 23,
                 "{}",

@@ -3,6 +3,7 @@
 mod choosing;
 mod comparing;
 mod editing;
+mod helping;
 mod lens;
 mod picking;
 mod plotting;
@@ -11,11 +12,13 @@ mod taking;
 mod touring;
 mod writing;
 
-use super::action::{self, Action};
+use super::action::Action;
 use super::chosen::Chosen;
 use super::course::{OutOfRange, rounded};
 use super::figures::coordinate;
+use super::help::Help;
 use super::key::Key;
+use super::keymap::Keymap;
 use super::line::Line;
 use super::opening;
 use super::playback::Playback;
@@ -37,8 +40,8 @@ use std::time::{Duration, Instant};
 pub(crate) enum Mode {
     /// The view.
     Normal,
-    /// The help overlay, scrolled by so many lines.
-    Help(usize),
+    /// The help overlay.
+    Help(Help),
     /// The line in which a coordinate is typed.
     GoTo(Line),
     /// The list of assemblies, with the cursor on this one.
@@ -55,7 +58,8 @@ impl Mode {
         match self {
             Mode::GoTo(line) => Some(line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
-            Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) | Mode::Confirm(_) => None,
+            Mode::Help(help) => help.typed(),
+            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) => None,
         }
     }
 }
@@ -126,6 +130,7 @@ pub(crate) struct App {
     scroll: [usize; View::ALL.len()],
     /// What the motion view shows of the tables.
     chosen: Chosen,
+    keymap: Keymap,
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -155,6 +160,7 @@ impl App {
             survey: Survey::new(wall_clock),
             scroll: [0; View::ALL.len()],
             chosen: Chosen::default(),
+            keymap: Keymap::default(),
             capability,
             size,
             aspect: USUAL_ASPECT,
@@ -201,6 +207,11 @@ impl App {
         &self.chosen
     }
 
+    /// Which key asks for what.
+    pub(crate) fn keymap(&self) -> &Keymap {
+        &self.keymap
+    }
+
     pub(crate) fn view(&self) -> View {
         self.view
     }
@@ -242,7 +253,7 @@ impl App {
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
         self.type_key(key, now).unwrap_or_else(|| {
-            let action = action::of_key(key, self.view);
+            let action = self.keymap.action(key, self.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
         })
     }
@@ -308,21 +319,13 @@ impl App {
             Action::Suspend => return Effect::Suspend,
             Action::Redraw => return Effect::Redraw,
             Action::Back => self.back(),
-            Action::Help => {
-                self.mode = match self.mode {
-                    Mode::Help(_) => Mode::Normal,
-                    Mode::Normal
-                    | Mode::GoTo(_)
-                    | Mode::Assemblies(_)
-                    | Mode::FileName(_)
-                    | Mode::Confirm(_) => Mode::Help(0),
-                }
-            }
+            Action::Help => self.toggle_help(),
             Action::LineUp => self.scroll_by(-1),
             Action::LineDown => self.scroll_by(1),
             Action::PageUp => self.scroll_by(-self.page()),
             Action::PageDown => self.scroll_by(self.page()),
             Action::Save if matches!(self.mode, Mode::Normal | Mode::Assemblies(_)) => self.ask(),
+            Action::Search if let Mode::Help(help) = &mut self.mode => help.search(),
             Action::Assemblies if matches!(self.mode, Mode::Assemblies(_)) => {
                 self.mode = Mode::Normal;
             }
@@ -374,6 +377,9 @@ impl App {
 
     /// Keys of the line in which a coordinate is typed; `None` for those that mean the same everywhere.
     fn type_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        if matches!(self.mode, Mode::Help(_)) {
+            return self.search_help(key);
+        }
         if let (Mode::Assemblies(cursor), Key::Enter) = (&self.mode, key) {
             self.take_assembly(*cursor, now);
             return Some(Effect::Show);
@@ -544,6 +550,11 @@ impl App {
 
     /// One level back: out of a mode, or a study is stopped.
     fn back(&mut self) {
+        if let Mode::Help(help) = &mut self.mode
+            && help.show_all()
+        {
+            return;
+        }
         if self.mode != Mode::Normal {
             self.mode = Mode::Normal;
         } else if self.is_working() {
@@ -562,7 +573,8 @@ impl App {
             _ => views::most_scroll(self),
         };
         let scroll = match &mut self.mode {
-            Mode::Help(scroll) | Mode::Assemblies(scroll) => scroll,
+            Mode::Help(help) => &mut help.scroll,
+            Mode::Assemblies(scroll) => scroll,
             Mode::Normal | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) => {
                 &mut self.scroll[self.view as usize]
             }

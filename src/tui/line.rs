@@ -5,6 +5,9 @@ const LONGEST_NUMBER: usize = 24;
 /// Longer than any name of a file that a person types.
 const LONGEST_NAME: usize = 200;
 
+/// More words than this nobody searches for.
+const LONGEST_WORDS: usize = 60;
+
 /// A line of 7-bit text, edited at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Line {
@@ -18,6 +21,14 @@ impl Line {
         Line {
             text: String::new(),
             longest: LONGEST_NUMBER,
+        }
+    }
+
+    /// An empty line for words that are searched for.
+    pub(crate) fn for_words() -> Line {
+        Line {
+            text: String::new(),
+            longest: LONGEST_WORDS,
         }
     }
 

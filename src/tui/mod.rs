@@ -10,7 +10,9 @@ mod chosen;
 mod cost;
 mod course;
 mod figures;
+mod help;
 mod key;
+mod keymap;
 mod line;
 mod opening;
 mod panel;
@@ -27,7 +29,7 @@ mod workbench;
 mod writing;
 
 pub use crate::capability::Colours;
-pub use action::key_list;
+pub use help::key_list;
 pub use workbench::Workbench;
 
 use crate::capability::Judgement;

@@ -1,7 +1,7 @@
 //! Choosing another assembly, and saving the one that is shown.
 
 use super::super::Origin;
-use super::super::action::{self, Action};
+use super::super::action::Action;
 use super::super::writing::{Document, Question};
 use super::{App, Mode, View};
 use std::time::Duration;
@@ -42,8 +42,11 @@ impl App {
                 self.mode = Mode::Normal;
                 let at = self.stage.at();
                 self.playback.rebase(now, at);
-                let key = &action::entry_of(Action::Save).keys[0];
-                self.message = Some(format!("{wish} now; {key} saves it"));
+                let mut message = format!("{wish} now");
+                if let Some(key) = self.keymap.key(Action::Save) {
+                    message += &format!("; {key} saves it");
+                }
+                self.message = Some(message);
             }
             Err(why) => self.message = Some(format!("{wish}: {why}")),
         }

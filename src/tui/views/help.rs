@@ -1,16 +1,18 @@
-//! The help overlay: the table of actions, over the middle of the view.
+//! The help overlay: the keys by what they are for, over the middle of the view.
 //!
 //! ```text
 //! +- Help ------------------------+
+//! | The motion                    |
 //! | space        play or pause    |
 //! ```
 
+use super::popup::{self, BORDER};
 use super::table::UNSURE;
-use super::{print, print_right};
+use super::{cut, print, print_right};
 use crate::capability::Colours;
-use crate::drawing::Glyphs;
-use crate::tui::action::{ACTIONS, Action, entry_of};
+use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::help::{Help, HelpLine};
 use crate::tui::sheet::FOUND;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
@@ -19,45 +21,82 @@ use ratatui::layout::Rect;
 /// Columns of the keys, and of what they do.
 const KEYS: u16 = 13;
 const HELP: u16 = 23;
-/// Border and blanks at both sides, and between two columns.
-const BORDER: u16 = 4;
-const GAP: u16 = 1;
+/// Blanks between two columns of lines.
+const GAP: u16 = 2;
+/// More columns than this are no help.
+const MOST_COLUMNS: u16 = 3;
 
-pub(super) fn render(app: &App, scroll: usize, area: Rect, buffer: &mut Buffer) {
-    let frame = placed(area);
-    border(app.glyphs(), frame, buffer);
-    let inner = within(frame);
-    let (lines, seen) = extent(area);
-    if scroll + seen < lines {
-        let more = format!(" {} for more ", entry_of(Action::LineDown).keys[0]);
-        let style = theme::part(Part::Quiet);
-        print_right(buffer, frame.right() - 2, frame.bottom() - 1, &more, style);
+/// What is said where no key was found.
+const NOTHING: [&str; 2] = ["no key does that", "Esc shows all keys"];
+
+pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
+    let lines = help.lines(app.view(), app.keymap());
+    let place = popup::centred(area, width(area), height(area, lines.len()));
+    let end = popup::frame(app.glyphs(), place, "Help", buffer);
+    if let Some(words) = help.words() {
+        searched(words, help.is_typing(), end, place, buffer);
     }
-    let style = theme::part(Part::Quiet);
-    let legend = legend(app.colours(), columns(area) > 1);
-    print(
-        buffer,
-        frame.x + 2,
-        frame.bottom() - 1,
-        frame.width - 4,
-        &legend,
-        style,
-    );
-    for (x, column) in (inner.left()..)
-        .step_by((KEYS + HELP + GAP).into())
-        .zip(ACTIONS.chunks(lines))
-    {
-        for (y, entry) in (inner.top()..inner.bottom()).zip(column.iter().skip(scroll)) {
-            print(buffer, x, y, KEYS, &entry.keys(), theme::part(Part::Key));
+    footer(app, help, lines.len(), place, buffer);
+    let inner = popup::within(place);
+    if lines.is_empty() {
+        for (y, text) in (inner.top()..inner.bottom()).zip(NOTHING) {
             print(
                 buffer,
-                x + KEYS,
+                inner.x,
                 y,
-                HELP,
-                entry.help,
+                inner.width,
+                text,
                 theme::part(Part::Text),
             );
         }
+    }
+    let per_column = usize::from(inner.height).max(1);
+    let seen = lines.get(help.scroll..).unwrap_or_default();
+    let xs = (inner.x..).step_by((KEYS + HELP + GAP).into());
+    for (x, lines) in xs.zip(seen.chunks(per_column)).take(count(area).into()) {
+        for (y, line) in (inner.y..).zip(lines) {
+            show(line, x, y, buffer);
+        }
+    }
+}
+
+fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
+    match line {
+        HelpLine::Blank => {}
+        HelpLine::Title(title) => {
+            print(buffer, x, y, KEYS + HELP, title, theme::part(Part::Quiet));
+        }
+        HelpLine::Keys(keys, help) => {
+            let keys = cut(keys, usize::from(KEYS) - 1);
+            print(buffer, x, y, KEYS, &keys, theme::part(Part::Key));
+            print(buffer, x + KEYS, y, HELP, help, theme::part(Part::Text));
+        }
+    }
+}
+
+/// What is searched for, in the upper border; of long words the end is seen.
+fn searched(words: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer) {
+    let room = place.right().saturating_sub(x + 5);
+    let skipped = words.len().saturating_sub(room.into());
+    let text = format!("/{}", words.get(skipped..).unwrap_or_default());
+    let room = room + 1;
+    let x = print(buffer, x, place.y, room, &text, theme::part(Part::Text));
+    let caret = if typing { Part::Caret } else { Part::Text };
+    print(buffer, x, place.y, 1, " ", theme::part(caret));
+}
+
+/// In the lower border what marks mean, and how to see more.
+fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer) {
+    let (y, style) = (place.bottom() - 1, theme::part(Part::Quiet));
+    let inner = popup::within(place);
+    let seen = usize::from(inner.height) * usize::from(count(place));
+    let legend = legend(app.colours(), inner.width > KEYS + HELP);
+    print(buffer, place.x + 2, y, inner.width, &legend, style);
+    if help.scroll + seen < lines
+        && let Some(key) = app.keymap().key(Action::LineDown)
+    {
+        let more = format!(" {key} for more ");
+        print_right(buffer, place.right() - 2, y, &more, style);
     }
 }
 
@@ -72,70 +111,25 @@ fn legend(colours: Colours, wide: bool) -> String {
 }
 
 /// Lines of the help, and how many are seen.
-pub(super) fn extent(area: Rect) -> (usize, usize) {
-    let lines = ACTIONS.len().div_ceil(columns(area).into());
-    (lines, within(placed(area)).height.into())
+pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
+    let lines = help.lines(app.view(), app.keymap()).len();
+    let rows = popup::within(popup::centred(area, width(area), height(area, lines))).height;
+    (lines, usize::from(rows) * usize::from(count(area)))
 }
 
-/// Two columns where there is room.
-fn columns(area: Rect) -> u16 {
-    if area.width >= 2 * (KEYS + HELP) + GAP + BORDER {
-        2
-    } else {
-        1
-    }
+/// Columns of lines for which there is room.
+fn count(area: Rect) -> u16 {
+    let room = (area.width + GAP).saturating_sub(BORDER.0);
+    (room / (KEYS + HELP + GAP)).clamp(1, MOST_COLUMNS)
 }
 
-/// The frame in the middle of `area`, as large as it needs to be.
-fn placed(area: Rect) -> Rect {
-    let count = columns(area);
-    let width = (count * (KEYS + HELP) + (count - 1) * GAP + BORDER).min(area.width);
-    let lines = ACTIONS.len().div_ceil(count.into());
-    let lines = u16::try_from(lines).unwrap_or(u16::MAX);
-    let height = lines.saturating_add(2).min(area.height);
-    Rect {
-        x: area.x + (area.width - width) / 2,
-        y: area.y + (area.height - height) / 2,
-        width,
-        height,
-    }
+fn width(area: Rect) -> u16 {
+    let count = count(area);
+    count * (KEYS + HELP) + (count - 1) * GAP
 }
 
-fn within(frame: Rect) -> Rect {
-    Rect {
-        x: frame.x + 2,
-        y: frame.y + 1,
-        width: frame.width.saturating_sub(4),
-        height: frame.height.saturating_sub(2),
-    }
-}
-
-fn border(glyphs: Glyphs, frame: Rect, buffer: &mut Buffer) {
-    let [level, upright, corners @ ..] = match glyphs {
-        Glyphs::Ascii => ['-', '|', '+', '+', '+', '+'],
-        Glyphs::Line | Glyphs::Braille => [
-            '\u{2500}', '\u{2502}', '\u{250c}', '\u{2510}', '\u{2514}', '\u{2518}',
-        ],
-    };
-    let (right, bottom) = (frame.right() - 1, frame.bottom() - 1);
-    for position in frame.positions() {
-        let at_side = position.x == frame.x || position.x == right;
-        let at_end = position.y == frame.y || position.y == bottom;
-        let glyph = match (at_side, at_end) {
-            (true, true) => {
-                let corner =
-                    usize::from(position.x == right) + 2 * usize::from(position.y == bottom);
-                corners[corner]
-            }
-            (true, false) => upright,
-            (false, true) => level,
-            (false, false) => ' ',
-        };
-        buffer[position].reset();
-        buffer[position]
-            .set_char(glyph)
-            .set_style(theme::part(Part::Quiet));
-    }
-    let title = theme::part(Part::Title);
-    print(buffer, frame.x + 2, frame.y, frame.width, " Help ", title);
+/// Rows of so many lines; also while a search finds few of them, the words must have their place.
+fn height(area: Rect, lines: usize) -> u16 {
+    let rows = lines.div_ceil(count(area).into()).max(NOTHING.len());
+    u16::try_from(rows).unwrap_or(u16::MAX)
 }

@@ -14,6 +14,7 @@ mod help;
 mod lengths;
 mod motion;
 mod plots;
+mod popup;
 mod scene;
 mod status;
 mod table;
@@ -68,8 +69,8 @@ pub(crate) fn screen(app: &App, sketch: &Sketch) -> Buffer {
         View::Scene => scene::render(app, inset(body(area)), &mut buffer),
         View::Lengths => lengths::render(app, inset(body(area)), &mut buffer),
     }
-    if let Mode::Help(scroll) = *app.mode() {
-        help::render(app, scroll, body(area), &mut buffer);
+    if let Mode::Help(help) = app.mode() {
+        help::render(app, help, body(area), &mut buffer);
     }
     status::render(app, row(area, area.height - 1), &mut buffer);
     buffer
@@ -94,7 +95,7 @@ fn on_top(app: &App) -> (usize, usize) {
     }
     let body = body(area);
     match (app.mode(), app.view()) {
-        (Mode::Help(_), _) => help::extent(body),
+        (Mode::Help(help), _) => help::extent(app, help, body),
         (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
         (_, View::Tables) => table::extent(app, inset(body)),
         (_, View::Accuracy) => accuracy::extent(app, body),

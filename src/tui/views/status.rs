@@ -82,7 +82,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let gap = if narrow { 1 } else { 2 };
     line.gap(1);
     // A short line keeps its room for the key that leads on.
-    let (key, name) = hint_of(app, offered(app)[0]);
+    let (key, name) = hint_of(app, offered(app)[0]).unwrap_or_default();
     let behind = [&driver, state, &key, name]
         .map(columns)
         .iter()
@@ -282,7 +282,7 @@ fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
 /// What to offer now, the most important first: the last ones are dropped where there is no room.
 fn offered(app: &App) -> &'static [Action] {
     match (app.mode(), app.view()) {
-        (Mode::Help(_), _) => &[Action::Back, Action::LineDown, Action::Quit],
+        (Mode::Help(_), _) => &[Action::Back, Action::Search, Action::LineDown, Action::Quit],
         (Mode::Assemblies(_), _) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
         (_, View::Motion) => &[
             Action::Help,
@@ -320,6 +320,11 @@ fn offered(app: &App) -> &'static [Action] {
 }
 
 fn hints(app: &App, line: &mut Writer<'_>) {
+    if matches!(app.mode(), Mode::Help(help) if help.is_typing()) {
+        line.hint(&Key::Escape.to_string(), "all keys");
+        line.hint(&Key::Enter.to_string(), "keep");
+        return;
+    }
     let listing = matches!(app.mode(), Mode::Assemblies(_));
     let can_scroll = listing || most_scroll(app) > 0;
     if listing {
@@ -329,26 +334,27 @@ fn hints(app: &App, line: &mut Writer<'_>) {
         if action == Action::LineDown && !can_scroll {
             continue;
         }
-        let (key, name) = hint_of(app, action);
-        line.hint(&key, name);
+        if let Some((key, name)) = hint_of(app, action) {
+            line.hint(&key, name);
+        }
         if action == Action::Help && app.view() == View::Tables {
             line.hint(&FOUND.to_string(), "found");
         }
     }
 }
 
-/// The first key of an action, and what it does now.
-fn hint_of(app: &App, action: Action) -> (String, &'static str) {
-    let entry = entry_of(action);
+/// The first key of an action, if it has one, and what it does now.
+fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
+    let key = app.keymap().key(action)?;
     let name = match action {
         Action::Play if app.playback().is_playing() => "pause",
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
         Action::AccuracyView if app.survey().phase() == Phase::Stopped => "go on",
         Action::AccuracyView if app.survey().phase() == Phase::Done => "again",
-        _ => entry.name,
+        _ => entry_of(action).name,
     };
-    (entry.keys[0].to_string(), name)
+    Some((key.to_string(), name))
 }
 
 /// Writes along the line.

@@ -1,0 +1,49 @@
+//! The help, and searching it.
+
+use super::super::help::Help;
+use super::super::key::Key;
+use super::{App, Effect, Mode};
+
+impl App {
+    /// Shows the help, or takes it away.
+    pub(super) fn toggle_help(&mut self) {
+        self.mode = match self.mode {
+            Mode::Help(_) => Mode::Normal,
+            _ => Mode::Help(Help::default()),
+        };
+    }
+
+    /// Keys of the line in which words are typed; `None` for those that mean the same everywhere.
+    pub(super) fn search_help(&mut self, key: Key) -> Option<Effect> {
+        let Mode::Help(help) = &mut self.mode else {
+            return None;
+        };
+        let line = help.typed()?;
+        match key {
+            Key::Ctrl('u') => line.clear(),
+            Key::Char(c) => line.push(c),
+            Key::Backspace if line.text().is_empty() => {
+                help.show_all();
+            }
+            Key::Backspace => line.erase(),
+            Key::Enter => help.accept(),
+            Key::Escape => {
+                help.show_all();
+            }
+            Key::Ctrl(_)
+            | Key::Function(_)
+            | Key::Tab
+            | Key::BackTab
+            | Key::Left
+            | Key::Right
+            | Key::Up
+            | Key::Down
+            | Key::Home
+            | Key::End
+            | Key::PageUp
+            | Key::PageDown => return None,
+        }
+        help.scroll = 0;
+        Some(Effect::Show)
+    }
+}
