@@ -91,6 +91,7 @@ mod arithmetic;
 pub mod assembly;
 mod capability;
 pub mod cli;
+mod document;
 pub mod drawing;
 mod explain;
 mod mechanism;

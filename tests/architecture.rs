@@ -11,10 +11,11 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 16] = [
+const PLACES: [(&str, u8); 17] = [
     ("nearest", 0),
     ("arithmetic", 0),
     ("replace", 0),
+    ("document", 1),
     ("mechanism", 2),
     ("scene", 3),
     ("solver", 3),
@@ -39,8 +40,8 @@ const FOREIGN: [(&str, &[&str]); 19] = [
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),
     ("clap_mangen", &["cli"]),
-    ("toml", &["scene"]),
-    ("annotate_snippets", &["scene"]),
+    ("toml", &["document", "scene"]),
+    ("annotate_snippets", &["document"]),
     ("csv", &["report"]),
     ("serde_json", &["report"]),
     ("serde", &["report"]),

@@ -1,8 +1,8 @@
 //! Says in the words of the file what the builder found wrong with an element.
 
-use super::diagnostic::Diagnostic;
 use super::draft::{Draft, Input, Link, Slide, Slider};
 use super::reader::{Name, Reader, quoted};
+use crate::document::Diagnostic;
 use crate::{Defect, LinkId, PointId, SlideId};
 
 /// The draft behind the ids of a builder.

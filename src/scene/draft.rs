@@ -1,10 +1,10 @@
 //! What the file says, element by element, before names are joined.
 
 use super::Unit;
-use super::diagnostic::Diagnostic;
 use super::reader::{Name, Reader, Span, Value, meant, quoted};
 use super::{elements, input};
 use crate::Vec2;
+use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
 use toml::de::DeTable;
 

@@ -1,8 +1,8 @@
 //! Reads links, slides and vectors.
 
-use super::diagnostic::Diagnostic;
 use super::draft::{Draft, Ends, Link, MOST_LINKS, Place, Slide, Slider, Through, Vector, places};
 use super::reader::{Name, ORDINARY, Reader, SMALLEST_LENGTH, Span, Value, meant, quoted};
+use crate::document::Diagnostic;
 use toml::Spanned;
 use toml::de::{DeString, DeTable};
 

@@ -1,10 +1,10 @@
 //! Joins the names of slides: what moves, on what, and through which point.
 
-use super::diagnostic::Diagnostic;
 use super::draft::{Slide, Slider, Through};
 use super::names::Sort;
 use super::reader::Name;
 use super::resolve::Resolver;
+use crate::document::Diagnostic;
 use crate::{Body, LinkId, PointId, Vec2};
 
 /// What carries a guide: the ground, or a link by its place in the draft.

@@ -1,10 +1,10 @@
 //! Reads what acts on the mechanism: the driver and the loads.
 
 use super::Unit;
-use super::diagnostic::Diagnostic;
 use super::draft::{Driver, Input, Load};
 use super::rate::{self, Degree, Kind, Misfit};
 use super::reader::{Reader, Span, Value, meant};
+use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
 use toml::de::DeTable;
 

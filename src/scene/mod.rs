@@ -90,11 +90,9 @@
 //! solver finds, and [`Scene::explain`] says it in the same way.
 
 mod defect;
-mod diagnostic;
 mod draft;
 mod elements;
 mod guide;
-mod harmless;
 mod input;
 mod names;
 pub mod presets;
@@ -107,14 +105,14 @@ mod typed;
 mod unit;
 mod values;
 
-pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub use harmless::{harmless, is_harmful};
+pub use crate::document::{Diagnostic, Diagnostics, Label, harmless, is_harmful};
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;
 pub use unit::Unit;
 pub use values::{Measure, Value};
 
+use crate::document;
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};
 use std::ops::Range;
 use std::path::Path;
@@ -200,7 +198,7 @@ impl Scene {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = reader::Reader::new(text);
-        let scene = syntax::document(&mut reader).and_then(|root| {
+        let scene = document::parse(&mut reader, syntax::mend).and_then(|root| {
             let draft = draft::read(&mut reader, &root);
             let resolved = resolve::resolve(&mut reader, &draft)?;
             Some(Scene {

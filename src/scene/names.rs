@@ -1,8 +1,8 @@
 //! The one namespace of points, links, slides and vectors.
 
-use super::diagnostic::Diagnostic;
 use super::draft::{Draft, Slider};
 use super::reader::{Name, Reader, Span, quoted};
+use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
 use std::collections::{HashMap, HashSet};
 

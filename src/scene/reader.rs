@@ -1,17 +1,10 @@
-//! Typed access to the parsed TOML; everything that does not fit becomes a diagnostic.
+//! Numbers and pairs of a scene; what does not fit becomes a diagnostic.
 
-use super::diagnostic::{Diagnostic, Diagnostics};
-use super::harmless::escaped;
 use super::rate;
 use crate::Vec2;
-use crate::nearest::{did_you_mean, nearest};
-use std::fmt;
-use std::ops::Range;
-use toml::Spanned;
-use toml::de::{DeArray, DeTable, DeValue};
-
-pub(super) type Value<'t> = Spanned<DeValue<'t>>;
-pub(super) type Span = Range<usize>;
+use crate::document::Diagnostic;
+pub(super) use crate::document::{Name, Reader, Span, Value, meant, quoted};
+use toml::de::{DeArray, DeValue};
 
 /// No coordinate or length may be larger: squares of scaled values must stay finite, and nothing
 /// that a person builds comes near.
@@ -20,96 +13,7 @@ pub(super) const LARGEST: f64 = 1e300;
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
 /// The mend for a number out of all proportion.
 pub(super) const ORDINARY: &str = "choose a `unit` in which the dimensions are ordinary numbers";
-/// Characters of a foreign text that a message quotes.
-const QUOTED: usize = 48;
-/// Faults that are shown at most: a person mends a few at a time.
-const SHOWN: usize = 20;
-/// Faults after which no more effort is spent on one.
-const FULL: usize = 50;
-
-/// A text of the file with its place: mostly a name.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Name<'t> {
-    pub(super) text: &'t str,
-    pub(super) span: Span,
-}
-
-impl fmt::Display for Name<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&quoted(self.text))
-    }
-}
-
-/// A foreign text in backticks: harmless, and cut where it is long.
-pub(super) fn quoted(text: &str) -> String {
-    match text.char_indices().nth(QUOTED) {
-        Some((end, _)) => format!("`{}...`", escaped(&text[..end], false)),
-        None => format!("`{}`", escaped(text, false)),
-    }
-}
-
-/// Collects diagnostics while values are read.
-pub(super) struct Reader<'t> {
-    text: &'t str,
-    pub(super) found: Vec<Diagnostic>,
-}
-
-impl<'t> Reader<'t> {
-    pub(super) fn new(text: &'t str) -> Self {
-        Reader {
-            text,
-            found: Vec::new(),
-        }
-    }
-
-    /// The text that is read.
-    pub(super) fn text(&self) -> &'t str {
-        self.text
-    }
-
-    /// All that was reported, in the order of the text.
-    pub(super) fn into_diagnostics(self, origin: &str) -> Diagnostics {
-        let mut items = self.found;
-        items.sort_by_key(|item| item.primary.as_ref().map(|label| label.span.start));
-        if items.len() > SHOWN {
-            let rest = items.len() - SHOWN;
-            items.truncate(SHOWN);
-            items.push(Diagnostic::new(format!("{rest} more faults are not shown")));
-        }
-        Diagnostics {
-            origin: origin.to_owned(),
-            text: self.text.into(),
-            items,
-        }
-    }
-
-    /// Whether so much was reported that help and further reading are not worth their time.
-    pub(super) fn is_full(&self) -> bool {
-        self.found.len() >= FULL
-    }
-
-    pub(super) fn report(&mut self, diagnostic: Diagnostic) {
-        self.found.push(diagnostic);
-    }
-
-    /// Adds a mend to the last report.
-    pub(super) fn help(&mut self, help: &str) {
-        if let Some(last) = self.found.last_mut() {
-            last.helps.push(help.to_owned());
-        }
-    }
-
-    /// A value as the file writes it.
-    pub(super) fn literal(&self, span: &Span) -> String {
-        quoted(self.text.get(span.clone()).unwrap_or(""))
-    }
-
-    fn wrong_type(&mut self, what: &str, wanted: &str, value: &Value<'_>) -> Diagnostic {
-        let kind = kind(value.get_ref());
-        Diagnostic::new(format!("{what} must be {wanted}, not {kind}"))
-            .at(value.span(), format!("expected {wanted}"))
-    }
-
+impl Reader<'_> {
     /// A finite number that is not too large.
     pub(super) fn number(&mut self, what: &str, value: &Value<'_>) -> Option<f64> {
         let Some(number) = number_of(value.get_ref()) else {
@@ -178,54 +82,6 @@ impl<'t> Reader<'t> {
         }
         Some(items)
     }
-
-    /// A text.
-    pub(super) fn string<'v>(&mut self, what: &str, value: &'v Value<'v>) -> Option<Name<'v>> {
-        if let Some(text) = value.get_ref().as_str() {
-            let span = value.span();
-            return Some(Name { text, span });
-        }
-        let fault = self.wrong_type(what, "a text in quotes", value);
-        let literal = self.text.get(value.span()).unwrap_or("");
-        let word = |c: char| c.is_ascii_alphanumeric() || c == '.';
-        let short = literal.len() <= QUOTED && literal.chars().all(word);
-        self.report(if short {
-            fault.help(format!("write it in quotes: \"{literal}\""))
-        } else {
-            fault
-        });
-        None
-    }
-
-    /// A table; `example` shows how one is written.
-    pub(super) fn table<'v>(
-        &mut self,
-        what: &str,
-        example: &str,
-        value: &'v Value<'v>,
-    ) -> Option<&'v DeTable<'v>> {
-        if let Some(table) = value.get_ref().as_table() {
-            return Some(table);
-        }
-        let fault = self.wrong_type(what, "a table", value);
-        self.report(fault.help(format!("for example: {example}")));
-        None
-    }
-
-    /// Reports every key of a table that is not among `known`.
-    pub(super) fn only(&mut self, of: &str, table: &DeTable<'_>, known: &[&str]) {
-        for (key, _) in table {
-            let text = key.get_ref().as_ref();
-            if known.contains(&text) {
-                continue;
-            }
-            let fault = Diagnostic::new(format!("{of}: unknown key {}", quoted(text)))
-                .at(key.span(), "unknown key");
-            let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
-            let listed = || format!("known keys: `{}`", known.join("`, `"));
-            self.report(fault.help(near.flatten().unwrap_or_else(listed)));
-        }
-    }
 }
 
 /// The mend for a number that was written as a text.
@@ -240,27 +96,6 @@ fn bare_number(text: &str) -> Option<String> {
         ),
     };
     Some(help)
-}
-
-/// Whether an unknown key of the table was probably meant to be this one.
-pub(super) fn meant(table: &DeTable<'_>, known: &[&str], key: &str) -> bool {
-    // Who misspelt more keys than these has other worries.
-    table.keys().take(FULL).any(|k| {
-        let text = k.get_ref().as_ref();
-        !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
-    })
-}
-
-/// What kind of value this is, in a person's words.
-fn kind(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "a text",
-        DeValue::Integer(_) | DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "true or false",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
-    }
 }
 
 /// The nearest double; infinite for a literal that overflows.

@@ -1,10 +1,10 @@
 //! Joins the names of a draft and builds the mechanism.
 
-use super::diagnostic::Diagnostic;
 use super::draft::{self, Draft, Input, Slider};
 use super::names::{Names, Sort};
 use super::reader::{Name, Reader, Span};
 use super::{Places, Vector, VectorKind, defect};
+use crate::document::Diagnostic;
 use crate::nearest::nearest;
 use crate::{Builder, Driver, LinkId, Load, Mechanism, PointId, SlideId, mechanism};
 use std::collections::{HashMap, HashSet};

@@ -36,7 +36,7 @@ pub fn harmless(text: &str, ascii: bool) -> String {
 /// ASCII too: for messages, where the reader wants to know which character it was.
 ///
 /// Line feeds and tabs become spaces.
-pub(super) fn escaped(text: &str, ascii: bool) -> String {
+pub(crate) fn escaped(text: &str, ascii: bool) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         let plain = replacement(c, ascii);
@@ -50,7 +50,7 @@ pub(super) fn escaped(text: &str, ascii: bool) -> String {
 }
 
 /// What is shown in place of a character; itself if it is harmless.
-pub(super) fn replacement(c: char, ascii: bool) -> char {
+pub(crate) fn replacement(c: char, ascii: bool) -> char {
     match c {
         '\t' | '\n' => ' ',
         _ if c.is_ascii() && !c.is_ascii_control() => c,

@@ -1,4 +1,4 @@
-//! What is wrong with a scene file, and where.
+//! What is wrong with a document, and where.
 
 use super::harmless::{escaped, replacement};
 use annotate_snippets::renderer::DecorStyle;

@@ -1,0 +1,91 @@
+//! The TOML of a document, and TOML's own faults in a person's words.
+
+use super::diagnostic::Diagnostic;
+use super::reader::{Reader, Span, quoted};
+use toml::de::{DeTable, DeValue, Error};
+
+/// What a person mostly meant, by the text, the parser's message and the place that it points at.
+pub(crate) type Mend = fn(&str, &str, &Span) -> Option<String>;
+
+/// Parses the text; `None` if it cannot be gone on with.
+pub(crate) fn parse<'t>(reader: &mut Reader<'t>, mend: Mend) -> Option<DeTable<'t>> {
+    let text = reader.text();
+    let (root, errors) = DeTable::parse_recoverable(text);
+    let root = root.into_inner();
+    let mut last_line = None;
+    let mut whole = true;
+    for error in &errors {
+        let span = error.span().unwrap_or(text.len()..text.len());
+        let line = text.as_bytes()[..span.start.min(text.len())]
+            .iter()
+            .rposition(|&b| b == b'\n');
+        // What follows in the same line is mostly an echo.
+        if last_line == Some(line) {
+            continue;
+        }
+        last_line = Some(line);
+        if reader.is_full() {
+            return None;
+        }
+        let twice = error.message() == "duplicate key";
+        // A section that stands twice has lost what its second half names.
+        whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
+        let too_deep = error.message().starts_with("cannot recurse");
+        reader.report(if twice {
+            duplicate(text, &root, span)
+        } else {
+            fault(text, error, span, mend)
+        });
+        // Every bracket left open would be another fault.
+        if too_deep {
+            return None;
+        }
+    }
+    whole.then_some(root)
+}
+
+fn fault(text: &str, error: &Error, span: Span, mend: Mend) -> Diagnostic {
+    let message = error.message();
+    let help = mend(text, message, &span);
+    Diagnostic::new(format!("not valid TOML: {message}"))
+        .at(span, "")
+        .maybe_help(help)
+}
+
+/// A key that stands twice in its table.
+fn duplicate(text: &str, root: &DeTable<'_>, span: Span) -> Diagnostic {
+    let key = text.get(span.clone()).unwrap_or("");
+    let key = key.trim_matches(['"', '\'']);
+    let mut first: Option<Span> = None;
+    // The recovered table keeps the first one; the nearest before is in the same table.
+    each_key(root, &mut |other: &str, place| {
+        let nearer = first.as_ref().is_none_or(|f| f.start < place.start);
+        if other == key && place.start < span.start && nearer {
+            first = Some(place);
+        }
+    });
+    let fault = Diagnostic::new(format!("{} is given twice", quoted(key)))
+        .at(span, "the second time")
+        .help("take one of them out, or rename it");
+    match first {
+        Some(place) => fault.and(place, "the first time"),
+        None => fault,
+    }
+}
+
+/// Visits every key of a table and of the tables in it. As deep as TOML's own limit of nesting.
+fn each_key(table: &DeTable<'_>, visit: &mut dyn FnMut(&str, Span)) {
+    for (key, value) in table {
+        visit(key.get_ref(), key.span());
+        each_key_of(value.get_ref(), visit);
+    }
+}
+
+fn each_key_of(value: &DeValue<'_>, visit: &mut dyn FnMut(&str, Span)) {
+    if let Some(table) = value.as_table() {
+        each_key(table, visit);
+    }
+    for item in value.as_array().into_iter().flatten() {
+        each_key_of(item.get_ref(), visit);
+    }
+}
