@@ -251,9 +251,10 @@ fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
         Role::Echo => SPARSER,
         _ => 1,
     };
+    let steep = (b.y - a.y).abs() * FINE.y > (b.x - a.x).abs() * FINE.x;
     for (x, y) in parts(raster, a, b, FINE).step_by(spacing) {
-        // The sum runs along the line whichever its main axis is, if not quite evenly.
-        if !is_gap(role, x + y, 2) {
+        let (place, count) = if steep { (y, 4) } else { (x, 2) };
+        if !is_gap(role, place, count) {
             dot(raster, x, y, role);
         }
     }
