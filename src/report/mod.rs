@@ -12,6 +12,7 @@ mod check;
 mod check_text;
 mod choice_facts;
 mod columns;
+mod difference;
 mod errors;
 mod loop_facts;
 mod number;
@@ -33,6 +34,7 @@ pub use check::{
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
+pub use difference::Pairing;
 pub use errors::Missing;
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Outcome, RowFormat, Sweep};

@@ -21,6 +21,7 @@ mod panel;
 mod picker;
 mod playback;
 mod preview;
+mod rival;
 mod saving;
 mod sheet;
 mod stage;

@@ -141,6 +141,17 @@ impl Sheet {
         }
     }
 
+    /// Columns for differences that look like these over the motion: angles have a sign.
+    pub(crate) fn of_differences(samples: &[Tables]) -> Self {
+        let mut sheet = Sheet::new(samples);
+        for column in sheet.vectors.iter_mut().chain(&mut sheet.points) {
+            if column.format == Format::ANGLE {
+                column.format = Format::SIGNED_ANGLE;
+            }
+        }
+        sheet
+    }
+
     /// The lines of both parts at this width.
     pub(crate) fn lines(&self, width: usize, glyphs: Glyphs) -> Vec<Line> {
         let mut lines = self.part(Part::Vectors, width, glyphs);

@@ -1,10 +1,10 @@
 //! Figures in columns: beside or below the drawing, and as a view of their own.
 
-use super::{columns, mark_more, print, print_right};
+use super::{columns, cut, mark_more, print, print_right};
 use crate::capability::Colours;
 use crate::tui::app::App;
 use crate::tui::figures::Unsure;
-use crate::tui::sheet::{Line, Shown};
+use crate::tui::sheet::{self, Line, Shown};
 use crate::tui::stage::shown;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
@@ -12,7 +12,8 @@ use ratatui::layout::Rect;
 
 /// The tables at this width, scrolled as the view is.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let (sheet, glyphs) = (app.stage().sheet(), app.glyphs());
+    let area = titled(app, area, buffer);
+    let (sheet, glyphs) = (app.sheet(), app.glyphs());
     let lines = sheet.lines(area.width.into(), glyphs);
     let most = lines.len().saturating_sub(area.height.into());
     let scroll = app.scroll().min(most);
@@ -34,16 +35,41 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// All lines of the tables at this width, and how many are seen.
 pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let lines = app.stage().sheet().lines(area.width.into(), app.glyphs());
-    (lines.len(), area.height.into())
+    let lines = app.sheet().lines(area.width.into(), app.glyphs());
+    let title = u16::from(app.rival().is_some());
+    (lines.len(), area.height.saturating_sub(title).into())
+}
+
+/// Says above tables of differences what they are; where the tables begin.
+fn titled(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
+    let Some(title) = app.difference_title() else {
+        return area;
+    };
+    let title = cut(&shown(&title, app.glyphs()), area.width.into());
+    let style = theme::part(Part::Quiet);
+    print(buffer, area.x, area.y, area.width, &title, style);
+    Rect {
+        y: area.y + 1,
+        height: area.height.saturating_sub(1),
+        ..area
+    }
+}
+
+/// Whether the row has no partner in what is compared with.
+fn is_alone(app: &App, line: &Line) -> bool {
+    let Some(rival) = app.rival() else {
+        return false;
+    };
+    match *line {
+        Line::Row(sheet::Part::Vectors, row, _) => !rival.pairing().has_vector(row),
+        Line::Row(sheet::Part::Points, row, _) => !rival.pairing().has_point(row),
+        Line::Blank | Line::Names(..) | Line::Units(..) => false,
+    }
 }
 
 fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
-    let stage = app.stage();
     let width = usize::from(area.width);
-    let (name, cells) = stage
-        .sheet()
-        .show(line, stage.tables(), width, app.glyphs());
+    let (name, cells) = app.sheet().show(line, app.tables(), width, app.glyphs());
     let (of_name, of_cells) = match line {
         Line::Names(..) | Line::Units(..) | Line::Blank => (Part::Quiet, Part::Quiet),
         Line::Row(..) => (Part::Name, Part::Text),
@@ -58,6 +84,12 @@ fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
         theme::part(of_name),
     );
     let mut right = area.x.saturating_add(columns_of(name.width));
+    if is_alone(app, line) {
+        let style = theme::part(Part::Quiet);
+        let room = area.right().saturating_sub(right + 1);
+        print(buffer, right + 1, area.y, room, "only here", style);
+        return;
+    }
     for cell in cells {
         right = right.saturating_add(columns_of(cell.width));
         if right > area.right() {
