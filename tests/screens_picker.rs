@@ -3,86 +3,15 @@
 #![cfg(feature = "tui")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "support/session.rs"]
+mod session;
+
 use krank::drawing::Glyphs;
-use krank::scene::{LARGEST_FILE, Scene, presets};
-use krank::solver::Solver;
-use krank::tui::{Colours, Opened, Origin, Workbench};
+use krank::scene::LARGEST_FILE;
+use krank::tui::Origin;
+use session::{Session, folder, open, text};
 use std::fs;
-use std::num::NonZeroU16;
-use std::path::{Path, PathBuf};
 use std::time::Duration;
-
-/// A workbench and the screen that it paints on.
-struct Session {
-    workbench: Workbench,
-    terminal: vt100::Parser,
-}
-
-impl Session {
-    fn new(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
-        let [height, width] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
-        Session {
-            workbench: Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows),
-            terminal: vt100::Parser::new(height, width, 0),
-        }
-    }
-
-    fn press(&mut self, keys: &str) -> &mut Self {
-        for key in keys.split_whitespace() {
-            self.workbench.press(key);
-            self.paint();
-        }
-        self
-    }
-
-    /// Types a word, letter by letter.
-    fn type_in(&mut self, word: &str) -> &mut Self {
-        for letter in word.chars() {
-            self.press(&letter.to_string());
-        }
-        self
-    }
-
-    fn paint(&mut self) {
-        let frame = self.workbench.paint();
-        self.terminal.process(frame);
-    }
-
-    fn look(&mut self) -> String {
-        self.paint();
-        let width = self.terminal.screen().size().1.get();
-        let rows = self.terminal.screen().rows(0, width);
-        rows.map(|row| row.trim_end().to_owned() + "\n").collect()
-    }
-
-    fn last_line(&mut self) -> String {
-        self.look().lines().last().unwrap().to_owned()
-    }
-}
-
-fn open(text: &str, origin: Origin) -> Opened {
-    let scene = Scene::parse(text, "test").unwrap();
-    let solver = Solver::new(&scene.mechanism).unwrap();
-    Opened {
-        scene,
-        solver,
-        origin,
-    }
-}
-
-fn text(preset: &str) -> &'static str {
-    presets::find(preset).unwrap().text
-}
-
-/// A folder of this name with nothing in it.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
-        .join("picker")
-        .join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
 
 /// The four-bar as a file of a folder that has some more scenes in it.
 fn among_files(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {

@@ -88,6 +88,24 @@ pub(super) fn add_moved(
     }
 }
 
+/// Adds the links of another scene, to be drawn below everything. `scale` is how many units of the
+/// figure one of the other's is; where it has no assembly, nothing is added.
+pub fn add_other(figure: &mut Figure, scene: &Scene, state: &State, scale: f64) {
+    if state.condition() == Condition::NoAssembly {
+        return;
+    }
+    let mechanism = &scene.mechanism;
+    let roles = roles(mechanism);
+    for link in mechanism.links() {
+        let solid = link.members.iter().filter(|m| link.com != Some(m.point));
+        let corner = |m: &Member| Corner {
+            at: state.position(m.point) * scale,
+            block: roles[m.point.index()] == Role::Slider,
+        };
+        outline::draw(figure, &solid.map(corner).collect::<Vec<_>>(), Role::Ghost);
+    }
+}
+
 /// What differs by less than this part of the largest coordinate is in the same place to any eye.
 const SEEN: f64 = 1e-6;
 

@@ -52,7 +52,7 @@ pub use chart::{Axis, Chart, Datum};
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
 pub use legend::{LegendEntry, Piece, legend_lines};
-pub use linkage::{Layers, add_ghost, linkage};
+pub use linkage::{Layers, add_ghost, add_other, linkage};
 pub use overlay::{Overlay, Wanted};
 pub use picture::svg;
 pub use points::{moving_points, usual_arrows, usual_traces};

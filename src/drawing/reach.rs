@@ -76,6 +76,17 @@ impl Reach {
         reach
     }
 
+    /// The same with room for another scene's whole motion; `scale` is how many of this one's units one
+    /// of the other's is.
+    #[must_use]
+    pub fn beside(&self, other: &Reach, scale: f64) -> Reach {
+        let mut reach = self.clone();
+        let bounds = other.bounds();
+        reach.moving.include(bounds.low * scale);
+        reach.moving.include(bounds.high * scale);
+        reach
+    }
+
     fn at_rest(scene: &Scene) -> Reach {
         let mechanism = &scene.mechanism;
         let mut ground = Bounds::default();

@@ -13,6 +13,7 @@ mod check_text;
 mod choice_facts;
 mod columns;
 mod curves;
+mod difference;
 mod errors;
 mod loop_facts;
 mod number;
@@ -35,6 +36,7 @@ pub use check::{
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
 pub use columns::{Beside, Columns};
 pub use curves::curves_csv;
+pub use difference::Pairing;
 pub use errors::Missing;
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Outcome, RowFormat, Sweep};

@@ -29,6 +29,12 @@ impl Unit {
         }
     }
 
+    /// How many of `unit` it is: a length in this unit times this is the length in `unit`.
+    #[must_use]
+    pub fn in_units_of(self, unit: Unit) -> f64 {
+        self.tenths_of_mm() / unit.tenths_of_mm()
+    }
+
     /// Its size in tenths of a millimetre: whole numbers, so that a conversion rounds only once per
     /// operation.
     pub(super) fn tenths_of_mm(self) -> f64 {

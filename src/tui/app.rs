@@ -37,6 +37,7 @@ use super::{Opened, cost};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
+use comparing::Comparison;
 use ratatui::layout::Size;
 use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
@@ -156,6 +157,8 @@ pub(crate) struct App {
     lens: Lens,
     /// What was seen of the scenes in the list of presets and files.
     previews: Previews,
+    /// What the open scene is held against.
+    comparison: Comparison,
     /// The text of the scene as it was opened.
     original: Arc<str>,
     capability: Capability,
@@ -194,6 +197,7 @@ impl App {
             keymap: Keymap::default(),
             lens: Lens::default(),
             previews: Previews::default(),
+            comparison: Comparison::default(),
             original,
             capability,
             theme: Theme::default(),
@@ -569,6 +573,7 @@ impl App {
     /// Another scene, paused where it opens: nothing is left of the one before.
     pub(crate) fn show(&mut self, opened: Opened) {
         self.original = opened.scene.text().into();
+        self.end_comparison();
         self.stage = Stage::new(opened);
         self.opened += 1;
         self.steps = steps_of(&self.stage);

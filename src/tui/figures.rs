@@ -27,6 +27,12 @@ impl Format {
         width: 7,
     };
 
+    /// Differences of directions: -179.999 to 180.000 deg.
+    pub(crate) const SIGNED_ANGLE: Format = Format {
+        decimals: Some(3),
+        width: 8,
+    };
+
     /// Figures that are always 0.
     const NOUGHT: Format = Format {
         decimals: Some(0),

@@ -27,6 +27,7 @@ mod picker;
 mod picture;
 mod playback;
 mod preview;
+mod rival;
 mod saving;
 mod search;
 mod sheet;

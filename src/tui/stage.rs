@@ -211,6 +211,21 @@ impl Stage {
         &self.tables
     }
 
+    /// The tables at another coordinate, with their bounds.
+    pub(crate) fn tables_at(
+        &self,
+        at: f64,
+        state: &mut State,
+        enclosure: &mut State<Ball>,
+    ) -> Tables {
+        solved(&self.opened, at, state, enclosure)
+    }
+
+    /// Coordinates spread over the whole motion, the opening first.
+    pub(crate) fn places(&self) -> Vec<f64> {
+        places(&self.opened.scene, &self.course)
+    }
+
     /// The unit of the driver's coordinate.
     pub(crate) fn unit(&self) -> &'static str {
         if self.course.turns() {
@@ -238,7 +253,12 @@ impl Stage {
 }
 
 /// The tables at a coordinate, with their bounds.
-fn solved(opened: &Opened, at: f64, state: &mut State, enclosure: &mut State<Ball>) -> Tables {
+pub(crate) fn solved(
+    opened: &Opened,
+    at: f64,
+    state: &mut State,
+    enclosure: &mut State<Ball>,
+) -> Tables {
     opened.solver.solve(at, Order::Acceleration, state);
     opened.solver.enclose(state, Order::Acceleration, enclosure);
     Tables::bounded(&opened.scene, state, enclosure)
@@ -246,22 +266,27 @@ fn solved(opened: &Opened, at: f64, state: &mut State, enclosure: &mut State<Bal
 
 /// The tables at coordinates spread over the whole motion, the opening first.
 fn samples(opened: &Opened, course: &Course, state: &mut State) -> Vec<Tables> {
-    let (low, high) = course
-        .shuttle()
-        .unwrap_or((course.opening(), course.opening() + course.span()));
-    let mechanism = &opened.scene.mechanism;
-    let rows = mechanism.points().len() + mechanism.links().len();
-    let count = u16::try_from(MOST_ROWS / rows.max(1)).unwrap_or(SAMPLES);
-    let count = count.clamp(FEWEST_SAMPLES, SAMPLES);
-    let share = |k: u16| f64::from(k) / f64::from(count);
-    let spread = (0..=count).map(|k| low + (high - low) * share(k));
-    let places = std::iter::once(course.opening()).chain(spread);
+    let places = places(&opened.scene, course).into_iter();
     places
         .map(|at| {
             opened.solver.solve(at, Order::Acceleration, state);
             Tables::new(&opened.scene, state)
         })
         .collect()
+}
+
+/// Coordinates spread over the whole motion, the opening first.
+fn places(scene: &Scene, course: &Course) -> Vec<f64> {
+    let (low, high) = course
+        .shuttle()
+        .unwrap_or((course.opening(), course.opening() + course.span()));
+    let mechanism = &scene.mechanism;
+    let rows = mechanism.points().len() + mechanism.links().len();
+    let count = u16::try_from(MOST_ROWS / rows.max(1)).unwrap_or(SAMPLES);
+    let count = count.clamp(FEWEST_SAMPLES, SAMPLES);
+    let share = |k: u16| f64::from(k) / f64::from(count);
+    let spread = (0..=count).map(|k| low + (high - low) * share(k));
+    std::iter::once(course.opening()).chain(spread).collect()
 }
 
 /// Text of a scene that may be shown: one column to a character, and only such characters as the

@@ -1,9 +1,102 @@
 //! Comparing with another scene.
 
+use super::super::Opened;
+use super::super::picker::{Place, Purpose};
+use super::super::rival::Rival;
+use super::super::sheet::Sheet;
 use super::App;
+use crate::report::Tables;
+
+/// What the open scene is held against.
+#[derive(Debug, Default)]
+pub(super) struct Comparison {
+    rival: Option<Rival>,
+    /// Which of the scenes that were opened it was fitted to.
+    fitted: usize,
+    /// What was compared with last.
+    last: Option<Place>,
+}
 
 impl App {
+    /// Asks what to compare with, or ends it.
     pub(super) fn compare(&mut self) {
-        self.message = Some("not there yet".into());
+        if self.end_comparison() {
+            self.message = Some("no longer compared".into());
+            return;
+        }
+        let edited = self.is_edited().then_some(Place::Original);
+        let at = edited.or_else(|| self.comparison.last.clone());
+        let at = at.or_else(|| Place::of(self.stage.origin()));
+        self.list(Purpose::Compare, at.as_ref());
+    }
+
+    /// Holds a scene against the open one; in words why that cannot be.
+    pub(super) fn compare_with(
+        &mut self,
+        place: Place,
+        name: String,
+        opened: Opened,
+    ) -> Result<(), String> {
+        self.comparison = Comparison {
+            rival: Some(Rival::new(name, opened, &self.stage)?),
+            fitted: self.opened,
+            last: Some(place),
+        };
+        self.scroll_by(0);
+        Ok(())
+    }
+
+    /// What is compared with goes where the open scene is, or is fitted to it anew after an edit.
+    pub(super) fn follow(&mut self) {
+        let Some(mut rival) = self.comparison.rival.take() else {
+            return;
+        };
+        if self.comparison.fitted == self.opened {
+            rival.follow(&self.stage);
+            self.comparison.rival = Some(rival);
+            return;
+        }
+        self.comparison.fitted = self.opened;
+        match rival.again(&self.stage) {
+            Ok(rival) => self.comparison.rival = Some(rival),
+            Err(why) => self.message = Some(why),
+        }
+        self.scroll_by(0);
+    }
+
+    /// Ends the comparison, if there is one.
+    pub(super) fn end_comparison(&mut self) -> bool {
+        let compared = self.comparison.rival.take().is_some();
+        self.scroll_by(0);
+        compared
+    }
+
+    /// The scene that the open one is held against.
+    pub(crate) fn rival(&self) -> Option<&Rival> {
+        self.comparison.rival.as_ref()
+    }
+
+    /// The columns of the tables: of figures, or while another scene is compared with, of differences.
+    pub(crate) fn sheet(&self) -> &Sheet {
+        self.rival().map_or(self.stage.sheet(), Rival::sheet)
+    }
+
+    /// The tables that are shown: figures, or differences.
+    pub(crate) fn tables(&self) -> &Tables {
+        self.rival().map_or(self.stage.tables(), Rival::tables)
+    }
+
+    /// What stands above tables of differences.
+    pub(crate) fn difference_title(&self) -> Option<String> {
+        let rival = self.rival()?;
+        let name = rival.name();
+        if !rival.is_assembled() {
+            return Some(format!("{name} has no assembly here"));
+        }
+        let there = rival.pairing().only_there();
+        Some(match there {
+            [] => format!("difference: this - {name}"),
+            names => format!("difference: this - {name}; only there: {}", names.join(" ")),
+        })
     }
 }

@@ -31,13 +31,14 @@ impl App {
     }
 
     /// Whether the scene is no longer what was opened.
-    fn is_edited(&self) -> bool {
+    pub(super) fn is_edited(&self) -> bool {
         self.stage.scene().text() != &*self.original
     }
 
     /// Brings what a frame shows beside the state itself up to date. It is done once for a frame, however
     /// many keys came before it.
     pub(crate) fn catch_up(&mut self) {
+        self.follow();
         if let Mode::Pick(picker) = &self.mode
             && let Some(item) = picker.chosen()
         {
@@ -115,14 +116,19 @@ impl App {
             self.look_into_chosen();
             return;
         }
-        match self.open_place(&place) {
-            Ok(opened) => {
-                self.leave_list(now);
-                match purpose {
-                    Purpose::Open => self.show(opened),
-                    Purpose::Compare => {}
-                }
+        let name = picker
+            .chosen()
+            .map_or(String::new(), |item| item.name.clone());
+        let opened = self.open_place(&place);
+        let done = opened.and_then(|opened| match purpose {
+            Purpose::Open => {
+                self.show(opened);
+                Ok(())
             }
+            Purpose::Compare => self.compare_with(place, name, opened),
+        });
+        match done {
+            Ok(()) => self.leave_list(now),
             Err(why) => self.message = Some(why),
         }
     }

@@ -32,7 +32,7 @@ impl App {
                 Effect::Show
             }
             View::Motion => {
-                let text = copying::tables(self.stage.sheet(), self.stage.tables());
+                let text = copying::tables(self.sheet(), self.tables());
                 self.send(&text)
             }
             View::Plots | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
@@ -44,7 +44,7 @@ impl App {
 
     /// Keys that answer how much of the tables is copied; `None` for those that mean the same everywhere.
     pub(super) fn copy_key(&mut self, key: Key) -> Option<Effect> {
-        let (sheet, tables) = (self.stage.sheet(), self.stage.tables());
+        let (sheet, tables) = (self.sheet(), self.tables());
         let text = match key {
             Key::Char('v') => copying::value(sheet, tables, self.cursor),
             Key::Char('r') => Some(copying::row(sheet, tables, self.cursor)),

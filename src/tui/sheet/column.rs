@@ -84,6 +84,13 @@ impl Column {
         }
     }
 
+    /// A difference of directions has a sign.
+    pub(super) fn give_sign(&mut self) {
+        if self.format == Format::ANGLE {
+            self.format = Format::SIGNED_ANGLE;
+        }
+    }
+
     /// The name with its unit, as a sweep names its columns behind the dot: `vx [mm/s]`.
     pub(super) fn header(&self) -> String {
         format!("{} [{}]", self.figure.name(), self.unit)

@@ -101,6 +101,14 @@ impl Sheet {
             .collect()
     }
 
+    /// Columns for differences that look like these over the motion: angles have a sign.
+    pub(crate) fn of_differences(samples: &[Tables]) -> Self {
+        let mut sheet = Sheet::new(samples);
+        let columns = sheet.vectors.iter_mut().chain(&mut sheet.points);
+        columns.for_each(Column::give_sign);
+        sheet
+    }
+
     /// The lines of both parts at this width.
     pub(crate) fn lines(&self, width: usize, glyphs: Glyphs) -> Vec<Line> {
         let mut lines = self.part(Part::Vectors, width, glyphs);

@@ -2,11 +2,13 @@
 
 use super::{assemblies, columns, inset, print, table};
 use crate::Vec2;
-use crate::drawing::{self, Glyphs, Labels, Piece, Raster, Role};
+use crate::drawing::{self, Glyphs, Labels, Piece, Raster, Reach, Role};
 use crate::tui::app::{App, Mode};
+use crate::tui::rival::Rival;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
+use std::borrow::Cow;
 
 /// Where the parts of the view are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,15 +81,17 @@ fn legend(app: &App, area: Rect) -> Vec<Vec<Piece>> {
 /// The window on the drawing in this area.
 fn window(app: &App, area: Rect) -> drawing::View {
     let (lens, stage) = (app.lens(), app.stage());
-    let reach = match (app.mode(), stage.panel()) {
-        (Mode::Assemblies(_), Some(panel)) => panel.reach(),
-        _ => lens.reach(stage),
+    let own = lens.reach(stage);
+    let reach = match (app.mode(), stage.panel(), app.rival()) {
+        (Mode::Assemblies(_), Some(panel), _) => Cow::Borrowed(panel.reach()),
+        (_, _, Some(rival)) => Cow::Owned(rival.reach_beside(own)),
+        _ => Cow::Borrowed(own),
     };
-    lens.view(reach, (area.width, area.height), app.aspect())
+    lens.view(&reach, (area.width, area.height), app.aspect())
 }
 
 fn beside(app: &App, area: Rect) -> Option<Arrangement> {
-    let (narrow, wide) = app.stage().sheet().widths(app.glyphs());
+    let (narrow, wide) = app.sheet().widths(app.glyphs());
     let [narrow, wide] = [narrow, wide].map(|w| u16::try_from(w).unwrap_or(u16::MAX));
     // The blanks beside the tables, and the rule.
     let sides = 1 + 1 + super::MARGIN;
@@ -115,7 +119,7 @@ fn beside(app: &App, area: Rect) -> Option<Arrangement> {
 
 /// Columns that a drawing of this height can fill, names and supports included.
 fn columns_used(app: &App, area: Rect) -> u16 {
-    let size = app.stage().reach().bounds().size();
+    let size = needed(app).bounds().size();
     let columns = f64::from(area.height) * app.aspect() * size.x / size.y + MARGINS;
     if columns < f64::from(u16::MAX) {
         #[expect(
@@ -132,7 +136,7 @@ fn columns_used(app: &App, area: Rect) -> u16 {
 
 fn below(app: &App, area: Rect) -> Arrangement {
     let width = usize::from(inset(area).width);
-    let sheet = app.stage().sheet();
+    let sheet = app.sheet();
     let [vectors, all] = [
         sheet.vector_lines(width, app.glyphs()),
         sheet.lines(width, app.glyphs()).len(),
@@ -164,10 +168,14 @@ fn below(app: &App, area: Rect) -> Arrangement {
     }
 }
 
+/// The space that the linkage needs, and what it is held against.
+fn needed(app: &App) -> &Reach {
+    app.rival().map_or(app.stage().reach(), Rival::reach)
+}
+
 /// Cells along x for a unit of length in a drawing of this size.
 fn scale(app: &App, area: Rect) -> f64 {
-    let reach = app.stage().reach();
-    let view = drawing::View::fit(reach, area.width, area.height, app.aspect());
+    let view = drawing::View::fit(needed(app), area.width, area.height, app.aspect());
     (view.cell(Vec2::new(1.0, 0.0)) - view.cell(Vec2::ZERO)).x
 }
 
@@ -193,6 +201,9 @@ impl Sketch {
             for ghost in panel.ghosts(cursor) {
                 drawing::add_ghost(&mut figure, stage.scene(), stage.state(), ghost);
             }
+        }
+        if let Some(rival) = app.rival() {
+            rival.add_ghost(&mut figure);
         }
         let view = window(app, arrange(app, body).drawing);
         let Sketch { labels, raster, .. } = self;

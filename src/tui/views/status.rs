@@ -187,8 +187,7 @@ fn trust(app: &App) -> Option<String> {
 
 /// How far the figure under the cursor can be from the truth.
 fn of_cursor(app: &App) -> Option<String> {
-    let (stage, cursor) = (app.stage(), app.cursor());
-    let (sheet, tables) = (stage.sheet(), stage.tables());
+    let (sheet, tables, cursor) = (app.sheet(), app.tables(), app.cursor());
     let entries = sheet.entries(tables, cursor.part, cursor.row);
     let entry = entries.get(cursor.column).copied().flatten()?;
     let unit = sheet.unit(cursor.part, cursor.column)?;

@@ -1,10 +1,10 @@
 //! Figures in columns, live beside or below the drawing.
 
-use super::{columns, mark_more, print, print_right};
+use super::{columns, cut, mark_more, print, print_right};
 use crate::capability::Colours;
 use crate::tui::app::App;
 use crate::tui::figures::Unsure;
-use crate::tui::sheet::{Line, Shown};
+use crate::tui::sheet::{self, Line, Shown};
 use crate::tui::stage::shown;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
@@ -12,7 +12,9 @@ use ratatui::layout::Rect;
 
 /// The tables at this width, scrolled as the view is.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let (sheet, glyphs) = (app.stage().sheet(), app.glyphs());
+    let area = below_title(app, area);
+    title(app, area, buffer);
+    let (sheet, glyphs) = (app.sheet(), app.glyphs());
     let lines = sheet.lines(area.width.into(), glyphs);
     let most = lines.len().saturating_sub(area.height.into());
     let scroll = app.scroll().min(most);
@@ -34,17 +36,46 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// All lines of the tables at this width, and how many are seen.
 pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let lines = app.stage().sheet().lines(area.width.into(), app.glyphs());
-    (lines.len(), area.height.into())
+    let lines = app.sheet().lines(area.width.into(), app.glyphs());
+    (lines.len(), below_title(app, area).height.into())
+}
+
+/// Where tables begin: a line of what differences are differences of stands above them.
+pub(super) fn below_title(app: &App, area: Rect) -> Rect {
+    let title = u16::from(app.rival().is_some()).min(area.height);
+    Rect {
+        y: area.y + title,
+        height: area.height - title,
+        ..area
+    }
+}
+
+/// Says above tables of differences what they are.
+pub(super) fn title(app: &App, tables: Rect, buffer: &mut Buffer) {
+    let Some(title) = app.difference_title() else {
+        return;
+    };
+    let title = cut(&shown(&title, app.glyphs()), tables.width.into());
+    let (y, style) = (tables.y.saturating_sub(1), theme::part(Part::Quiet));
+    print(buffer, tables.x, y, tables.width, &title, style);
+}
+
+/// Whether the row has no partner in what is compared with.
+fn is_alone(app: &App, line: &Line) -> bool {
+    let Some(rival) = app.rival() else {
+        return false;
+    };
+    match *line {
+        Line::Row(sheet::Part::Vectors, row, _) => !rival.pairing().has_vector(row),
+        Line::Row(sheet::Part::Points, row, _) => !rival.pairing().has_point(row),
+        Line::Blank | Line::Names(..) | Line::Units(..) => false,
+    }
 }
 
 /// One line of the tables in an area of its height.
 pub(super) fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
-    let stage = app.stage();
     let width = usize::from(area.width);
-    let (name, cells) = stage
-        .sheet()
-        .show(line, stage.tables(), width, app.glyphs());
+    let (name, cells) = app.sheet().show(line, app.tables(), width, app.glyphs());
     let (of_name, of_cells) = match line {
         Line::Names(..) | Line::Units(..) | Line::Blank => (Part::Quiet, Part::Quiet),
         Line::Row(..) => (Part::Name, Part::Text),
@@ -59,6 +90,12 @@ pub(super) fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffe
         theme::part(of_name),
     );
     let mut right = area.x.saturating_add(columns_of(name.width));
+    if is_alone(app, line) {
+        let style = theme::part(Part::Quiet);
+        let room = area.right().saturating_sub(right + 1);
+        print(buffer, right + 1, area.y, room, "only here", style);
+        return;
+    }
     for cell in cells {
         right = right.saturating_add(columns_of(cell.width));
         if right > area.right() {

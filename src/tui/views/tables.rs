@@ -8,7 +8,7 @@
 //! >+ C           318.197    [236.202]
 //! ```
 
-use super::table::{columns_of, render_line};
+use super::table::{below_title, columns_of, render_line, title};
 use super::{MARGIN, columns, mark_more, print};
 use crate::tui::app::App;
 use crate::tui::chosen;
@@ -20,7 +20,8 @@ use ratatui::layout::Rect;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let (lines, height) = lines(app, area);
-    let area = place(area);
+    let area = below_title(app, place(area));
+    title(app, area, buffer);
     let most = lines.len().saturating_sub(height);
     let scroll = app.scroll().min(most);
     mark_more(area, scroll > 0, scroll < most, buffer);
@@ -34,8 +35,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// All lines of the tables at this width, and how many are seen.
 pub(super) fn lines(app: &App, area: Rect) -> (Vec<Line>, usize) {
-    let area = place(area);
-    let lines = app.stage().sheet().lines(area.width.into(), app.glyphs());
+    let area = below_title(app, place(area));
+    let lines = app.sheet().lines(area.width.into(), app.glyphs());
     (lines, area.height.into())
 }
 
@@ -72,11 +73,8 @@ fn mark(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
         return;
     };
     print(buffer, area.x - MARKS, area.y, 1, ROW, key);
-    let stage = app.stage();
     let width = area.width.into();
-    let (name, cells) = stage
-        .sheet()
-        .show(line, stage.tables(), width, app.glyphs());
+    let (name, cells) = app.sheet().show(line, app.tables(), width, app.glyphs());
     let widths = cells.iter().take(cell + 1).map(|cell| cell.width);
     let right = name.width + widths.sum::<usize>();
     let right = area.x.saturating_add(columns_of(right));

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //!  Four-bar crank-rocker          step 5 deg   1 turn in 4 s   1/9.5 of real time
+//!  Four-bar crank-rocker against mine.toml           step 5 deg   1 turn in 4 s
 //! ```
 
 use super::{columns, cut, print, print_right};
@@ -15,11 +16,14 @@ use ratatui::layout::Rect;
 const GAP: &str = "   ";
 /// The title keeps so many columns before the settings beside it are dropped one by one.
 const TITLE: u16 = 16;
+/// Longer names of what it is held against are cut.
+const LONGEST_NAME: usize = 20;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let title = shown(&app.stage().scene().name, app.glyphs());
+    let against = shown(&against(app), app.glyphs());
     let room = area.width.saturating_sub(2);
-    let wanted = columns(&title).min(TITLE) + columns(GAP);
+    let wanted = columns(&title).min(TITLE) + columns(&against) + columns(GAP);
     let mut settings = settings(app);
     let joined = loop {
         let joined = settings.join(GAP);
@@ -28,6 +32,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
     };
     let left = room.saturating_sub(columns(&joined) + columns(GAP));
+    let most = left.saturating_sub(columns(&against)).max(TITLE.min(left));
+    let title = cut(&title, most.into()) + &against;
     let style = theme::part(Part::Title);
     print(
         buffer,
@@ -45,6 +51,19 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         &joined,
         style,
     );
+}
+
+/// What the scene is held against, behind its title.
+fn against(app: &App) -> String {
+    let Some(rival) = app.rival() else {
+        return String::new();
+    };
+    let missing = if rival.is_assembled() {
+        ""
+    } else {
+        ": no assembly here"
+    };
+    format!(" against {}{missing}", cut(rival.name(), LONGEST_NAME))
 }
 
 /// The most important first.

@@ -1,0 +1,165 @@
+//! Another scene beside the open one, at the same coordinate of the driver: its ghost in the drawing, and
+//! what the figures differ by.
+
+use super::Opened;
+use super::sheet::Sheet;
+use super::stage::{Stage, solved};
+use crate::drawing::{self, Figure, Reach};
+use crate::report::{Pairing, Tables};
+use crate::scene::Scene;
+use crate::solver::{Condition, State};
+use crate::{Ball, Input};
+
+/// A scene that the open one is held against.
+#[derive(Debug)]
+pub(crate) struct Rival {
+    /// As it is called.
+    name: String,
+    other: Other,
+    /// The space that it needs, in its own unit.
+    own: Reach,
+    /// The space that both need, in the unit of the open scene.
+    reach: Reach,
+    pairing: Pairing,
+    /// The columns of the differences.
+    sheet: Sheet,
+    /// What the figures of the open scene are more than its own.
+    tables: Tables,
+    at: f64,
+}
+
+/// The scene itself, solved where the open one is.
+#[derive(Debug)]
+struct Other {
+    opened: Opened,
+    state: State,
+    enclosure: State<Ball>,
+    /// How many units of the open scene one of its own is.
+    scale: f64,
+}
+
+impl Rival {
+    /// Holds a scene against the open one; in words why that cannot be.
+    pub(crate) fn new(name: String, opened: Opened, stage: &Stage) -> Result<Rival, String> {
+        comparable(&name, &opened.scene, stage.scene())?;
+        let mut other = Other {
+            state: opened.solver.state(),
+            enclosure: opened.solver.enclosure(),
+            scale: opened.scene.unit.in_units_of(stage.scene().unit),
+            opened,
+        };
+        let own = Reach::of(&other.opened.scene, &other.opened.solver);
+        let pairing = Pairing::of(stage.tables(), &other.tables(stage.at()));
+        let sheet = Sheet::of_differences(&samples(stage, &mut other, &pairing));
+        let there = other.tables(stage.at());
+        Ok(Rival {
+            name,
+            reach: stage.reach().beside(&own, other.scale),
+            tables: pairing.difference(stage.tables(), &there, other.scale),
+            pairing,
+            sheet,
+            other,
+            own,
+            at: stage.at(),
+        })
+    }
+
+    /// Holds it against the open scene as that is now; in words why that cannot be any more.
+    pub(crate) fn again(self, stage: &Stage) -> Result<Rival, String> {
+        Rival::new(self.name, self.other.opened, stage)
+    }
+
+    /// Goes where the open scene is.
+    pub(crate) fn follow(&mut self, stage: &Stage) {
+        if self.at.to_bits() == stage.at().to_bits() {
+            return;
+        }
+        self.at = stage.at();
+        let there = self.other.tables(self.at);
+        self.tables = self
+            .pairing
+            .difference(stage.tables(), &there, self.other.scale);
+    }
+
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Whether it can be where the open scene is.
+    pub(crate) fn is_assembled(&self) -> bool {
+        self.other.state.condition() != Condition::NoAssembly
+    }
+
+    /// Adds it to a figure of the open scene, below everything; nothing where it cannot be.
+    pub(crate) fn add_ghost(&self, figure: &mut Figure) {
+        let Other {
+            opened,
+            state,
+            scale,
+            ..
+        } = &self.other;
+        drawing::add_other(figure, &opened.scene, state, *scale);
+    }
+
+    /// The space that both scenes need, in the unit of the open one.
+    pub(crate) fn reach(&self) -> &Reach {
+        &self.reach
+    }
+
+    /// The same with room for whatever the drawing of the open scene needs beside that.
+    pub(crate) fn reach_beside(&self, reach: &Reach) -> Reach {
+        reach.beside(&self.own, self.other.scale)
+    }
+
+    /// Which rows have a partner.
+    pub(crate) fn pairing(&self) -> &Pairing {
+        &self.pairing
+    }
+
+    /// The columns of the differences.
+    pub(crate) fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// The differences.
+    pub(crate) fn tables(&self) -> &Tables {
+        &self.tables
+    }
+}
+
+impl Other {
+    /// Its tables where the driver of the open scene is at `at`.
+    fn tables(&mut self, at: f64) -> Tables {
+        let at = match self.opened.scene.mechanism.driver().input {
+            Input::Turn(_) => at,
+            Input::Push(_) => at / self.scale,
+        };
+        solved(&self.opened, at, &mut self.state, &mut self.enclosure)
+    }
+}
+
+/// The differences spread over the motion of the open scene.
+fn samples(stage: &Stage, other: &mut Other, pairing: &Pairing) -> Vec<Tables> {
+    let (mut state, mut enclosure) = (stage.solver().state(), stage.solver().enclosure());
+    let differences = stage.places().into_iter().map(|at| {
+        let here = stage.tables_at(at, &mut state, &mut enclosure);
+        pairing.difference(&here, &other.tables(at), other.scale)
+    });
+    differences.collect()
+}
+
+/// Two scenes are held against each other at the same coordinate: they need one of the same kind.
+fn comparable(name: &str, other: &Scene, this: &Scene) -> Result<(), String> {
+    let driven = |scene: &Scene| match scene.mechanism.driver().input {
+        Input::Turn(_) => "a link that turns",
+        Input::Push(_) => "a slide",
+    };
+    let [other, this] = [other, this].map(driven);
+    if other == this {
+        Ok(())
+    } else {
+        Err(format!(
+            "{name} is driven by {other}, this scene by {this}: no coordinate is common"
+        ))
+    }
+}
