@@ -15,6 +15,7 @@ mod writing;
 use super::action::Action;
 use super::chosen::Chosen;
 use super::course::{OutOfRange, rounded};
+use super::editor::Editor;
 use super::figures::coordinate;
 use super::help::Help;
 use super::key::Key;
@@ -34,6 +35,7 @@ use super::{Opened, cost};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
+pub(crate) use editing::{Entry, Wanted};
 use ratatui::layout::Size;
 use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
@@ -55,6 +57,8 @@ pub(crate) enum Mode {
     Confirm(Question),
     /// The list of presets and files.
     Pick(Box<Picker>),
+    /// The line in the scene view in which a value or a name is typed.
+    Value(Entry),
 }
 
 impl Mode {
@@ -64,6 +68,7 @@ impl Mode {
             Mode::GoTo(line) => Some(line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
+            Mode::Value(entry) => Some(&mut entry.line),
             Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Pick(_) => None,
         }
     }
@@ -142,6 +147,8 @@ pub(crate) struct App {
     previews: Previews,
     /// The text of the scene as it was opened.
     original: Arc<str>,
+    /// What is edited in the open scene.
+    editor: Editor,
     capability: Capability,
     size: Size,
     /// The height of a cell for its width.
@@ -165,6 +172,7 @@ impl App {
         let stage = Stage::new(opened);
         let mut app = App {
             steps: steps_of(&stage),
+            editor: Editor::new(stage.scene()),
             stage,
             playback: Playback::new(),
             view: View::Motion,
@@ -230,6 +238,16 @@ impl App {
     /// What the motion view shows beside the linkage, and how large.
     pub(crate) fn lens(&self) -> &Lens {
         &self.lens
+    }
+
+    /// What is edited in the open scene.
+    pub(crate) fn editor(&self) -> &Editor {
+        &self.editor
+    }
+
+    /// Whether the scene that is shown is not the one in its file.
+    pub(crate) fn is_changed(&self) -> bool {
+        self.editor.is_changed(self.stage.scene())
     }
 
     pub(crate) fn view(&self) -> View {
@@ -378,12 +396,12 @@ impl App {
             Action::Search => self.search(),
             Action::Copy | Action::Csv | Action::Picture | Action::Svg => self.take_out(action),
             Action::SaveAs | Action::Reload | Action::Undo | Action::Redo => {
-                self.edit_history(action);
+                self.edit_history(action, now);
             }
             Action::Motion(action) => self.move_lens(action),
             Action::Tables(action) => self.browse(action),
             Action::Plots(action) => self.plot(action),
-            Action::Scene(action) => self.edit(action),
+            Action::Scene(action) => self.edit(action, now),
             Action::Tour => self.tour(),
             Action::Glyphs => self.next_glyphs(),
             Action::Colours => self.next_colours(),
@@ -421,6 +439,9 @@ impl App {
                 return Some(Effect::Show);
             }
             return None;
+        }
+        if matches!(self.mode, Mode::Value(_)) {
+            return self.type_entry(key, now);
         }
         let line = self.mode.line()?;
         match key {
@@ -524,6 +545,7 @@ impl App {
         self.stage = Stage::new(opened);
         self.opened += 1;
         self.steps = steps_of(&self.stage);
+        self.editor = Editor::new(self.stage.scene());
         self.playback = Playback::new();
         self.survey.forget();
         self.look(self.view);
@@ -536,6 +558,7 @@ impl App {
     /// there, and what is looked at and chosen stays.
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
         let at = self.stage.at();
+        self.chosen = self.chosen.moved(self.stage.scene(), &opened.scene);
         self.stage = Stage::new(opened);
         self.opened += 1;
         self.survey.forget();
@@ -570,6 +593,7 @@ impl App {
     fn look(&mut self, view: View) {
         self.view = view;
         self.stage.answer(view == View::Lengths);
+        self.relist();
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
             self.study();
         }
@@ -607,9 +631,16 @@ impl App {
         let scroll = match &mut self.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(scroll) => scroll,
-            Mode::Normal | Mode::GoTo(_) | Mode::FileName(_) | Mode::Confirm(_) | Mode::Pick(_) => {
-                &mut self.scroll[self.view as usize]
+            Mode::Normal if self.view == View::Scene => {
+                self.editor.move_by(lines);
+                return;
             }
+            Mode::Normal
+            | Mode::GoTo(_)
+            | Mode::FileName(_)
+            | Mode::Value(_)
+            | Mode::Confirm(_)
+            | Mode::Pick(_) => &mut self.scroll[self.view as usize],
         };
         *scroll = scroll.saturating_add_signed(lines).min(most);
     }

@@ -5,6 +5,10 @@ use super::App;
 
 impl App {
     pub(super) fn search(&mut self) {
+        if self.view == super::View::Scene {
+            self.search_values();
+            return;
+        }
         self.message = Some("not there yet".into());
     }
 

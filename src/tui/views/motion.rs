@@ -181,8 +181,18 @@ pub(crate) struct Sketch {
 }
 
 impl Sketch {
+    /// The drawing.
+    pub(super) fn raster(&self) -> &Raster {
+        &self.raster
+    }
+
     /// Draws the linkage as it is now, for a body of this size.
     pub(super) fn draw(&mut self, app: &App, body: Rect) {
+        self.draw_in(app, arrange(app, body).drawing);
+    }
+
+    /// Draws the linkage as it is now, for a drawing of this size.
+    pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
         if self.opened != app.opened() {
             self.opened = app.opened();
             self.labels = Labels::default();
@@ -194,7 +204,7 @@ impl Sketch {
                 drawing::add_ghost(&mut figure, stage.scene(), stage.state(), ghost);
             }
         }
-        let view = window(app, arrange(app, body).drawing);
+        let view = window(app, area);
         let Sketch { labels, raster, .. } = self;
         drawing::render_into(&figure, &view, app.glyphs(), labels, raster);
     }
@@ -211,6 +221,7 @@ pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer
         | Mode::Help(_)
         | Mode::GoTo(_)
         | Mode::FileName(_)
+        | Mode::Value(_)
         | Mode::Confirm(_)
         | Mode::Pick(_) => {
             table::render(app, arrangement.table, buffer);

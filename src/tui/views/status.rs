@@ -9,8 +9,8 @@ use super::{columns, cut, most_scroll, print};
 use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
-use crate::tui::action::{Action, entry_of};
-use crate::tui::app::{App, Mode, View};
+use crate::tui::action::{Action, SceneAction, entry_of};
+use crate::tui::app::{App, Entry, Mode, View, Wanted};
 use crate::tui::figures::coordinate;
 use crate::tui::key::Key;
 use crate::tui::line::Line;
@@ -59,6 +59,10 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Mode::Pick(picker) => {
             picking(app, picker, &mut line);
+            return;
+        }
+        Mode::Value(entry) => {
+            entry_prompt(app, entry, &mut line);
             return;
         }
         Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) => {}
@@ -131,6 +135,7 @@ fn trust(app: &App) -> Option<String> {
             | Mode::GoTo(_)
             | Mode::Assemblies(_)
             | Mode::FileName(_)
+            | Mode::Value(_)
             | Mode::Confirm(_)
             | Mode::Pick(_),
             _,
@@ -163,6 +168,10 @@ fn mode(app: &App) -> &'static str {
             Purpose::Open => "open",
             Purpose::Compare => "compare",
         },
+        (Mode::Value(entry), _) => match entry.purpose {
+            Wanted::Value => "edit",
+            Wanted::Find(_) => "find",
+        },
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
@@ -182,7 +191,8 @@ fn scene(app: &App) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    shown(&name, app.glyphs())
+    let mark = if app.is_changed() { "*" } else { "" };
+    shown(&name, app.glyphs()) + mark
 }
 
 /// The driver's coordinate: an angle within a turn, and the turns.
@@ -303,6 +313,33 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     }
 }
 
+/// What is typed in the scene view: a value stands in its row, a name here.
+fn entry_prompt(app: &App, entry: &Entry, line: &mut Writer<'_>) {
+    line.gap(1);
+    let done = match entry.purpose {
+        Wanted::Value => {
+            if let (None, Some(value)) = (app.message(), app.editor().value()) {
+                let units = value.units().join(", ");
+                line.say(&format!("{} in {units}", value.name), Part::Text);
+                line.gap(2);
+            }
+            "take"
+        }
+        Wanted::Find(_) => {
+            line.say(entry.line.text(), Part::Text);
+            line.say(" ", Part::Caret);
+            line.gap(2);
+            "stay"
+        }
+    };
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), done);
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
 /// Whether to write over a file.
 fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let to = &asked.to;
@@ -354,7 +391,17 @@ fn offered(app: &App) -> &'static [Action] {
                 Action::Quit,
             ],
         },
-        (_, View::Tables | View::Plots | View::Forces | View::Scene | View::Lengths) => &[
+        (_, View::Scene) => &[
+            Action::Scene(SceneAction::Edit),
+            Action::Scene(SceneAction::NudgeDown),
+            Action::Scene(SceneAction::NudgeUp),
+            Action::Save,
+            Action::Undo,
+            Action::Help,
+            Action::MotionView,
+            Action::Quit,
+        ],
+        (_, View::Tables | View::Plots | View::Forces | View::Lengths) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,
@@ -394,6 +441,8 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
     let key = app.keymap().key(action)?;
     let name = match action {
         Action::Play if app.playback().is_playing() => "pause",
+        Action::Scene(SceneAction::NudgeDown) => "less",
+        Action::Scene(SceneAction::NudgeUp) => "more",
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
         Action::AccuracyView if app.survey().phase() == Phase::Stopped => "go on",

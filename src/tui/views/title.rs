@@ -18,6 +18,11 @@ const TITLE: u16 = 16;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let title = shown(&app.stage().scene().name, app.glyphs());
+    let title = if app.is_changed() {
+        title + " *"
+    } else {
+        title
+    };
     let room = area.width.saturating_sub(2);
     let wanted = columns(&title).min(TITLE) + columns(GAP);
     let mut settings = settings(app);
