@@ -199,7 +199,7 @@ impl Scene {
     }
 
     /// Whether two states are the same but for rounding.
-    fn agree(&self, one: &State, other: &State) -> bool {
+    pub(crate) fn agree(&self, one: &State, other: &State) -> bool {
         let place = |state: &State, p| state.position(p);
         let points = || self.mechanism.point_ids();
         let largest = points().map(|p| place(one, p).norm()).fold(0.0, f64::max);

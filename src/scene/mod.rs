@@ -225,6 +225,11 @@ impl Scene {
         &self.origin
     }
 
+    /// Another text read under the same name; `None` where that is no scene.
+    pub(crate) fn again(&self, text: &str) -> Option<Scene> {
+        Scene::parse(text, &self.origin).ok()
+    }
+
     /// The text of the file, without a byte order mark: what [`Scene::place`] counts in.
     #[must_use]
     pub fn text(&self) -> &str {

@@ -135,7 +135,8 @@ impl Value {
     }
 
     /// The units that may be typed, that of the file first.
-    fn units(&self) -> Vec<&'static str> {
+    #[must_use]
+    pub fn units(&self) -> Vec<&'static str> {
         let all: Vec<&'static str> = match (self.measure, self.measure.rate(self.scene)) {
             (_, Some((kind, degree))) => rate::units(kind, degree).to_vec(),
             (Measure::Angle, None) => vec!["deg", "rad"],

@@ -184,6 +184,46 @@ impl Solver {
         Solver::open(mechanism, at, &present.near, &picks)
     }
 
+    /// The same mechanism with other dimensions, opened where it says in the assembly that this one is in at
+    /// `at`: dyads keep their side, coupled groups the solution nearest to where they are.
+    ///
+    /// # Errors
+    /// See [`Fault`]: mostly that it does not close so.
+    pub fn carried_over(
+        &self,
+        mechanism: &Mechanism,
+        at: f64,
+        changed: &Mechanism,
+    ) -> Result<Solver, Fault> {
+        let Some(present) = self.present(mechanism, at) else {
+            return Solver::new(changed);
+        };
+        let named = self.plan.groups.iter().zip(&present.picks);
+        let picks: Vec<(Element, Pick)> = named
+            .filter_map(|(group, pick)| group.name().zip(*pick))
+            .collect();
+        Solver::open(changed, changed.driver().start, &present.near, &picks)
+    }
+
+    /// Whether every dyad is at `at` on the side on which it is in another solver, of the same mechanism with
+    /// other dimensions, where that opens. False too where a group is coupled and no side tells it.
+    #[must_use]
+    pub fn has_sides_of(
+        &self,
+        mechanism: &Mechanism,
+        at: f64,
+        other: &Solver,
+        changed: &Mechanism,
+    ) -> bool {
+        let own = self.present(mechanism, at).map(|p| p.picks);
+        let others = other.present(changed, changed.driver().start);
+        let (Some(own), Some(others)) = (own, others.map(|p| p.picks)) else {
+            return false;
+        };
+        let mut groups = self.plan.groups.iter().zip(&own);
+        own == others && groups.all(|(group, pick)| pick.is_some() || !group.has_choices())
+    }
+
     /// What picks one of the ways of a group, the i-th of them.
     fn pick_of(&self, group: usize, way: &Way, i: usize) -> Pick {
         match way {

@@ -16,6 +16,7 @@ use super::action::Action;
 use super::chosen::Chosen;
 use super::course::{OutOfRange, rounded};
 use super::cursor::Cursor;
+use super::editor::Editor;
 use super::figures::coordinate;
 use super::help::Help;
 use super::key::Key;
@@ -38,6 +39,7 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use comparing::Comparison;
+pub(crate) use editing::{Entry, Wanted};
 use ratatui::layout::Size;
 use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
@@ -63,6 +65,8 @@ pub(crate) enum Mode {
     Search(Search),
     /// The question how much of the tables is copied.
     Copy,
+    /// The line in the scene view in which a value or a name is typed.
+    Value(Entry),
 }
 
 impl Mode {
@@ -73,6 +77,7 @@ impl Mode {
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
             Mode::Search(search) => Some(&mut search.name),
+            Mode::Value(entry) => Some(&mut entry.line),
             Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Pick(_) | Mode::Copy => {
                 None
             }
@@ -161,6 +166,8 @@ pub(crate) struct App {
     comparison: Comparison,
     /// The text of the scene as it was opened.
     original: Arc<str>,
+    /// What is edited in the open scene.
+    editor: Editor,
     capability: Capability,
     theme: Theme,
     size: Size,
@@ -185,6 +192,7 @@ impl App {
         let stage = Stage::new(opened);
         let mut app = App {
             steps: steps_of(&stage),
+            editor: Editor::new(stage.scene()),
             stage,
             playback: Playback::new(),
             view: View::Motion,
@@ -259,6 +267,16 @@ impl App {
     /// The cursor of the tables.
     pub(crate) fn cursor(&self) -> Cursor {
         self.cursor
+    }
+
+    /// What is edited in the open scene.
+    pub(crate) fn editor(&self) -> &Editor {
+        &self.editor
+    }
+
+    /// Whether the scene that is shown is not the one in its file.
+    pub(crate) fn is_changed(&self) -> bool {
+        self.editor.is_changed(self.stage.scene())
     }
 
     pub(crate) fn view(&self) -> View {
@@ -424,12 +442,12 @@ impl App {
                 return self.take_out(action);
             }
             Action::SaveAs | Action::Reload | Action::Undo | Action::Redo => {
-                self.edit_history(action);
+                self.edit_history(action, now);
             }
             Action::Motion(action) => self.move_lens(action),
             Action::Tables(action) => self.browse(action),
             Action::Plots(action) => self.plot(action),
-            Action::Scene(action) => self.edit(action),
+            Action::Scene(action) => self.edit(action, now),
             Action::Tour => self.tour(),
             Action::Glyphs => self.next_glyphs(),
             Action::Colours => self.next_colours(),
@@ -473,6 +491,9 @@ impl App {
         }
         if self.mode == Mode::Copy {
             return self.copy_key(key);
+        }
+        if matches!(self.mode, Mode::Value(_)) {
+            return self.type_entry(key, now);
         }
         let line = self.mode.line()?;
         match key {
@@ -577,6 +598,7 @@ impl App {
         self.stage = Stage::new(opened);
         self.opened += 1;
         self.steps = steps_of(&self.stage);
+        self.editor = Editor::new(self.stage.scene());
         self.playback = Playback::new();
         self.survey.forget();
         self.look(self.view);
@@ -590,6 +612,7 @@ impl App {
     /// there, and what is looked at and chosen stays.
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
         let at = self.stage.at();
+        self.chosen = self.chosen.moved(self.stage.scene(), &opened.scene);
         self.stage = Stage::new(opened);
         self.opened += 1;
         self.survey.forget();
@@ -633,6 +656,7 @@ impl App {
     pub(crate) fn look(&mut self, view: View) {
         self.view = view;
         self.stage.answer(view == View::Lengths);
+        self.relist();
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
             self.study();
         }
@@ -672,6 +696,10 @@ impl App {
             Mode::Assemblies(scroll) => scroll,
             _ if self.view == View::Tables => {
                 return self.place_cursor(|cursor, table| cursor.moved(table, lines));
+            }
+            _ if self.view == View::Scene => {
+                self.editor.move_by(lines);
+                return;
             }
             _ => &mut self.scroll[self.view as usize],
         };

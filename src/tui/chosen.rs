@@ -23,6 +23,19 @@ impl Chosen {
         self.points.contains(&point)
     }
 
+    /// The same points in the scene after a change, by their names.
+    pub(crate) fn moved(&self, before: &Scene, after: &Scene) -> Chosen {
+        let named = |name: &str| {
+            let mut points = after.mechanism.point_ids();
+            points.find(|&point| after.point_name(point) == Some(name))
+        };
+        let points = self.points.iter();
+        let points = points.filter_map(|&point| named(before.point_name(point)?));
+        Chosen {
+            points: points.collect(),
+        }
+    }
+
     /// In the order in which they were chosen.
     pub(crate) fn points(&self) -> &[PointId] {
         &self.points

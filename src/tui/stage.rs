@@ -109,6 +109,12 @@ impl Stage {
         scene.with_start_of(solver, self.at)
     }
 
+    /// The scene is told by another text now, of the same mechanism.
+    pub(crate) fn retell(&mut self, scene: Scene) {
+        self.opened.scene = scene;
+        self.course = Course::new(&self.opened.scene, &self.opened.solver);
+    }
+
     /// The scene is another text now, of the same mechanism, and has a file of its own.
     pub(crate) fn rename(&mut self, scene: Scene, file: PathBuf) {
         self.opened.scene = scene;

@@ -1,14 +1,284 @@
-//! Editing the scene.
+//! Editing the scene: a value is typed or moved, its text is changed, and what that makes of the linkage
+//! is shown at once, or said why it cannot be.
 
 use super::super::action::{Action, SceneAction};
-use super::App;
+use super::super::edited::{self, Edited};
+use super::super::figures::coordinate;
+use super::super::history::Deed;
+use super::super::key::Key;
+use super::super::line::Line;
+use super::{App, Effect, Mode, View};
+use crate::Input;
+use crate::scene::{Measure, Value};
+use std::time::Duration;
+
+/// What is typed in the scene view.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Entry {
+    pub(crate) line: Line,
+    pub(crate) purpose: Wanted,
+}
+
+/// What it is typed for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    /// Another value in the row under the cursor.
+    Value,
+    /// A part of a name, to go to; the cursor was in this row.
+    Find(usize),
+}
 
 impl App {
-    pub(super) fn edit(&mut self, _action: SceneAction) {
-        self.message = Some("not there yet".into());
+    /// What the scene view alone can do.
+    pub(super) fn edit(&mut self, action: SceneAction, now: Duration) {
+        match action {
+            SceneAction::Edit => self.type_value(),
+            SceneAction::NudgeDown => self.nudge(-1.0, now),
+            SceneAction::NudgeUp => self.nudge(1.0, now),
+            SceneAction::FinerNudge => self.editor.finer(),
+            SceneAction::CoarserNudge => self.editor.coarser(),
+        }
     }
 
-    pub(super) fn edit_history(&mut self, _action: Action) {
-        self.message = Some("not there yet".into());
+    fn type_value(&mut self) {
+        if self.editor.value().is_some() {
+            self.mode = Mode::Value(Entry {
+                line: Line::for_number(),
+                purpose: Wanted::Value,
+            });
+        }
+    }
+
+    /// Searches the list of values by name.
+    pub(super) fn search_values(&mut self) {
+        self.mode = Mode::Value(Entry {
+            line: Line::for_number(),
+            purpose: Wanted::Find(self.editor.cursor()),
+        });
+    }
+
+    /// A key while a value or a name is typed; `None` for those that mean the same everywhere.
+    pub(super) fn type_entry(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        let Mode::Value(entry) = &mut self.mode else {
+            return None;
+        };
+        let purpose = entry.purpose;
+        self.message = None;
+        match key {
+            Key::Ctrl('u') => entry.line.clear(),
+            Key::Ctrl(_) => return None,
+            Key::Backspace => entry.line.erase(),
+            Key::Char(c) => entry.line.push(c),
+            Key::Escape => {
+                if let Wanted::Find(row) = purpose {
+                    self.editor.go_to(row);
+                }
+                self.mode = Mode::Normal;
+                return Some(Effect::Show);
+            }
+            Key::Enter => {
+                let typed = entry.line.text().to_owned();
+                match purpose {
+                    Wanted::Value => self.take_value(&typed, now),
+                    Wanted::Find(_) => self.end_search(&typed),
+                }
+                return Some(Effect::Show);
+            }
+            _ => {}
+        }
+        if let Wanted::Find(row) = purpose {
+            self.seek(row);
+        }
+        Some(Effect::Show)
+    }
+
+    /// Goes to the first value behind a row whose name has what is typed so far.
+    fn seek(&mut self, from: usize) {
+        let Mode::Value(entry) = &self.mode else {
+            return;
+        };
+        let typed = entry.line.text().to_owned();
+        self.editor.go_to(from);
+        if !typed.is_empty() && !self.editor.seek(&typed, false) {
+            self.message = Some(format!("no value is named {typed}"));
+        }
+    }
+
+    /// Stays where the search has led; with nothing typed it goes on to the next.
+    fn end_search(&mut self, typed: &str) {
+        self.mode = Mode::Normal;
+        let sought = self.editor.sought().to_owned();
+        if typed.is_empty() && !sought.is_empty() {
+            self.editor.seek(&sought, true);
+        }
+    }
+
+    /// Another value was typed: it is taken, or the line stays to be corrected.
+    fn take_value(&mut self, typed: &str, now: Duration) {
+        let Some(value) = self.editor.value().cloned() else {
+            return;
+        };
+        if typed.trim().is_empty() {
+            self.mode = Mode::Normal;
+            return;
+        }
+        match value.typed(typed) {
+            Ok(text) => {
+                if self.put(&value, text, Deed::Other(value.name.clone()), now) {
+                    self.mode = Mode::Normal;
+                }
+            }
+            Err(why) => self.message = Some(why.to_string()),
+        }
+    }
+
+    /// Moves the value under the cursor by a step.
+    fn nudge(&mut self, steps: f64, now: Duration) {
+        if let Some(value) = self.editor.value().cloned() {
+            let text = value.moved(steps * self.editor.notch().size());
+            self.put(&value, text, Deed::Nudge(value.name.clone()), now);
+        }
+    }
+
+    /// Puts another text in the place of a value; false, and said why, where the scene cannot be so.
+    fn put(&mut self, value: &Value, text: String, deed: Deed, now: Duration) -> bool {
+        let text = self.editor.as_filed(value, text);
+        if text == value.text() {
+            return true;
+        }
+        self.say_what_is_shown();
+        let Some(value) = self.editor.value().cloned() else {
+            return false;
+        };
+        let whole = self.stage.scene().with_value(&value, &text);
+        let edited = match value.measure {
+            // Who moves a start means another assembly.
+            Measure::Start => edited::reopened(&self.stage, &whole),
+            Measure::Length
+            | Measure::Coordinate
+            | Measure::Angle
+            | Measure::TurnSpeed
+            | Measure::TurnAcceleration
+            | Measure::PushSpeed
+            | Measure::PushAcceleration
+            | Measure::Mass
+            | Measure::Inertia
+            | Measure::Force
+            | Measure::Torque
+            | Measure::Gravity => edited::keeping(&self.stage, &whole),
+        };
+        match edited {
+            Ok(edited) => {
+                let opens = self.is_opening(&value);
+                self.change(edited, deed, now);
+                if opens {
+                    let course = self.stage.course();
+                    self.arrive(course.clamp(course.opening()), now);
+                }
+                true
+            }
+            Err(why) => {
+                self.message = Some(format!("{} {text}: {why}", value.name));
+                false
+            }
+        }
+    }
+
+    /// Whether a value is where the driver opens: then the linkage follows it there.
+    fn is_opening(&self, value: &Value) -> bool {
+        let name = match self.stage.scene().mechanism.driver().input {
+            Input::Turn(_) => "driver angle",
+            Input::Push(_) => "driver position",
+        };
+        value.name == name
+    }
+
+    /// Before the first change: where the command line has chosen another assembly than the text says, the
+    /// text is brought up to date first, as a step of its own.
+    fn say_what_is_shown(&mut self) {
+        if self.editor.history.is_empty() && !edited::says_what_is_shown(&self.stage) {
+            self.record_assembly("assembly");
+        }
+    }
+
+    /// The text says from now on which assembly is shown; false where no text can.
+    pub(super) fn record_assembly(&mut self, name: &str) -> bool {
+        let before = self.stage.scene().text().to_owned();
+        let told = self.stage.saved_text();
+        let scene = told.and_then(|text| self.stage.scene().again(&text));
+        let Some(scene) = scene else {
+            return false;
+        };
+        let deed = Deed::Other(name.to_owned());
+        self.editor.history.record(&before, scene.text(), deed);
+        self.stage.retell(scene);
+        self.relist();
+        true
+    }
+
+    /// The scene is another one now, by a deed that can be taken back.
+    pub(super) fn change(&mut self, edited: Edited, deed: Deed, now: Duration) {
+        let before = self.stage.scene().text();
+        let after = edited.opened.scene.text();
+        self.editor.history.record(before, after, deed);
+        self.take_edit(edited, now);
+    }
+
+    /// Shows an edited scene where the driver stands, as far as it gets there.
+    fn take_edit(&mut self, edited: Edited, now: Duration) {
+        let at = self.stage.at();
+        self.exchange(edited.opened, now);
+        let reached = self.stage.at();
+        if reached != at {
+            let (decimals, unit) = (self.stage.course().decimals(), self.stage.unit());
+            let at = coordinate(at, decimals);
+            self.message = Some(format!("{at} {unit} is out of reach now: the end is shown"));
+        } else if edited.started {
+            self.message = Some("[start] follows, so that this assembly stays".into());
+        }
+    }
+
+    /// Lists the values again, while they are looked at.
+    pub(super) fn relist(&mut self) {
+        if self.view == View::Scene {
+            self.editor.list(self.stage.scene());
+        }
+    }
+
+    /// Takes an edit back, or makes it again.
+    pub(super) fn edit_history(&mut self, action: Action, now: Duration) {
+        let text = self.stage.scene().text();
+        let history = &self.editor.history;
+        let is_undo = action == Action::Undo;
+        let step = if is_undo {
+            history.before(text)
+        } else {
+            history.after(text)
+        };
+        let Some((text, name)) = step else {
+            let nothing = if is_undo {
+                "no edit to take back"
+            } else {
+                "no edit to make again"
+            };
+            self.message = Some(nothing.into());
+            return;
+        };
+        let name = name.to_owned();
+        match edited::reopened(&self.stage, &text) {
+            Ok(edited) => {
+                let history = &mut self.editor.history;
+                if is_undo {
+                    history.taken_back();
+                } else {
+                    history.made_again();
+                }
+                let said = if is_undo { "taken back" } else { "made again" };
+                self.message = Some(format!("{name} {said}"));
+                self.take_edit(edited, now);
+            }
+            // Every text of the history was opened before.
+            Err(why) => self.message = Some(format!("{name}: {why}")),
+        }
     }
 }

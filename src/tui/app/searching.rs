@@ -19,12 +19,10 @@ impl App {
                     from: self.cursor,
                 });
             }
-            View::Motion
-            | View::Plots
-            | View::Accuracy
-            | View::Forces
-            | View::Scene
-            | View::Lengths => self.message = Some("there is nothing to search here".into()),
+            View::Scene => self.search_values(),
+            View::Motion | View::Plots | View::Accuracy | View::Forces | View::Lengths => {
+                self.message = Some("there is nothing to search here".into());
+            }
         }
     }
 

@@ -40,9 +40,18 @@ pub(crate) use motion::Sketch;
 
 /// Brings what the screen remembers of its last frame up to date.
 pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
-    let seen = app.view() == View::Motion && !matches!(app.mode(), Mode::Pick(_));
-    if seen && !too_small(app.size()) {
-        sketch.draw(app, body(whole(app.size())));
+    if too_small(app.size()) || matches!(app.mode(), Mode::Pick(_)) {
+        return;
+    }
+    let body = body(whole(app.size()));
+    match app.view() {
+        View::Motion => sketch.draw(app, body),
+        View::Scene => {
+            if let Some(area) = scene::drawing(app, body) {
+                sketch.draw_in(app, area);
+            }
+        }
+        View::Tables | View::Plots | View::Accuracy | View::Forces | View::Lengths => {}
     }
 }
 
@@ -87,7 +96,7 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         View::Accuracy => accuracy::render(app, body(area), buffer),
         View::Plots => plots::render(app, body(area), buffer),
         View::Forces => forces::render(app, inset(body(area)), buffer),
-        View::Scene => scene::render(app, inset(body(area)), buffer),
+        View::Scene => scene::render(app, sketch, body(area), buffer),
         View::Lengths => lengths::render(app, inset(body(area)), buffer),
     }
     if let Mode::Help(help) = app.mode() {
@@ -139,7 +148,8 @@ fn on_top(app: &App) -> (usize, usize) {
         (_, View::Tables) => tables::extent(app, body),
         (_, View::Accuracy) => accuracy::extent(app, body),
         (_, View::Lengths) => lengths::extent(app, inset(body)),
-        (_, View::Plots | View::Forces | View::Scene) => (0, 0),
+        (_, View::Scene) => scene::extent(app, body),
+        (_, View::Plots | View::Forces) => (0, 0),
     }
 }
 

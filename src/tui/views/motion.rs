@@ -189,8 +189,18 @@ pub(crate) struct Sketch {
 }
 
 impl Sketch {
+    /// The drawing.
+    pub(super) fn raster(&self) -> &Raster {
+        &self.raster
+    }
+
     /// Draws the linkage as it is now, for a body of this size.
     pub(super) fn draw(&mut self, app: &App, body: Rect) {
+        self.draw_in(app, arrange(app, body).drawing);
+    }
+
+    /// Draws the linkage as it is now, for a drawing of this size.
+    pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
         if self.opened != app.opened() {
             self.opened = app.opened();
             self.labels = Labels::default();
@@ -205,7 +215,7 @@ impl Sketch {
         if let Some(rival) = app.rival() {
             rival.add_ghost(&mut figure);
         }
-        let view = window(app, arrange(app, body).drawing);
+        let view = window(app, area);
         let Sketch { labels, raster, .. } = self;
         drawing::render_into(&figure, &view, app.glyphs(), labels, raster);
     }

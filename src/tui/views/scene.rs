@@ -1,19 +1,248 @@
-//! What the scene gives.
+//! Every value of the scene, to be changed; beside them the linkage, where there is room.
+//!
+//! ```text
+//!    nudge by 1 mm         1 changed      file |
+//!    driver angle          60     deg          |
+//!  > r2 length            105     mm  *    100 |      drawing
+//!    r2 com x               0     mm           |
+//! ```
 
-use super::print;
-use crate::tui::app::App;
+use super::motion::{rule, show};
+use super::{Sketch, columns, cut, inset, mark_more, print, print_right};
+use crate::scene::Value;
+use crate::tui::app::{App, Mode, Wanted};
+use crate::tui::editor::Editor;
+use crate::tui::stage::shown;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub(super) fn render(_app: &App, area: Rect, buffer: &mut Buffer) {
-    let text = "not there yet";
-    print(
-        buffer,
-        area.x,
-        area.y,
-        area.width,
-        text,
-        theme::part(Part::Text),
-    );
+/// Columns of a name: longer ones are cut.
+const SHORTEST_NAME: u16 = 12;
+const LONGEST_NAME: u16 = 24;
+/// Columns before the decimal point and behind it that a value has at least, and at the most.
+const WHOLE: (u16, u16) = (4, 10);
+const FRACTION: (u16, u16) = (4, 8);
+/// Columns of the value in the file, behind a blank and its mark.
+const FILED: u16 = 10;
+/// Columns before a name: the cursor and a blank.
+const CURSOR: u16 = 2;
+/// The line above the list.
+const HEAD: u16 = 1;
+/// A drawing needs so much room to be one.
+const NARROWEST_DRAWING: u16 = 26;
+
+/// Where the parts of the view are.
+struct Arrangement {
+    list: Rect,
+    /// The line between, and the drawing, where there is room for them.
+    beside: Option<(Rect, Rect)>,
+}
+
+fn arrange(app: &App, body: Rect) -> Arrangement {
+    let list = Columns::of(app.editor()).width() + 1 + super::MARGIN;
+    match body.width.checked_sub(list + 1) {
+        Some(width) if width >= NARROWEST_DRAWING => {
+            let part = |x, width| Rect {
+                x: body.x + x,
+                width,
+                ..body
+            };
+            Arrangement {
+                list: inset(part(0, list)),
+                beside: Some((part(list, 1), part(list + 1, width))),
+            }
+        }
+        Some(_) | None => Arrangement {
+            list: inset(body),
+            beside: None,
+        },
+    }
+}
+
+/// Where the linkage is drawn, if it is.
+pub(super) fn drawing(app: &App, body: Rect) -> Option<Rect> {
+    arrange(app, body).beside.map(|(_, drawing)| drawing)
+}
+
+/// Rows of the list, and how many are seen.
+pub(super) fn extent(app: &App, body: Rect) -> (usize, usize) {
+    let height = arrange(app, body).list.height;
+    (
+        app.editor().values().len(),
+        height.saturating_sub(HEAD).into(),
+    )
+}
+
+pub(super) fn render(app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+    let Arrangement { list, beside } = arrange(app, body);
+    if let Some((line, drawing)) = beside {
+        rule(app.glyphs(), line, buffer);
+        show(sketch.raster(), drawing, buffer);
+    }
+    let editor = app.editor();
+    let columns = Columns::of(editor);
+    columns.head(editor, list, buffer);
+    let rows = Rect {
+        y: list.y + HEAD,
+        height: list.height.saturating_sub(HEAD),
+        ..list
+    };
+    let (count, height) = (editor.values().len(), usize::from(rows.height));
+    // The cursor is seen, with rows above and below it where there are some.
+    let most = count.saturating_sub(height);
+    let first = editor.cursor().saturating_sub(height / 2).min(most);
+    mark_more(rows, first > 0, first < most, buffer);
+    let seen = editor.values().iter().enumerate().skip(first);
+    for (y, (number, value)) in (rows.top()..rows.bottom()).zip(seen) {
+        let row = Rect {
+            y,
+            height: 1,
+            ..rows
+        };
+        columns.row(app, value, number == editor.cursor(), row, buffer);
+    }
+}
+
+/// Widths of the columns: those of the longest entries, so that nothing moves while values do.
+struct Columns {
+    name: u16,
+    whole: u16,
+    fraction: u16,
+    unit: u16,
+}
+
+impl Columns {
+    fn of(editor: &Editor) -> Columns {
+        let widest = |width: &dyn Fn(&Value) -> u16| editor.values().iter().map(width).max();
+        let widest = |width: &dyn Fn(&Value) -> u16| widest(width).unwrap_or(0);
+        let part = |which: usize| {
+            widest(&|value| {
+                let (whole, fraction) = halves(&value.literal);
+                columns([whole, fraction][which])
+            })
+        };
+        Columns {
+            name: widest(&|v| columns(&v.name)).clamp(SHORTEST_NAME, LONGEST_NAME),
+            whole: part(0).clamp(WHOLE.0, WHOLE.1),
+            fraction: part(1).clamp(FRACTION.0, FRACTION.1),
+            unit: widest(&|v| columns(v.unit)),
+        }
+    }
+
+    /// Columns from the cursor to the unit.
+    fn values(&self) -> u16 {
+        CURSOR + self.name + 1 + self.whole + self.fraction + 1 + self.unit
+    }
+
+    /// All of them.
+    fn width(&self) -> u16 {
+        self.values() + 2 + FILED
+    }
+
+    fn head(&self, editor: &Editor, area: Rect, buffer: &mut Buffer) {
+        let style = theme::part(Part::Quiet);
+        let Some(value) = editor.value() else {
+            let text = "the scene has no numbers";
+            print(buffer, area.x, area.y, area.width, text, style);
+            return;
+        };
+        let nudge = format!("nudge by {} {}", editor.notch(), value.unit);
+        print(buffer, area.x + CURSOR, area.y, area.width, &nudge, style);
+        // A narrow list has no column for what is in the file.
+        let is_wide = area.width >= self.width();
+        let filed = editor.in_file(value).filter(|_| !is_wide);
+        let says = match (editor.changes(), filed) {
+            (0, _) => String::new(),
+            (_, Some(filed)) => format!("in the file: {}", filed.literal),
+            (_, None) if is_wide => "in the file".into(),
+            (n, None) => format!("{n} changed"),
+        };
+        let width = if is_wide { self.width() } else { self.values() };
+        let right = area.x + width.min(area.width);
+        print_right(buffer, right, area.y, &says, style);
+    }
+
+    fn row(&self, app: &App, value: &Value, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
+        let part = |other| theme::part(if under_cursor { Part::Key } else { other });
+        let editor = app.editor();
+        let filed = editor.in_file(value);
+        let mark = if filed.is_some() || editor.is_new(value) {
+            "*"
+        } else {
+            " "
+        };
+        let cursor = if under_cursor { ">" } else { " " };
+        let (y, right) = (area.y, area.right());
+        let mut put = |x: u16, text: &str, style| {
+            print(buffer, x, y, right.saturating_sub(x), text, style);
+        };
+        put(area.x, cursor, part(Part::Key));
+        put(area.x + 1, mark, theme::part(Part::Warning));
+        let name = cut(&shown(&value.name, app.glyphs()), self.name.into());
+        let at = area.x + CURSOR;
+        put(at, &name, part(Part::Name));
+        let point = at + self.name + 1 + self.whole;
+        let unit = point + self.fraction + 1;
+        let typed = match app.mode() {
+            Mode::Value(entry) if under_cursor && entry.purpose == Wanted::Value => {
+                Some(entry.line.text())
+            }
+            _ => None,
+        };
+        if let Some(typed) = typed {
+            // What is typed may be longer than the column; its end is seen.
+            let from = at + self.name + 1;
+            let room = usize::from(right.saturating_sub(from + 1));
+            let skipped = typed.len().saturating_sub(room);
+            let seen = typed.get(skipped..).unwrap_or_default();
+            put(from, seen, theme::part(Part::Text));
+            put(from + columns(seen), " ", theme::part(Part::Caret));
+            return;
+        }
+        put(unit, value.unit, part(Part::Quiet));
+        self.number(&value.literal, point, y, part(Part::Text), buffer);
+        if let Some(filed) = filed
+            && area.width >= self.width()
+        {
+            let text = if filed.unit == value.unit {
+                filed.literal.clone()
+            } else {
+                filed.text()
+            };
+            let text = cut(&text, FILED.into());
+            print_right(
+                buffer,
+                area.x + self.width(),
+                y,
+                &text,
+                theme::part(Part::Quiet),
+            );
+        }
+    }
+
+    /// A number with its decimal point at a column.
+    fn number(
+        &self,
+        literal: &str,
+        point: u16,
+        y: u16,
+        style: ratatui::style::Style,
+        buffer: &mut Buffer,
+    ) {
+        let (whole, fraction) = halves(literal);
+        if columns(whole) > self.whole || columns(fraction) > self.fraction {
+            let text = cut(literal, usize::from(self.whole + self.fraction));
+            print_right(buffer, point + self.fraction, y, &text, style);
+            return;
+        }
+        print_right(buffer, point, y, whole, style);
+        print(buffer, point, y, self.fraction, fraction, style);
+    }
+}
+
+/// What stands before the decimal point, and the rest with it.
+fn halves(literal: &str) -> (&str, &str) {
+    let at = literal.find(['.', 'e', 'E']).unwrap_or(literal.len());
+    literal.split_at(at)
 }

@@ -10,9 +10,9 @@ use super::{columns, cut, most_scroll, print};
 use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
-use crate::tui::action::{Action, TablesAction, entry_of};
+use crate::tui::action::{Action, SceneAction, TablesAction, entry_of};
 use crate::tui::ahead::ahead;
-use crate::tui::app::{App, Mode, View};
+use crate::tui::app::{App, Entry, Mode, View, Wanted};
 use crate::tui::figures::coordinate;
 use crate::tui::key::Key;
 use crate::tui::line::Line;
@@ -65,6 +65,10 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Mode::Search(search) => {
             search_prompt(app, &search.name, &mut line);
+            return;
+        }
+        Mode::Value(entry) => {
+            entry_prompt(app, entry, &mut line);
             return;
         }
         Mode::Copy => {
@@ -162,6 +166,7 @@ fn trust(app: &App) -> Option<String> {
             | Mode::GoTo(_)
             | Mode::Assemblies(_)
             | Mode::FileName(_)
+            | Mode::Value(_)
             | Mode::Confirm(_)
             | Mode::Pick(_)
             | Mode::Search(_)
@@ -215,6 +220,10 @@ fn mode(app: &App) -> &'static str {
         },
         (Mode::Search(_), _) => "search",
         (Mode::Copy, _) => "copy",
+        (Mode::Value(entry), _) => match entry.purpose {
+            Wanted::Value => "edit",
+            Wanted::Find(_) => "find",
+        },
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
@@ -234,7 +243,8 @@ fn scene(app: &App) -> String {
         }
         Origin::Stdin => "stdin".into(),
     };
-    shown(&name, app.glyphs())
+    let mark = if app.is_changed() { "*" } else { "" };
+    shown(&name, app.glyphs()) + mark
 }
 
 /// The driver's coordinate: an angle within a turn, and the turns.
@@ -378,6 +388,33 @@ fn how_much(line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "back");
 }
 
+/// What is typed in the scene view: a value stands in its row, a name here.
+fn entry_prompt(app: &App, entry: &Entry, line: &mut Writer<'_>) {
+    line.gap(1);
+    let done = match entry.purpose {
+        Wanted::Value => {
+            if let (None, Some(value)) = (app.message(), app.editor().value()) {
+                let units = value.units().join(", ");
+                line.say(&format!("{} in {units}", value.name), Part::Text);
+                line.gap(2);
+            }
+            "take"
+        }
+        Wanted::Find(_) => {
+            line.say(entry.line.text(), Part::Text);
+            line.say(" ", Part::Caret);
+            line.gap(2);
+            "stay"
+        }
+    };
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), done);
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
 /// Whether to write over a file.
 fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let to = &asked.to;
@@ -438,7 +475,17 @@ fn offered(app: &App) -> &'static [Action] {
             Action::Csv,
             Action::Quit,
         ],
-        (_, View::Plots | View::Forces | View::Scene | View::Lengths) => &[
+        (_, View::Scene) => &[
+            Action::Scene(SceneAction::Edit),
+            Action::Scene(SceneAction::NudgeDown),
+            Action::Scene(SceneAction::NudgeUp),
+            Action::Save,
+            Action::Undo,
+            Action::Help,
+            Action::MotionView,
+            Action::Quit,
+        ],
+        (_, View::Plots | View::Forces | View::Lengths) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,
@@ -478,6 +525,8 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
     let key = app.keymap().key(action)?;
     let name = match action {
         Action::Play if app.playback().is_playing() => "pause",
+        Action::Scene(SceneAction::NudgeDown) => "less",
+        Action::Scene(SceneAction::NudgeUp) => "more",
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
         Action::AccuracyView if app.survey().phase() == Phase::Stopped => "go on",

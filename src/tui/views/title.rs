@@ -21,6 +21,11 @@ const LONGEST_NAME: usize = 20;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let title = shown(&app.stage().scene().name, app.glyphs());
+    let title = if app.is_changed() {
+        title + " *"
+    } else {
+        title
+    };
     let against = shown(&against(app), app.glyphs());
     let room = area.width.saturating_sub(2);
     let wanted = columns(&title).min(TITLE) + columns(&against) + columns(GAP);

@@ -1,0 +1,122 @@
+//! What becomes of the linkage when the text of its scene is changed.
+//!
+//! The assembly that is shown stays. Where the changed text would open in another one, or does not say in
+//! which, its `[start]` is brought up to date as a part of the change: then the text always opens in the
+//! assembly that is seen, after it is saved, taken back or recovered too.
+
+use super::Opened;
+use super::opening::first_words;
+use super::stage::Stage;
+use crate::scene::{Scene, figure};
+use crate::solver::{Condition, Fault, Order, Solver};
+
+/// The scene after a change.
+#[derive(Debug)]
+pub(crate) struct Edited {
+    pub(crate) opened: Opened,
+    /// Whether `[start]` was brought up to date.
+    pub(crate) started: bool,
+}
+
+/// Opens the changed text in the assembly that is shown; in words why that cannot be.
+pub(crate) fn keeping(stage: &Stage, text: &str) -> Result<Edited, String> {
+    let scene = parsed(stage, text)?;
+    let plain = Solver::new(&scene.mechanism);
+    let (shown, own) = (stage.solver(), &stage.scene().mechanism);
+    let at = seen_at(stage, &scene);
+    if let Ok(solver) = &plain
+        && shown.has_sides_of(own, at, solver, &scene.mechanism)
+    {
+        let solver = solver.clone();
+        return Ok(edited(stage, scene, solver, false));
+    }
+    let kept = shown.carried_over(own, at, &scene.mechanism);
+    let kept = kept.map_err(|fault| match &plain {
+        Ok(_) => format!("this assembly {}", words(&scene, &fault)),
+        Err(fault) => words(&scene, fault),
+    })?;
+    if let Ok(solver) = plain
+        && agree(&scene, &kept, &solver)
+    {
+        return Ok(edited(stage, scene, solver, false));
+    }
+    let text = scene.with_start_of(&kept, scene.mechanism.driver().start);
+    let text = text.ok_or("no [start] could tell this assembly from the others")?;
+    let edited = reopened(stage, &text)?;
+    Ok(Edited {
+        started: true,
+        ..edited
+    })
+}
+
+/// Opens a text in the assembly that it says.
+pub(crate) fn reopened(stage: &Stage, text: &str) -> Result<Edited, String> {
+    let scene = parsed(stage, text)?;
+    match Solver::new(&scene.mechanism) {
+        Ok(solver) => Ok(edited(stage, scene, solver, false)),
+        Err(fault) => Err(words(&scene, &fault)),
+    }
+}
+
+/// Whether the text opens in the assembly that is shown: not where the command line chose another.
+pub(crate) fn says_what_is_shown(stage: &Stage) -> bool {
+    let scene = stage.scene();
+    let plain = Solver::new(&scene.mechanism);
+    plain.is_ok_and(|plain| agree(scene, stage.solver(), &plain))
+}
+
+fn edited(stage: &Stage, scene: Scene, solver: Solver, started: bool) -> Edited {
+    let origin = stage.origin().clone();
+    let opened = Opened {
+        scene,
+        solver,
+        origin,
+    };
+    Edited { opened, started }
+}
+
+fn parsed(stage: &Stage, text: &str) -> Result<Scene, String> {
+    Scene::parse(text, stage.scene().origin()).map_err(|faults| first_words(&faults))
+}
+
+/// Where to look for the assembly that is shown: where the changed scene opens, if it gets there, else
+/// where it opened so far.
+fn seen_at(stage: &Stage, changed: &Scene) -> f64 {
+    let mut state = stage.solver().state();
+    let mut reaches =
+        |at| stage.solver().solve(at, Order::Position, &mut state) != Condition::NoAssembly;
+    let openings = [changed, stage.scene()].map(|s| s.mechanism.driver().start);
+    openings
+        .into_iter()
+        .find(|&at| reaches(at))
+        .unwrap_or(stage.at())
+}
+
+/// Whether two solvers of a scene are in the same assembly where it opens.
+fn agree(scene: &Scene, one: &Solver, other: &Solver) -> bool {
+    let at = scene.mechanism.driver().start;
+    let (mut here, mut there) = (one.state(), other.state());
+    let closes = [
+        one.solve(at, Order::Position, &mut here),
+        other.solve(at, Order::Position, &mut there),
+    ];
+    !closes.contains(&Condition::NoAssembly) && scene.agree(&here, &there)
+}
+
+/// What hinders it, in as few words as a line has room for.
+fn words(scene: &Scene, fault: &Fault) -> String {
+    match fault {
+        Fault::Open { point, gap, .. } => {
+            let name = scene.point_name(*point).unwrap_or("a joint");
+            let (gap, unit) = (figure(*gap), scene.unit.symbol());
+            format!("does not close: {name} is out of reach by {gap} {unit}")
+        }
+        Fault::Mobility { .. }
+        | Fault::OverConstrained { .. }
+        | Fault::Vague { .. }
+        | Fault::ChangePoint { .. }
+        | Fault::NoChoice { .. }
+        | Fault::NotAssembled { .. }
+        | Fault::Singular { .. } => first_words(&scene.explain(fault)),
+    }
+}

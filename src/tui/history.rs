@@ -1,0 +1,225 @@
+//! Edits of a text, to be taken back and made again.
+
+use std::ops::Range;
+
+/// Steps that are remembered. Each holds only what it changed.
+const MOST_STEPS: usize = 1000;
+
+/// What a step did; steps of the same kind that follow each other may be one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Deed {
+    /// The value of this name was moved by a key: further such steps join.
+    Nudge(String),
+    /// Anything else, by its name for people.
+    Other(String),
+}
+
+impl Deed {
+    /// For people.
+    pub(crate) fn name(&self) -> &str {
+        match self {
+            Deed::Nudge(name) | Deed::Other(name) => name,
+        }
+    }
+}
+
+/// A part of a text that was replaced.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Change {
+    at: usize,
+    old: String,
+    new: String,
+    deed: Deed,
+}
+
+impl Change {
+    fn between(before: &str, after: &str, deed: Deed) -> Change {
+        let at = common_prefix(before, after);
+        let end = common_suffix(&before[at..], &after[at..]);
+        let part = |text: &str| text[at..text.len() - end].to_owned();
+        Change {
+            at,
+            old: part(before),
+            new: part(after),
+            deed,
+        }
+    }
+
+    /// The text before the change.
+    fn back(&self, text: &str) -> String {
+        replaced(text, self.at..self.at + self.new.len(), &self.old)
+    }
+
+    /// The text after it.
+    fn forth(&self, text: &str) -> String {
+        replaced(text, self.at..self.at + self.old.len(), &self.new)
+    }
+}
+
+fn replaced(text: &str, place: Range<usize>, by: &str) -> String {
+    let mut made = String::with_capacity(text.len() - place.len() + by.len());
+    made.push_str(&text[..place.start]);
+    made.push_str(by);
+    made.push_str(&text[place.end..]);
+    made
+}
+
+/// Bytes that two texts begin with, whole characters only.
+fn common_prefix(one: &str, other: &str) -> usize {
+    let pairs = one.char_indices().zip(other.chars());
+    let mut different = pairs.skip_while(|((_, a), b)| a == b);
+    different
+        .next()
+        .map_or(one.len().min(other.len()), |((at, _), _)| at)
+}
+
+/// Bytes that two texts end with.
+fn common_suffix(one: &str, other: &str) -> usize {
+    let pairs = one.chars().rev().zip(other.chars().rev());
+    pairs
+        .take_while(|(a, b)| a == b)
+        .map(|(a, _)| a.len_utf8())
+        .sum()
+}
+
+/// The steps that led to a text, and those that were taken back.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct History {
+    past: Vec<Change>,
+    future: Vec<Change>,
+}
+
+impl History {
+    /// Whether nothing was done yet, or all of it forgotten.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.past.is_empty() && self.future.is_empty()
+    }
+
+    /// A text became another. What was taken back cannot be made again.
+    pub(crate) fn record(&mut self, before: &str, after: &str, deed: Deed) {
+        self.future.clear();
+        let joined = match (self.past.last(), &deed) {
+            (Some(last), Deed::Nudge(_)) if last.deed == deed => Some(last.back(before)),
+            _ => None,
+        };
+        let before = match &joined {
+            Some(earlier) => {
+                self.past.pop();
+                earlier
+            }
+            None => before,
+        };
+        if before != after {
+            self.past.push(Change::between(before, after, deed));
+        }
+        let surplus = self.past.len().saturating_sub(MOST_STEPS);
+        self.past.drain(..surplus);
+    }
+
+    /// Steps in a row no longer join: something else was done between them.
+    pub(crate) fn part(&mut self) {
+        if let Some(last) = self.past.last_mut() {
+            last.deed = Deed::Other(last.deed.name().to_owned());
+        }
+    }
+
+    /// The text before the last step, and what that did.
+    pub(crate) fn before(&self, text: &str) -> Option<(String, &str)> {
+        let last = self.past.last()?;
+        Some((last.back(text), last.deed.name()))
+    }
+
+    /// The text after the step that was taken back last, and what that does.
+    pub(crate) fn after(&self, text: &str) -> Option<(String, &str)> {
+        let next = self.future.last()?;
+        Some((next.forth(text), next.deed.name()))
+    }
+
+    /// The last step was taken back.
+    pub(crate) fn taken_back(&mut self) {
+        self.part();
+        self.future.extend(self.past.pop());
+    }
+
+    /// The step was made again.
+    pub(crate) fn made_again(&mut self) {
+        self.past.extend(self.future.pop());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn other(name: &str) -> Deed {
+        Deed::Other(name.into())
+    }
+
+    #[test]
+    fn nudges_of_one_value_are_one_step_until_something_else_happens() {
+        let mut history = History::default();
+        let nudge = || Deed::Nudge("r2".into());
+        history.record("a 1 b", "a 2 b", nudge());
+        history.record("a 2 b", "a 13 b", nudge());
+        assert_eq!(history.before("a 13 b"), Some(("a 1 b".into(), "r2")));
+        history.part();
+        history.record("a 13 b", "a 14 b", nudge());
+        assert_eq!(history.before("a 14 b"), Some(("a 13 b".into(), "r2")));
+        history.record("a 14 b", "a 14 c", Deed::Nudge("r3".into()));
+        assert_eq!(history.before("a 14 c"), Some(("a 14 b".into(), "r3")));
+        // There and back is no step at all.
+        history.record("a 14 c", "a 14 b", Deed::Nudge("r3".into()));
+        assert_eq!(history.before("a 14 b"), Some(("a 13 b".into(), "r2")));
+    }
+
+    #[test]
+    fn a_new_step_forgets_what_was_taken_back() {
+        let mut history = History::default();
+        history.record("one", "two", other("first"));
+        history.taken_back();
+        assert_eq!(history.after("one"), Some(("two".into(), "first")));
+        history.record("one", "three", other("second"));
+        assert_eq!(history.after("three"), None);
+    }
+
+    #[test]
+    fn what_is_remembered_is_bounded() {
+        let mut history = History::default();
+        let text = |n: usize| format!("value = {n}");
+        for n in 0..3 * MOST_STEPS {
+            history.record(&text(n), &text(n + 1), other("n"));
+        }
+        assert_eq!(history.past.len(), MOST_STEPS);
+        let mut now = text(3 * MOST_STEPS);
+        while let Some((before, _)) = history.before(&now) {
+            now = before;
+            history.taken_back();
+        }
+        assert_eq!(now, text(2 * MOST_STEPS));
+    }
+
+    proptest! {
+        /// All the way back leads to the first text, all the way on to the last, to the byte.
+        #[test]
+        fn back_and_forth(texts in proptest::collection::vec("[ab\u{e4}\u{20ac}]{0,8}", 1..12), nudges in 0_u32..) {
+            let mut history = History::default();
+            for (i, pair) in texts.windows(2).enumerate() {
+                let deed = if nudges >> (i % 32) & 1 == 1 { Deed::Nudge("n".into()) } else { other("o") };
+                history.record(&pair[0], &pair[1], deed);
+            }
+            let last = texts.last().unwrap();
+            let mut now = last.clone();
+            while let Some((before, _)) = history.before(&now) {
+                now = before;
+                history.taken_back();
+            }
+            prop_assert_eq!(&now, &texts[0]);
+            while let Some((after, _)) = history.after(&now) {
+                now = after;
+                history.made_again();
+            }
+            prop_assert_eq!(&now, last);
+        }
+    }
+}
