@@ -120,8 +120,22 @@ impl App {
         self.ask_for_file(Document::Text(Text { what, text }), &proposal);
     }
 
+    /// Asks where to write the drawing as it is seen.
     fn ask_for_svg(&mut self) {
-        self.message = Some("not there yet".into());
+        match self.view {
+            View::Motion => {
+                let text = self.lens.svg(&self.stage);
+                let proposal = self.proposal("svg");
+                let what = "the drawing".into();
+                self.ask_for_file(Document::Text(Text { what, text }), &proposal);
+            }
+            View::Tables
+            | View::Plots
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths => self.message = Some("there is no drawing in this view".into()),
+        }
     }
 
     /// The name of a file for what is seen here: `four-bar-60.csv`.

@@ -370,11 +370,13 @@ fn search_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" name: ", Part::Text);
     line.say(typed.text(), Part::Text);
     line.say(" ", Part::Caret);
-    line.gap(3);
+    line.gap(1);
     if let Some(message) = app.message() {
-        line.tell(message, app);
+        // On a short line it covers what was typed, but does not run into it.
+        line.tell(&format!("  {message}"), app);
         return;
     }
+    line.gap(2);
     line.hint(&Key::Enter.to_string(), "keep");
     line.hint(&Key::Escape.to_string(), "back");
 }
