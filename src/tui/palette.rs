@@ -70,6 +70,7 @@ const fn shade(index: u8, r: u8, g: u8, b: u8) -> Shade {
 }
 
 impl Hue {
+    #[cfg(test)]
     const ALL: [Hue; 7] = [
         Hue::Red,
         Hue::Green,

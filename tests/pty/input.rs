@@ -1,0 +1,49 @@
+//! What comes from the terminal and is no key: noise, and text that is pasted.
+
+use crate::session::Session;
+use std::thread;
+use std::time::Duration;
+
+#[test]
+fn noise_from_the_line_does_not_make_deaf() {
+    let mut session = Session::krank(&["four-bar"]);
+    session
+        .wait_for("60.00 deg")
+        .send("\x1b]\x1b[200~qqq\x1bP\x1b[");
+    // A paste without an end is given up after a second of silence.
+    thread::sleep(Duration::from_millis(1300));
+    session.send("g90\r");
+    session.wait_for("90.00 deg").send("q");
+    assert!(session.ended_as_found().success());
+}
+
+/// Keys that leave, save, open and edit, and what would end a line: pasted, none of them is a key,
+/// wherever it is pasted to.
+#[test]
+fn a_paste_is_no_key_in_any_mode() {
+    let harmful = "\x1b[200~q\x03\x1a\rw\r\nWx\r\x1b[An.5\x7f\u{202e}\x00\r\r\x1b[201~";
+    // Each leads to a mode of its own, and Esc back: the views, help, where to go, assemblies, files.
+    for keys in ["1", "2", "3", "4", "5", "6", "e", "?", "g", "a", "w", "W"] {
+        let mut session = Session::krank(&["four-bar"]);
+        session.wait_for("60.00 deg").send(keys);
+        session.settle();
+        session.send(harmful);
+        session.settle();
+        let seen = session.screen();
+        assert!(
+            session.child.try_wait().unwrap().is_none(),
+            "{keys}\n{seen}"
+        );
+        assert!(
+            seen.chars().all(|c| c == '\n' || !c.is_control()),
+            "{keys}\n{seen}"
+        );
+        session.send("\x1b");
+        thread::sleep(Duration::from_millis(80));
+        session.send("\x1b");
+        thread::sleep(Duration::from_millis(80));
+        session.send("1");
+        session.wait_for("four-bar   60.00 deg").send("\x03");
+        assert!(session.ended_as_found().success(), "{keys}");
+    }
+}

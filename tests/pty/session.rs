@@ -1,0 +1,363 @@
+//! A program on a pseudo-terminal of its own, with an emulated screen at the other end.
+
+use portable_pty::{
+    Child, CommandBuilder, ExitStatus, MasterPty, PtySize, SlavePty, native_pty_system,
+};
+use rustix::process::{Pid, Signal, kill_process};
+use std::io::{Read, Write};
+use std::num::NonZeroU16;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// On a machine with much else to do everything takes its time.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(20);
+pub(crate) const QUESTION: &[u8] = b"\x1b[5n";
+const ANSWER: &[u8] = b"\x1b[0n";
+
+/// Bytes a second of a line of 9,600 baud.
+pub(crate) const SLOW: usize = 960;
+
+/// What has come from the program.
+pub(crate) struct Seen {
+    pub(crate) terminal: vt100::Parser,
+    pub(crate) bytes: Vec<u8>,
+}
+
+impl Seen {
+    pub(crate) fn new(cols: u16, rows: u16) -> Self {
+        Seen {
+            terminal: emulator(cols, rows),
+            bytes: Vec::new(),
+        }
+    }
+
+    pub(crate) fn take(&mut self, bytes: &[u8]) {
+        self.bytes.extend_from_slice(bytes);
+        self.terminal.process(bytes);
+    }
+
+    pub(crate) fn rows(&self) -> Vec<String> {
+        let screen = self.terminal.screen();
+        screen.rows(0, screen.size().1.get()).collect()
+    }
+
+    /// How often a sequence of bytes has come.
+    pub(crate) fn count(&self, sequence: &[u8]) -> usize {
+        let windows = self.bytes.windows(sequence.len());
+        windows.filter(|bytes| *bytes == sequence).count()
+    }
+}
+
+/// A program on a terminal of its own.
+pub(crate) struct Session {
+    pub(crate) seen: Arc<Mutex<Seen>>,
+    keys: Arc<Mutex<Box<dyn Write + Send>>>,
+    pub(crate) child: Box<dyn Child + Send + Sync>,
+    /// `None` once the line was cut.
+    master: Option<Box<dyn MasterPty + Send>>,
+    switches: Arc<Switches>,
+    /// Kept open: the modes are asked for after the program has left.
+    _slave: Box<dyn SlavePty + Send>,
+    found: String,
+}
+
+/// What the reader at the other end is told.
+#[derive(Default)]
+struct Switches {
+    /// To close its end at the next byte.
+    cut: AtomicBool,
+    /// To take whatever comes at once.
+    hurry: AtomicBool,
+}
+
+/// How the terminal at the other end behaves.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Manner {
+    Answers,
+    Mute,
+    /// Answers, and takes 960 bytes a second, as a line of 9,600 baud.
+    Slow,
+    /// Takes nothing at all, as a line that hangs.
+    Stalled,
+}
+
+/// What a session begins with.
+pub(crate) struct Setup {
+    command: CommandBuilder,
+    manner: Manner,
+    size: PtySize,
+}
+
+impl Setup {
+    /// krank with these arguments, on an emulator of 80 x 24 that answers.
+    pub(crate) fn krank(arguments: &[&str]) -> Self {
+        Setup::program(env!("CARGO_BIN_EXE_krank"), arguments)
+    }
+
+    /// krank as a script of /bin/sh starts it.
+    pub(crate) fn script(script: &str) -> Self {
+        Setup::program("/bin/sh", &["-c", script])
+    }
+
+    pub(crate) fn program(program: &str, arguments: &[&str]) -> Self {
+        let mut command = CommandBuilder::new(program);
+        command.args(arguments);
+        let usual = [
+            ("TERM", "xterm-256color"),
+            ("LC_ALL", "C.UTF-8"),
+            // Nobody's configuration, and nothing that an earlier run has left.
+            ("XDG_CONFIG_HOME", "/nonexistent/configuration"),
+            ("XDG_STATE_HOME", "/nonexistent/state"),
+        ];
+        for (name, value) in usual {
+            command.env(name, value);
+        }
+        // A backtrace would push what is told off the screen.
+        for name in ["NO_COLOR", "COLORTERM", "RUST_BACKTRACE", "KRANK_FAULT"] {
+            command.env_remove(name);
+        }
+        Setup {
+            command,
+            manner: Manner::Answers,
+            size: size(80, 24),
+        }
+    }
+
+    pub(crate) fn manner(mut self, manner: Manner) -> Self {
+        self.manner = manner;
+        self
+    }
+
+    pub(crate) fn env(mut self, name: &str, value: &str) -> Self {
+        self.command.env(name, value);
+        self
+    }
+
+    pub(crate) fn without(mut self, name: &str) -> Self {
+        self.command.env_remove(name);
+        self
+    }
+
+    pub(crate) fn size(mut self, cols: u16, rows: u16) -> Self {
+        self.size = size(cols, rows);
+        self
+    }
+
+    pub(crate) fn start(self) -> Session {
+        let pair = native_pty_system().openpty(self.size).unwrap();
+        let found = modes(&*pair.master);
+        let child = pair.slave.spawn_command(self.command).unwrap();
+        let (cols, rows) = (self.size.cols.max(1), self.size.rows.max(1));
+        let seen = Arc::new(Mutex::new(Seen::new(cols, rows)));
+        let keys = Arc::new(Mutex::new(pair.master.take_writer().unwrap()));
+        let reader = pair.master.try_clone_reader().unwrap();
+        let (screen, answers) = (Arc::clone(&seen), Arc::clone(&keys));
+        let switches = Arc::new(Switches::default());
+        let (manner, told) = (self.manner, Arc::clone(&switches));
+        thread::spawn(move || watch(reader, &screen, &answers, manner, &told));
+        Session {
+            seen,
+            keys,
+            child,
+            master: Some(pair.master),
+            switches,
+            _slave: pair.slave,
+            found,
+        }
+    }
+}
+
+impl Session {
+    pub(crate) fn krank(arguments: &[&str]) -> Session {
+        Setup::krank(arguments).start()
+    }
+
+    pub(crate) fn send(&self, keys: &str) {
+        let mut writer = self.keys.lock().unwrap();
+        writer.write_all(keys.as_bytes()).unwrap();
+    }
+
+    pub(crate) fn screen(&self) -> String {
+        let seen = self.seen.lock().unwrap();
+        seen.terminal.screen().contents()
+    }
+
+    pub(crate) fn bytes(&self) -> usize {
+        self.seen.lock().unwrap().bytes.len()
+    }
+
+    /// Waits until the screen shows `text`.
+    pub(crate) fn wait_for(&self, text: &str) -> &Self {
+        self.wait_until(text, |seen| {
+            seen.terminal.screen().contents().contains(text)
+        });
+        self
+    }
+
+    pub(crate) fn wait_until(&self, what: &str, holds: impl Fn(&Seen) -> bool) {
+        let end = Instant::now() + PATIENCE;
+        while !holds(&self.seen.lock().unwrap()) {
+            assert!(Instant::now() < end, "no {what} on\n{}", self.screen());
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Waits until nothing has come for a while.
+    pub(crate) fn settle(&self) {
+        let mut last = self.bytes();
+        loop {
+            thread::sleep(Duration::from_millis(150));
+            let now = self.bytes();
+            if now == last {
+                return;
+            }
+            last = now;
+        }
+    }
+
+    pub(crate) fn pid(&self) -> Pid {
+        let pid = i32::try_from(self.child.process_id().unwrap()).unwrap();
+        Pid::from_raw(pid).unwrap()
+    }
+
+    pub(crate) fn signal(&self, signal: Signal) {
+        kill_process(self.pid(), signal).unwrap();
+    }
+
+    pub(crate) fn resize(&self, cols: u16, rows: u16) {
+        let size = size(cols, rows);
+        self.master.as_ref().unwrap().resize(size).unwrap();
+        if cols > 0 && rows > 0 {
+            self.seen.lock().unwrap().terminal = emulator(cols, rows);
+        }
+    }
+
+    /// Another screen in place of the one that was drawn on.
+    pub(crate) fn wipe(&self) {
+        self.seen.lock().unwrap().terminal = emulator(80, 24);
+    }
+
+    /// Closes every descriptor of the other end.
+    pub(crate) fn hang_up(&mut self) {
+        self.switches.cut.store(true, Ordering::SeqCst);
+        *self.keys.lock().unwrap() = Box::new(std::io::sink());
+        self.master = None;
+    }
+
+    /// Lets a reader that takes nothing go.
+    pub(crate) fn release(&self) {
+        self.switches.cut.store(true, Ordering::SeqCst);
+    }
+
+    /// Stops the program, and takes what is on its way: so many bytes.
+    pub(crate) fn queued(&self) -> usize {
+        self.signal(Signal::STOP);
+        let before = self.bytes();
+        self.switches.hurry.store(true, Ordering::SeqCst);
+        self.settle();
+        let queued = self.bytes() - before;
+        self.switches.hurry.store(false, Ordering::SeqCst);
+        self.signal(Signal::CONT);
+        queued
+    }
+
+    pub(crate) fn ended(&mut self) -> ExitStatus {
+        let end = Instant::now() + PATIENCE;
+        loop {
+            if let Some(status) = self.child.try_wait().unwrap() {
+                return status;
+            }
+            assert!(
+                Instant::now() < end,
+                "still running with\n{}",
+                self.screen()
+            );
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    /// Waits for the end, and sees to it that nothing was left behind.
+    pub(crate) fn ended_as_found(&mut self) -> ExitStatus {
+        let status = self.ended();
+        self.settle();
+        self.as_found();
+        status
+    }
+
+    /// The modes of the line as they were found.
+    pub(crate) fn line_as_found(&self) {
+        assert_eq!(modes(self.master.as_deref().unwrap()), self.found);
+    }
+
+    pub(crate) fn as_found(&self) {
+        self.line_as_found();
+        let seen = self.seen.lock().unwrap();
+        let screen = seen.terminal.screen();
+        assert!(!screen.alternate_screen(), "left on the alternate screen");
+        assert!(!screen.hide_cursor(), "the cursor stays hidden");
+        assert!(!screen.bracketed_paste(), "pastes stay marked");
+        assert_eq!(screen.fgcolor(), vt100::Color::Default);
+        assert!(!screen.bold() && !screen.inverse());
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+    }
+}
+
+fn watch(
+    mut reader: Box<dyn Read + Send>,
+    seen: &Mutex<Seen>,
+    keys: &Mutex<Box<dyn Write + Send>>,
+    manner: Manner,
+    switches: &Switches,
+) {
+    let mut whole = [0; 4096];
+    let buffer = match manner {
+        Manner::Slow => &mut whole[..32],
+        Manner::Answers | Manner::Mute | Manner::Stalled => &mut whole[..],
+    };
+    while manner == Manner::Stalled && !switches.cut.load(Ordering::SeqCst) {
+        thread::sleep(Duration::from_millis(5));
+    }
+    while let Ok(n @ 1..) = reader.read(buffer) {
+        if switches.cut.load(Ordering::SeqCst) {
+            return;
+        }
+        let hurry = switches.hurry.load(Ordering::SeqCst);
+        if manner == Manner::Slow && !hurry {
+            thread::sleep(Duration::from_secs_f64(n as f64 / SLOW as f64));
+        }
+        let mut seen = seen.lock().unwrap();
+        let from = seen.bytes.len().saturating_sub(QUESTION.len() - 1);
+        seen.take(&buffer[..n]);
+        let new = seen.bytes[from..].windows(QUESTION.len());
+        let questions = new.filter(|bytes| *bytes == QUESTION).count();
+        drop(seen);
+        if matches!(manner, Manner::Answers | Manner::Slow) && questions > 0 {
+            let _ = keys.lock().unwrap().write_all(&ANSWER.repeat(questions));
+        }
+    }
+}
+
+fn size(cols: u16, rows: u16) -> PtySize {
+    PtySize {
+        rows,
+        cols,
+        pixel_width: 0,
+        pixel_height: 0,
+    }
+}
+
+fn emulator(cols: u16, rows: u16) -> vt100::Parser {
+    let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
+    vt100::Parser::new(rows, cols, 0)
+}
+
+fn modes(master: &dyn MasterPty) -> String {
+    format!("{:?}", master.get_termios().unwrap())
+}

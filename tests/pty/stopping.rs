@@ -1,0 +1,84 @@
+//! Stopped and continued, as the shell's job control does it.
+
+use crate::session::{Session, Setup};
+use rustix::process::Signal;
+
+/// A shell with job control, as a person has.
+fn shell() -> Session {
+    let session = Setup::program("/bin/sh", &["-i"])
+        .env("PS1", "ready> ")
+        .start();
+    session.wait_for("ready>");
+    session
+}
+
+fn wait_for_the_main_screen(session: &Session) {
+    session.wait_until("main screen", |seen| {
+        !seen.terminal.screen().alternate_screen()
+    });
+}
+
+#[test]
+fn the_shell_gets_its_terminal_while_it_is_stopped() {
+    let session = shell();
+    let krank = env!("CARGO_BIN_EXE_krank");
+    session.send(&format!("{krank} four-bar\r"));
+    session.wait_for("60.00 deg").send(" ");
+    session.wait_for("pause").send("\x1a");
+    wait_for_the_main_screen(&session);
+    session.send("echo back$((1 + 1))\r");
+    session.wait_for("back2");
+    assert!(!session.seen.lock().unwrap().terminal.screen().hide_cursor());
+    session.send("fg\r");
+    session.wait_for("pause").send(" ");
+    session.wait_for("play").send("q");
+    wait_for_the_main_screen(&session);
+    session.send("echo gone$((2 + 2)); exit\r");
+    session.wait_for("gone4");
+}
+
+/// By a signal from elsewhere rather than by key: the same.
+#[test]
+fn a_signal_to_stop_gives_the_terminal_back_too() {
+    let session = shell();
+    let krank = env!("CARGO_BIN_EXE_krank");
+    // The shell's own pid becomes that of krank's parent; the signal goes to the job.
+    session.send(&format!("{krank} four-bar\r"));
+    session.wait_for("60.00 deg");
+    let parent = session.pid().as_raw_nonzero();
+    let children = std::fs::read_to_string(format!("/proc/{parent}/task/{parent}/children"));
+    let child: i32 = children.unwrap().trim().parse().unwrap();
+    let job = rustix::process::Pid::from_raw(child).unwrap();
+    for _ in 0..3 {
+        rustix::process::kill_process_group(job, Signal::TSTP).unwrap();
+        wait_for_the_main_screen(&session);
+        session.send("fg\r");
+        session.wait_until("alternate screen", |seen| {
+            seen.terminal.screen().alternate_screen()
+        });
+        session.wait_for("60.00 deg").wait_for("-3.9164");
+    }
+    session.send("q");
+    wait_for_the_main_screen(&session);
+    session.send("exit\r");
+}
+
+#[test]
+fn stopped_from_outside_it_paints_all_again_when_it_goes_on() {
+    let mut session = Session::krank(&["four-bar"]);
+    session.wait_for("60.00 deg");
+    session.settle();
+    session.signal(Signal::STOP);
+    session.wipe();
+    session.signal(Signal::CONT);
+    session.wait_for("60.00 deg").wait_for("-3.9164").send("q");
+    assert!(session.ended_as_found().success());
+}
+
+#[test]
+fn without_a_shell_it_does_not_stop_for_ever() {
+    let mut session = Session::krank(&["four-bar"]);
+    session.wait_for("60.00 deg").send("\x1a.");
+    session.wait_for("65.00 deg").send("q");
+    assert!(session.ended_as_found().success());
+}

@@ -1,0 +1,153 @@
+//! What the terminal gets: bytes of a frame in every kind of glyphs and colours, and the last line.
+#![cfg(feature = "tui")]
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use krank::drawing::Glyphs;
+use krank::scene::{Scene, presets};
+use krank::solver::Solver;
+use krank::tui::{Colours, Opened, Origin, Theme, Workbench};
+use std::num::NonZeroU16;
+use std::time::Duration;
+
+fn preset(name: &str) -> Opened {
+    let scene = Scene::parse(presets::find(name).unwrap().text, name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    Opened {
+        scene,
+        solver,
+        origin: Origin::Preset(name.into()),
+    }
+}
+
+/// A workbench and the screen that it paints on.
+struct Session {
+    workbench: Workbench,
+    terminal: vt100::Parser,
+}
+
+impl Session {
+    fn new(name: &str, glyphs: Glyphs, colours: Colours, cols: u16, rows: u16) -> Self {
+        let [height, width] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
+        Session {
+            workbench: Workbench::new(preset(name), glyphs, colours, cols, rows),
+            terminal: vt100::Parser::new(height, width, 0),
+        }
+    }
+
+    fn last_line(&mut self, keys: &str) -> String {
+        self.workbench.press(keys);
+        self.terminal.process(self.workbench.paint());
+        let screen = self.terminal.screen();
+        let row = screen.rows(0, screen.size().1.get()).last().unwrap();
+        // What a state costs is this machine's.
+        row.trim_end().to_owned()
+    }
+}
+
+/// The median over a turn of 120 frames.
+fn median(glyphs: Glyphs, colours: Colours, theme: Theme) -> usize {
+    let workbench = Workbench::new(preset("four-bar"), glyphs, colours, 80, 24);
+    let mut workbench = workbench.themed(theme);
+    workbench.paint();
+    assert!(workbench.paint().is_empty(), "nothing has changed");
+    workbench.press("space");
+    let mut costs: Vec<_> = (0..120)
+        .map(|_| {
+            workbench.pass(Duration::from_secs_f64(4.0 / 120.0));
+            workbench.paint().len()
+        })
+        .collect();
+    costs.sort_unstable();
+    let median = costs[60];
+    workbench.press("space");
+    workbench.paint();
+    workbench.pass(Duration::from_secs(1));
+    assert!(workbench.paint().is_empty(), "paused is paused");
+    median
+}
+
+/// `cargo test --test screens_terminal -- --nocapture` prints the figures.
+#[test]
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
+fn a_frame_costs_few_bytes_in_every_glyph_and_colour() {
+    for (colours, most) in [
+        (Colours::None, 700),
+        (Colours::Sixteen, 900),
+        (Colours::Indexed, 900),
+        (Colours::True, 900),
+    ] {
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            for theme in [Theme::Auto, Theme::Light, Theme::Dark] {
+                let bytes = median(glyphs, colours, theme);
+                println!(
+                    "{glyphs:?}, {}, {}: {bytes} bytes",
+                    colours.name(),
+                    theme.name()
+                );
+                assert!(bytes <= most, "{glyphs:?} {colours:?}: {bytes}");
+            }
+        }
+    }
+}
+
+/// Colours change at once, and the screen shows the same as one that began with them.
+#[test]
+fn colours_change_by_key() {
+    let four_bar = |colours| Session::new("four-bar", Glyphs::Braille, colours, 80, 24);
+    let mut session = four_bar(Colours::Sixteen);
+    let mut seen = Vec::new();
+    for colours in ["256", "24 bits", "no colours", "16 colours"] {
+        let line = session.last_line("C");
+        assert!(line.contains(colours), "{line}");
+        session.last_line("Home");
+        session.last_line("Ctrl-L");
+        seen.push(session.terminal.screen().state_formatted());
+    }
+    for (colours, seen) in [
+        Colours::Indexed,
+        Colours::True,
+        Colours::None,
+        Colours::Sixteen,
+    ]
+    .into_iter()
+    .zip(seen)
+    {
+        let mut anew = four_bar(colours);
+        anew.last_line("");
+        assert_eq!(anew.terminal.screen().state_formatted(), seen);
+    }
+}
+
+#[test]
+fn the_last_line_tells_what_lies_ahead() {
+    let mut session = Session::new("peaucellier", Glyphs::Ascii, Colours::Sixteen, 80, 24);
+    let line = session.last_line("g 7 9 . 6 2 Enter");
+    assert!(
+        line.starts_with(" motion  peaucellier    79.62 deg  dead point in 3.2 deg  ? help"),
+        "{line}"
+    );
+    let line = session.last_line("r");
+    assert!(line.contains("  79.62 deg  ok"), "it moves away: {line}");
+    let line = session.last_line("r g 5 0 Enter");
+    assert!(line.contains("  50.00 deg  ok"), "{line}");
+    let mut kite = Session::new("parallelogram", Glyphs::Ascii, Colours::Sixteen, 80, 24);
+    let line = kite.last_line("g 1 7 0 Enter");
+    assert!(line.contains("change point in 10.0 deg"), "{line}");
+}
+
+/// While it plays, hints stay in their places.
+#[test]
+fn the_last_line_does_not_dance() {
+    for (name, from) in [("peaucellier", "g 6 0 Enter"), ("four-bar", "g 3 Enter")] {
+        let mut session = Session::new(name, Glyphs::Ascii, Colours::Sixteen, 80, 24);
+        session.last_line(from);
+        session.last_line("space");
+        let mut places = Vec::new();
+        for _ in 0..20 {
+            session.workbench.pass(Duration::from_millis(33));
+            places.push(session.last_line("").find("? help"));
+        }
+        places.dedup();
+        assert_eq!(places.len(), 1, "{name}: {places:?}");
+    }
+}
