@@ -37,6 +37,9 @@ pub(super) fn draw(
     if !(length.norm() >= SHORTEST && length.is_finite()) {
         return;
     }
+    let inside = share_inside(raster, from, step);
+    let (step, cut) = (step * inside, cut || inside < 1.0);
+    let to = from + step;
     for &(begin, end) in pieces(cut) {
         stroke::line(raster, glyphs, from + step * begin, from + step * end, role);
     }
@@ -51,6 +54,30 @@ pub(super) fn draw(
             raster.put(before, above, glyph, role);
         }
     }
+}
+
+/// How much of a step from a place in the raster stays inside; all of one from outside, for nobody sees
+/// where it begins. A tip that is not seen would leave an arrow without a head.
+fn share_inside(raster: &Raster, from: Vec2, step: Vec2) -> f64 {
+    let size = Vec2::new(f64::from(raster.cols()), f64::from(raster.rows()));
+    let begins_inside = (0.0..size.x).contains(&from.x) && (0.0..size.y).contains(&from.y);
+    if !begins_inside {
+        return 1.0;
+    }
+    let share = |from: f64, step: f64, size: f64| {
+        // To the middle of the outermost cell.
+        let room = if step > 0.0 {
+            size - 0.5 - from
+        } else {
+            0.5 - from
+        };
+        if (0.0..size).contains(&(from + step)) {
+            1.0
+        } else {
+            (room / step).clamp(0.0, 1.0)
+        }
+    };
+    share(from.x, step.x, size.x).min(share(from.y, step.y, size.y))
 }
 
 /// The head of an arrow of this direction on the screen, y downwards.
@@ -146,6 +173,40 @@ mod tests {
         }
         assert_eq!(level(Glyphs::Ascii, Role::Velocity, 5), "---->");
         assert_eq!(level(Glyphs::Ascii, Role::Acceleration, 7), "-- -->>");
+    }
+
+    /// A tip outside would be an arrow without a head: it ends at the edge, and its shaft is broken.
+    #[test]
+    fn an_arrow_that_leaves_the_window_ends_at_its_edge() {
+        let mut raster = Raster::new();
+        raster.reset(20, 9);
+        let from = Vec2::new(4.5, 4.5);
+        for (step, expected) in [
+            (Vec2::new(40.0, 0.0), "    -------   ----->"),
+            (Vec2::new(15.0, 0.0), "    --------------->"),
+        ] {
+            raster.reset(20, 9);
+            let ends = [from, from + step];
+            draw(&mut raster, Glyphs::Ascii, 2.0, ends, Role::Velocity, false);
+            assert_eq!(raster.text().trim_matches('\n'), expected);
+        }
+        for to in [
+            Vec2::new(4.5, 300.0),
+            Vec2::new(-1e200, 1.0),
+            Vec2::new(25.0, -4.0),
+        ] {
+            raster.reset(20, 9);
+            draw(
+                &mut raster,
+                Glyphs::Ascii,
+                2.0,
+                [from, to],
+                Role::Velocity,
+                false,
+            );
+            let heads = raster.text().matches(['v', '<', '>', '^']).count();
+            assert_eq!(heads, 1, "{to:?}\n{}", raster.text());
+        }
     }
 
     #[test]

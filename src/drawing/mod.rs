@@ -3,6 +3,8 @@
 //! The way is short: [`linkage`] turns a scene in a state into a [`Figure`] (lines, marks, labels in
 //! the scene's length unit, y upwards), a [`View`] says which cell a world point falls into, and
 //! [`render_into`] draws the figure into the cells of a [`Raster`] with one set of [`Glyphs`].
+//! An [`Overlay`] adds what belongs to the whole motion - traces, other positions, arrows to one scale -
+//! and [`svg`] draws the same figure in the same window as a document.
 //! Nothing here knows a terminal: a raster is printed as text, or copied cell by cell by whoever has one.
 //!
 //! ```

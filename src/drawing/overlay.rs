@@ -44,6 +44,8 @@ pub struct Overlay {
     tips: Bounds,
     /// The scene's unit of length.
     unit: &'static str,
+    /// Points of the mechanism: that of another one has others.
+    count: usize,
 }
 
 /// Arrows of one kind.
@@ -73,6 +75,7 @@ impl Overlay {
     pub fn of(scene: &Scene, solver: &Solver, reach: &Reach, wanted: &Wanted) -> Overlay {
         let mut overlay = Overlay {
             unit: scene.unit.symbol(),
+            count: scene.mechanism.points().len(),
             ..Overlay::default()
         };
         if !(wanted.traces.is_empty()
@@ -142,8 +145,12 @@ impl Overlay {
     }
 
     /// Adds what was found to the figure of the linkage in a state. Arrows keep their size on a drawing
-    /// that is shown `zoom` times as large.
+    /// that is shown `zoom` times as large. What was found of another scene says nothing of this one, and
+    /// is left out where it cannot be meant.
     pub fn add_to(&self, figure: &mut Figure, scene: &Scene, state: &State, zoom: f64) {
+        if self.count != scene.mechanism.points().len() {
+            return;
+        }
         for ghost in &self.ghosts {
             add_moved(figure, scene, state, ghost, Role::Echo);
         }
@@ -521,6 +528,15 @@ mod tests {
         let view = View::fit(&stage.reach, 80, 24, 2.0);
         let legend = overlay.legend(&view, 1.0);
         assert!(matches!(&legend[0], LegendEntry::Note(text) if text.contains("stands still")));
+    }
+
+    #[test]
+    fn what_was_found_of_another_scene_is_left_out() {
+        let (press, leg) = (Stage::preset("press"), Stage::preset("jansen-leg"));
+        let overlay = leg.overlay(&leg.everything());
+        let mut figure = Figure::new();
+        overlay.add_to(&mut figure, &press.scene, &press.solver.state(), 1.0);
+        assert!(figure.shapes().is_empty());
     }
 
     #[test]

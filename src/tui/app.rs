@@ -364,7 +364,6 @@ impl App {
             self.survey.work();
         }
         self.now = now;
-        self.focus();
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }

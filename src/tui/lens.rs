@@ -11,6 +11,9 @@ use crate::{PointId, Vec2};
 /// Positions of the linkage that are shown elsewhere in its motion.
 const GHOSTS: u16 = 6;
 
+/// A lower drawing leaves no room for the tips of arrows: the linkage would be too small to see.
+const ROOM_FOR_ARROWS: u16 = 12;
+
 /// Traces are named while they are so few.
 const MOST_NAMES: usize = 3;
 
@@ -88,12 +91,18 @@ impl Window {
     }
 }
 
-/// What the motion view shows, and how large.
-#[derive(Debug)]
-pub(crate) struct Lens {
+/// What a person has set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Setting {
     names: Names,
     on: On,
     window: Window,
+}
+
+/// What the motion view shows, and how large.
+#[derive(Debug)]
+pub(crate) struct Lens {
+    setting: Setting,
     overlay: Overlay,
     /// The space that the linkage needs with its arrows, where there are any.
     reach: Option<Reach>,
@@ -107,10 +116,13 @@ impl Default for Lens {
     fn default() -> Self {
         let mut on = On([false; 6]);
         on.0[Layer::Guides as usize] = true;
-        Lens {
+        let setting = Setting {
             names: Names::default(),
             on,
             window: Window::default(),
+        };
+        Lens {
+            setting,
             overlay: Overlay::default(),
             reach: None,
             made: None,
@@ -120,30 +132,35 @@ impl Default for Lens {
 }
 
 impl Lens {
+    /// What is set: another one, another drawing.
+    pub(crate) fn setting(&self) -> Setting {
+        self.setting
+    }
+
     /// Switches to the next names.
     pub(crate) fn next_names(&mut self) -> Names {
-        self.names = self.names.next();
-        self.names
+        self.setting.names = self.setting.names.next();
+        self.setting.names
     }
 
     /// Switches a layer on or off, and says which.
     pub(crate) fn toggle(&mut self, layer: Layer) -> bool {
-        let on = &mut self.on.0[layer as usize];
+        let on = &mut self.setting.on.0[layer as usize];
         *on = !*on;
         *on
     }
 
     /// Shows the whole motion.
     pub(crate) fn fit(&mut self) {
-        self.window = Window::default();
+        self.setting.window = Window::default();
     }
 
     /// Enlarges by so many steps; false at the end of what is sensible.
     pub(crate) fn enlarge(&mut self, steps: i8) -> bool {
-        let level = self.window.level.saturating_add(steps);
+        let level = self.setting.window.level.saturating_add(steps);
         let possible = LEVELS.contains(&level);
         if possible {
-            self.window.level = level;
+            self.setting.window.level = level;
         }
         possible
     }
@@ -152,18 +169,18 @@ impl Lens {
     pub(crate) fn pan(&mut self, stage: &Stage, right: f64, up: f64) -> bool {
         let size = stage.reach().bounds().size();
         let step = PAN * size.norm() / self.zoom();
-        let wanted = self.window.shift + Vec2::new(right, up) * step;
+        let wanted = self.setting.window.shift + Vec2::new(right, up) * step;
         let within = |wanted: f64, size: f64| wanted.clamp(-size / 2.0, size / 2.0);
         let shift = Vec2::new(within(wanted.x, size.x), within(wanted.y, size.y));
-        let moved = shift.is_finite() && shift != self.window.shift;
+        let moved = shift.is_finite() && shift != self.setting.window.shift;
         if moved {
-            self.window.shift = shift;
+            self.setting.window.shift = shift;
         }
         moved
     }
 
     fn zoom(&self) -> f64 {
-        self.window.zoom()
+        self.setting.window.zoom()
     }
 
     /// Finds what is wanted of the motion, unless it is known already.
@@ -194,7 +211,7 @@ impl Lens {
     fn wanted(&self, stage: &Stage, chosen: &Chosen) -> Wanted {
         let mechanism = &stage.scene().mechanism;
         let points = |layer, usual: fn(&crate::Mechanism) -> Vec<PointId>| {
-            if !self.on.has(layer) {
+            if !self.setting.on.has(layer) {
                 return Vec::new();
             }
             // After an edit a point may be gone.
@@ -211,7 +228,7 @@ impl Lens {
             traces: points(Layer::Traces, drawing::usual_traces),
             velocities: points(Layer::Velocities, drawing::usual_arrows),
             accelerations: points(Layer::Accelerations, drawing::usual_arrows),
-            ghosts: if self.on.has(Layer::Ghosts) {
+            ghosts: if self.setting.on.has(Layer::Ghosts) {
                 GHOSTS
             } else {
                 0
@@ -222,10 +239,10 @@ impl Lens {
     /// The linkage as it is now, with all layers that are on.
     pub(crate) fn figure(&self, stage: &Stage) -> Figure {
         let layers = Layers {
-            ground: self.on.has(Layer::Guides),
-            points: self.names != Names::None,
-            links: self.names == Names::PointsAndLinks,
-            centres: self.on.has(Layer::Centres),
+            ground: self.setting.on.has(Layer::Guides),
+            points: self.setting.names != Names::None,
+            links: self.setting.names == Names::PointsAndLinks,
+            centres: self.setting.on.has(Layer::Centres),
         };
         let (scene, state) = (stage.scene(), stage.state());
         let mut figure = drawing::linkage(scene, stage.reach(), state, layers);
@@ -233,31 +250,32 @@ impl Lens {
         figure
     }
 
-    /// The space that the drawing is fitted to before it is enlarged.
-    pub(crate) fn reach<'s>(&'s self, stage: &'s Stage) -> &'s Reach {
-        self.reach.as_ref().unwrap_or(stage.reach())
+    /// The space that a drawing of so many rows is fitted to before it is enlarged.
+    pub(crate) fn reach<'s>(&'s self, stage: &'s Stage, rows: u16) -> &'s Reach {
+        let with_arrows = self.reach.as_ref().filter(|_| rows >= ROOM_FOR_ARROWS);
+        with_arrows.unwrap_or(stage.reach())
     }
 
     /// The window of so many cells on a drawing that needs this space.
     pub(crate) fn view(&self, reach: &Reach, (cols, rows): (u16, u16), aspect: f64) -> View {
         let view = View::fit(reach, cols, rows, aspect);
-        view.zoomed(reach, self.zoom(), self.window.shift)
+        view.zoomed(reach, self.zoom(), self.setting.window.shift)
     }
 
     /// What is on that the drawing does not explain by itself, the most important first.
     pub(crate) fn legend(&self, view: &View) -> Vec<LegendEntry> {
         let mut entries = self.overlay.legend(view, self.zoom());
         let note = |text: &str| LegendEntry::Note(text.to_owned());
-        if self.window != Window::default() {
+        if self.setting.window != Window::default() {
             entries.push(LegendEntry::Note(format!("zoom {}", times(self.zoom()))));
         }
-        if self.on.has(Layer::Traces) {
+        if self.setting.on.has(Layer::Traces) {
             entries.push(note(&self.traced));
         }
-        if self.on.has(Layer::Ghosts) {
+        if self.setting.on.has(Layer::Ghosts) {
             entries.push(LegendEntry::Note(format!("{GHOSTS} positions")));
         }
-        if self.on.has(Layer::Centres) {
+        if self.setting.on.has(Layer::Centres) {
             entries.push(note("x centre of mass"));
         }
         entries
@@ -266,9 +284,9 @@ impl Lens {
     /// The drawing as an SVG document, as it is seen now.
     pub(crate) fn svg(&self, stage: &Stage) -> String {
         let (cols, most) = PICTURE;
-        let reach = self.reach(stage);
+        let reach = self.reach(stage, most);
         let snug = View::snug(reach, cols, most, PICTURE_ASPECT);
-        let view = snug.zoomed(reach, self.zoom(), self.window.shift);
+        let view = snug.zoomed(reach, self.zoom(), self.setting.window.shift);
         let at = stage.course().on_grid(stage.at());
         let title = format!("{} at {at} {}", stage.scene().name, stage.unit());
         drawing::svg(&self.figure(stage), &view, &title, &self.legend(&view))

@@ -131,6 +131,7 @@ impl Workbench {
     /// The screen as text: its lines without the blanks at their ends.
     pub fn text(&mut self) -> String {
         self.app.catch_up();
+        self.app.focus();
         views::prepare(&self.app, &mut self.sketch);
         let mut buffer = Buffer::empty(views::area(&self.app));
         views::render(&self.app, &self.sketch, &mut buffer);

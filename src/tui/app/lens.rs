@@ -42,8 +42,8 @@ impl App {
         }
     }
 
-    /// Brings what the lens shows of the whole motion up to date.
-    pub(super) fn focus(&mut self) {
+    /// Brings what the lens shows of the whole motion up to date: after every key, and before a frame.
+    pub(crate) fn focus(&mut self) {
         self.lens.focus(&self.stage, &self.chosen, self.opened);
     }
 }

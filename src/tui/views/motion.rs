@@ -4,6 +4,7 @@ use super::{assemblies, columns, inset, print, table};
 use crate::Vec2;
 use crate::drawing::{self, Glyphs, Labels, Piece, Raster, Reach, Role};
 use crate::tui::app::{App, Mode};
+use crate::tui::lens::Setting;
 use crate::tui::rival::Rival;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
@@ -81,7 +82,7 @@ fn legend(app: &App, area: Rect) -> Vec<Vec<Piece>> {
 /// The window on the drawing in this area.
 fn window(app: &App, area: Rect) -> drawing::View {
     let (lens, stage) = (app.lens(), app.stage());
-    let own = lens.reach(stage);
+    let own = lens.reach(stage, area.height);
     let reach = match (app.mode(), stage.panel(), app.rival()) {
         (Mode::Assemblies(_), Some(panel), _) => Cow::Borrowed(panel.reach()),
         (_, _, Some(rival)) => Cow::Owned(rival.reach_beside(own)),
@@ -184,8 +185,8 @@ fn scale(app: &App, area: Rect) -> f64 {
 pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
-    /// Which of the scenes that were opened the labels belong to.
-    opened: usize,
+    /// Which of the scenes that were opened the labels belong to, and what of it was shown.
+    drawn: Option<(usize, Setting)>,
 }
 
 impl Sketch {
@@ -201,8 +202,9 @@ impl Sketch {
 
     /// Draws the linkage as it is now, for a drawing of this size.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
-        if self.opened != app.opened() {
-            self.opened = app.opened();
+        let drawn = Some((app.opened(), app.lens().setting()));
+        if self.drawn != drawn {
+            self.drawn = drawn;
             self.labels = Labels::default();
         }
         let stage = app.stage();
