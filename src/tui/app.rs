@@ -27,6 +27,8 @@ use super::opening;
 use super::palette::{Palette, Theme};
 use super::picker::Picker;
 use super::playback::Playback;
+use super::plot_list::PlotList;
+use super::plots::Plots;
 use super::preview::Previews;
 use super::search::Search;
 use super::stage::Stage;
@@ -55,6 +57,8 @@ pub(crate) enum Mode {
     GoTo(Line),
     /// The list of assemblies, with the cursor on this one.
     Assemblies(usize),
+    /// The list in which is chosen what is plotted.
+    PlotList(PlotList),
     /// The line in which the name of a file is typed.
     FileName(Prompt),
     /// The question whether to write to a file.
@@ -76,6 +80,7 @@ impl Mode {
             Mode::GoTo(line) => Some(line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
+            Mode::PlotList(list) => list.typed(),
             Mode::Search(search) => Some(&mut search.name),
             Mode::Value(entry) => Some(&mut entry.line),
             Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Pick(_) | Mode::Copy => {
@@ -157,6 +162,8 @@ pub(crate) struct App {
     sought: String,
     /// What the motion view shows of the tables.
     chosen: Chosen,
+    /// What is plotted.
+    plots: Plots,
     keymap: Keymap,
     /// What the motion view shows beside the linkage, and how large.
     lens: Lens,
@@ -202,6 +209,7 @@ impl App {
             cursor: Cursor::default(),
             sought: String::new(),
             chosen: Chosen::default(),
+            plots: Plots::default(),
             keymap: Keymap::default(),
             lens: Lens::default(),
             previews: Previews::default(),
@@ -348,6 +356,9 @@ impl App {
             text.chars().for_each(|c| line.push(c));
             self.find();
         }
+        if let Mode::PlotList(list) = &mut self.mode {
+            list.narrow();
+        }
     }
 
     /// The screen has another size.
@@ -472,6 +483,9 @@ impl App {
         }
         if let Mode::Pick(_) = self.mode {
             return self.pick_key(key, now);
+        }
+        if matches!(self.mode, Mode::PlotList(_)) {
+            return self.list_key(key);
         }
         if let (Mode::Assemblies(cursor), Key::Enter) = (&self.mode, key) {
             self.take_assembly(*cursor, now);
@@ -600,6 +614,7 @@ impl App {
         self.editor = Editor::new(self.stage.scene());
         self.playback = Playback::new();
         self.survey.forget();
+        self.plots = Plots::default();
         self.look(self.view);
         self.scroll = [0; View::ALL.len()];
         self.chosen = Chosen::default();
@@ -659,6 +674,7 @@ impl App {
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
             self.study();
         }
+        self.sample();
     }
 
     /// Begins a study, goes on with it or repeats it.

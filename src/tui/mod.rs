@@ -29,6 +29,8 @@ mod panel;
 mod picker;
 mod picture;
 mod playback;
+mod plot_list;
+mod plots;
 mod preview;
 mod rival;
 mod saving;

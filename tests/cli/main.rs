@@ -4,6 +4,7 @@
 mod accuracy;
 mod assembly;
 mod draw;
+mod plot;
 mod readme;
 mod scenes;
 mod streams;
@@ -116,6 +117,7 @@ fn help_has_an_example_for_each_command() {
         "check",
         "table",
         "draw",
+        "plot",
         "sweep",
         "start",
         "accuracy",

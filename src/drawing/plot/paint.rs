@@ -2,6 +2,7 @@
 
 use super::layout::{Frame, Layout};
 use super::path::Pen;
+use super::ticks::Style;
 use super::{Look, Panel, Plot, Turn};
 use crate::Vec2;
 use crate::drawing::figure::Role;
@@ -17,9 +18,16 @@ const ROLES: [Role; 3] = [Role::Datum, Role::Second, Role::Third];
 const CURSOR: char = 'O';
 const PEAK: char = '^';
 const DIP: char = 'v';
+/// Columns of a symbol and the blank behind it in a legend, of the blanks behind an entry, and of the
+/// number of those that have no room.
+const ENTRY: i32 = 2;
+const GAP: i32 = 3;
+const MORE: i32 = 4;
 /// Symbols on a line stand apart by this part of the panel's width, but no fewer cells.
 const APART: i32 = 5;
 const LEAST_APART: i32 = 8;
+/// What is written beside a turn stands so many rows away from it at the most, beside its own.
+const DEEPEST: i32 = 2;
 
 /// The glyphs of the frame.
 struct Strokes {
@@ -132,37 +140,55 @@ impl Painter<'_> {
         }
     }
 
-    /// What stands along x, and where the cursor is, at the right end of the first legend; gives the
-    /// column where it begins.
+    /// What stands along x, and where the cursor is, at the right end of the first legend, as far as the
+    /// curves leave room; gives the column where it begins.
     fn cursor_title(&self, raster: &mut Raster) -> i32 {
         let end = self.layout.end;
-        let x = &self.plot.x;
-        let Some((_, frame)) = self.layout.panels.first() else {
+        let Some((number, frame)) = self.layout.panels.first() else {
             return end;
         };
-        let style = super::ticks::Style::of_range(x.low, x.high);
+        let panel = &self.plot.panels[*number];
+        let entries = (0..panel.curves.len()).map(|i| self.entry(panel, frame, i, true));
+        let wanted: i32 = entries.map(|entry| length(&entry) + ENTRY + GAP).sum();
+        let room = (end - self.legend_start(panel) - wanted).max(0);
+        let x = &self.plot.x;
+        let style = Style::of_range(x.low, x.high);
         let width = [x.low, x.high].map(|v| style.text(v).len());
         let width = width[0].max(width[1]);
-        let here = self
-            .here
-            .and_then(|here| here.along)
-            .map_or(String::new(), |along| {
-                format!("{:>width$} {}", style.text(along), x.unit)
-            });
-        let long = format!("over {} {here}", x.name);
-        let room = end - self.layout.axis - 1;
-        // The curves' own names matter more.
-        let title = [long, format!("over {}", x.name), here];
-        let title = title.iter().find(|text| length(text.trim()) <= room / 2);
-        let Some(title) = title
-            .map(|text| text.trim())
-            .filter(|text| !text.is_empty())
-        else {
+        let here = self.here.and_then(|here| here.along);
+        let here = here.map(|along| format!("{:>width$} {}", style.text(along), x.unit));
+        let name = format!("over {}", x.name);
+        let long = here.as_ref().map(|here| format!("{name} {here}"));
+        let titles = [long, Some(name), here];
+        let title = titles
+            .into_iter()
+            .flatten()
+            .find(|title| length(title) <= room);
+        let Some(title) = title else {
             return end;
         };
-        let from = end - length(title);
-        write(raster, from, frame.legend, title, Role::Axis);
+        let from = end - length(&title);
+        write(raster, from, frame.legend, &title, Role::Axis);
         from - 1
+    }
+
+    /// The column where the curves of a legend begin: behind the unit.
+    fn legend_start(&self, panel: &Panel) -> i32 {
+        (self.layout.axis + 1).max(length(&panel.y.unit) + 1)
+    }
+
+    /// What a legend says of a curve: its name, and its value here.
+    fn entry(&self, panel: &Panel, frame: &Frame, i: usize, with_value: bool) -> String {
+        let line = &panel.curves[i];
+        let width = [panel.y.low, panel.y.high].map(|v| frame.style.text(v).len());
+        let width = width[0].max(width[1]);
+        let figure = line.figure.filter(|_| with_value);
+        let value = figure.and_then(|figure| self.here?.values.get(figure).copied());
+        let Some(value) = value else {
+            return line.name.clone();
+        };
+        let text = value.map_or_else(|| "-".into(), |v| frame.style.text(v));
+        format!("{} {text:>width$}", line.name)
     }
 
     fn upright_axis(&self, frame: &Frame, raster: &mut Raster) {
@@ -193,43 +219,44 @@ impl Painter<'_> {
         }
     }
 
-    /// The unit, and each curve with its symbol, its name and its value here.
+    /// The unit, and each curve with its symbol, its name and its value here; how many have no room.
     fn legend(&self, panel: &Panel, frame: &Frame, right: i32, raster: &mut Raster) {
-        let start = (self.layout.axis + 1).max(length(&panel.y.unit) + 1);
+        let start = self.legend_start(panel);
         write(raster, 0, frame.legend, &panel.y.unit, Role::Axis);
-        let width = [panel.y.low, panel.y.high].map(|v| frame.style.text(v).len());
-        let width = width[0].max(width[1]);
         let (mut col, mut row) = (start, frame.legend);
         let last = frame.legend + frame.legend_rows - 1;
         let count = panel.curves.len();
-        for (i, line) in panel.curves.iter().enumerate() {
-            let value = line.figure.and_then(|figure| {
-                let value = self.here?.values.get(figure).copied()?;
-                let text = value.map_or_else(|| "-".into(), |v| frame.style.text(v));
-                Some(format!(" {text:>width$}"))
-            });
-            let text = format!("{}{}", line.name, value.unwrap_or_default());
-            let more = i + 1 < count && row == last;
-            let end = |row| {
-                if row == frame.legend {
-                    right
-                } else {
-                    self.layout.end
-                }
+        let end = |row| {
+            if row == frame.legend {
+                right
+            } else {
+                self.layout.end
+            }
+        };
+        for i in 0..count {
+            let more = if i + 1 < count && row == last {
+                MORE
+            } else {
+                0
             };
-            let needed = 2 + length(&text) + if more { 4 } else { 0 };
-            if col + needed > end(row) && col > start && row < last {
+            let fits = |text: &str, col, row| col + ENTRY + length(text) + more <= end(row);
+            let mut text = self.entry(panel, frame, i, true);
+            if !fits(&text, col, row) && col > start && row < last {
                 (col, row) = (start, row + 1);
             }
-            if col + needed > end(row) && (col > start || more) {
+            if !fits(&text, col, row) && col > start {
                 write(raster, col, row, &format!("+{}", count - i), Role::Axis);
                 break;
             }
+            // A number is whole or absent.
+            if !fits(&text, col, row) {
+                text = self.entry(panel, frame, i, false);
+            }
             raster.put(col, row, self.symbol(panel, i), ROLES[i % ROLES.len()]);
-            let room = usize::try_from(end(row) - col - 2).unwrap_or(0);
+            let room = usize::try_from(end(row) - col - ENTRY).unwrap_or(0);
             let text: String = text.chars().take(room).collect();
-            write(raster, col + 2, row, &text, Role::Label);
-            col += 2 + length(&text) + 3;
+            write(raster, col + ENTRY, row, &text, Role::Label);
+            col += ENTRY + length(&text) + GAP;
         }
     }
 
@@ -299,7 +326,7 @@ impl Painter<'_> {
                 raster.put(col, row, glyph, Role::Front);
             }
         }
-        let x = super::ticks::Style::of_range(self.plot.x.low, self.plot.x.high);
+        let x = Style::of_range(self.plot.x.low, self.plot.x.high);
         for is_extreme in [true, false] {
             for turn in turns().filter(|turn| turn.is_extreme == is_extreme) {
                 let Some(point) = cell(turn) else {
@@ -311,8 +338,12 @@ impl Painter<'_> {
                     frame.block.contains((col, row))
                         && frame.block.contains((col + length(&text) - 1, row))
                 };
-                let places = free_places(raster, point, &text);
-                if let Some((col, row)) = places.into_iter().find(inside) {
+                // Inside the arch there is room where there is none at its top.
+                let inwards = if turn.is_peak { 1 } else { -1 };
+                let mut places = (0..=DEEPEST).flat_map(|depth| {
+                    free_places(raster, (point.0, point.1 + inwards * depth), &text)
+                });
+                if let Some((col, row)) = places.find(inside) {
                     write(raster, col, row, &text, Role::Label);
                 }
             }

@@ -1,1 +1,253 @@
+//! Plots of made-up curves and of presets, in three kinds of glyphs.
 
+use super::*;
+use crate::quantity::{Catalogue, Here};
+use crate::scene::{Scene, presets};
+use crate::solver::Solver;
+use proptest::prelude::*;
+
+const GLYPHS: [Glyphs; 3] = [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille];
+
+fn look(cols: u16, rows: u16, glyphs: Glyphs) -> Look {
+    Look {
+        cols,
+        rows,
+        glyphs,
+        aspect: 2.0,
+        extrema: true,
+        first: 0,
+    }
+}
+
+fn opened(preset: &str) -> (Scene, Solver) {
+    let preset = presets::find(preset).unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+fn curves(preset: &str, columns: &[&str], along: Option<&str>) -> Curves {
+    let (scene, solver) = opened(preset);
+    let catalogue = Catalogue::new(&scene);
+    let figures = catalogue.select(columns).unwrap();
+    let abscissa = match along {
+        None => Abscissa::Driver,
+        Some("time") => Abscissa::Time,
+        Some(name) => Abscissa::Figure(catalogue.select(&[name]).unwrap().remove(0)),
+    };
+    Curves::new(&scene, &solver, &figures, abscissa, None).unwrap()
+}
+
+fn plot(preset: &str, columns: &[&str], along: Option<&str>) -> Plot {
+    Plot::of(&curves(preset, columns, along))
+}
+
+fn line(points: &[(f64, f64)]) -> Line {
+    Line {
+        name: "f".into(),
+        figure: Some(0),
+        pieces: vec![points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()],
+        turns: Vec::new(),
+        is_dotted: false,
+    }
+}
+
+/// Panels of these curves, with axes around their values.
+fn made(lines: Vec<Line>) -> Plot {
+    let axis = |low, high| Axis {
+        name: "t".into(),
+        unit: "s".into(),
+        is_angle: false,
+        low,
+        high,
+    };
+    let points = || lines.iter().flat_map(|line| line.pieces.iter().flatten());
+    let ends = |part: fn(&Vec2) -> f64| {
+        let values = || points().map(part);
+        let low = values().fold(f64::INFINITY, f64::min);
+        spread(Some((low, values().fold(f64::NEG_INFINITY, f64::max))))
+    };
+    let ((x0, x1), (y0, y1)) = (ends(|p| p.x), ends(|p| p.y));
+    let panel = Panel {
+        y: axis(y0, y1),
+        curves: lines.clone(),
+    };
+    Plot {
+        x: axis(x0, x1),
+        panels: vec![panel],
+        is_true: false,
+    }
+}
+
+#[test]
+fn small_plots_in_three_kinds_of_glyphs() {
+    let pair = plot("four-bar", &["C.v*", "r4.omega"], None);
+    let here = Here {
+        along: Some(60.0),
+        values: vec![Some(-722.630_802), Some(-273.816_684), Some(3.094)],
+    };
+    for (glyphs, name) in GLYPHS.into_iter().zip(["ascii", "line", "braille"]) {
+        let text = pair.render(&look(64, 20, glyphs), Some(&here)).text();
+        insta::assert_snapshot!(format!("plot-four-bar-{name}-64x20"), text);
+        let text = pair.render(&look(40, 10, glyphs), Some(&here)).text();
+        insta::assert_snapshot!(format!("plot-four-bar-{name}-40x10"), text);
+    }
+    // A coupler curve of true aspect, and a direction that jumps at 360 deg.
+    let curve = plot("hoecken", &["P.y"], Some("P.x"));
+    let text = curve.render(&look(60, 14, Glyphs::Braille), None).text();
+    insta::assert_snapshot!("plot-coupler-curve-60x14", text);
+    let angle = plot("drag-link", &["r4.angle"], Some("time"));
+    let text = angle.render(&look(60, 14, Glyphs::Line), None).text();
+    insta::assert_snapshot!("plot-direction-60x14", text);
+}
+
+#[test]
+fn a_direction_that_passes_360_deg_is_no_upright_line() {
+    let plot = plot("drag-link", &["r4.angle"], None);
+    let pieces = &plot.panels[0].curves[0].pieces;
+    assert_eq!(pieces.len(), 2, "one gap in a turn");
+    for glyphs in GLYPHS {
+        let raster = plot.render(&look(80, 24, glyphs), None);
+        for col in 0..80 {
+            let rows = (0..24).filter(|&row| {
+                raster
+                    .cell(col, row)
+                    .is_some_and(|cell| cell.role == crate::drawing::Role::Datum)
+            });
+            assert!(rows.count() <= 8, "column {col} in {glyphs:?}");
+        }
+    }
+}
+
+#[test]
+fn the_curve_of_another_scene_is_dotted_and_has_no_value_here() {
+    let mut both = plot("four-bar", &["r4.omega"], None);
+    let other = plot("drag-link", &["r4.omega", "C.x"], None);
+    both.compare(&other, "before");
+    assert_eq!(both.panels.len(), 1, "C.x has nothing beside it");
+    let added = &both.panels[0].curves[1];
+    assert!(added.is_dotted && added.figure.is_none() && added.name == "r4.omega before");
+    assert!(both.panels[0].y.high >= other.panels[0].y.high);
+    for glyphs in GLYPHS {
+        let text = both.render(&look(70, 16, glyphs), None).text();
+        assert!(text.contains("r4.omega before"), "{text}");
+    }
+}
+
+#[test]
+fn what_does_not_change_lies_level_in_the_middle() {
+    let level = plot("slider-crank", &["C.y", "C.vy", "r2.omega"], None);
+    for panel in &level.panels {
+        let curve = &panel.curves[0];
+        assert!(curve.turns.is_empty(), "{}", curve.name);
+        let middle = 0.5 * (panel.y.low + panel.y.high);
+        let size = panel.y.high - panel.y.low;
+        for p in curve.pieces.iter().flatten() {
+            assert!((p.y - middle).abs() < 1e-3 * size, "{} {p:?}", curve.name);
+        }
+    }
+}
+
+#[test]
+fn an_svg_has_every_curve_axis_and_name() {
+    let plot = plot("four-bar", &["C.v*", "r4.omega"], None);
+    let text = plot.svg("Four-bar <1>", Vec2::new(800.0, 600.0), true, None);
+    for part in [
+        "Four-bar &lt;1&gt;",
+        ">C.vx<",
+        ">C.vy<",
+        ">r4.omega<",
+        "rad/s",
+        "driver.angle [deg]",
+        "class=\"c1\"",
+        ">360<",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    assert!(!text.contains("NaN") && !text.contains("inf"));
+    assert_eq!(
+        text.matches("<circle").count(),
+        6,
+        "two turns of each curve"
+    );
+}
+
+#[test]
+fn a_true_plot_keeps_squares_square() {
+    let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (0.0, 0.0)];
+    let mut plot = made(vec![line(&square)]);
+    plot.is_true = true;
+    for (cols, rows) in [(80, 24), (40, 40), (200, 12)] {
+        let raster = plot.render(&look(cols, rows, Glyphs::Ascii), None);
+        let drawn = |row: i32, col: i32| {
+            raster
+                .cell(col, row)
+                .is_some_and(|cell| cell.role == crate::drawing::Role::Datum)
+        };
+        // Below the legend.
+        let (rows, cols) = (1..i32::from(rows), 0..i32::from(cols));
+        let tall = rows
+            .clone()
+            .filter(|&row| cols.clone().any(|col| drawn(row, col)))
+            .count();
+        let wide = cols
+            .filter(|&col| rows.clone().any(|row| drawn(row, col)))
+            .count();
+        let ratio = (wide as f64 - 1.0) / (tall as f64 - 1.0);
+        assert!((ratio - 2.0).abs() < 0.35, "{wide} x {tall}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn every_sample_has_a_mark(
+        points in prop::collection::vec((-1e3..1e3_f64, -1e3..1e3_f64), 1..40),
+        more in prop::collection::vec((-1e3..1e3_f64, -1e3..1e3_f64), 1..10),
+        (cols, rows) in (16_u16..120, 5_u16..40),
+    ) {
+        let plot = made(vec![line(&points), line(&more)]);
+        for glyphs in GLYPHS {
+            let look = look(cols, rows, glyphs);
+            let raster = plot.render(&look, None);
+            let Some(layout) = plot.layout(&look) else {
+                return Ok(());
+            };
+            let frame = &layout.panels[0].1;
+            for &(x, y) in points.iter().chain(&more) {
+                let cell = (layout.x.cell(x).unwrap(), frame.y.cell(y).unwrap());
+                prop_assert!(frame.block.contains(cell));
+                let found = raster.cell(cell.0, cell.1).unwrap();
+                prop_assert!(matches!(found.role, crate::drawing::Role::Datum | crate::drawing::Role::Second), "{found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn any_curve_fits_any_size(
+        points in prop::collection::vec((any::<f64>(), any::<f64>()), 0..20),
+        (x0, x1, y0, y1) in (any::<f64>(), any::<f64>(), any::<f64>(), any::<f64>()),
+        (cols, rows) in (0_u16..130, 0_u16..50),
+        is_true: bool,
+        first in 0_usize..3,
+    ) {
+        let finite = |p: &Vec2| p.is_finite();
+        let points: Vec<Vec2> = points.iter().map(|&(x, y)| Vec2::new(x, y)).filter(finite).collect();
+        let mut curve = line(&[]);
+        curve.turns = points.iter().map(|&at| Turn { at, is_peak: true, is_extreme: false }).collect();
+        curve.pieces = vec![points];
+        let mut plot = made(vec![line(&[(0.0, 0.0), (1.0, 1.0)])]);
+        (plot.x.low, plot.x.high) = spread(Some((x0.min(x1), x0.max(x1))));
+        (plot.panels[0].y.low, plot.panels[0].y.high) = spread(Some((y0.min(y1), y0.max(y1))));
+        plot.panels[0].curves.push(curve);
+        plot.is_true = is_true;
+        let here = Here { along: Some(x0), values: vec![Some(y0)] };
+        for glyphs in GLYPHS {
+            let look = Look { first, ..look(cols, rows, glyphs) };
+            let raster = plot.render(&look, Some(&here));
+            prop_assert_eq!((raster.cols(), raster.rows()), (cols, rows));
+            prop_assert!(glyphs != Glyphs::Ascii || raster.text().is_ascii());
+        }
+        let text = plot.svg("t", Vec2::new(f64::from(cols) * 8.0, f64::from(rows) * 16.0), true, Some(&here));
+        prop_assert!(!text.contains("NaN"));
+    }
+}

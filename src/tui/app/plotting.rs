@@ -1,10 +1,92 @@
-//! What is plotted.
+//! What is plotted: choosing it, and what stands along x.
 
 use super::super::action::PlotsAction;
-use super::App;
+use super::super::key::Key;
+use super::super::plot_list::PlotList;
+use super::super::plots::Plots;
+use super::{App, Effect, Mode, View};
 
 impl App {
-    pub(super) fn plot(&mut self, _action: PlotsAction) {
-        self.message = Some("not there yet".into());
+    pub(super) fn plot(&mut self, action: PlotsAction) {
+        match action {
+            PlotsAction::Choose => {
+                let list = PlotList::new(self.stage.scene(), |name| self.plots.is_chosen(name));
+                self.mode = Mode::PlotList(list);
+            }
+            PlotsAction::Abscissa => {
+                let along = self.plots.next_abscissa(self.stage.scene());
+                self.message = Some(along);
+            }
+            PlotsAction::Extrema => {
+                let marked = self.plots.toggle_extrema();
+                let what = if marked { "marked" } else { "not marked" };
+                self.message = Some(format!("maxima and minima are {what}"));
+            }
+        }
+        self.sample();
+    }
+
+    pub(crate) fn plots(&self) -> &Plots {
+        &self.plots
+    }
+
+    /// Samples what is plotted, while it is looked at; what is up to date costs nothing.
+    pub(super) fn sample(&mut self) {
+        if self.view == View::Plots {
+            self.plots.sample(&self.stage, self.opened);
+        }
+    }
+
+    /// Keys of the list; `None` for those that mean the same everywhere.
+    pub(super) fn list_key(&mut self, key: Key) -> Option<Effect> {
+        let page = self.page();
+        let Mode::PlotList(list) = &mut self.mode else {
+            return None;
+        };
+        let typing = list.is_typing();
+        match key {
+            Key::Up => list.move_by(-1),
+            Key::Down => list.move_by(1),
+            Key::PageUp => list.move_by(-page),
+            Key::PageDown => list.move_by(page),
+            Key::Escape => {
+                if !list.end_search() {
+                    self.mode = Mode::Normal;
+                }
+            }
+            Key::Enter if typing => list.set_typing(false),
+            Key::Char(_) | Key::Backspace | Key::Ctrl('u') if typing => {
+                if let Some(line) = list.typed() {
+                    match key {
+                        Key::Char(c) => line.push(c),
+                        Key::Backspace => line.erase(),
+                        _ => line.clear(),
+                    }
+                }
+                list.narrow();
+            }
+            Key::Char('/') => list.set_typing(true),
+            Key::Char('k') => list.move_by(-1),
+            Key::Char('j') => list.move_by(1),
+            Key::Enter | Key::Char(' ') => self.toggle_plot(),
+            Key::Char('c') => self.plots.clear(),
+            Key::Char('x') => self.mode = Mode::Normal,
+            Key::Char('X') => self.plot(PlotsAction::Abscissa),
+            _ => return None,
+        }
+        if !matches!(key, Key::Char('X')) {
+            self.message = None;
+        }
+        self.sample();
+        Some(Effect::Show)
+    }
+
+    /// Plots what is under the cursor, or no longer.
+    fn toggle_plot(&mut self) {
+        if let Mode::PlotList(list) = &self.mode
+            && let Some(name) = list.current()
+        {
+            self.plots.toggle(name, self.stage.scene());
+        }
     }
 }

@@ -149,7 +149,8 @@ fn on_top(app: &App) -> (usize, usize) {
         (_, View::Accuracy) => accuracy::extent(app, body),
         (_, View::Lengths) => lengths::extent(app, inset(body)),
         (_, View::Scene) => scene::extent(app, body),
-        (_, View::Plots | View::Forces) => (0, 0),
+        (_, View::Plots) => plots::extent(app, body),
+        (_, View::Forces) => (0, 0),
     }
 }
 

@@ -1,19 +1,215 @@
-//! Quantities over the motion.
+//! Quantities over the motion, and at their left the list in which they are chosen.
+//!
+//! ```text
+//!  plot what?        2 of 28  | mm/s  * C.vx -722.6      over driver.angle 60.00 deg
+//!   [x] C.vx     mm/s         |  1000 |   **^***
+//! > [ ] C.vy     mm/s         |     0 |***:.....
+//! ```
 
-use super::print;
-use crate::tui::app::App;
+use super::{columns, cut, inset, mark_more, print, print_right};
+use crate::drawing::plot::{Look, Plot};
+use crate::tui::action::{Action, PlotsAction};
+use crate::tui::app::{App, Mode};
+use crate::tui::plot_list::PlotList;
+use crate::tui::stage::shown;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub(super) fn render(_app: &App, area: Rect, buffer: &mut Buffer) {
-    let text = "not there yet";
-    print(
-        buffer,
-        area.x,
-        area.y,
-        area.width,
-        text,
-        theme::part(Part::Text),
-    );
+/// Columns of the list beside a plot; on a screen narrower than this it stands alone.
+const LIST: u16 = 30;
+const BOTH: u16 = 70;
+/// Rows of the list's heading.
+const HEAD: u16 = 1;
+/// Longer names are cut.
+const NAME: u16 = 16;
+
+/// Where the parts of the view are.
+struct Arrangement {
+    list: Option<Rect>,
+    plot: Option<Rect>,
+}
+
+fn arrange(app: &App, area: Rect) -> Arrangement {
+    let whole = inset(area);
+    if !matches!(app.mode(), Mode::PlotList(_)) {
+        return Arrangement {
+            list: None,
+            plot: Some(whole),
+        };
+    }
+    if area.width < BOTH {
+        return Arrangement {
+            list: Some(inset(area)),
+            plot: None,
+        };
+    }
+    let list = Rect {
+        width: LIST,
+        ..area
+    };
+    let plot = Rect {
+        x: whole.x + LIST,
+        width: whole.width - LIST,
+        ..whole
+    };
+    Arrangement {
+        list: Some(inset(list)),
+        plot: Some(plot),
+    }
+}
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let Arrangement { list, plot } = arrange(app, area);
+    if let Some(area) = plot {
+        render_plot(app, area, buffer);
+    }
+    if let (Some(area), Mode::PlotList(list)) = (list, app.mode()) {
+        render_list(app, list, area, buffer);
+    }
+}
+
+/// Panels, and how many of them are seen; of the list, a page.
+pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
+    match (arrange(app, area).list, app.mode(), app.plots().plot()) {
+        (Some(area), Mode::PlotList(list), _) => {
+            (list.count().0, area.height.saturating_sub(HEAD).into())
+        }
+        (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(area.height)),
+        (_, _, Err(_)) => (0, 0),
+    }
+}
+
+fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
+    let plot = match app.plots().plot() {
+        Ok(plot) => plot,
+        Err(why) => {
+            tell(app, why, area, buffer);
+            return;
+        }
+    };
+    let look = Look {
+        cols: area.width,
+        rows: area.height,
+        glyphs: app.glyphs(),
+        aspect: app.aspect(),
+        extrema: app.plots().extrema(),
+        first: app.scroll(),
+    };
+    let here = app.plots().here(app.stage().state());
+    let raster = plot.render(&look, here.as_ref());
+    for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
+        for (x, cell) in (area.left()..area.right()).zip(line) {
+            buffer[(x, y)]
+                .set_char(cell.glyph)
+                .set_style(theme::role(cell.role));
+        }
+    }
+    mark_panels(plot, &look, area, buffer);
+}
+
+/// Marks at the right edge that there are more panels above or below.
+fn mark_panels(plot: &Plot, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let hidden = plot.panels.len() - plot.panels_in(look.rows);
+    let first = look.first.min(hidden);
+    mark_more(area, first > 0, first < hidden, buffer);
+}
+
+/// In the middle, why there is nothing to see, and which key leads on.
+fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
+    let lead = |(action, what)| {
+        let key = app.keymap().key(Action::Plots(action))?;
+        Some(format!("{key}  {what}"))
+    };
+    let leads = [
+        (PlotsAction::Choose, "choose what is plotted"),
+        (PlotsAction::Abscissa, "put something else along x"),
+    ];
+    let leads: Vec<String> = leads.into_iter().filter_map(lead).collect();
+    let width = usize::from(area.width);
+    let lines = crate::report::wrapped(&shown(why, app.glyphs()), width);
+    let rows = u16::try_from(lines.len() + 1 + leads.len()).unwrap_or(area.height);
+    let mut y = area.y + area.height.saturating_sub(rows) / 2;
+    let block = leads.iter().map(|line| columns(line)).max().unwrap_or(0);
+    let mut say = |text: &str, width: u16, part| {
+        if y < area.bottom() {
+            let x = area.x + area.width.saturating_sub(width) / 2;
+            print(buffer, x, y, area.width, text, theme::part(part));
+        }
+        y += 1;
+    };
+    for line in &lines {
+        say(line, columns(line), Part::Text);
+    }
+    say("", 0, Part::Text);
+    for line in &leads {
+        say(line, block, Part::Quiet);
+    }
+}
+
+fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
+    let (found, all) = list.count();
+    let quiet = theme::part(Part::Quiet);
+    match list.search() {
+        None => {
+            print(buffer, area.x, area.y, area.width, "plot what?", quiet);
+            let count = format!("{} of {all}", app.plots().count());
+            print_right(buffer, area.right(), area.y, &count, quiet);
+        }
+        Some((text, typing)) => {
+            let room = usize::from(area.width).saturating_sub(columns_of(found) + 3);
+            let skipped = text.len().saturating_sub(room.saturating_sub(1));
+            let seen = text.get(skipped..).unwrap_or_default();
+            let x = print(buffer, area.x, area.y, area.width, "/", quiet);
+            let x = print(buffer, x, area.y, area.width, seen, theme::part(Part::Text));
+            if typing {
+                print(buffer, x, area.y, 1, " ", theme::part(Part::Caret));
+            }
+            print_right(buffer, area.right(), area.y, &found.to_string(), quiet);
+        }
+    }
+    let rows = Rect {
+        y: area.y + HEAD,
+        height: area.height.saturating_sub(HEAD),
+        ..area
+    };
+    if found == 0 {
+        print(
+            buffer,
+            rows.x,
+            rows.y,
+            rows.width,
+            "no figure has that",
+            quiet,
+        );
+        return;
+    }
+    // The cursor is seen, with rows above it where there are some.
+    let height = usize::from(rows.height).max(1);
+    let most = found.saturating_sub(height);
+    let first = list.cursor().saturating_sub(height / 2).min(most);
+    let seen = list.rows().enumerate().skip(first);
+    for (y, (i, (name, unit))) in (rows.top()..rows.bottom()).zip(seen) {
+        let is_here = i == list.cursor();
+        let part = |other| theme::part(if is_here { Part::Key } else { other });
+        let mark = match (is_here, app.plots().is_chosen(name)) {
+            (true, true) => "> [x] ",
+            (true, false) => "> [ ] ",
+            (false, true) => "  [x] ",
+            (false, false) => "  [ ] ",
+        };
+        let x = print(buffer, rows.x, y, rows.width, mark, part(Part::Text));
+        let room = rows.right().saturating_sub(x);
+        let name = shown(&cut(name, usize::from(NAME.min(room))), app.glyphs());
+        print(buffer, x, y, room, &name, part(Part::Name));
+        let x = (x + NAME + 1).min(x + columns(&name).max(9) + 1);
+        let room = rows.right().saturating_sub(x);
+        print(buffer, x, y, room, unit, part(Part::Quiet));
+    }
+    mark_more(rows, first > 0, first < most, buffer);
+}
+
+/// Digits of a number.
+fn columns_of(count: usize) -> usize {
+    count.to_string().len()
 }

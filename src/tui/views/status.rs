@@ -10,7 +10,7 @@ use super::{columns, cut, most_scroll, print};
 use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
-use crate::tui::action::{Action, SceneAction, TablesAction, entry_of};
+use crate::tui::action::{Action, PlotsAction, SceneAction, TablesAction, entry_of};
 use crate::tui::ahead::ahead;
 use crate::tui::app::{App, Entry, Mode, View, Wanted};
 use crate::tui::figures::coordinate;
@@ -75,7 +75,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             how_much(&mut line);
             return;
         }
-        Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) => {}
+        Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) | Mode::PlotList(_) => {}
     }
     let studied = studied(app);
     let driver = studied.clone().unwrap_or_else(|| driver(app.stage()));
@@ -165,6 +165,7 @@ fn trust(app: &App) -> Option<String> {
             Mode::Help(_)
             | Mode::GoTo(_)
             | Mode::Assemblies(_)
+            | Mode::PlotList(_)
             | Mode::FileName(_)
             | Mode::Value(_)
             | Mode::Confirm(_)
@@ -208,7 +209,7 @@ fn mode(app: &App) -> &'static str {
     match (app.mode(), app.view()) {
         (Mode::Help(_), _) => "help",
         (Mode::GoTo(_), _) => "go to",
-        (Mode::Assemblies(_), _) => "choose",
+        (Mode::Assemblies(_) | Mode::PlotList(_), _) => "choose",
         (Mode::FileName(Prompt { document, .. }), _)
         | (Mode::Confirm(Question { document, .. }), _) => match document {
             Document::Scene => "save",
@@ -487,7 +488,17 @@ fn offered(app: &App) -> &'static [Action] {
             Action::MotionView,
             Action::Quit,
         ],
-        (_, View::Plots | View::Forces | View::Lengths) => &[
+        (_, View::Plots) => &[
+            Action::Help,
+            Action::Plots(PlotsAction::Choose),
+            Action::LineDown,
+            Action::Plots(PlotsAction::Abscissa),
+            Action::MotionView,
+            Action::Play,
+            Action::StepForward,
+            Action::Quit,
+        ],
+        (_, View::Forces | View::Lengths) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,
@@ -502,6 +513,12 @@ fn hints(app: &App, line: &mut Writer<'_>) {
     if matches!(app.mode(), Mode::Help(help) if help.is_typing()) {
         line.hint(&Key::Escape.to_string(), "all keys");
         line.hint(&Key::Enter.to_string(), "keep");
+        return;
+    }
+    if let Mode::PlotList(list) = app.mode() {
+        for (key, name) in list_hints(list.is_typing()) {
+            line.hint(&key.to_string(), name);
+        }
         return;
     }
     let listing = matches!(app.mode(), Mode::Assemblies(_));
@@ -522,6 +539,20 @@ fn hints(app: &App, line: &mut Writer<'_>) {
     }
 }
 
+/// The keys of the list in which is chosen what is plotted.
+fn list_hints(typing: bool) -> &'static [(Key, &'static str)] {
+    if typing {
+        &[(Key::Enter, "keep"), (Key::Escape, "all")]
+    } else {
+        &[
+            (Key::Enter, "plot it or not"),
+            (Key::Escape, "done"),
+            (Key::Char('/'), "search"),
+            (Key::Char('c'), "none"),
+        ]
+    }
+}
+
 /// The first key of an action, if it has one, and what it does now.
 fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
     let key = app.keymap().key(action)?;
@@ -531,6 +562,8 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Scene(SceneAction::NudgeUp) => "more",
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
+        Action::Plots(PlotsAction::Choose) => "choose",
+        Action::Plots(PlotsAction::Abscissa) => "along x",
         Action::AccuracyView if app.survey().phase() == Phase::Stopped => "go on",
         Action::AccuracyView if app.survey().phase() == Phase::Done => "again",
         _ => entry_of(action).name,

@@ -1,0 +1,129 @@
+//! `plot`: what is drawn, over what, and what is refused.
+
+use super::{Run, done, folder, krank, refused};
+
+fn plot(args: &[&str]) -> String {
+    done(&[&["plot"], args].concat())
+}
+
+#[test]
+fn a_plot_is_as_large_as_it_should_be_and_ascii_in_a_plain_environment() {
+    let text = plot(&["four-bar", "--columns", "C.vx,r4.omega"]);
+    assert_eq!(text.lines().count(), 24);
+    assert!(
+        text.lines().all(|line| line.len() <= 80) && text.is_ascii(),
+        "{text}"
+    );
+    for part in [
+        "mm/s",
+        "rad/s",
+        "* C.vx",
+        "* r4.omega",
+        "over driver.angle",
+        "360 deg",
+    ] {
+        assert!(text.contains(part), "{part}\n{text}");
+    }
+    let small = plot(&["four-bar", "--columns", "C.vx", "--size", "40x12"]);
+    assert_eq!(small.lines().count(), 12);
+    assert!(small.lines().all(|line| line.len() <= 40));
+}
+
+#[test]
+fn extrema_are_marked_with_what_is_solved_and_can_be_left_out() {
+    // The slider in line: dead centres at 0 and 180 deg, 30 and 10 cm from the pivot.
+    let args = [
+        "slider-crank",
+        "--columns",
+        "C.x",
+        "--from",
+        "-90",
+        "--to",
+        "270",
+    ];
+    let text = plot(&args);
+    assert!(
+        text.contains("30.000 at 0.00") && text.contains("10.000 at 180.00"),
+        "{text}"
+    );
+    let bare = plot(&[&args[..], &["--no-extrema"]].concat());
+    assert!(!bare.contains(" at "), "{bare}");
+}
+
+#[test]
+fn time_begins_where_the_scene_opens_and_figures_stand_against_each_other() {
+    let text = plot(&["four-bar", "--columns", "r4.omega", "--against", "time"]);
+    assert!(
+        text.contains("over time") && text.contains(" s\n"),
+        "{text}"
+    );
+    let phase = plot(&["slider-crank", "--columns", "C.vx", "--against", "C.x"]);
+    assert!(
+        phase.contains("over C.x") && phase.contains("* C.vx"),
+        "{phase}"
+    );
+}
+
+#[test]
+fn glyphs_are_those_that_were_asked_for() {
+    let with = |glyphs| plot(&["four-bar", "--columns", "C.vx", "--glyphs", glyphs]);
+    assert!(with("ascii").is_ascii() && with("auto").is_ascii());
+    assert!(with("line").contains('\u{2510}'));
+    let braille = |c: char| ('\u{2800}'..='\u{28ff}').contains(&c);
+    assert!(with("braille").chars().any(braille));
+}
+
+#[test]
+fn an_svg_goes_to_a_file() {
+    let file = folder("plot").join("plot.svg");
+    let path = file.to_str().unwrap();
+    let out = plot(&[
+        "hoecken",
+        "--columns",
+        "P.y",
+        "--against",
+        "P.x",
+        "--format",
+        "svg",
+        "-o",
+        path,
+    ]);
+    assert_eq!(out, "");
+    let text = std::fs::read_to_string(file).unwrap();
+    assert!(text.starts_with("<svg ") && text.ends_with("</svg>\n"));
+    assert!(
+        text.contains(">P.y<") && text.contains("P.x [mm]"),
+        "{text}"
+    );
+}
+
+#[test]
+fn what_cannot_be_plotted_is_refused_with_the_mend() {
+    let columns = |columns| refused(2, &["plot", "four-bar", "--columns", columns]);
+    assert!(columns("C.z").contains("`C.x`") || columns("C.z").contains("C.y"));
+    assert!(columns("state").contains("--columns"));
+    let base = ["plot", "four-bar", "--columns", "C.x"];
+    let with = |more: &[&str]| refused(2, &[&base[..], more].concat());
+    assert!(with(&["--against", "C.*"]).contains("6 figures"));
+    assert!(with(&["--against", "C.q"]).contains("--against"));
+    assert!(with(&["--from", "5", "--to", "5"]).contains("both 5"));
+    assert!(with(&["--size", "10x3"]).contains("too small"));
+    assert!(with(&["--size", "80"]).contains("80x24"));
+    assert!(refused(2, &["plot", "four-bar"]).contains("--columns"));
+}
+
+#[test]
+fn what_lies_outside_the_motion_is_a_gap_and_said() {
+    let args = ["plot", "double-rocker", "--columns", "C.x", "--from"];
+    let outside = |from, to| krank(&[&args[..], &[from, "--to", to]].concat());
+    let Run { code, out, err } = outside("0", "360");
+    assert_eq!(code, 0, "{err}");
+    assert!(
+        err.contains("a part of the plot lies outside the motion"),
+        "{err}"
+    );
+    assert!(out.contains("C.x"));
+    let Run { code, out, err } = outside("100000", "100001");
+    assert_eq!((code, out.as_str()), (1, ""));
+    assert!(err.contains("the driver covers"), "{err}");
+}
