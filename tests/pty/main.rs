@@ -10,6 +10,7 @@ mod session;
 mod slow;
 mod ssh;
 mod stopping;
+mod taking;
 
 use rustix::process::Signal;
 use session::{Manner, Session, Setup};

@@ -14,7 +14,7 @@ impl App {
         if to.as_os_str().is_empty() {
             self.mode = Mode::Normal;
         } else if to.is_dir() {
-            self.message = Some(format!("a folder: {}; add a name", to.display()));
+            self.message = Some("that is a folder: add a name".into());
         } else if to.exists() {
             self.mode = Mode::Confirm(Question { document, to });
         } else {

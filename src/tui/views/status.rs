@@ -323,9 +323,7 @@ fn file_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     let skipped = typed.text().len().saturating_sub(room);
     line.say(typed.text().get(skipped..).unwrap_or_default(), Part::Text);
     line.say(" ", Part::Caret);
-    line.gap(3);
-    if let Some(message) = app.message() {
-        line.tell(message, app);
+    if object(app, line) {
         return;
     }
     line.hint(&Key::Enter.to_string(), "write");
@@ -371,15 +369,22 @@ fn search_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" name: ", Part::Text);
     line.say(typed.text(), Part::Text);
     line.say(" ", Part::Caret);
-    line.gap(1);
-    if let Some(message) = app.message() {
-        // On a short line it covers what was typed, but does not run into it.
-        line.tell(&format!("  {message}"), app);
+    if object(app, line) {
         return;
     }
-    line.gap(2);
     line.hint(&Key::Enter.to_string(), "keep");
     line.hint(&Key::Escape.to_string(), "back");
+}
+
+/// Says behind a line that is typed in what is wrong with it, if something is. On a short line that covers
+/// what was typed, but does not run into it.
+fn object(app: &App, line: &mut Writer<'_>) -> bool {
+    line.gap(1);
+    match app.message() {
+        Some(message) => line.tell(&format!("  {message}"), app),
+        None => line.gap(2),
+    }
+    app.message().is_some()
 }
 
 /// How much of the tables is copied.

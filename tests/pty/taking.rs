@@ -1,0 +1,63 @@
+//! What is taken out of the workbench: bytes for the terminal's clipboard, and files.
+
+use crate::session::{Manner, Setup};
+
+/// What was copied arrives once and whole, between frames, also on a line that takes it slowly.
+#[test]
+fn what_is_copied_arrives_once_and_whole() {
+    for manner in [Manner::Answers, Manner::Mute, Manner::Slow] {
+        let mut session = Setup::krank(&["four-bar"]).manner(manner).start();
+        session.wait_for("60.00 deg").send(" 2");
+        session.wait_for("> r2").send("yt");
+        session
+            .wait_for("sent to the terminal's clipboard")
+            .send(" q");
+        assert!(session.ended_as_found().success());
+        let seen = session.seen.lock().unwrap();
+        let bytes = String::from_utf8_lossy(&seen.bytes);
+        let sent: Vec<&str> = bytes.split("\x1b]52;c;").skip(1).collect();
+        let [sent] = sent[..] else {
+            panic!("{} sequences", sent.len());
+        };
+        let text = sent.split("\x1b\\").next().unwrap();
+        // `vector\tlength [mm]` and so on, no byte of a frame among it.
+        assert!(text.starts_with("dmVjdG9yCWxlbmd0aCBbbW1d"), "{text}");
+        assert!(text.len() > 300 && text.len() % 4 == 0, "{text}");
+        let digit = |b: u8| b.is_ascii_alphanumeric() || b"+/=".contains(&b);
+        assert!(text.bytes().all(digit), "{text}");
+    }
+}
+
+#[test]
+fn a_console_without_a_clipboard_is_told_what_to_do() {
+    let arguments = ["four-bar", "--view", "tables"];
+    let mut session = Setup::krank(&arguments).env("TERM", "linux").start();
+    session.wait_for("> r2").send("y");
+    session
+        .wait_for("this terminal has no clipboard; Y writes CSV")
+        .send("q");
+    assert!(session.ended_as_found().success());
+    let seen = session.seen.lock().unwrap();
+    assert!(!String::from_utf8_lossy(&seen.bytes).contains("\x1b]52"));
+}
+
+/// A disk that is full half way through the file: the limit of a file's size stands for it.
+#[test]
+fn what_does_not_fit_on_the_disk_leaves_nothing_behind() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-room");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let krank = env!("CARGO_BIN_EXE_krank");
+    let script = format!(
+        "cd '{}' && trap '' XFSZ && ulimit -f 1 && exec {krank} jansen-leg --view tables",
+        folder.display()
+    );
+    let mut session = Setup::script(&script).start();
+    session.wait_for("> ").send("Y\r");
+    session.wait_for("not written: a file may not be so large");
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
+    // What was asked for is still there to be written elsewhere.
+    session.wait_for("write to: jansen-leg-").send("\x1b");
+    session.wait_for("? help").send("q");
+    assert!(session.ended_as_found().success());
+}
