@@ -232,3 +232,27 @@ fn every_preset_stands_beside_every_other() {
     }
     assert!(compared > 100, "{compared}");
 }
+
+/// After an edit, what was opened is the first that is offered, and follows every further edit.
+#[test]
+fn an_edited_scene_stands_beside_what_was_opened() {
+    let mut session = beside("edited", Glyphs::Ascii, 100, 40);
+    assert!(!session.press("D").look().contains("as opened"));
+    session.press("Esc 6 / r 2 space l e n Enter Enter 1 0 1 Enter");
+    let list = session.press("2 D").look();
+    assert!(
+        list.contains("> as opened") && list.contains("| Four-bar"),
+        "{list}"
+    );
+    let screen = session.press("Enter").look();
+    assert!(screen.contains("against as opened"), "{screen}");
+    assert_eq!(row(&screen, "r2")[1..3], ["1.00000", "0.000"]);
+    assert_eq!(row(&screen, "B")[1], "0.50000");
+    // A further edit: the difference is to what was opened, not to the step before.
+    let screen = session.press("6 Enter 1 0 2 Enter 2").look();
+    assert_eq!(row(&screen, "r2")[1], "2.00000");
+    // Taken back, nothing differs, and the comparison goes on.
+    let screen = session.press("u u").look();
+    assert_eq!(row(&screen, "r2")[1].parse::<f64>().unwrap(), 0.0);
+    assert!(screen.contains("against as opened"), "{screen}");
+}
