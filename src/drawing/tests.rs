@@ -228,3 +228,48 @@ fn size_and_place_do_not_show() {
         assert_eq!(picture(&four_bar(scale, x, y)), plain, "{scale:e} at {x:e}");
     }
 }
+
+/// The corners of what is drawn in a role.
+fn corners(figure: &Figure, wanted: Role) -> Vec<Vec2> {
+    let shapes = figure.shapes().iter();
+    let corners = shapes.flat_map(|shape| match shape {
+        Shape::Line { from, to, role } if *role == wanted => vec![*from, *to],
+        Shape::Outline { corners, role } if *role == wanted => corners.clone(),
+        _ => Vec::new(),
+    });
+    corners.collect()
+}
+
+/// A scene in metres is drawn over the same one in millimetres, link by link, and needs no more room.
+#[test]
+fn another_scene_is_drawn_in_the_unit_of_this_one() {
+    let text = crate::scene::presets::find("watt-six-bar")
+        .expect("it is there")
+        .text;
+    let stage = Stage::of("watt-six-bar", text);
+    let mut state = stage.solver.state();
+    stage.solver.solve(100.0, Order::Position, &mut state);
+    let mut figure = Figure::new();
+    add_other(&mut figure, &stage.scene, &state, 25.4);
+    let ghost = corners(&figure, Role::Ghost);
+    let own = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+    let links = [Role::Driver, Role::Link]
+        .map(|role| corners(&own, role))
+        .concat();
+    assert_eq!(ghost.len(), links.len());
+    for corner in links {
+        let there = |g: &Vec2| (*g - corner * 25.4).norm() < 1e-9 * corner.norm().max(1.0);
+        assert!(ghost.iter().any(there), "{corner:?}");
+    }
+    // The space of both is that of the larger.
+    let both = stage.reach.beside(&stage.reach, 25.4).bounds();
+    let size = stage.reach.bounds().size() * 25.4;
+    assert!((both.high - both.low).x >= size.x * (1.0 - 1e-12));
+    let same = stage.reach.beside(&stage.reach, 1.0).bounds();
+    assert_eq!(same, stage.reach.bounds());
+    // Where there is no assembly, there is no ghost.
+    let mut nothing = Figure::new();
+    let unsolved = stage.solver.state();
+    add_other(&mut nothing, &stage.scene, &unsolved, 1.0);
+    assert!(nothing.shapes().is_empty());
+}

@@ -37,7 +37,7 @@ pub(crate) struct Sample {
     pub(crate) scene: Scene,
     pub(crate) reach: Reach,
     pub(crate) state: State,
-    /// `4 links, 1 slide, in mm`.
+    /// `4 links, 1 slide, unit mm`.
     pub(crate) parts: String,
     /// `r2 turns fully`.
     pub(crate) range: String,
@@ -172,7 +172,7 @@ fn parts(scene: &Scene) -> String {
     let mut words: Vec<String> = counted
         .map(|(count, what)| format!("{count} {what}{}", if count == 1 { "" } else { "s" }))
         .collect();
-    words.push(format!("in {}", scene.unit.symbol()));
+    words.push(format!("unit {}", scene.unit.symbol()));
     words.join(", ")
 }
 

@@ -2,6 +2,7 @@
 //! what the figures differ by.
 
 use super::Opened;
+use super::figures::short;
 use super::sheet::Sheet;
 use super::stage::{Stage, solved};
 use crate::drawing::{self, Figure, Reach};
@@ -9,6 +10,9 @@ use crate::report::{Pairing, Tables};
 use crate::scene::Scene;
 use crate::solver::{Condition, State};
 use crate::{Ball, Input};
+
+/// Columns of a speed.
+const SPEED: usize = 8;
 
 /// A scene that the open one is held against.
 #[derive(Debug)]
@@ -83,6 +87,18 @@ impl Rival {
 
     pub(crate) fn name(&self) -> &str {
         &self.name
+    }
+
+    /// The speeds of both drivers, where they differ: then every rate does.
+    pub(crate) fn speeds(&self, stage: &Stage) -> Option<String> {
+        let driver = stage.scene().mechanism.driver();
+        let other = self.other.opened.scene.mechanism.driver();
+        let (scale, unit) = match driver.input {
+            Input::Turn(_) => (1.0, "rad"),
+            Input::Push(_) => (self.other.scale, stage.scene().unit.symbol()),
+        };
+        let [this, other] = [driver.speed, other.speed * scale].map(|speed| short(speed, SPEED));
+        (this != other).then(|| format!("{this} and {other} {unit}/s"))
     }
 
     /// Whether it can be where the open scene is.

@@ -86,17 +86,24 @@ impl App {
         self.rival().map_or(self.stage.tables(), Rival::tables)
     }
 
-    /// What stands above tables of differences.
-    pub(crate) fn difference_title(&self) -> Option<String> {
+    /// What stands above tables of differences, as much of it as fits so many columns.
+    pub(crate) fn difference_title(&self, width: usize) -> Option<String> {
         let rival = self.rival()?;
         let name = rival.name();
         if !rival.is_assembled() {
             return Some(format!("{name} has no assembly here"));
         }
+        let mut title = format!("this - {name}");
+        let long = format!("difference: {title}");
+        if long.chars().count() <= width {
+            title = long;
+        }
+        let speeds = rival.speeds(&self.stage).map(|s| format!("driven at {s}"));
         let there = rival.pairing().only_there();
-        Some(match there {
-            [] => format!("difference: this - {name}"),
-            names => format!("difference: this - {name}; only there: {}", names.join(" ")),
-        })
+        let there = (!there.is_empty()).then(|| format!("only there: {}", there.join(" ")));
+        for part in speeds.into_iter().chain(there) {
+            title = format!("{title}; {part}");
+        }
+        Some(title)
     }
 }

@@ -122,14 +122,18 @@ impl App {
         let opened = self.open_place(&place);
         let done = opened.and_then(|opened| match purpose {
             Purpose::Open => {
+                self.leave_list(now);
                 self.show(opened);
                 Ok(())
             }
-            Purpose::Compare => self.compare_with(place, name, opened),
+            Purpose::Compare => {
+                self.compare_with(place, name, opened)?;
+                self.leave_list(now);
+                Ok(())
+            }
         });
-        match done {
-            Ok(()) => self.leave_list(now),
-            Err(why) => self.message = Some(why),
+        if let Err(why) = done {
+            self.message = Some(why);
         }
     }
 

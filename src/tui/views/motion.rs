@@ -142,7 +142,8 @@ fn below(app: &App, area: Rect) -> Arrangement {
         sheet.vector_lines(width, app.glyphs()),
         sheet.lines(width, app.glyphs()).len(),
     ]
-    .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX));
+    .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX))
+    .map(|lines| lines.saturating_add(table::title_lines(app)));
     let share = (area.height / TABLE_SHARE).max(LOWEST_TABLE);
     let rule = u16::from(area.height >= ROOM_FOR_RULE);
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);

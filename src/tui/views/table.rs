@@ -12,8 +12,8 @@ use ratatui::layout::Rect;
 
 /// The tables at this width, scrolled as the view is.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let area = below_title(app, area);
     title(app, area, buffer);
+    let area = below_title(app, area);
     let (sheet, glyphs) = (app.sheet(), app.glyphs());
     let lines = sheet.lines(area.width.into(), glyphs);
     let most = lines.len().saturating_sub(area.height.into());
@@ -40,28 +40,32 @@ pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
     (lines.len(), below_title(app, area).height.into())
 }
 
-/// Where tables begin: a line of what differences are differences of stands above them.
+/// Says above tables of differences what they are.
+pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
+    if let Some(title) = app.difference_title(area.width.into()) {
+        let title = cut(&shown(&title, app.glyphs()), area.width.into());
+        let style = theme::part(Part::Quiet);
+        print(buffer, area.x, area.y, area.width, &title, style);
+    }
+}
+
+/// Where the tables begin: below their title, if they have one.
 pub(super) fn below_title(app: &App, area: Rect) -> Rect {
-    let title = u16::from(app.rival().is_some()).min(area.height);
+    let title = title_lines(app);
     Rect {
         y: area.y + title,
-        height: area.height - title,
+        height: area.height.saturating_sub(title),
         ..area
     }
 }
 
-/// Says above tables of differences what they are.
-pub(super) fn title(app: &App, tables: Rect, buffer: &mut Buffer) {
-    let Some(title) = app.difference_title() else {
-        return;
-    };
-    let title = cut(&shown(&title, app.glyphs()), tables.width.into());
-    let (y, style) = (tables.y.saturating_sub(1), theme::part(Part::Quiet));
-    print(buffer, tables.x, y, tables.width, &title, style);
+/// Lines that the title of the tables takes.
+pub(super) fn title_lines(app: &App) -> u16 {
+    u16::from(app.rival().is_some())
 }
 
 /// Whether the row has no partner in what is compared with.
-fn is_alone(app: &App, line: &Line) -> bool {
+pub(super) fn is_alone(app: &App, line: &Line) -> bool {
     let Some(rival) = app.rival() else {
         return false;
     };

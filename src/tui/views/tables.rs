@@ -8,7 +8,7 @@
 //! >+ C           318.197    [236.202]
 //! ```
 
-use super::table::{below_title, columns_of, render_line, title};
+use super::table::{self, columns_of, render_line};
 use super::{MARGIN, columns, mark_more, print};
 use crate::tui::app::App;
 use crate::tui::chosen;
@@ -20,8 +20,8 @@ use ratatui::layout::Rect;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let (lines, height) = lines(app, area);
-    let area = below_title(app, place(area));
-    title(app, area, buffer);
+    table::title(app, place(area), buffer);
+    let area = table::below_title(app, place(area));
     let most = lines.len().saturating_sub(height);
     let scroll = app.scroll().min(most);
     mark_more(area, scroll > 0, scroll < most, buffer);
@@ -35,7 +35,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// All lines of the tables at this width, and how many are seen.
 pub(super) fn lines(app: &App, area: Rect) -> (Vec<Line>, usize) {
-    let area = below_title(app, place(area));
+    let area = table::below_title(app, place(area));
     let lines = app.sheet().lines(area.width.into(), app.glyphs());
     (lines, area.height.into())
 }
@@ -73,6 +73,9 @@ fn mark(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
         return;
     };
     print(buffer, area.x - MARKS, area.y, 1, ROW, key);
+    if table::is_alone(app, line) {
+        return;
+    }
     let width = area.width.into();
     let (name, cells) = app.sheet().show(line, app.tables(), width, app.glyphs());
     let widths = cells.iter().take(cell + 1).map(|cell| cell.width);
