@@ -107,9 +107,9 @@ impl Setup {
         let usual = [
             ("TERM", "xterm-256color"),
             ("LC_ALL", "C.UTF-8"),
-            // Nobody's configuration, and nothing that an earlier run has left.
-            ("XDG_CONFIG_HOME", "/nonexistent/configuration"),
-            ("XDG_STATE_HOME", "/nonexistent/state"),
+            // Nobody's configuration, nothing that an earlier run has left, and nowhere to leave anything.
+            ("XDG_CONFIG_HOME", "/dev/null/configuration"),
+            ("XDG_STATE_HOME", "/dev/null/state"),
         ];
         for (name, value) in usual {
             command.env(name, value);
