@@ -226,9 +226,14 @@ impl Session {
         kill_process(self.pid(), signal).unwrap();
     }
 
-    pub(crate) fn resize(&self, cols: u16, rows: u16) {
+    /// Tells the program a size, whatever the screen's is.
+    pub(crate) fn tell_size(&self, cols: u16, rows: u16) {
         let size = size(cols, rows);
         self.master.as_ref().unwrap().resize(size).unwrap();
+    }
+
+    pub(crate) fn resize(&self, cols: u16, rows: u16) {
+        self.tell_size(cols, rows);
         if cols > 0 && rows > 0 {
             self.seen.lock().unwrap().terminal = emulator(cols, rows);
         }
