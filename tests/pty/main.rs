@@ -101,7 +101,8 @@ fn a_storm_of_sizes_leaves_the_last_one() {
         let [cols, rows] = [seed >> 8, seed >> 20].map(|n| u16::try_from(n % 300).unwrap());
         session.resize(cols, rows);
     }
-    session.resize(u16::MAX, u16::MAX);
+    session.tell_size(u16::MAX, u16::MAX);
+    thread::sleep(Duration::from_millis(100));
     session.resize(100, 30);
     session.wait_for("pause").send(" ");
     session.wait_for("play");

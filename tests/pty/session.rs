@@ -107,9 +107,9 @@ impl Setup {
         let usual = [
             ("TERM", "xterm-256color"),
             ("LC_ALL", "C.UTF-8"),
-            // Nobody's configuration, and nothing that an earlier run has left.
-            ("XDG_CONFIG_HOME", "/nonexistent/configuration"),
-            ("XDG_STATE_HOME", "/nonexistent/state"),
+            // Nobody's configuration, nothing that an earlier run has left, and nowhere to leave anything.
+            ("XDG_CONFIG_HOME", "/dev/null/configuration"),
+            ("XDG_STATE_HOME", "/dev/null/state"),
         ];
         for (name, value) in usual {
             command.env(name, value);
@@ -226,9 +226,14 @@ impl Session {
         kill_process(self.pid(), signal).unwrap();
     }
 
-    pub(crate) fn resize(&self, cols: u16, rows: u16) {
+    /// Tells the program a size, whatever the screen's is.
+    pub(crate) fn tell_size(&self, cols: u16, rows: u16) {
         let size = size(cols, rows);
         self.master.as_ref().unwrap().resize(size).unwrap();
+    }
+
+    pub(crate) fn resize(&self, cols: u16, rows: u16) {
+        self.tell_size(cols, rows);
         if cols > 0 && rows > 0 {
             self.seen.lock().unwrap().terminal = emulator(cols, rows);
         }

@@ -70,8 +70,8 @@ impl Server {
         let at = self.folder.display();
         let krank = env!("CARGO_BIN_EXE_krank");
         let remote = format!(
-            "echo $$ > '{at}/krank.pid'; LC_ALL=C.UTF-8 XDG_STATE_HOME=/nonexistent/state \
-             XDG_CONFIG_HOME=/nonexistent/configuration exec '{krank}' four-bar"
+            "echo $$ > '{at}/krank.pid'; LC_ALL=C.UTF-8 XDG_STATE_HOME=/dev/null/state \
+             XDG_CONFIG_HOME=/dev/null/configuration exec '{krank}' four-bar"
         );
         let (port, key) = (self.port.to_string(), format!("{at}/user"));
         let known = format!("UserKnownHostsFile={at}/known");

@@ -239,7 +239,9 @@ pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer
 /// Copies a drawing to the screen.
 pub(super) fn show(raster: &Raster, area: Rect, buffer: &mut Buffer) {
     for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
-        for (x, cell) in (area.left()..area.right()).zip(line) {
+        // The ground is there already, and most of a drawing is ground.
+        let inked = (area.left()..area.right()).zip(line);
+        for (x, cell) in inked.filter(|(_, cell)| cell.glyph != ' ') {
             buffer[(x, y)]
                 .set_char(cell.glyph)
                 .set_style(theme::role(cell.role));
