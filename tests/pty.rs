@@ -64,6 +64,15 @@ impl Session {
             }
         }
         command.env_remove("NO_COLOR");
+        // Neither the configuration nor the first start of whoever runs this matters.
+        for name in ["XDG_CONFIG_HOME", "XDG_STATE_HOME"] {
+            if command
+                .get_env(name)
+                .is_none_or(|given| !given.to_string_lossy().contains("pty-"))
+            {
+                command.env(name, "/nowhere");
+            }
+        }
         // A backtrace would push what is told off the screen.
         command.env_remove("RUST_BACKTRACE");
         let pair = native_pty_system().openpty(size(80, 24)).unwrap();
@@ -476,4 +485,43 @@ fn output_that_is_no_terminal_is_refused_kindly() {
     assert!(output.stdout.is_empty());
     let told = String::from_utf8(output.stderr).unwrap();
     assert!(told.contains("krank table"), "{told}");
+}
+
+/// The first start without a scene begins with the tour; the second does not, nor does one of a scene.
+#[test]
+fn the_first_start_shows_the_tour_once() {
+    let home = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("pty-first-start");
+    let _ = std::fs::remove_dir_all(&home);
+    let start = |args: &[&str], config: &str| {
+        let folder = home.join("config").join("krank");
+        std::fs::create_dir_all(&folder).unwrap();
+        std::fs::write(folder.join("config.toml"), config).unwrap();
+        let mut command = CommandBuilder::new(env!("CARGO_BIN_EXE_krank"));
+        command.args(args);
+        command.env("XDG_CONFIG_HOME", home.join("config"));
+        command.env("XDG_STATE_HOME", home.join("state"));
+        Session::start(command, Manner::Answers)
+    };
+    let mut quiet = |args: &[&str], config: &str| {
+        let mut session = start(args, config);
+        session.wait_for("? help");
+        assert!(!session.screen().contains("Tour"), "{args:?} {config}");
+        session.send("q");
+        assert!(session.ended_as_found().success());
+    };
+    quiet(&["four-bar"], "");
+    quiet(&["--at", "30"], "");
+    quiet(&[], "tour = false");
+    let mut first = start(&[], "");
+    first.wait_for("Tour 1/5").send("\r");
+    first.wait_for("Tour 2/5").send(".");
+    first.wait_for("65.00 deg").send("\x1b");
+    first.wait_for("? help").send("q");
+    assert!(first.ended_as_found().success());
+    quiet(&[], "");
+    // A key of the configuration is a key of the program.
+    let mut other = start(&["four-bar"], "[keys]\nquit = 'Q'");
+    other.wait_for("Q quit").send("q.");
+    other.wait_for("65.00 deg").send("Q");
+    assert!(other.ended_as_found().success());
 }
