@@ -6,6 +6,7 @@
 mod screen;
 
 use krank::drawing::Glyphs;
+use krank::tui::{Colours, Config, Workbench};
 use screen::{Session, preset};
 
 fn four_bar(cols: u16, rows: u16) -> Session {
@@ -65,4 +66,68 @@ fn every_key_of_the_help_is_reached() {
             assert!(seen.contains(help), "{cols} x {rows}: {help}");
         }
     }
+}
+
+/// Every screen of the tour, beside the linkage where there is room.
+#[test]
+fn the_tour_leads_through_five_screens_and_back() {
+    for (cols, rows) in [(80, 24), (40, 12), (120, 40)] {
+        let mut session = four_bar(cols, rows);
+        let before = session.look();
+        let mut screens = String::new();
+        for key in ["I", "Enter", "Right", "space", "Enter"] {
+            screens += &session.press(key).look();
+            screens += "\n";
+        }
+        insta::assert_snapshot!(format!("tour-{cols}x{rows}"), screens);
+        assert!(session.press("Left").look().contains("Tour 4/5"));
+        assert!(!session.press("Enter Enter").look().contains("Tour"));
+        assert_eq!(session.look(), before, "nothing else has happened");
+        assert!(!session.press("F2 Esc").look().contains("Tour"));
+    }
+}
+
+/// The keys of the motion work beside the tour, and nothing that would lead away from it.
+#[test]
+fn the_tour_lets_the_crank_be_moved() {
+    let mut session = four_bar(80, 24);
+    let line = session.press("I Enter . .").last_line();
+    assert!(line.contains("70.00 deg"), "{line}");
+    assert!(session.press("n w a g").look().contains("Tour 2/5"));
+    assert!(session.press("2").look().contains("Tour 2/5"));
+    assert!(session.press("?").look().contains("Help"));
+}
+
+/// What is configured is what the help, the hints and the messages tell.
+#[test]
+fn keys_that_are_configured_are_the_ones_that_are_told() {
+    let text = "[keys]\nhelp = \"F9\"\nplay = \"F5\"\nsave = \"F6\"\nnext = []\nstep-back = []\n";
+    let config = Config::parse(text, "config.toml").unwrap();
+    let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Sixteen, 80, 24);
+    let mut session = Session::on(workbench.configured(&config), 80, 24);
+    let line = session.last_line();
+    assert!(line.contains("F9 help  F5 play  q quit"), "{line}");
+    assert!(session.press("F5").last_line().contains("F5 pause"));
+    session.press("F5");
+    let before = session.look();
+    assert_eq!(session.press("space ? n , Left h").look(), before);
+    let line = session.press("a Enter").last_line();
+    assert!(line.contains("C=- now; F6 saves it"), "{line}");
+    let help = session.press("F9 /").type_in("preset").look();
+    assert!(!help.contains("the next preset"), "{help}");
+    let tour = session.press("Esc Esc I Enter").look();
+    assert!(tour.contains("(no key) step"), "{tour}");
+}
+
+/// The configuration in the README is one.
+#[test]
+fn the_configuration_of_the_readme_is_read() {
+    let readme = include_str!("../README.md");
+    let block = readme
+        .split("```toml\n")
+        .find(|block| block.starts_with("glyphs"));
+    let text = block.unwrap().split("```").next().unwrap();
+    let config = Config::parse(text, "config.toml").unwrap();
+    assert_eq!(config.glyphs, Some(Glyphs::Ascii));
+    assert!(!config.tour);
 }

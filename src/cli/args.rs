@@ -31,6 +31,9 @@ macro_rules! keys_help {
 /// What stands for a scene on the command line.
 const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
 
+/// The scene that opens where none is named.
+pub(super) const USUAL_SCENE: &str = "four-bar";
+
 /// A terminal workbench for planar linkages.
 #[derive(Debug, Parser)]
 #[command(
@@ -68,8 +71,8 @@ pub(super) struct Cli {
 /// The workbench, which opens where no command is given.
 #[derive(Debug, Args)]
 pub(super) struct WorkbenchArgs {
-    #[arg(help = SCENE_HELP, default_value = "four-bar")]
-    pub(super) scene: PathBuf,
+    #[arg(help = format!("{SCENE_HELP} [default: {USUAL_SCENE}]"))]
+    pub(super) scene: Option<PathBuf>,
     #[command(flatten)]
     pub(super) assembly: AssemblyArgs,
     /// Where to open: deg of the driven link, or the position of the driven slide
@@ -104,6 +107,10 @@ pub(super) struct WorkbenchArgs {
     #[cfg(feature = "tui")]
     #[arg(long)]
     pub(super) diagnose: bool,
+    /// The configuration [default: ~/.config/krank/config.toml]
+    #[cfg(feature = "tui")]
+    #[arg(long, value_name = "FILE")]
+    pub(super) config: Option<PathBuf>,
 }
 
 /// A view of the workbench.
@@ -265,6 +272,15 @@ Every method gives positions, velocities and accelerations, and is held against
 a run in doubled precision. Methods that a scene does not allow are listed with
 the reason. Times are this machine's: let it rest meanwhile. Ctrl-C ends it.")]
     Accuracy(AccuracyArgs),
+    /// Print a configuration to begin with: every key, and what is built in
+    #[cfg(feature = "tui")]
+    #[command(after_help = "\
+Example:
+  krank config > ~/.config/krank/config.toml
+
+The workbench reads $XDG_CONFIG_HOME/krank/config.toml, or ~/.config/krank/config.toml
+where that is not set, and never writes it: characters, colours, keys.")]
+    Config,
     /// Print a completion script for a shell
     #[command(after_help = "\
 Example:

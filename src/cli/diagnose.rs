@@ -19,7 +19,7 @@ const NAMES: usize = 17;
 
 /// Prints it; it works in a pipe as well, and without any terminal.
 pub(super) fn diagnose(args: &WorkbenchArgs) -> Result<(), Failure> {
-    let (judgement, options) = (judgement(), options(args));
+    let (judgement, options) = (judgement(), options(args)?);
     let mut rows = Vec::new();
     for (name, value) in judgement.variables() {
         rows.push((name, value.map_or_else(|| "not set".into(), quoted)));

@@ -4,6 +4,8 @@ mod accuracy;
 mod args;
 mod commands;
 #[cfg(feature = "tui")]
+mod config;
+#[cfg(feature = "tui")]
 mod diagnose;
 mod draw;
 mod failure;
@@ -89,6 +91,8 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Plot(args)) => plot::plot(args, screen),
         Some(Command::Start(args)) => commands::start(args),
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
+        #[cfg(feature = "tui")]
+        Some(Command::Config) => config::config(),
         Some(Command::Completions { shell }) => commands::completions(*shell),
         Some(Command::Man { command }) => commands::man(command.as_deref()),
     }

@@ -1,11 +1,13 @@
 //! In place of the workbench, where krank is built without it.
 
-use super::args::WorkbenchArgs;
+use super::args::{USUAL_SCENE, WorkbenchArgs};
 use super::failure::Failure;
+use std::path::Path;
 
 /// Says that there is none, and what to use instead.
 pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
-    let scene = args.scene.display();
+    let scene = args.scene.as_deref().unwrap_or(Path::new(USUAL_SCENE));
+    let scene = scene.display();
     Err(Failure::Usage(format!(
         "this krank was built without the workbench (the feature `tui`); \
          `krank table {scene}` prints the tables"

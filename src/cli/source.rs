@@ -72,12 +72,16 @@ fn read(source: &Source) -> Result<Scene, Failure> {
         }
         Source::File(path) => {
             let shown = path.display().to_string();
-            let bytes = File::open(path).and_then(limited);
-            let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
+            let bytes = contents(path).map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
             Scene::read(&bytes, &shown)
         }
     };
     scene.map_err(Failure::Scene)
+}
+
+/// What a file holds, as [`limited`].
+pub(super) fn contents(path: &Path) -> io::Result<Vec<u8>> {
+    File::open(path).and_then(limited)
 }
 
 /// Everything up to one byte more than a scene may have, so that endless input ends.

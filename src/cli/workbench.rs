@@ -1,24 +1,27 @@
 //! Opening the workbench.
 
-use super::args::{Colour, Glyphs, Size, Theme, View, WorkbenchArgs};
+use super::args::{Colour, Glyphs, Size, Theme, USUAL_SCENE, View, WorkbenchArgs};
+use super::config;
 use super::failure::Failure;
 use super::output::write_text;
 use super::picture;
 use super::source::{Opened, Source, find, load};
 use crate::drawing;
 use crate::tui::{self, Colours, Options, Origin};
+use std::path::Path;
 
 /// Opens the scene on the terminal and returns when the workbench is left; or prints what would be seen
 /// there.
 pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
-    let source = find(&args.scene)?;
+    let options = options(args)?;
+    let named = args.scene.as_deref();
+    let source = find(named.unwrap_or(Path::new(USUAL_SCENE)))?;
     let Opened { scene, solver } = load(&source, &args.assembly.wishes)?;
     let origin = match source {
         Source::Stdin => Origin::Stdin,
         Source::Preset(preset) => Origin::Preset(preset.name.to_owned()),
         Source::File(path) => Origin::File(path),
     };
-    let options = options(args);
     let opened = tui::Opened {
         scene,
         solver,
@@ -37,15 +40,18 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
     })
 }
 
-/// What is asked for on the command line.
-pub(super) fn options(args: &WorkbenchArgs) -> Options {
-    Options {
+/// What is asked for on the command line, and where it says nothing, in the configuration.
+pub(super) fn options(args: &WorkbenchArgs) -> Result<Options, Failure> {
+    let config = config::load(args.config.as_deref())?;
+    Ok(Options {
         at: args.at.map(|at| at.value()),
-        glyphs: glyphs(args.glyphs),
-        colours: colours(args.colour),
-        theme: args.theme.map_or(tui::Theme::Auto, theme),
+        glyphs: glyphs(args.glyphs).or(config.glyphs),
+        colours: colours(args.colour).or(config.colours),
+        theme: args.theme.map_or(config.theme, theme),
         view: args.view.map(view),
-    }
+        config,
+        idle: args.scene.is_none() && args.at.is_none() && args.assembly.wishes.is_empty(),
+    })
 }
 
 fn theme(wish: Theme) -> tui::Theme {

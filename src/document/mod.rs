@@ -9,6 +9,7 @@ mod harmless;
 mod reader;
 mod syntax;
 
+pub(crate) use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub use harmless::{harmless, is_harmful};
 pub(crate) use reader::{Name, Reader, Span, Value, meant, quoted};

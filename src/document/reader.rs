@@ -120,6 +120,17 @@ impl<'t> Reader<'t> {
         None
     }
 
+    /// True or false.
+    pub(crate) fn boolean(&mut self, what: &str, value: &Value<'_>) -> Option<bool> {
+        let read = value.get_ref().as_bool();
+        if read.is_none() {
+            let fault = self.wrong_type(what, "true or false", value);
+            let help = value.get_ref().as_str().and_then(bare_boolean);
+            self.report(fault.maybe_help(help));
+        }
+        read
+    }
+
     /// A table; `example` shows how one is written.
     pub(crate) fn table<'v>(
         &mut self,
@@ -158,6 +169,16 @@ pub(crate) fn meant(table: &DeTable<'_>, known: &[&str], key: &str) -> bool {
         let text = k.get_ref().as_ref();
         !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
     })
+}
+
+/// The mend for a yes or no that was written as a text.
+fn bare_boolean(text: &str) -> Option<String> {
+    let meant = match text {
+        "true" | "yes" | "on" => true,
+        "false" | "no" | "off" => false,
+        _ => return None,
+    };
+    Some(format!("write it without quotes: {meant}"))
 }
 
 /// What kind of value this is, in a person's words.

@@ -184,7 +184,7 @@ impl Scene {
         }
         match std::str::from_utf8(bytes) {
             Ok(text) => Scene::parse(text, origin),
-            Err(error) => Err(not_utf8(bytes, error.valid_up_to(), origin)),
+            Err(error) => Err(document::not_utf8(bytes, error.valid_up_to(), origin)),
         }
     }
 
@@ -283,24 +283,6 @@ fn too_large(origin: &str) -> Diagnostics {
     Diagnostics {
         origin: origin.to_owned(),
         text: "".into(),
-        items: vec![fault],
-    }
-}
-
-/// The fault of a file that is no text. What comes before the first bad byte keeps its place in the
-/// text that is shown; bad bytes become replacement characters.
-fn not_utf8(bytes: &[u8], at: usize, origin: &str) -> Diagnostics {
-    let shown = String::from_utf8_lossy(bytes);
-    let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
-    let bad = bytes.get(at).copied().unwrap_or_default();
-    let fault = Diagnostic::new(format!(
-        "the file is not UTF-8: byte 0x{bad:02x} at offset {at}"
-    ))
-    .at(at..end, "not a character in UTF-8")
-    .help("save the file as UTF-8");
-    Diagnostics {
-        origin: origin.to_owned(),
-        text: shown.into(),
         items: vec![fault],
     }
 }

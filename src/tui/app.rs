@@ -14,6 +14,7 @@ mod writing;
 
 use super::action::Action;
 use super::chosen::Chosen;
+use super::config::Config;
 use super::course::{OutOfRange, rounded};
 use super::cursor::Cursor;
 use super::editor::Editor;
@@ -34,6 +35,7 @@ use super::search::Search;
 use super::stage::Stage;
 use super::steps::Steps;
 use super::survey::{Clock, Phase, Survey};
+use super::tour;
 use super::views;
 use super::writing::{Prompt, Question};
 use super::{Opened, cost};
@@ -53,6 +55,8 @@ pub(crate) enum Mode {
     Normal,
     /// The help overlay.
     Help(Help),
+    /// This screen of the tour.
+    Tour(usize),
     /// The line in which a coordinate is typed.
     GoTo(Line),
     /// The list of assemblies, with the cursor on this one.
@@ -83,9 +87,12 @@ impl Mode {
             Mode::PlotList(list) => list.typed(),
             Mode::Search(search) => Some(&mut search.name),
             Mode::Value(entry) => Some(&mut entry.line),
-            Mode::Normal | Mode::Assemblies(_) | Mode::Confirm(_) | Mode::Pick(_) | Mode::Copy => {
-                None
-            }
+            Mode::Normal
+            | Mode::Tour(_)
+            | Mode::Assemblies(_)
+            | Mode::Confirm(_)
+            | Mode::Pick(_)
+            | Mode::Copy => None,
         }
     }
 }
@@ -229,6 +236,11 @@ impl App {
             app.jump(at, Duration::ZERO);
         }
         app
+    }
+
+    /// Takes what a person has configured.
+    pub(crate) fn configure(&mut self, config: &Config) {
+        self.keymap = config.keymap.clone();
     }
 
     pub(crate) fn stage(&self) -> &Stage {
@@ -428,7 +440,7 @@ impl App {
             Action::Assemblies if matches!(self.mode, Mode::Assemblies(_)) => {
                 self.mode = Mode::Normal;
             }
-            _ if self.mode != Mode::Normal => {}
+            _ if !self.takes(action) => {}
             Action::Save => {}
             Action::Assemblies => self.list_assemblies(),
             Action::Play | Action::Slower | Action::Faster | Action::Reverse => {
@@ -476,10 +488,20 @@ impl App {
         Effect::Show
     }
 
+    /// Whether the mode lets an action through that is none of its own.
+    fn takes(&self, action: Action) -> bool {
+        match self.mode {
+            Mode::Tour(_) => tour::allows(action),
+            _ => self.mode == Mode::Normal,
+        }
+    }
+
     /// Keys of the line in which a coordinate is typed; `None` for those that mean the same everywhere.
     fn type_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        if matches!(self.mode, Mode::Help(_)) {
-            return self.search_help(key);
+        match self.mode {
+            Mode::Help(_) => return self.search_help(key),
+            Mode::Tour(_) => return self.turn_page(key),
+            _ => {}
         }
         if let Mode::Pick(_) = self.mode {
             return self.pick_key(key, now);

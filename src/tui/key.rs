@@ -78,22 +78,36 @@ impl FromStr for Key {
     /// Reads a key as it is shown.
     fn from_str(text: &str) -> Result<Self, NoKey> {
         let mut chars = text.chars();
-        if let (Some(c), None) = (chars.next(), chars.next()) {
+        if let (Some(c @ ' '..='~'), None) = (chars.next(), chars.next()) {
             return Ok(Key::Char(c));
         }
-        let control = text
-            .strip_prefix("Ctrl-")
-            .and_then(|rest| rest.parse().ok());
-        if let Some(c) = control.map(|c: char| c.to_ascii_lowercase()) {
-            return Ok(Key::Ctrl(c));
-        }
-        let function = text.strip_prefix('F').and_then(|rest| rest.parse().ok());
-        if let Some(n) = function {
-            return Ok(Key::Function(n));
-        }
-        let named = NAMED.iter().find(|key| key.to_string() == text);
-        named.copied().ok_or(NoKey)
+        let named = named().find(|key| key.to_string() == text);
+        named.ok_or(NoKey)
     }
+}
+
+impl Key {
+    /// The key that terminals send in its place: they cannot tell them apart.
+    pub(crate) fn sent_as(self) -> Option<Key> {
+        match self {
+            Key::Ctrl('h') => Some(Key::Backspace),
+            Key::Ctrl('i') => Some(Key::Tab),
+            Key::Ctrl('j' | 'm') => Some(Key::Enter),
+            _ => None,
+        }
+    }
+}
+
+/// All keys that are no characters.
+fn named() -> impl Iterator<Item = Key> {
+    let functions = (1..=24).map(Key::Function);
+    let controls = ('a'..='z').map(Key::Ctrl);
+    NAMED.into_iter().chain(functions).chain(controls)
+}
+
+/// What all keys that are no characters are called.
+pub(crate) fn names() -> Vec<String> {
+    named().map(|key| key.to_string()).collect()
 }
 
 /// Keys with a name of their own.
@@ -124,6 +138,10 @@ mod tests {
         for key in NAMED.into_iter().chain(others) {
             assert_eq!(key.to_string().parse(), Ok(key));
         }
-        assert_eq!("nothing".parse::<Key>(), Err(NoKey));
+        for text in [
+            "nothing", "", "F0", "F25", "Ctrl-", "Ctrl-1", "\u{e4}", "\t",
+        ] {
+            assert_eq!(text.parse::<Key>(), Err(NoKey), "{text:?}");
+        }
     }
 }

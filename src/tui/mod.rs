@@ -9,6 +9,7 @@ mod ahead;
 mod app;
 mod chosen;
 mod clipboard;
+mod config;
 mod copying;
 mod cost;
 mod course;
@@ -28,6 +29,7 @@ mod palette;
 mod panel;
 mod picker;
 mod picture;
+mod places;
 mod playback;
 mod plot_list;
 mod plots;
@@ -41,12 +43,14 @@ mod steps;
 mod survey;
 mod terminal;
 mod theme;
+mod tour;
 mod views;
 mod workbench;
 mod writing;
 
 pub use crate::capability::Colours;
 pub use app::View;
+pub use config::{Config, template};
 pub use help::key_list;
 pub use palette::Theme;
 pub use picture::picture;
@@ -90,18 +94,23 @@ pub struct Opened {
 }
 
 /// How to open the workbench; what is `None` follows from the scene and the environment.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
     /// The driver's coordinate, in degrees or in the scene's length unit.
     pub at: Option<f64>,
-    /// The characters to draw with.
+    /// The characters to draw with, whatever is configured.
     pub glyphs: Option<Glyphs>,
-    /// The colours to draw with.
+    /// The colours to draw with, whatever is configured.
     pub colours: Option<Colours>,
     /// The view to open with.
     pub view: Option<View>,
     /// Which colours stand for the names of the palette.
     pub theme: Theme,
+    /// What is configured beside these.
+    pub config: Config,
+    /// Whether nothing was named that somebody wants to see at once: then the first start begins with the
+    /// tour.
+    pub idle: bool,
 }
 
 /// Frames with at least one changed cell, and what they cost.
@@ -167,7 +176,16 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         let gate = Gate::open(capability)?;
         let size = gate.size();
         let workbench = Workbench::on(opened, options.at, capability, size).themed(options.theme);
-        let workbench = workbench.looking_at(options.view.unwrap_or(View::Motion));
+        let mut workbench = workbench
+            .configured(&options.config)
+            .looking_at(options.view.unwrap_or(View::Motion));
+        if options.idle
+            && options.config.tour
+            && views::has_room(size)
+            && tour::is_first_start(places::environment)
+        {
+            workbench.app().tour();
+        }
         let session = Session {
             gate,
             workbench,

@@ -23,7 +23,9 @@ pub fn picture(opened: Opened, options: &Options, cols: u16, rows: u16) -> Strin
     });
     let size = Size::new(cols, rows);
     let workbench = Workbench::on(opened, options.at, capability, size);
-    let mut workbench = workbench.looking_at(options.view.unwrap_or(View::Motion));
+    let mut workbench = workbench
+        .configured(&options.config)
+        .looking_at(options.view.unwrap_or(View::Motion));
     workbench.finish();
     workbench.text()
 }

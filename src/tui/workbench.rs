@@ -1,6 +1,7 @@
 //! The workbench without its terminal: keys, time and sizes in, frames out.
 
 use super::app::{App, Effect, View};
+use super::config::Config;
 use super::key::Key;
 use super::terminal::Painter;
 use super::views::{self, Sketch};
@@ -41,6 +42,13 @@ impl Workbench {
     #[must_use]
     pub fn timed_by(mut self, clock: fn() -> Duration) -> Self {
         self.app.set_clock(clock);
+        self
+    }
+
+    /// Takes what a person has configured; not what the terminal shows it with.
+    #[must_use]
+    pub fn configured(mut self, config: &Config) -> Self {
+        self.app.configure(config);
         self
     }
 

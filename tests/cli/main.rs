@@ -3,6 +3,8 @@
 
 mod accuracy;
 mod assembly;
+#[cfg(feature = "tui")]
+mod config;
 mod draw;
 mod plot;
 mod readme;
@@ -121,6 +123,7 @@ fn help_has_an_example_for_each_command() {
         "sweep",
         "start",
         "accuracy",
+        "config",
         "completions",
         "man",
     ] {

@@ -5,6 +5,7 @@
 
 mod ending;
 mod environment;
+mod first_start;
 mod input;
 mod session;
 mod slow;

@@ -21,6 +21,7 @@ mod status;
 mod table;
 mod tables;
 mod title;
+mod tour;
 
 use super::app::{App, Mode, View};
 use super::sheet::Line;
@@ -40,7 +41,7 @@ pub(crate) use motion::Sketch;
 
 /// Brings what the screen remembers of its last frame up to date.
 pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
-    if too_small(app.size()) || matches!(app.mode(), Mode::Pick(_)) {
+    if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_)) {
         return;
     }
     let body = body(whole(app.size()));
@@ -64,13 +65,13 @@ pub(crate) fn area(app: &App) -> Rect {
 /// view.
 pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     let area = whole(app.size());
-    if too_small(app.size()) {
+    if !has_room(app.size()) {
         return [area; 2];
     }
-    let overlay = if let Mode::Help(help) = app.mode() {
-        help::placed(app, help, body(area))
-    } else {
-        Rect::ZERO
+    let overlay = match app.mode() {
+        Mode::Help(help) => help::placed(app, help, body(area)),
+        Mode::Tour(number) => tour::placed(app, *number, body(area)),
+        _ => Rect::ZERO,
     };
     [row(area, area.height - 1), overlay]
 }
@@ -78,7 +79,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
 /// The whole screen, into a buffer that is empty.
 pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     let area = whole(app.size());
-    if too_small(app.size()) {
+    if !has_room(app.size()) {
         let Size { width, height } = SMALLEST;
         let text = format!("krank needs {width} x {height} characters");
         print(buffer, 0, 0, area.width, &text, theme::part(Part::Text));
@@ -99,8 +100,10 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         View::Scene => scene::render(app, sketch, body(area), buffer),
         View::Lengths => lengths::render(app, inset(body(area)), buffer),
     }
-    if let Mode::Help(help) = app.mode() {
-        help::render(app, help, body(area), buffer);
+    match app.mode() {
+        Mode::Help(help) => help::render(app, help, body(area), buffer),
+        Mode::Tour(number) => tour::render(app, *number, body(area), buffer),
+        _ => {}
     }
     status::render(app, row(area, area.height - 1), buffer);
 }
@@ -113,7 +116,7 @@ pub(crate) fn most_scroll(app: &App) -> usize {
 
 /// The lines of the tables view, and how many of them are seen at once.
 pub(crate) fn table_lines(app: &App) -> (Vec<Line>, usize) {
-    if too_small(app.size()) {
+    if !has_room(app.size()) {
         return (Vec::new(), 0);
     }
     tables::lines(app, body(whole(app.size())))
@@ -137,7 +140,7 @@ pub(crate) fn page(app: &App) -> usize {
 /// Lines of what is on top, and how many of them are seen.
 fn on_top(app: &App) -> (usize, usize) {
     let area = whole(app.size());
-    if too_small(app.size()) {
+    if !has_room(app.size()) {
         return (0, 0);
     }
     let body = body(area);
@@ -158,8 +161,9 @@ fn whole(size: Size) -> Rect {
     Rect::from((Position::ORIGIN, size))
 }
 
-fn too_small(size: Size) -> bool {
-    size.width < SMALLEST.width || size.height < SMALLEST.height
+/// Whether anything sensible can be shown.
+pub(crate) fn has_room(size: Size) -> bool {
+    size.width >= SMALLEST.width && size.height >= SMALLEST.height
 }
 
 /// Between the title and the last line.

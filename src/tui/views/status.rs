@@ -75,7 +75,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             how_much(&mut line);
             return;
         }
-        Mode::Normal | Mode::Help(_) | Mode::Assemblies(_) | Mode::PlotList(_) => {}
+        Mode::Normal | Mode::Help(_) | Mode::Tour(_) | Mode::Assemblies(_) | Mode::PlotList(_) => {}
     }
     let studied = studied(app);
     let driver = studied.clone().unwrap_or_else(|| driver(app.stage()));
@@ -163,6 +163,7 @@ fn trust(app: &App) -> Option<String> {
         )
         | (
             Mode::Help(_)
+            | Mode::Tour(_)
             | Mode::GoTo(_)
             | Mode::Assemblies(_)
             | Mode::PlotList(_)
@@ -208,6 +209,7 @@ fn of_cursor(app: &App) -> Option<String> {
 fn mode(app: &App) -> &'static str {
     match (app.mode(), app.view()) {
         (Mode::Help(_), _) => "help",
+        (Mode::Tour(_), _) => "tour",
         (Mode::GoTo(_), _) => "go to",
         (Mode::Assemblies(_) | Mode::PlotList(_), _) => "choose",
         (Mode::FileName(Prompt { document, .. }), _)
@@ -448,6 +450,7 @@ fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
 fn offered(app: &App) -> &'static [Action] {
     match (app.mode(), app.view()) {
         (Mode::Help(_), _) => &[Action::Back, Action::Search, Action::LineDown, Action::Quit],
+        (Mode::Tour(_), _) => &[Action::Back, Action::StepForward, Action::StepBack],
         (Mode::Assemblies(_), _) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
         (Mode::Pick(_), _) => &[Action::Back],
         (_, View::Motion) => &[
@@ -565,6 +568,7 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Play if app.playback().is_playing() => "pause",
         Action::Scene(SceneAction::NudgeDown) => "less",
         Action::Scene(SceneAction::NudgeUp) => "more",
+        Action::Back if matches!(app.mode(), Mode::Tour(_)) => "end",
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
         Action::Plots(PlotsAction::Choose) => "choose",

@@ -1,0 +1,28 @@
+//! The configuration: found, read, and printed as it is built in.
+
+use super::failure::Failure;
+use super::output::write_text;
+use super::source::contents;
+use crate::tui::{self, Config};
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+/// `krank config`.
+pub(super) fn config() -> Result<(), Failure> {
+    write_text(None, &tui::template())
+}
+
+/// What a person has configured, in the file that is named or where it is looked for. That none is there is
+/// no fault, unless it was named.
+pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
+    let env = |name: &str| std::env::var_os(name).map(PathBuf::from);
+    let Some(path) = named.map(Path::to_owned).or_else(|| Config::path(env)) else {
+        return Ok(Config::default());
+    };
+    let shown = path.display().to_string();
+    match contents(&path) {
+        Ok(bytes) => Config::read(&bytes, &shown).map_err(Failure::Scene),
+        Err(e) if named.is_none() && e.kind() == ErrorKind::NotFound => Ok(Config::default()),
+        Err(e) => Err(Failure::Usage(format!("cannot read `{shown}`: {e}"))),
+    }
+}

@@ -1,0 +1,171 @@
+//! The configuration: what a person wants otherwise than it is built in. It is read where a workbench opens, and
+//! never written.
+
+mod keys;
+mod template;
+
+pub use template::template;
+
+use super::keymap::Keymap;
+use super::palette::Theme;
+use super::places;
+use crate::capability::Colours;
+use crate::document::{self, Diagnostic, Diagnostics, Reader, Span, Value};
+use crate::drawing::Glyphs;
+use crate::nearest::did_you_mean;
+use std::path::PathBuf;
+
+/// What a person wants otherwise.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Config {
+    /// The characters to draw with; `None` as the terminal allows.
+    pub glyphs: Option<Glyphs>,
+    /// The colours to draw with; `None` as the terminal allows.
+    pub colours: Option<Colours>,
+    /// Which colours stand for the names of the palette.
+    pub theme: Theme,
+    /// Whether the tour is shown on the first start.
+    pub tour: bool,
+    pub(crate) keymap: Keymap,
+}
+
+impl Default for Config {
+    /// What is built in.
+    fn default() -> Self {
+        Config {
+            glyphs: None,
+            colours: None,
+            theme: Theme::default(),
+            tour: true,
+            keymap: Keymap::default(),
+        }
+    }
+}
+
+/// What the keys of the configuration are called.
+const GLYPHS_KEY: &str = "glyphs";
+const COLOUR_KEY: &str = "colour";
+const THEME_KEY: &str = "theme";
+const TOUR_KEY: &str = "tour";
+const KEYS_KEY: &str = "keys";
+const KNOWN: [&str; 5] = [GLYPHS_KEY, COLOUR_KEY, THEME_KEY, TOUR_KEY, KEYS_KEY];
+
+/// A value as it is written, and what it means.
+type Named<T> = (&'static str, T);
+
+const GLYPHS: [Named<Option<Glyphs>>; 4] = [
+    ("auto", None),
+    ("ascii", Some(Glyphs::Ascii)),
+    ("line", Some(Glyphs::Line)),
+    ("braille", Some(Glyphs::Braille)),
+];
+
+const COLOURS: [Named<Option<Colours>>; 5] = [
+    ("auto", None),
+    ("none", Some(Colours::None)),
+    ("16", Some(Colours::Sixteen)),
+    ("256", Some(Colours::Indexed)),
+    ("true", Some(Colours::True)),
+];
+
+const THEMES: [Named<Theme>; 4] = [
+    ("auto", Theme::Auto),
+    ("light", Theme::Light),
+    ("dark", Theme::Dark),
+    ("plain", Theme::Plain),
+];
+
+impl Config {
+    /// Where the configuration is, if anywhere: `env` tells XDG_CONFIG_HOME and HOME.
+    #[must_use]
+    pub fn path(env: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> {
+        let folder = places::folder_of("XDG_CONFIG_HOME", ".config", env)?;
+        Some(folder.join("config.toml"))
+    }
+
+    /// Reads a configuration from the bytes of a file; `origin` is its name in messages.
+    ///
+    /// # Errors
+    /// Everything found wrong, with its places.
+    pub fn read(bytes: &[u8], origin: &str) -> Result<Config, Diagnostics> {
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Config::parse(text, origin),
+            Err(error) => Err(document::not_utf8(bytes, error.valid_up_to(), origin)),
+        }
+    }
+
+    /// Reads a configuration from a text; `origin` is the name of the file in messages.
+    ///
+    /// # Errors
+    /// Everything found wrong, with its places.
+    pub fn parse(text: &str, origin: &str) -> Result<Config, Diagnostics> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let mut reader = Reader::new(text);
+        let mut config = Config::default();
+        if let Some(root) = document::parse(&mut reader, mend) {
+            reader.only("the configuration", &root, &KNOWN);
+            for (key, value) in &root {
+                match key.get_ref().as_ref() {
+                    GLYPHS_KEY => {
+                        let read = choice(&mut reader, GLYPHS_KEY, &GLYPHS, value);
+                        config.glyphs = read.unwrap_or_default();
+                    }
+                    COLOUR_KEY => {
+                        let read = choice(&mut reader, COLOUR_KEY, &COLOURS, value);
+                        config.colours = read.unwrap_or_default();
+                    }
+                    THEME_KEY => {
+                        let read = choice(&mut reader, THEME_KEY, &THEMES, value);
+                        config.theme = read.unwrap_or_default();
+                    }
+                    TOUR_KEY => config.tour = reader.boolean("`tour`", value).unwrap_or(true),
+                    KEYS_KEY => keys::read(&mut reader, value, &mut config.keymap),
+                    // Reported above.
+                    _ => {}
+                }
+            }
+        }
+        if reader.found.is_empty() {
+            Ok(config)
+        } else {
+            Err(reader.into_diagnostics(origin))
+        }
+    }
+}
+
+/// One of several texts.
+fn choice<T: Copy>(
+    reader: &mut Reader<'_>,
+    key: &str,
+    known: &[Named<T>],
+    value: &Value<'_>,
+) -> Option<T> {
+    let given = reader.string(&format!("`{key}`"), value)?;
+    let found = known.iter().find(|(name, _)| *name == given.text);
+    if found.is_none() {
+        let names = || known.iter().map(|(name, _)| *name);
+        let all: Vec<&str> = names().collect();
+        reader.report(
+            Diagnostic::new(format!("`{key}` cannot be {given}"))
+                .at(given.span.clone(), "unknown value")
+                .maybe_help(did_you_mean(given.text, names()))
+                .help(format!("known values: \"{}\"", all.join("\", \""))),
+        );
+    }
+    found.map(|(_, meaning)| *meaning)
+}
+
+/// What was mostly meant where the configuration is not valid TOML.
+fn mend(_text: &str, message: &str, _place: &Span) -> Option<String> {
+    let help = if message.starts_with("string values must be quoted") {
+        "texts and keys are quoted: \"space\""
+    } else if message.starts_with("key with no value") {
+        "write name = value"
+    } else {
+        return None;
+    };
+    Some(help.to_owned())
+}
+
+#[cfg(test)]
+mod tests;

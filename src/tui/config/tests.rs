@@ -1,0 +1,234 @@
+use super::*;
+use crate::tui::action::Action;
+use crate::tui::app::View;
+use crate::tui::key::Key;
+
+/// Every line that sets something, live.
+fn uncommented(text: &str) -> String {
+    let live = |line: &str| match line.strip_prefix('#') {
+        Some(rest) if !rest.starts_with(' ') && !rest.is_empty() => rest.to_owned(),
+        _ => line.to_owned(),
+    };
+    text.lines().map(|line| live(line) + "\n").collect()
+}
+
+#[test]
+fn the_template_is_what_is_built_in_with_and_without_its_comments() {
+    let text = template();
+    assert!(text.is_ascii());
+    assert!(text.lines().all(|line| line.len() <= 100), "{text}");
+    assert_eq!(Config::parse(&text, "t").unwrap(), Config::default());
+    let live = uncommented(&text);
+    assert!(live.matches('=').count() > 60, "{live}");
+    assert_eq!(Config::parse(&live, "t").unwrap(), Config::default());
+    for known in KNOWN {
+        assert!(live.contains(&format!("{known} = ")) || live.contains(&format!("[{known}]")));
+    }
+}
+
+#[test]
+fn what_is_given_is_taken() {
+    let text = "glyphs = 'ascii'\ncolour = \"256\"\ntour = false\n[keys]\nplay = [\"F5\", \"space\"]\nnext = []\nstep = \"n\"\n";
+    let config = Config::parse(text, "t").unwrap();
+    assert_eq!(config.glyphs, Some(Glyphs::Ascii));
+    assert_eq!(config.colours, Some(Colours::Indexed));
+    assert!(!config.tour);
+    let action = |key| config.keymap.action(key, View::Motion);
+    assert_eq!(action(Key::Function(5)), Some(Action::Play));
+    assert_eq!(action(Key::Char(' ')), Some(Action::Play));
+    assert_eq!(action(Key::Char('n')), Some(Action::StepForward));
+    assert_eq!(action(Key::Char('.')), None);
+    assert_eq!(config.keymap.key(Action::NextPreset), None);
+    assert_eq!(Config::parse("\u{feff}", "t"), Ok(Config::default()));
+}
+
+/// Every fault names its line, what is wrong, and the mend.
+#[test]
+fn faults_are_told_with_line_and_mend() {
+    for (text, line, message, mend) in [
+        (
+            "glyfs = \"ascii\"",
+            1,
+            "the configuration: unknown key `glyfs`",
+            "did you mean `glyphs`?",
+        ),
+        (
+            "\nglyphs = \"asci\"",
+            2,
+            "`glyphs` cannot be `asci`",
+            "did you mean `ascii`?",
+        ),
+        (
+            "colour = 16",
+            1,
+            "`colour` must be a text in quotes, not a number",
+            "write it in quotes: \"16\"",
+        ),
+        (
+            "tour = \"no\"",
+            1,
+            "`tour` must be true or false, not a text",
+            "write it without quotes: false",
+        ),
+        (
+            "keys = 1",
+            1,
+            "[keys] must be a table, not a number",
+            "for example: play = ",
+        ),
+        (
+            "[keys]\nplya = \"F5\"",
+            2,
+            "[keys]: unknown action `plya`",
+            "did you mean `play`?",
+        ),
+        (
+            "[keys]\ncoffee-with-milk = \"F5\"",
+            2,
+            "unknown action",
+            "`krank config` lists all actions",
+        ),
+        (
+            "[keys]\nplay = \"spcae\"",
+            2,
+            "no key is called `spcae`",
+            "did you mean `space`?",
+        ),
+        (
+            "[keys]\nplay = \"ctrl-p\"",
+            2,
+            "no key is called `ctrl-p`",
+            "did you mean `Ctrl-P`?",
+        ),
+        (
+            "[keys]\nplay = \"\u{e4}\"",
+            2,
+            "no key is called",
+            "a printable ASCII character",
+        ),
+        (
+            "[keys]\nplay = 5",
+            2,
+            "`play` must be a key or a list of keys, not a number",
+            "for example: play = ",
+        ),
+        (
+            "[keys]\nplay = [\n 5]",
+            3,
+            "`play` must be a key or a list of keys",
+            "for example",
+        ),
+        (
+            "[keys]\nquit = []",
+            2,
+            "`quit` must have a key",
+            "by default it has q",
+        ),
+        (
+            "[keys]\nhelp = []",
+            2,
+            "`help` must have a key",
+            "by default it has ? F1",
+        ),
+        (
+            "[keys]\nleave = \"F9\"",
+            2,
+            "[keys]: `leave` keeps its key",
+            "Ctrl-C always leaves",
+        ),
+        (
+            "[keys]\nback = \"F9\"",
+            2,
+            "[keys]: `back` keeps its key",
+            "Esc always goes back",
+        ),
+        (
+            "[keys]\nplay = \"Ctrl-C\"",
+            2,
+            "Ctrl-C always leaves",
+            "choose another key",
+        ),
+        (
+            "[keys]\nplay = \"Esc\"",
+            2,
+            "Esc always goes back",
+            "choose another key",
+        ),
+        (
+            "[keys]\nplay = \"Ctrl-I\"",
+            2,
+            "terminals send Ctrl-I as Tab",
+            "choose another key",
+        ),
+        (
+            "[keys]\nplay = \"n\"",
+            2,
+            "the key n is given to `play` and to `next`",
+            "or none: next = []",
+        ),
+        (
+            "[keys]\nplay = \"F5\"\nnext = \"F5\"",
+            3,
+            "the key F5 is given to `play` and to `next`",
+            "",
+        ),
+        (
+            "[keys]\nplay = [\"F5\", \"F5\"]",
+            2,
+            "the key F5 is given to `play` twice",
+            "",
+        ),
+        (
+            "[keys]\nsave = \"m\"",
+            2,
+            "the key m is given to `extrema` and to `save`",
+            "extrema = []",
+        ),
+        (
+            "[keys]\nplay = space",
+            2,
+            "not valid TOML",
+            "texts and keys are quoted",
+        ),
+        (
+            "[keys]\nplay = \"F5\"\nplay = \"F6\"",
+            3,
+            "`play` is given twice",
+            "",
+        ),
+    ] {
+        let faults = Config::parse(text, "config.toml").unwrap_err();
+        assert_eq!(faults.items.len(), 1, "{text:?}: {faults}");
+        let fault = &faults.items[0];
+        assert_eq!(
+            faults.position(fault).map(|(line, _)| line),
+            Some(line),
+            "{faults}"
+        );
+        assert!(fault.message.contains(message), "{text:?}: {faults}");
+        let mends = fault.helps.join("\n");
+        assert!(mends.contains(mend), "{text:?}: {faults}");
+        assert!(faults.to_string().contains("config.toml:"), "{faults}");
+    }
+}
+
+#[test]
+fn the_folder_is_the_one_of_the_desktop_standard() {
+    let env = |config: &'static str, home: &'static str| {
+        Config::path(move |name| {
+            let value = match name {
+                "XDG_CONFIG_HOME" => config,
+                "HOME" => home,
+                _ => "",
+            };
+            (!value.is_empty()).then(|| value.into())
+        })
+    };
+    let path = |text: &str| Some(PathBuf::from(text));
+    assert_eq!(env("/c", "/h"), path("/c/krank/config.toml"));
+    assert_eq!(env("", "/h"), path("/h/.config/krank/config.toml"));
+    // The standard: paths that are not absolute are to be ignored.
+    assert_eq!(env("c", "/h"), path("/h/.config/krank/config.toml"));
+    assert_eq!(env("", "h"), None);
+    assert_eq!(env("", ""), None);
+}
