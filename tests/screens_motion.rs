@@ -10,7 +10,7 @@ use proptest::prelude::*;
 use std::num::NonZeroU16;
 use std::time::{Duration, Instant};
 
-fn workbench(preset: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Workbench {
+fn workbench(preset: &str, glyphs: Glyphs, colours: Colours, cols: u16, rows: u16) -> Workbench {
     let preset = presets::find(preset).unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -20,7 +20,7 @@ fn workbench(preset: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Workbench {
         solver,
         origin,
     };
-    Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows)
+    Workbench::new(opened, glyphs, colours, cols, rows)
 }
 
 /// A workbench and the screen that it paints on.
@@ -33,7 +33,7 @@ impl Session {
     fn new(preset: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
         let [height, width] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
         Session {
-            workbench: workbench(preset, glyphs, cols, rows),
+            workbench: workbench(preset, glyphs, Colours::Sixteen, cols, rows),
             terminal: vt100::Parser::new(height, width, 0),
         }
     }
@@ -174,16 +174,7 @@ fn the_smallest_screen_keeps_the_drawing() {
 #[test]
 fn layers_cost_few_bytes() {
     for colours in [Colours::Sixteen, Colours::None] {
-        let preset = presets::find("four-bar").unwrap();
-        let scene = Scene::parse(preset.text, preset.name).unwrap();
-        let solver = Solver::new(&scene.mechanism).unwrap();
-        let origin = Origin::Preset(preset.name.into());
-        let opened = Opened {
-            scene,
-            solver,
-            origin,
-        };
-        let mut workbench = Workbench::new(opened, Glyphs::Braille, colours, 80, 24);
+        let mut workbench = workbench("four-bar", Glyphs::Braille, colours, 80, 24);
         workbench.press("T");
         workbench.paint();
         workbench.press("space");
@@ -201,9 +192,10 @@ fn layers_cost_few_bytes() {
 /// Not a test but a measurement: `cargo test --release --test screens_motion -- --ignored --nocapture`.
 #[test]
 #[ignore = "a measurement"]
+#[allow(clippy::print_stdout, reason = "whoever measures wants to see it")]
 fn measure_a_frame_with_every_layer() {
     for preset in presets::all() {
-        let mut workbench = workbench(preset.name, Glyphs::Braille, 200, 60);
+        let mut workbench = workbench(preset.name, Glyphs::Braille, Colours::Sixteen, 200, 60);
         let begun = Instant::now();
         workbench.press("v A T G c i");
         let found = begun.elapsed();

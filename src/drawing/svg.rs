@@ -9,10 +9,6 @@ use crate::scene::harmless;
 use std::fmt::Write as _;
 
 /// Where a text stands against its place.
-#[allow(
-    dead_code,
-    reason = "the drawing itself starts all its texts where they stand"
-)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Anchor {
     /// It begins there.
