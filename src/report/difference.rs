@@ -102,10 +102,9 @@ fn vector(own: &VectorColumn, other: Option<&VectorColumn>, scale: f64) -> Vecto
     };
     VectorColumn {
         name: own.name.clone(),
-        length: match own.length {
-            Some(_) => Some(other.and_then(lengths).unwrap_or([Entry::NONE; 3])),
-            None => None,
-        },
+        length: own
+            .length
+            .map(|_| other.and_then(lengths).unwrap_or([Entry::NONE; 3])),
         direction: other.map_or([Entry::NONE; 3], directions),
     }
 }

@@ -41,11 +41,6 @@ pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
     text(preset.text, origin).map_err(fault)
 }
 
-/// Opens a file; in words what is wrong with it.
-pub(crate) fn file(path: &Path) -> Result<Opened, String> {
-    scene_of(path).map_err(|why| format!("{}: {}", path.display(), why.first_words()))
-}
-
 /// Opens a file, or says all that is wrong with it.
 pub(crate) fn scene_of(path: &Path) -> Result<Opened, Unopened> {
     let bytes = contents(path).map_err(|e| Unopened::Unread(e.to_string()))?;

@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// Larger files are not opened before somebody asks for it: that could take longer than the time
 /// between two keys.
-const LARGEST: u64 = 64 << 10;
+const LARGEST: u64 = 32 << 10;
 /// Previews that are kept: going to and fro costs nothing.
 const KEPT: usize = 24;
 
