@@ -182,7 +182,7 @@ fn rows_are_found_by_name() {
     assert!(under_cursor(&mut session).starts_with("> r4 "));
     let mut tiny = four_bar(40, 12);
     let line = tiny.press("2 /").type_in("nothing").last_line();
-    assert_eq!(line, " search  name:   no row is named nothing");
+    assert_eq!(line, " search  name: n no row is named nothing");
     let line = four_bar(80, 24).press("1 /").last_line();
     assert!(line.contains("there is nothing to search here"), "{line}");
 }
@@ -319,7 +319,9 @@ fn the_question_how_much_is_copied_is_given_up_without_harm() {
         "{line}"
     );
     assert!(!session.workbench.take_sent().is_empty());
-    // Views without a table say so.
+    // In the scene it is the value under the cursor; views without one say so.
+    let sent = session.press("6 y").workbench.take_sent();
+    assert_eq!(on_clipboard(&sent).trim().parse(), Ok(0.0), "A x");
     let line = session.press("e y").last_line();
     assert!(line.contains("nothing to copy here"), "{line}");
     assert_eq!(session.workbench.take_sent(), b"");
@@ -416,7 +418,7 @@ fn no_file_is_written_over_unasked() {
     // A folder is no file.
     session.press("Y Ctrl-U").type_in(here.to_str().unwrap());
     let line = session.press("Enter").last_line();
-    assert!(line.ends_with("  that is a folder: add a name"), "{line}");
+    assert!(line.ends_with(" that is a folder: add a name"), "{line}");
     assert_eq!(std::fs::read_dir(&here).unwrap().count(), 1);
 }
 
@@ -478,6 +480,65 @@ fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
     );
     let line = session.press("2 S").last_line();
     assert!(line.contains("there is no drawing in this view"), "{line}");
+}
+
+/// Of the plots the values at the cursor are copied, and all of them are written.
+#[test]
+fn what_is_plotted_is_taken_out() {
+    let here = folder("plots");
+    let mut session = four_bar(80, 24);
+    session.press("3 y");
+    let copied = on_clipboard(&session.workbench.take_sent());
+    let values = values_of_table("four-bar", "60");
+    let row = format!("60\t{}\t{}\n", values["r4.omega"], values["r4.alpha"]);
+    let heading = "driver.angle [deg]\tr4.omega [rad/s]\tr4.alpha [rad/s^2]\n";
+    assert_eq!(copied, format!("{heading}{row}"));
+    for (key, ending, begins) in [
+        ("Y", "csv", "driver.angle [deg],r4.omega"),
+        ("S", "svg", "<svg "),
+    ] {
+        let line = session.press(key).last_line();
+        assert!(
+            line.contains(&format!("write to: four-bar-plot.{ending}")),
+            "{line}"
+        );
+        let file = here.join(format!("plot.{ending}"));
+        session
+            .press("Ctrl-U")
+            .type_in(file.to_str().unwrap())
+            .press("Enter");
+        assert!(std::fs::read_to_string(&file).unwrap().starts_with(begins));
+    }
+    // Where nothing is plotted, that is said.
+    for key in ["y", "Y", "S"] {
+        let line = session.press("3 x c x").press(key).last_line();
+        assert!(line.contains("nothing"), "{line}");
+    }
+}
+
+/// Of two scenes the differences are copied, and bear that name.
+#[test]
+fn differences_are_copied_as_such() {
+    let mut session = four_bar(80, 24);
+    session.press("2 D d o u b l e Enter");
+    let screen = session.look();
+    assert!(screen.contains("difference: this - "), "{screen}");
+    session.press("y r");
+    let row = on_clipboard(&session.workbench.take_sent());
+    assert!(row.starts_with("vector, difference\tlength [mm]"), "{row}");
+}
+
+/// More than a terminal takes for its clipboard is refused, with what to do instead.
+#[test]
+fn too_much_for_a_clipboard_is_refused() {
+    let bar = |i: usize| format!("p{i} = [\"A\", \"C\"]\n");
+    let bars: String = (0..1200).map(bar).collect();
+    let scene = format!("{SWINGING}[vectors]\n{bars}");
+    let mut session = Session::new(open(&scene, Origin::Stdin), Glyphs::Ascii, 40, 12);
+    let line = session.press("2 y t").last_line();
+    assert!(line.starts_with(" table too much to copy, "), "{line}");
+    assert!(line.ends_with(" B: use Y"), "{line}");
+    assert_eq!(session.workbench.take_sent(), b"");
 }
 
 /// The printed screen is the one that opens, needs no terminal and no environment.

@@ -10,7 +10,7 @@ const MOST_BYTES: usize = MOST_BASE64 / 4 * 3;
 
 /// More than a terminal takes.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
-#[error("{bytes} bytes are too many for a clipboard, which takes {MOST_BYTES}")]
+#[error("too much to copy, {bytes} B")]
 pub(crate) struct TooLarge {
     bytes: usize,
 }
@@ -36,9 +36,6 @@ mod tests {
         let bytes = MOST_BYTES + 1;
         let refused = sequence(&"x".repeat(bytes)).unwrap_err();
         assert_eq!(refused, TooLarge { bytes });
-        assert_eq!(
-            refused.to_string(),
-            "56245 bytes are too many for a clipboard, which takes 56244"
-        );
+        assert_eq!(refused.to_string(), "too much to copy, 56245 B");
     }
 }

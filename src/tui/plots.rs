@@ -184,8 +184,13 @@ impl Plots {
 
     /// The figures where the driver is.
     pub(crate) fn here(&self, state: &State) -> Option<Here> {
+        self.curves().map(|curves| curves.here(state))
+    }
+
+    /// What was sampled; `None` where there is nothing.
+    pub(crate) fn curves(&self) -> Option<&Curves> {
         match self.sampled.as_ref().map(|s| &s.outcome) {
-            Some(Outcome::Plot(curves, _)) => Some(curves.here(state)),
+            Some(Outcome::Plot(curves, _)) => Some(curves),
             Some(Outcome::Nothing(_)) | None => None,
         }
     }
@@ -200,10 +205,7 @@ impl Plots {
 
     /// What is plotted as comma separated values; `None` where there is nothing.
     pub(crate) fn csv(&self) -> Option<String> {
-        match self.sampled.as_ref().map(|s| &s.outcome) {
-            Some(Outcome::Plot(curves, _)) => curves_csv(curves).ok(),
-            Some(Outcome::Nothing(_)) | None => None,
-        }
+        curves_csv(self.curves()?).ok()
     }
 }
 

@@ -34,7 +34,7 @@ fn a_console_without_a_clipboard_is_told_what_to_do() {
     let mut session = Setup::krank(&arguments).env("TERM", "linux").start();
     session.wait_for("> r2").send("y");
     session
-        .wait_for("this terminal has no clipboard; Y writes CSV")
+        .wait_for("this terminal has no clipboard: use Y")
         .send("q");
     assert!(session.ended_as_found().success());
     let seen = session.seen.lock().unwrap();

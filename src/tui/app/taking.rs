@@ -1,10 +1,11 @@
 //! Taking figures and pictures out of the workbench.
 
 use super::super::action::Action;
+use super::super::copying::{self, Shown};
 use super::super::figures::coordinate;
 use super::super::key::Key;
 use super::super::writing::{Document, Text};
-use super::super::{Origin, clipboard, copying};
+use super::super::{Origin, clipboard};
 use super::{App, Effect, Mode, View};
 use crate::quantity::Catalogue;
 use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
@@ -32,7 +33,15 @@ impl App {
                 Effect::Show
             }
             View::Motion => {
-                let text = copying::tables(self.sheet(), self.tables());
+                let text = self.shown().tables();
+                self.send(&text)
+            }
+            View::Scene if let Some(value) = self.editor.value() => {
+                let text = value.text();
+                self.send(&text)
+            }
+            View::Plots if let Some(curves) = self.plots.curves() => {
+                let text = copying::plotted(curves, self.stage.state());
                 self.send(&text)
             }
             View::Plots | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
@@ -44,11 +53,10 @@ impl App {
 
     /// Keys that answer how much of the tables is copied; `None` for those that mean the same everywhere.
     pub(super) fn copy_key(&mut self, key: Key) -> Option<Effect> {
-        let (sheet, tables) = (self.sheet(), self.tables());
         let text = match key {
-            Key::Char('v') => copying::value(sheet, tables, self.cursor),
-            Key::Char('r') => Some(copying::row(sheet, tables, self.cursor)),
-            Key::Char('t') => Some(copying::table(sheet, tables, self.cursor.part)),
+            Key::Char('v') => self.shown().value(self.cursor),
+            Key::Char('r') => Some(self.shown().row(self.cursor)),
+            Key::Char('t') => Some(self.shown().table(self.cursor.part)),
             Key::Ctrl(_) | Key::Escape => return None,
             _ => return Some(Effect::Show),
         };
@@ -58,6 +66,15 @@ impl App {
         }
         self.message = Some("there is no value to copy".into());
         Some(Effect::Show)
+    }
+
+    /// The tables as they are seen: figures, or differences.
+    fn shown(&self) -> Shown<'_> {
+        Shown {
+            sheet: self.sheet(),
+            tables: self.tables(),
+            differences: self.rival().is_some(),
+        }
     }
 
     /// Sends a text to the clipboard. Nothing tells whether it arrived.
@@ -75,18 +92,32 @@ impl App {
         }
     }
 
-    /// What to do where nothing can be copied: `; Y writes CSV`.
+    /// What to do where nothing can be copied: `: use Y`, which writes a file.
     fn mend(&self) -> String {
         let key = self.keymap.key(Action::Csv);
-        key.map_or_else(String::new, |key| format!("; {key} writes CSV"))
+        key.map_or_else(String::new, |key| format!(": use {key}"))
     }
 
-    /// Asks where to write the figures as they are now.
+    /// Asks where to write the figures as they are now, or what is plotted over the motion.
     fn ask_for_csv(&mut self) {
-        match self.row_of_sweep() {
+        let text = match self.view {
+            View::Plots => self.plots.csv().ok_or_else(|| NOTHING_PLOTTED.into()),
+            View::Motion
+            | View::Tables
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths => self.row_of_sweep(),
+        };
+        self.ask_where(text, "the figures", "csv");
+    }
+
+    /// Asks for the name of a file for a text, or says why there is none.
+    fn ask_where(&mut self, text: Result<String, String>, what: &str, ending: &str) {
+        match text {
             Ok(text) => {
-                let proposal = self.proposal("csv");
-                let what = "the figures".into();
+                let proposal = self.proposal(ending);
+                let what = what.into();
                 self.ask_for_file(Document::Text(Text { what, text }), &proposal);
             }
             Err(why) => self.message = Some(why),
@@ -115,30 +146,29 @@ impl App {
 
     /// Asks where to write the screen as it was when the key was pressed.
     pub(crate) fn ask_for_picture(&mut self, text: String) {
-        let proposal = self.proposal("txt");
-        let what = "the screen".into();
-        self.ask_for_file(Document::Text(Text { what, text }), &proposal);
+        self.ask_where(Ok(text), "the screen", "txt");
     }
 
-    /// Asks where to write the drawing as it is seen.
+    /// Asks where to write the drawing, or the plot, as it is seen.
     fn ask_for_svg(&mut self) {
         match self.view {
             View::Motion => {
                 let text = self.lens.svg(&self.stage);
-                let proposal = self.proposal("svg");
-                let what = "the drawing".into();
-                self.ask_for_file(Document::Text(Text { what, text }), &proposal);
+                self.ask_where(Ok(text), "the drawing", "svg");
             }
-            View::Tables
-            | View::Plots
-            | View::Accuracy
-            | View::Forces
-            | View::Scene
-            | View::Lengths => self.message = Some("there is no drawing in this view".into()),
+            View::Plots => {
+                let text = self.plots.svg(&self.stage);
+                let text = text.ok_or_else(|| NOTHING_PLOTTED.into());
+                self.ask_where(text, "the plot", "svg");
+            }
+            View::Tables | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
+                self.message = Some("there is no drawing in this view".into());
+            }
         }
     }
 
-    /// The name of a file for what is seen here: `four-bar-60.csv`.
+    /// The name of a file for what is seen here: `four-bar-60.csv`, or for the whole motion
+    /// `four-bar-plot.csv`.
     fn proposal(&self, ending: &str) -> String {
         let stem = match self.stage.origin() {
             Origin::Preset(name) => Some(name.clone()),
@@ -146,6 +176,13 @@ impl App {
             Origin::Stdin => None,
         };
         let stem = stem.unwrap_or_else(|| "scene".into());
-        format!("{stem}-{}.{ending}", coordinate(self.stage.at(), 0))
+        let whole = self.view == View::Plots && ending != "txt";
+        let place = match whole {
+            true => "plot".into(),
+            false => coordinate(self.stage.at(), 0),
+        };
+        format!("{stem}-{place}.{ending}")
     }
 }
+
+const NOTHING_PLOTTED: &str = "nothing is plotted: there is nothing to write";

@@ -378,13 +378,11 @@ fn search_prompt(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "back");
 }
 
-/// Says behind a line that is typed in what is wrong with it, if something is. On a short line that covers
-/// what was typed, but does not run into it.
+/// Says behind a line that is typed in what is wrong with it, if something is.
 fn object(app: &App, line: &mut Writer<'_>) -> bool {
-    line.gap(1);
-    match app.message() {
-        Some(message) => line.tell(&format!("  {message}"), app),
-        None => line.gap(2),
+    line.gap(3);
+    if let Some(message) = app.message() {
+        line.tell(message, app);
     }
     app.message().is_some()
 }
@@ -605,7 +603,13 @@ impl Writer<'_> {
     fn tell(&mut self, message: &str, app: &App) {
         let message = shown(message, app.glyphs());
         let latest = self.area.right().saturating_sub(columns(&message));
-        self.x = self.x.min(latest.max(self.area.x));
+        let latest = latest.max(self.area.x);
+        if latest < self.x {
+            // It covers, but does not run into what it does not cover.
+            self.x = latest.saturating_sub(1).max(self.area.x);
+            self.say(" ", Part::Text);
+            self.x = latest;
+        }
         self.say(&message, Part::Warning);
     }
 
