@@ -11,6 +11,19 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// What the system says. The old file is then untouched.
 pub(crate) fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    replace(path, bytes, File::sync_all)
+}
+
+/// The same without waiting for the disk: after a loss of power the file may be the old one, or empty.
+///
+/// # Errors
+/// What the system says. The old file is then untouched.
+#[cfg(feature = "tui")]
+pub(crate) fn replace_unsynced(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    replace(path, bytes, |_| Ok(()))
+}
+
+fn replace(path: &Path, bytes: &[u8], sync: fn(&File) -> io::Result<()>) -> io::Result<()> {
     let old = fs::metadata(path).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
         return File::options().write(true).open(path)?.write_all(bytes);
@@ -20,7 +33,7 @@ pub(crate) fn replace_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
         None => path.to_owned(),
     };
     let beside = beside(&target)?;
-    let written = write_beside(&beside, bytes, old.map(|old| old.permissions()))
+    let written = write_beside(&beside, bytes, old.map(|old| old.permissions()), sync)
         .and_then(|()| fs::rename(&beside, &target));
     if written.is_err() {
         // Nobody else has a use for it.
@@ -33,6 +46,7 @@ fn write_beside(
     beside: &Path,
     bytes: &[u8],
     permissions: Option<fs::Permissions>,
+    sync: fn(&File) -> io::Result<()>,
 ) -> io::Result<()> {
     let mut file = OpenOptions::new()
         .write(true)
@@ -42,7 +56,7 @@ fn write_beside(
     if let Some(permissions) = permissions {
         file.set_permissions(permissions)?;
     }
-    file.sync_all()
+    sync(&file)
 }
 
 /// A name of its own in the same folder: only there a file can be renamed in one step.

@@ -3,6 +3,7 @@
 mod choosing;
 mod comparing;
 mod editing;
+mod filing;
 mod helping;
 mod lens;
 mod picking;
@@ -17,6 +18,7 @@ use super::chosen::Chosen;
 use super::config::Config;
 use super::course::{OutOfRange, rounded};
 use super::cursor::Cursor;
+use super::disk::Disk;
 use super::editor::Editor;
 use super::figures::coordinate;
 use super::help::Help;
@@ -31,6 +33,7 @@ use super::playback::Playback;
 use super::plot_list::PlotList;
 use super::plots::Plots;
 use super::preview::Previews;
+use super::recovery::Recovery;
 use super::search::Search;
 use super::stage::Stage;
 use super::steps::Steps;
@@ -44,7 +47,10 @@ use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use comparing::Comparison;
 pub(crate) use editing::{Entry, Wanted};
+use filing::Pending;
+pub(crate) use filing::Unsaved;
 use ratatui::layout::Size;
+use std::path::PathBuf;
 use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
 
@@ -75,6 +81,8 @@ pub(crate) enum Mode {
     Copy,
     /// The line in the scene view in which a value or a name is typed.
     Value(Entry),
+    /// A question about unsaved edits.
+    Unsaved(Unsaved),
 }
 
 impl Mode {
@@ -91,6 +99,7 @@ impl Mode {
             | Mode::Tour(_)
             | Mode::Assemblies(_)
             | Mode::Confirm(_)
+            | Mode::Unsaved(_)
             | Mode::Pick(_)
             | Mode::Copy => None,
         }
@@ -182,6 +191,13 @@ pub(crate) struct App {
     original: Arc<str>,
     /// What is edited in the open scene.
     editor: Editor,
+    /// Its file, if it has one.
+    disk: Option<Disk>,
+    /// Where unsaved edits are kept, if they are: the folder, and the place of this scene.
+    folder: Option<PathBuf>,
+    recovery: Option<Recovery>,
+    /// What is to be done once nothing is unsaved.
+    pending: Option<Pending>,
     capability: Capability,
     theme: Theme,
     size: Size,
@@ -207,6 +223,10 @@ impl App {
         let mut app = App {
             steps: steps_of(&stage),
             editor: Editor::new(stage.scene()),
+            disk: None,
+            folder: None,
+            recovery: None,
+            pending: None,
             stage,
             playback: Playback::new(),
             view: View::Motion,
@@ -235,6 +255,7 @@ impl App {
         if let Some(at) = at {
             app.jump(at, Duration::ZERO);
         }
+        app.meet();
         app
     }
 
@@ -356,6 +377,8 @@ impl App {
             let action = self.keymap.action(key, self.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
         });
+        let effect = self.settle(effect);
+        self.look_at_file(now, false);
         self.focus();
         effect
     }
@@ -395,6 +418,7 @@ impl App {
             let at = self.stage.course().on_grid(at);
             self.stage.go(at);
         }
+        self.look_at_file(now, false);
     }
 
     /// Measures what a state costs, where that is worth it: of another scene at once, of another state
@@ -426,7 +450,8 @@ impl App {
     pub(crate) fn update(&mut self, action: Action, now: Duration) -> Effect {
         self.message = None;
         match action {
-            Action::Quit | Action::Leave => return Effect::Quit,
+            Action::Quit => return self.quit(),
+            Action::Leave => return Effect::Quit,
             Action::Suspend => return Effect::Suspend,
             Action::Redraw => return Effect::Redraw,
             Action::Back => self.back(),
@@ -435,7 +460,9 @@ impl App {
             Action::LineDown => self.scroll_by(1),
             Action::PageUp => self.scroll_by(-self.page()),
             Action::PageDown => self.scroll_by(self.page()),
-            Action::Save if matches!(self.mode, Mode::Normal | Mode::Assemblies(_)) => self.ask(),
+            Action::Save if matches!(self.mode, Mode::Normal | Mode::Assemblies(_)) => {
+                self.save_own()
+            }
             Action::Search if let Mode::Help(help) = &mut self.mode => help.search(),
             Action::Assemblies if matches!(self.mode, Mode::Assemblies(_)) => {
                 self.mode = Mode::Normal;
@@ -463,7 +490,9 @@ impl App {
             Action::Copy | Action::Csv | Action::Picture | Action::Svg => {
                 return self.take_out(action);
             }
-            Action::SaveAs | Action::Reload | Action::Undo | Action::Redo => {
+            Action::SaveAs => self.ask_where(),
+            Action::Reload => self.reload(now),
+            Action::Undo | Action::Redo => {
                 self.edit_history(action, now);
             }
             Action::Motion(action) => self.move_lens(action),
@@ -529,6 +558,9 @@ impl App {
         }
         if matches!(self.mode, Mode::Value(_)) {
             return self.type_entry(key, now);
+        }
+        if matches!(self.mode, Mode::Unsaved(_)) {
+            return self.answer(key, now);
         }
         let line = self.mode.line()?;
         match key {
@@ -627,7 +659,7 @@ impl App {
     }
 
     /// Another scene, paused where it opens: nothing is left of the one before.
-    pub(crate) fn show(&mut self, opened: Opened) {
+    fn show_now(&mut self, opened: Opened) {
         self.original = opened.scene.text().into();
         self.end_comparison();
         self.stage = Stage::new(opened);
@@ -642,6 +674,7 @@ impl App {
         self.chosen = Chosen::default();
         self.lens.fit();
         self.cursor = Cursor::default();
+        self.meet();
     }
 
     /// The same scene in another form: the driver stands where it stood, as far as it can be

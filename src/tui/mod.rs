@@ -14,6 +14,7 @@ mod copying;
 mod cost;
 mod course;
 mod cursor;
+mod disk;
 mod edited;
 mod editor;
 mod figures;
@@ -34,6 +35,7 @@ mod playback;
 mod plot_list;
 mod plots;
 mod preview;
+mod recovery;
 mod rival;
 mod saving;
 mod search;
@@ -186,6 +188,10 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         {
             workbench.app().tour();
         }
+        let state = places::folder_of("XDG_STATE_HOME", ".local/state", places::environment);
+        if let Some(state) = state {
+            workbench.app().recover_in(&state.join("recovery"));
+        }
         let session = Session {
             gate,
             workbench,
@@ -258,6 +264,7 @@ impl Session {
                 fault_on_demand();
             }
             let deadline = self.deadline(owed);
+            self.gate.follow(self.workbench.app().watched());
             let wakes = self.gate.wait(deadline)?;
             owed = true;
             // What moves on by itself waits for a slow line: half of one picture and half of the next
@@ -330,6 +337,10 @@ impl Session {
             }
             Wake::Notice(Notice::Resized) => self.resize(),
             Wake::Room => {}
+            Wake::Written => {
+                let now = self.begun.elapsed();
+                self.workbench.app().look_at_file(now, true);
+            }
             Wake::Paste(text) => self.workbench.app().paste(&text),
             Wake::Key(key) => match self.workbench.key(key) {
                 Effect::Show | Effect::Picture => {}

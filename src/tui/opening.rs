@@ -69,7 +69,8 @@ pub(crate) fn text(text: &str, origin: Origin) -> Result<Opened, Diagnostics> {
     })
 }
 
-fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
+/// The scene with its solver.
+pub(crate) fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
     match Solver::new(&scene.mechanism) {
         Ok(solver) => Ok((scene, solver)),
         Err(fault) => Err(scene.explain(&fault)),
@@ -78,7 +79,7 @@ fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
 
 /// What a file holds, up to one byte more than a scene may have. A pipe or a device, which could keep
 /// whoever opens it waiting for ever, is not opened.
-fn contents(path: &Path) -> io::Result<Vec<u8>> {
+pub(crate) fn contents(path: &Path) -> io::Result<Vec<u8>> {
     let kind = fs::metadata(path)?.file_type();
     if !kind.is_file() {
         return Err(io::Error::other(no_file(kind)));

@@ -10,6 +10,7 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Size;
+use std::path::Path;
 use std::time::Duration;
 
 /// A workbench that shows a scene and paints frames for a terminal that somebody else holds.
@@ -70,6 +71,13 @@ impl Workbench {
     #[must_use]
     pub fn themed(mut self, theme: Theme) -> Self {
         self.app.set_theme(theme);
+        self
+    }
+
+    /// Keeps unsaved edits in a folder, and offers those that an earlier session has left there.
+    #[must_use]
+    pub fn recovering_in(mut self, folder: &Path) -> Self {
+        self.app.recover_in(folder);
         self
     }
 

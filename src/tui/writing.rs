@@ -48,7 +48,7 @@ impl Text {
 }
 
 /// Why a file cannot be written, shorter than the system says it where that is usual: the line is short.
-fn why(error: &io::Error) -> String {
+pub(crate) fn why(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "the disk is full".into(),
         io::ErrorKind::FileTooLarge => "a file may not be so large".into(),

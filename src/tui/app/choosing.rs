@@ -1,8 +1,6 @@
 //! Choosing another assembly, and saving the one that is shown.
 
-use super::super::Origin;
 use super::super::action::Action;
-use super::super::writing::{Document, Question};
 use super::{App, Mode, View};
 use std::time::Duration;
 
@@ -43,28 +41,14 @@ impl App {
                 let at = self.stage.at();
                 self.playback.rebase(now, at);
                 let mut message = format!("{wish} now");
-                if let Some(key) = self.keymap.key(Action::Save) {
+                if !self.record_assembly(&wish) {
+                    message += "; no [start] can tell it, so that it cannot be saved";
+                } else if let Some(key) = self.keymap.key(Action::Save) {
                     message += &format!("; {key} saves it");
                 }
                 self.message = Some(message);
             }
             Err(why) => self.message = Some(format!("{wish}: {why}")),
-        }
-    }
-
-    /// Asks whether to write to the scene's own file, or to which.
-    pub(super) fn ask(&mut self) {
-        self.playback.pause();
-        match self.stage.origin() {
-            Origin::File(path) => {
-                let (document, to) = (Document::Scene, path.clone());
-                self.mode = Mode::Confirm(Question { document, to });
-            }
-            Origin::Preset(name) => {
-                let proposal = format!("{name}.toml");
-                self.ask_for_file(Document::Scene, &proposal);
-            }
-            Origin::Stdin => self.ask_for_file(Document::Scene, "scene.toml"),
         }
     }
 }

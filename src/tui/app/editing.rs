@@ -213,6 +213,7 @@ impl App {
         self.editor.history.record(&before, scene.text(), deed);
         self.stage.retell(scene);
         self.relist();
+        self.keep();
         true
     }
 
@@ -232,10 +233,11 @@ impl App {
         if reached != at {
             let (decimals, unit) = (self.stage.course().decimals(), self.stage.unit());
             let at = coordinate(at, decimals);
-            self.message = Some(format!("{at} {unit} is out of reach now: the end is shown"));
+            self.message = Some(format!("{at} {unit} is out of reach now"));
         } else if edited.started {
             self.message = Some("[start] follows, so that this assembly stays".into());
         }
+        self.keep();
     }
 
     /// Lists the values again, while they are looked at.
@@ -273,9 +275,9 @@ impl App {
                 } else {
                     history.made_again();
                 }
+                self.take_edit(edited, now);
                 let said = if is_undo { "taken back" } else { "made again" };
                 self.message = Some(format!("{name} {said}"));
-                self.take_edit(edited, now);
             }
             // Every text of the history was opened before.
             Err(why) => self.message = Some(format!("{name}: {why}")),

@@ -1,7 +1,6 @@
 //! Asking for the name of a file, and writing it.
 
 use super::super::line::Line;
-use super::super::saving;
 use super::super::writing::{Document, Prompt, Question};
 use super::{App, Mode};
 use std::path::PathBuf;
@@ -28,7 +27,8 @@ impl App {
         self.mode = Mode::Normal;
         let Question { document, to } = question;
         let done = match &document {
-            Document::Scene => saving::save(&mut self.stage, &to),
+            // Whoever named an old file was asked.
+            Document::Scene => self.save(&to, true),
             Document::Text(text) => text.write(&to),
         };
         self.message = Some(match done {

@@ -4,6 +4,7 @@ use super::keyboard::{Input, Keyboard};
 use super::line::Line;
 use super::pace::{Pace, QUESTION};
 use super::signals::{self, Notice, Signals};
+use super::watch::Watch;
 use crate::capability::Capability;
 use crate::tui::Error;
 use crate::tui::key::Key;
@@ -14,6 +15,7 @@ use rustix::io::{Errno, read, write};
 use rustix::termios::{OptionalActions, Termios, isatty, tcgetattr, tcgetwinsize, tcsetattr};
 use std::io;
 use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// Alternate screen, cursor hidden; the painter clears.
@@ -48,6 +50,8 @@ pub(crate) enum Wake {
     Notice(Notice),
     /// The line has taken the last frame.
     Room,
+    /// Something has happened to the file that is watched.
+    Written,
     /// The terminal is gone; nothing may be written any more.
     HungUp,
 }
@@ -65,6 +69,7 @@ pub(crate) struct Gate {
     /// Whether the last frame was not written to its end.
     cut: bool,
     signals: Signals,
+    watch: Watch,
     keyboard: Keyboard,
     pace: Pace,
     /// What has come and was not asked for yet.
@@ -92,6 +97,7 @@ impl Gate {
             hung_up: false,
             cut: false,
             signals: Signals::new()?,
+            watch: Watch::new(),
             keyboard: Keyboard::default(),
             pace: Pace::new(None),
             wakes: Vec::new(),
@@ -161,6 +167,11 @@ impl Gate {
         let aspect = cell(w.ws_ypixel, w.ws_row) / cell(w.ws_xpixel, w.ws_col);
         // Some terminals report pixels that cannot be; a cell is between square and very slim.
         (1.0..=4.0).contains(&aspect).then_some(aspect)
+    }
+
+    /// Tells from now on what happens to this file, and to no other.
+    pub(crate) fn follow(&mut self, file: Option<&Path>) {
+        self.watch.follow(file);
     }
 
     /// From when on a frame may be sent, if [`Wake::Room`] does not come before; `None` if at once.
@@ -268,6 +279,9 @@ impl Gate {
         self.hung_up |= gone(told.screen);
         let notices = self.signals.pending().into_iter();
         self.wakes.extend(notices.map(Wake::Notice));
+        if self.watch.told() {
+            self.wakes.push(Wake::Written);
+        }
         let mut inputs = Vec::new();
         self.read_keys(told.keys, &mut inputs)?;
         let now = Instant::now();
@@ -294,11 +308,15 @@ impl Gate {
     /// Waits for keys, signals, and what is asked of the screen.
     fn poll(&self, until: Option<Instant>, screen: PollFlags) -> io::Result<Told> {
         let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
-        let mut fds = [
-            PollFd::new(&self.keys, PollFlags::IN),
-            PollFd::new(&self.signals, PollFlags::IN),
-            PollFd::new(&self.screen, screen),
-        ];
+        let keys = PollFd::new(&self.keys, PollFlags::IN);
+        let signals = PollFd::new(&self.signals, PollFlags::IN);
+        let screen = PollFd::new(&self.screen, screen);
+        let watch = self.watch.descriptor();
+        // Where nothing is watched, the place is taken by what is waited on anyway.
+        let watch = watch.map_or(signals.clone(), |fd| {
+            PollFd::from_borrowed_fd(fd, PollFlags::IN)
+        });
+        let mut fds = [keys, signals, screen, watch];
         match poll(&mut fds, timeout.as_ref()) {
             Ok(_) => Ok(Told {
                 keys: fds[0].revents(),

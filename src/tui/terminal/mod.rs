@@ -12,6 +12,7 @@ mod pace;
 mod painter;
 mod pen;
 mod signals;
+mod watch;
 
 pub use about::Terminal;
 pub(crate) use gate::{Gate, Wake};

@@ -154,7 +154,7 @@ impl Columns {
         let filed = editor.in_file(value).filter(|_| !is_wide);
         let says = match (editor.changes(), filed) {
             (0, _) => String::new(),
-            (_, Some(filed)) => format!("in the file: {}", filed.literal),
+            (_, Some(filed)) => format!("file: {}", filed.literal),
             (_, None) if is_wide => "in the file".into(),
             (n, None) => format!("{n} changed"),
         };

@@ -12,7 +12,7 @@ use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::action::{Action, PlotsAction, SceneAction, TablesAction, entry_of};
 use crate::tui::ahead::ahead;
-use crate::tui::app::{App, Entry, Mode, View, Wanted};
+use crate::tui::app::{App, Entry, Mode, Unsaved, View, Wanted};
 use crate::tui::figures::coordinate;
 use crate::tui::key::Key;
 use crate::tui::line::Line;
@@ -53,6 +53,10 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         }
         Mode::FileName(prompt) => {
             file_prompt(app, &prompt.name, &mut line);
+            return;
+        }
+        Mode::Unsaved(asked) => {
+            unsaved(app, asked, &mut line);
             return;
         }
         Mode::Confirm(asked) => {
@@ -170,6 +174,7 @@ fn trust(app: &App) -> Option<String> {
             | Mode::FileName(_)
             | Mode::Value(_)
             | Mode::Confirm(_)
+            | Mode::Unsaved(_)
             | Mode::Pick(_)
             | Mode::Search(_)
             | Mode::Copy,
@@ -223,6 +228,12 @@ fn mode(app: &App) -> &'static str {
         },
         (Mode::Search(_), _) => "search",
         (Mode::Copy, _) => "copy",
+        (Mode::Unsaved(asked), _) => match asked {
+            Unsaved::Quit => "quit",
+            Unsaved::Open => "open",
+            Unsaved::Reload => "reload",
+            Unsaved::Found(_) => "found",
+        },
         (Mode::Value(entry), _) => match entry.purpose {
             Wanted::Value => "edit",
             Wanted::Find(_) => "find",
@@ -423,12 +434,44 @@ fn entry_prompt(app: &App, entry: &Entry, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
+/// What is to become of unsaved edits.
+fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
+    let edits = match asked {
+        Unsaved::Quit | Unsaved::Open => "unsaved edits".to_owned(),
+        Unsaved::Reload => "read it over unsaved edits?".to_owned(),
+        Unsaved::Found(found) if found.stale => format!("stale edits of {}", found.time),
+        Unsaved::Found(found) => format!("unsaved edits of {}", found.time),
+    };
+    let keys = match asked {
+        Unsaved::Quit => [("w", "save"), ("q", "drop, quit"), ("Esc", "stay")],
+        Unsaved::Open => [("w", "save"), ("d", "drop, open"), ("Esc", "stay")],
+        Unsaved::Reload => [("Enter", "read"), ("Esc", "keep"), ("", "")],
+        Unsaved::Found(_) => [("Enter", "take"), ("Esc", "leave"), ("d", "delete")],
+    };
+    let keys = || keys.iter().filter(|(key, _)| !key.is_empty());
+    let needed = |(key, name): &(&str, &str)| columns(key) + 1 + columns(name) + 2;
+    // The keys are what a question is good for.
+    let room = line
+        .room()
+        .saturating_sub(keys().map(needed).sum::<u16>() + 1);
+    line.gap(1);
+    let edits = if columns(&edits) > room {
+        String::new()
+    } else {
+        edits
+    };
+    line.say(&shown(&edits, app.glyphs()), Part::Text);
+    line.gap(if edits.is_empty() { 0 } else { 2 });
+    for (key, name) in keys() {
+        line.hint(key, name);
+    }
+}
+
 /// Whether to write over a file.
 fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let to = &asked.to;
     let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
     let what = match (&asked.document, app.stage().origin()) {
-        (Document::Scene, Origin::File(own)) if own == to => "[start] of",
         (Document::Scene | Document::Text(_), _) => "over",
     };
     let name = shown(&name, app.glyphs());
@@ -485,12 +528,12 @@ fn offered(app: &App) -> &'static [Action] {
             Action::Quit,
         ],
         (_, View::Scene) => &[
+            Action::Help,
             Action::Scene(SceneAction::Edit),
             Action::Scene(SceneAction::NudgeDown),
             Action::Scene(SceneAction::NudgeUp),
             Action::Save,
             Action::Undo,
-            Action::Help,
             Action::MotionView,
             Action::Quit,
         ],
