@@ -4,12 +4,18 @@ use super::failure::Failure;
 use super::output::write_text;
 use super::source::contents;
 use crate::tui::{self, Config};
-use std::io::ErrorKind;
+use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// `krank config`.
 pub(super) fn config() -> Result<(), Failure> {
     write_text(None, &tui::template())
+}
+
+/// Whether a file is not there, be it that its folder is none.
+fn is_absent(error: &io::Error) -> bool {
+    let kind = error.kind();
+    matches!(kind, ErrorKind::NotFound | ErrorKind::NotADirectory)
 }
 
 /// What a person has configured, in the file that is named or where it is looked for. That none is there is
@@ -22,7 +28,7 @@ pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
     let shown = path.display().to_string();
     match contents(&path) {
         Ok(bytes) => Config::read(&bytes, &shown).map_err(Failure::Scene),
-        Err(e) if named.is_none() && e.kind() == ErrorKind::NotFound => Ok(Config::default()),
+        Err(e) if named.is_none() && is_absent(&e) => Ok(Config::default()),
         Err(e) => Err(Failure::Usage(format!("cannot read `{shown}`: {e}"))),
     }
 }
