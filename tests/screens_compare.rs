@@ -256,3 +256,38 @@ fn an_edited_scene_stands_beside_what_was_opened() {
     assert_eq!(row(&screen, "r2")[1].parse::<f64>().unwrap(), 0.0);
     assert!(screen.contains("against as opened"), "{screen}");
 }
+
+/// The other's curves are dotted, in the unit of this one, and go with the comparison.
+#[test]
+fn plots_have_a_dotted_curve() {
+    let screens = [
+        ("ascii-80x24", Glyphs::Ascii, 80, 24),
+        ("braille-120x40", Glyphs::Braille, 120, 40),
+        ("ascii-40x12", Glyphs::Ascii, 40, 12),
+    ];
+    for (name, glyphs, cols, rows) in screens {
+        let mut session = beside(&format!("plots-{name}"), glyphs, cols, rows);
+        let alone = session.press("3").look();
+        let screen = session.press("D").type_in("longer").press("Enter").look();
+        insta::assert_snapshot!(format!("plots-{name}"), screen);
+        // Chosen anew, they are there again; ended, they are gone.
+        assert_eq!(session.press("m m").press("Esc").look(), screen);
+        assert_eq!(session.press("1 3").look(), screen);
+        assert_eq!(session.press("D Esc").look(), alone);
+    }
+    // The same in inches lies on it: the axis and its ticks are the same.
+    let mut session = beside("plots-units", Glyphs::Ascii, 80, 24);
+    session.press("3 x c / B . x Enter space Esc");
+    let alone = session.press("Esc").look();
+    assert!(alone.contains("B.x"), "{alone}");
+    let screen = session.press("D").type_in("inches").press("Enter").look();
+    assert!(screen.contains("B.x inches.toml"), "{screen}");
+    let ticks = |screen: &str| -> Vec<String> {
+        let labels = screen
+            .lines()
+            .skip(2)
+            .filter_map(|line| line.split_once('|'));
+        labels.map(|(label, _)| label.trim().to_owned()).collect()
+    };
+    assert_eq!(ticks(&screen), ticks(&alone), "{screen}\n{alone}");
+}

@@ -2,6 +2,7 @@
 //!
 //! Samples are solved once for a scene and a choice; a frame only looks where the driver is.
 
+use super::rival::Rival;
 use super::stage::Stage;
 use crate::Vec2;
 use crate::drawing::plot::Plot;
@@ -38,8 +39,8 @@ pub(crate) struct Plots {
 /// What was sampled of a scene.
 #[derive(Debug)]
 struct Sampled {
-    /// The number of the scene.
-    opened: usize,
+    /// The number of the scene, and of what it is held against.
+    opened: [usize; 2],
     /// What is plotted, in the order of the panels' figures.
     names: Vec<String>,
     outcome: Outcome,
@@ -65,8 +66,8 @@ impl Default for Plots {
 }
 
 impl Plots {
-    /// Samples what was chosen, if that was not done for this scene yet.
-    pub(crate) fn sample(&mut self, stage: &Stage, opened: usize) {
+    /// Samples what was chosen, if that was not done yet for this scene and what it is held against.
+    pub(crate) fn sample(&mut self, stage: &Stage, opened: [usize; 2], rival: Option<&Rival>) {
         if self.sampled.as_ref().is_some_and(|s| s.opened == opened) {
             return;
         }
@@ -83,6 +84,9 @@ impl Plots {
             names,
             outcome,
         });
+        if let Some(rival) = rival {
+            self.compare(rival, stage.scene().unit.symbol());
+        }
     }
 
     /// What is plotted: what was chosen as far as the scene has it, or the usual figures.
@@ -167,18 +171,24 @@ impl Plots {
         }
     }
 
-    /// Adds the curves of another scene, dotted, in words of which `name` tells it from this one.
-    pub(crate) fn compare(&mut self, scene: &Scene, solver: &Solver, name: &str) {
+    /// Adds the curves of what the scene is held against, dotted and in the scene's unit.
+    fn compare(&mut self, rival: &Rival, unit: &str) {
         let Some(Sampled { names, outcome, .. }) = &mut self.sampled else {
             return;
         };
-        let known = Catalogue::new(scene);
-        let mut names = names.clone();
-        names.retain(|name| known.all().iter().any(|q| q.name == *name));
-        if let (Outcome::Plot(_, plot), Ok(curves)) =
-            (outcome, sampled(scene, solver, &names, &self.along))
+        let (scene, solver) = (rival.scene(), rival.solver());
+        let catalogue = Catalogue::new(scene);
+        let known = |name: &String| catalogue.all().iter().any(|q| q.name == *name);
+        let along = match &self.along {
+            Along::Driver | Along::Time => true,
+            Along::Figure(name) => known(name),
+        };
+        let names: Vec<String> = names.iter().filter(|name| known(name)).cloned().collect();
+        if let (true, Outcome::Plot(_, plot), Ok(curves)) =
+            (along, outcome, sampled(scene, solver, &names, &self.along))
         {
-            plot.compare(&Plot::of(&curves), name);
+            let other = Plot::of(&curves).in_unit(scene.unit.symbol(), unit, rival.scale());
+            plot.compare(&other, rival.name());
         }
     }
 

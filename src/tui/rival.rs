@@ -8,7 +8,7 @@ use super::stage::{Stage, solved};
 use crate::drawing::{self, Figure, Reach};
 use crate::report::{Pairing, Tables};
 use crate::scene::Scene;
-use crate::solver::{Condition, State};
+use crate::solver::{Condition, Solver, State};
 use crate::{Ball, Input};
 
 /// Of the places that figures are fitted to, differences are fitted to one of so many.
@@ -89,6 +89,19 @@ impl Rival {
 
     pub(crate) fn name(&self) -> &str {
         &self.name
+    }
+
+    pub(crate) fn scene(&self) -> &Scene {
+        &self.other.opened.scene
+    }
+
+    pub(crate) fn solver(&self) -> &Solver {
+        &self.other.opened.solver
+    }
+
+    /// How many units of the open scene one of its own is.
+    pub(crate) fn scale(&self) -> f64 {
+        self.other.scale
     }
 
     /// The speeds of both drivers, where they differ: then every rate does.

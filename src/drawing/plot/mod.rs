@@ -172,6 +172,24 @@ impl Plot {
         }
     }
 
+    /// The same with lengths and their rates counted in another unit, of which one of `unit` is `scale`.
+    #[must_use]
+    pub fn in_unit(mut self, unit: &str, other: &str, scale: f64) -> Plot {
+        let along = self.x.convert(unit, other, scale);
+        for panel in &mut self.panels {
+            let up = panel.y.convert(unit, other, scale);
+            let convert = |at: &mut Vec2| *at = Vec2::new(at.x * along, at.y * up);
+            for line in &mut panel.curves {
+                line.pieces.iter_mut().flatten().for_each(convert);
+                line.turns
+                    .iter_mut()
+                    .map(|turn| &mut turn.at)
+                    .for_each(convert);
+            }
+        }
+        self
+    }
+
     /// Whether any curve has a value anywhere.
     #[must_use]
     pub fn has_values(&self) -> bool {
@@ -191,6 +209,21 @@ impl Panel {
                 high: 1.0,
             },
             curves: Vec::new(),
+        }
+    }
+}
+
+impl Axis {
+    /// Counts a length, or a rate of one, in another unit: what its values are to be multiplied with.
+    fn convert(&mut self, unit: &str, other: &str, scale: f64) -> f64 {
+        match self.unit.strip_prefix(unit) {
+            Some(per) if per.is_empty() || per.starts_with('/') => {
+                self.unit = format!("{other}{per}");
+                self.low *= scale;
+                self.high *= scale;
+                scale
+            }
+            _ => 1.0,
         }
     }
 }

@@ -13,14 +13,27 @@ pub(super) struct Comparison {
     rival: Option<Rival>,
     /// Which of the scenes that were opened it was fitted to.
     fitted: usize,
+    /// How often something was compared, or no longer: another number, another comparison.
+    number: usize,
     /// What was compared with last.
     last: Option<Place>,
+}
+
+impl Comparison {
+    pub(super) fn number(&self) -> usize {
+        self.number
+    }
+
+    pub(super) fn rival(&self) -> Option<&Rival> {
+        self.rival.as_ref()
+    }
 }
 
 impl App {
     /// Asks what to compare with, or ends it.
     pub(super) fn compare(&mut self) {
         if self.end_comparison() {
+            self.sample();
             self.message = Some("no longer compared".into());
             return;
         }
@@ -40,9 +53,11 @@ impl App {
         self.comparison = Comparison {
             rival: Some(Rival::new(name, opened, &self.stage)?),
             fitted: self.opened,
+            number: self.comparison.number + 1,
             last: Some(place),
         };
         self.scroll_by(0);
+        self.sample();
         Ok(())
     }
 
@@ -59,7 +74,10 @@ impl App {
         self.comparison.fitted = self.opened;
         match rival.again(&self.stage) {
             Ok(rival) => self.comparison.rival = Some(rival),
-            Err(why) => self.message = Some(why),
+            Err(why) => {
+                self.comparison.number += 1;
+                self.message = Some(why);
+            }
         }
         self.scroll_by(0);
     }
@@ -67,13 +85,14 @@ impl App {
     /// Ends the comparison, if there is one.
     pub(super) fn end_comparison(&mut self) -> bool {
         let compared = self.comparison.rival.take().is_some();
+        self.comparison.number += usize::from(compared);
         self.scroll_by(0);
         compared
     }
 
     /// The scene that the open one is held against.
     pub(crate) fn rival(&self) -> Option<&Rival> {
-        self.comparison.rival.as_ref()
+        self.comparison.rival()
     }
 
     /// The columns of the tables: of figures, or while another scene is compared with, of differences.

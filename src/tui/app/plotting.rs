@@ -33,7 +33,10 @@ impl App {
     /// Samples what is plotted, while it is looked at; what is up to date costs nothing.
     pub(super) fn sample(&mut self) {
         if self.view == View::Plots {
-            self.plots.sample(&self.stage, self.opened);
+            self.follow();
+            let opened = [self.opened, self.comparison.number()];
+            let rival = self.comparison.rival();
+            self.plots.sample(&self.stage, opened, rival);
         }
     }
 
