@@ -102,6 +102,8 @@ pub mod report;
 pub mod scene;
 pub mod solver;
 pub mod study;
+#[cfg(test)]
+mod tests;
 #[cfg(feature = "tui")]
 pub mod tui;
 

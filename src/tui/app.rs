@@ -730,6 +730,8 @@ impl App {
             self.study();
         }
         self.sample();
+        // The screen may have another size than when this view was seen last.
+        self.scroll_by(0);
     }
 
     /// Begins a study, goes on with it or repeats it.

@@ -25,6 +25,8 @@ mod key;
 mod keymap;
 mod lens;
 mod line;
+#[cfg(test)]
+mod monkey;
 mod opening;
 mod palette;
 mod panel;

@@ -16,5 +16,7 @@ mod watch;
 
 pub use about::Terminal;
 pub(crate) use gate::{Gate, Wake};
+#[cfg(test)]
+pub(crate) use keyboard::{Input, Keyboard};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};

@@ -1,0 +1,176 @@
+//! Fuzzing on a stable toolchain: inputs are changed by chance, and one that leads to an outcome that no other has
+//! led to is kept and changed further.
+//!
+//! `cargo test` replays the corpus in `tests/corpus` and goes on for a few seconds, from the same seed.
+//! `KRANK_FUZZ=3600 cargo test --release --lib fuzz -- --nocapture` goes on for an hour, from another seed each
+//! time; what it keeps is written to the folder that `KRANK_FUZZ_KEEP` names. A finding is printed, and
+//! belongs into the corpus once it is mended.
+
+use super::Chance;
+use std::collections::HashSet;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::panic::{self, AssertUnwindSafe};
+use std::path::Path;
+use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+
+/// How long an ordinary run goes on behind the corpus.
+const ORDINARY: Duration = Duration::from_secs(2);
+/// Longer inputs show nothing that shorter ones do not, later.
+const LONGEST: usize = 4096;
+/// An input that takes longer hangs.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A target with what it is fed.
+pub(crate) struct Fuzz<'a> {
+    /// Its name, and that of its folder in the corpus.
+    pub(crate) name: &'a str,
+    /// Further folders whose files are fed first.
+    pub(crate) seeds: &'a [&'a str],
+    /// Pieces that chance alone would seldom make.
+    pub(crate) words: &'a [&'a str],
+}
+
+impl Fuzz<'_> {
+    /// Feeds the target; it says in a number what came of an input.
+    pub(crate) fn run(&self, target: impl Fn(&[u8]) -> u64) {
+        let mut pool = self.corpus();
+        assert!(!pool.is_empty(), "no corpus of {}", self.name);
+        let mut seen = HashSet::new();
+        for input in &pool {
+            seen.insert(fed(&target, input));
+        }
+        let (known, begun) = (pool.len(), Instant::now());
+        let asked = std::env::var("KRANK_FUZZ").ok();
+        let asked = asked.and_then(|seconds| seconds.parse().ok());
+        let time = asked.map_or(ORDINARY, Duration::from_secs);
+        let mut chance = Chance(asked.map_or(1, |_: u64| now()));
+        let mut runs = 0_u64;
+        while begun.elapsed() < time {
+            let input = self.changed(&pool, &mut chance);
+            runs += 1;
+            if seen.insert(fed(&target, &input)) {
+                keep(self.name, &input);
+                pool.push(input);
+            }
+        }
+        println!(
+            "{}: {runs} runs in {:.0} s, {known} inputs of the corpus, {} outcomes",
+            self.name,
+            begun.elapsed().as_secs_f64(),
+            seen.len()
+        );
+    }
+
+    fn corpus(&self) -> Vec<Vec<u8>> {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let own = format!("tests/corpus/{}", self.name);
+        let folders = self.seeds.iter().copied().chain([own.as_str()]);
+        let mut found = Vec::new();
+        for folder in folders {
+            let entries = fs::read_dir(root.join(folder)).unwrap();
+            let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+            files.retain(|file| file.is_file());
+            files.sort();
+            found.extend(files.iter().map(|file| fs::read(file).unwrap()));
+        }
+        found
+    }
+
+    /// One of the inputs, changed in a few places.
+    fn changed(&self, pool: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
+        let mut input = chance.one_of(pool).clone();
+        for _ in 0..=chance.below(4) {
+            let from = chance.below(input.len() + 1);
+            let to = (from + chance.below(1 + chance_length(input.len()))).min(input.len());
+            let piece: Vec<u8> = match chance.below(8) {
+                0 => Vec::new(),
+                1 => input[from..to].repeat(2),
+                2 => part_of(pool, chance),
+                3 | 4 => chance.one_of(self.words).as_bytes().to_vec(),
+                5 => chance.one_of(&NUMBERS).as_bytes().to_vec(),
+                6 => vec![chance.byte()],
+                _ => {
+                    let mut piece = input[from..to].to_vec();
+                    piece.reverse();
+                    piece
+                }
+            };
+            // In place of what stands there, or before it.
+            let to = if chance.below(2) == 0 { from } else { to };
+            input.splice(from..to, piece);
+            input.truncate(LONGEST);
+        }
+        input
+    }
+}
+
+/// Numbers at the edges.
+const NUMBERS: [&str; 14] = [
+    "0",
+    "-0.0",
+    "1",
+    "-1",
+    "1e300",
+    "1e-300",
+    "5e-324",
+    "1e400",
+    "nan",
+    "inf",
+    "0x7f",
+    "360",
+    "0.1",
+    "9999999999999999999999",
+];
+
+/// Mostly short pieces are exchanged.
+fn chance_length(length: usize) -> usize {
+    (length / 4).clamp(1, 64)
+}
+
+fn part_of(pool: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
+    let other = chance.one_of(pool);
+    let from = chance.below(other.len());
+    let to = (from + chance.below(120)).min(other.len());
+    other[from..to].to_vec()
+}
+
+fn fed(target: &impl Fn(&[u8]) -> u64, input: &[u8]) -> u64 {
+    let begun = Instant::now();
+    let outcome = panic::catch_unwind(AssertUnwindSafe(|| target(input)));
+    let took = begun.elapsed();
+    match outcome {
+        Ok(outcome) => {
+            let input = input.escape_ascii();
+            assert!(took < PATIENCE, "{took:?} for b\"{input}\"");
+            outcome
+        }
+        Err(why) => {
+            keep("finding", input);
+            eprintln!("found by b\"{}\"", input.escape_ascii());
+            panic::resume_unwind(why);
+        }
+    }
+}
+
+fn keep(name: &str, input: &[u8]) {
+    let Some(folder) = std::env::var_os("KRANK_FUZZ_KEEP") else {
+        return;
+    };
+    let mut hasher = DefaultHasher::new();
+    input.hash(&mut hasher);
+    let file = Path::new(&folder).join(format!("{name}-{:016x}", hasher.finish()));
+    fs::write(file, input).unwrap();
+}
+
+fn now() -> u64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap();
+    u64::try_from(since.as_nanos() % u128::from(u64::MAX)).unwrap()
+}
+
+/// A message without what it quotes and counts: messages of one shape are one outcome.
+pub(crate) fn shape(message: &str) -> String {
+    let plain = message.split('`').step_by(2);
+    let letters = plain.map(|part| part.replace(|c: char| !c.is_ascii_alphabetic(), ""));
+    letters.collect()
+}

@@ -1,0 +1,9 @@
+//! What tests that go by chance have in common, and those that concern several modules.
+
+mod chance;
+mod fuzz;
+mod scenes;
+
+pub(crate) use chance::Chance;
+#[cfg(feature = "tui")]
+pub(crate) use fuzz::{Fuzz, shape};

@@ -1,0 +1,147 @@
+//! The loader of scenes, fed with anything: it ends with a scene that can be solved, or with messages that can be
+//! shown.
+
+use super::fuzz::{Fuzz, shape};
+use crate::scene::{Diagnostics, Scene, is_harmful};
+use crate::solver::{Condition, Order, Solver};
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// Scenes of more links take their time, and show nothing else.
+const MOST_LINKS: usize = 40;
+
+const WORDS: &[&str] = &[
+    "[ground]\n",
+    "[driver]\n",
+    "[links]\n",
+    "[slides]\n",
+    "[start]\n",
+    "[vectors]\n",
+    "[[loads]]\n",
+    "[links.r2]\n",
+    "A",
+    "B",
+    "C",
+    "D",
+    "E",
+    "r2",
+    "r3",
+    "r4",
+    "\"B'\"",
+    "\"r3.com\"",
+    "\"ground\"",
+    "driver",
+    "com",
+    "state",
+    " = ",
+    "{ ",
+    " }",
+    "[0, 0]",
+    "[100, 50]",
+    "link = \"r2\"\n",
+    "slide = \"r4\"\n",
+    "angle = 60\n",
+    "position = 1\n",
+    "speed = \"15 rad/s\"\n",
+    "acceleration = \"1 rad/s^2\"\n",
+    "from = \"A\", ",
+    "to = \"B\", ",
+    "length = 100",
+    "points = { P = [1, 2] }",
+    "mass = 1",
+    "inertia = 1",
+    "point = \"C\", ",
+    "on = \"ground\", ",
+    "on = \"r3\", ",
+    "through = \"A\", ",
+    "through = [0, 0]",
+    "turn = 90",
+    "unit = \"in\"\n",
+    "gravity = [0, -9.81]\n",
+    "force = [1, 0]",
+    "torque = 1",
+    ", ",
+    "\n",
+    "\r\n",
+    "\t",
+    "# ",
+    "\"\"\"",
+    "'",
+    "\"",
+    "\\u202e",
+    "\u{202e}",
+    "\u{1b}",
+    "\u{e9}",
+    "\u{feff}",
+    ".",
+    "true",
+    "x = { from = \"C\", to = \"E\", length = 100 }\n",
+    "y = { point = \"E\", on = \"ground\", through = [0, 0] }\n",
+];
+
+#[test]
+fn fuzz_the_loader_of_scenes() {
+    let fuzz = Fuzz {
+        name: "scenes",
+        seeds: &["presets", "tests/broken", "tests/reference"],
+        words: WORDS,
+    };
+    fuzz.run(|bytes| {
+        let mut outcome = DefaultHasher::new();
+        match Scene::read(bytes, "fuzz.toml") {
+            Ok(scene) => opened(&scene, &mut outcome),
+            Err(faults) => refused(&faults, &mut outcome),
+        }
+        outcome.finish()
+    });
+}
+
+fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
+    let mechanism = &scene.mechanism;
+    if mechanism.links().len() > MOST_LINKS {
+        return;
+    }
+    let solver = match Solver::new(mechanism) {
+        Ok(solver) => solver,
+        Err(fault) => return refused(&scene.explain(&fault), outcome),
+    };
+    let (links, points) = (mechanism.links().len(), mechanism.points().len());
+    (links.min(8), points.min(12), solver.plan().groups.len()).hash(outcome);
+    let mut state = solver.state();
+    let start = mechanism.driver().start;
+    for at in [start, start + 1.0, -1e3, 0.1] {
+        let condition = solver.solve(at, Order::Acceleration, &mut state);
+        std::mem::discriminant(&condition).hash(outcome);
+        if condition == Condition::NoAssembly {
+            continue;
+        }
+        for point in mechanism.point_ids() {
+            let place = state.position(point);
+            assert!(
+                place.x.is_finite() && place.y.is_finite(),
+                "{place:?} at {at}"
+            );
+        }
+    }
+    if let Some(text) = scene.with_start_of(&solver, start) {
+        Scene::parse(&text, "saved.toml").expect("what is saved can be read");
+    }
+}
+
+fn refused(faults: &Diagnostics, outcome: &mut DefaultHasher) {
+    assert!(!faults.items.is_empty(), "refused without a reason");
+    for item in &faults.items {
+        shape(&item.message).hash(outcome);
+        for label in item.primary.iter().chain(&item.others) {
+            assert!(faults.text.get(label.span.clone()).is_some(), "{label:?}");
+        }
+    }
+    for (ascii, colour) in [(true, false), (false, true)] {
+        let shown = faults.render(ascii, colour);
+        let escape = |c: char| c == '\n' || (colour && c == '\u{1b}');
+        assert!(
+            !shown.contains(|c| is_harmful(c) && !escape(c)),
+            "{shown:?}"
+        );
+        assert!(!ascii || shown.is_ascii(), "{shown:?}");
+    }
+}

@@ -1,0 +1,463 @@
+//! A monkey at the keys: whatever it does, the workbench lives, its state is valid, and nothing is painted that
+//! the terminal cannot show.
+//!
+//! `cargo test` lets it act for a few seconds; `KRANK_MONKEY=1000000 cargo test --release monkey` a million times.
+//! A failure prints the seed of its episode, and `KRANK_MONKEY_SEED` begins with that one. The monkey saves
+//! files where it can: it works in a process of its own, in an empty folder.
+
+use super::app::{App, Effect, Mode, View};
+use super::key::Key;
+use super::keymap::Keymap;
+use super::terminal::{Input, Keyboard};
+use super::tour::SCREENS;
+use super::{Origin, Theme, Workbench, opening, views};
+use crate::capability::{Capability, Colours};
+use crate::drawing::Glyphs;
+use crate::scene::{is_harmful, presets};
+use crate::tests::{Chance, Fuzz, shape};
+use ratatui::layout::Size;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::panic::{self, AssertUnwindSafe};
+use std::path::{Component, Path};
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+/// Actions in the life of one workbench.
+const EPISODE: usize = 400;
+/// How long an ordinary run may take.
+const ORDINARY: Duration = Duration::from_secs(8);
+/// Set for the process in which the monkey is.
+const CAGE: &str = "KRANK_MONKEY_CAGE";
+
+#[test]
+fn a_monkey_at_the_keys_breaks_nothing() {
+    caged("tui::monkey::in_its_cage");
+}
+
+/// Runs another test in a process and a folder of its own.
+fn caged(test: &str) {
+    let name = test.replace("::", "-");
+    let cage = std::env::temp_dir().join(format!("krank-{name}-{}", std::process::id()));
+    std::fs::create_dir_all(&cage).unwrap();
+    let done = Command::new(std::env::current_exe().unwrap())
+        .args(["--exact", test, "--ignored", "--nocapture"])
+        .current_dir(&cage)
+        .env(CAGE, "1")
+        .env("HOME", &cage)
+        .env("XDG_STATE_HOME", &cage)
+        .env("XDG_CONFIG_HOME", &cage)
+        .output()
+        .unwrap();
+    std::fs::remove_dir_all(&cage).unwrap();
+    let told = String::from_utf8_lossy(&done.stdout);
+    let why = String::from_utf8_lossy(&done.stderr);
+    assert!(
+        done.status.success() && told.contains("1 passed"),
+        "{told}\n{why}"
+    );
+    for line in told.lines().filter(|line| line.contains(" s")) {
+        println!("{line}");
+    }
+}
+
+/// Not to be run by itself: it writes files where it stands.
+#[test]
+#[ignore = "started by the test above, in a folder of its own"]
+fn in_its_cage() {
+    if std::env::var_os(CAGE).is_none() {
+        return;
+    }
+    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
+    let wanted: Option<usize> = number("KRANK_MONKEY");
+    let first = number("KRANK_MONKEY_SEED").unwrap_or(1);
+    let begun = Instant::now();
+    let mut actions = 0;
+    for seed in (first as u64).. {
+        let over = match wanted {
+            Some(wanted) => actions >= wanted,
+            None => begun.elapsed() >= ORDINARY,
+        };
+        if over {
+            break;
+        }
+        actions += episode(seed);
+    }
+    let seconds = begun.elapsed().as_secs_f64();
+    println!("{actions} actions of a monkey in {seconds:.1} s");
+}
+
+/// A workbench from its opening to its end. How many actions it took.
+fn episode(seed: u64) -> usize {
+    let mut done = Vec::new();
+    let outcome = panic::catch_unwind(AssertUnwindSafe(|| live(&mut Chance(seed), &mut done)));
+    if let Err(why) = outcome {
+        let last = &done[done.len().saturating_sub(30)..];
+        eprintln!(
+            "KRANK_MONKEY_SEED={seed}: after {} actions, the last of them {last:?}",
+            done.len()
+        );
+        panic::resume_unwind(why);
+    }
+    done.len()
+}
+
+/// What a monkey does.
+#[derive(Debug)]
+enum Deed {
+    Press(Key),
+    Paste(String),
+    Resize(u16, u16),
+    Pass(Duration),
+}
+
+fn live(chance: &mut Chance, done: &mut Vec<Deed>) {
+    let preset = chance.one_of(presets::all());
+    let glyphs = *chance.one_of(&[Glyphs::Ascii, Glyphs::Line, Glyphs::Braille]);
+    let colours = *chance.one_of(&[
+        Colours::None,
+        Colours::Sixteen,
+        Colours::Indexed,
+        Colours::True,
+    ]);
+    let theme = *chance.one_of(&[Theme::Auto, Theme::Light, Theme::Dark]);
+    let capability = Capability {
+        glyphs,
+        colours,
+        modern: chance.below(2) == 0,
+    };
+    let (cols, rows) = size(chance);
+    let opened = opening::preset(preset).unwrap();
+    let workbench = Workbench::on(opened, None, capability, Size::new(cols, rows));
+    let mut workbench = workbench.themed(theme).timed_by(made_up);
+    for _ in 0..EPISODE {
+        let deed = deed(chance, workbench.app());
+        done.push(deed);
+        let deed = done.last().unwrap();
+        match deed {
+            Deed::Press(key) => {
+                if workbench.key(*key) == Effect::Quit {
+                    return;
+                }
+            }
+            Deed::Paste(text) => workbench.app().paste(text),
+            Deed::Resize(cols, rows) => workbench.resize(*cols, *rows),
+            Deed::Pass(time) => workbench.pass(*time),
+        }
+        check(workbench.app());
+        if chance.below(3) == 0 {
+            let frame = workbench.paint().to_vec();
+            let app = workbench.app();
+            check_bytes(&frame, app.glyphs(), app.colours());
+            check(app);
+        }
+    }
+}
+
+fn made_up() -> Duration {
+    thread_local!(static NOW: std::cell::Cell<Duration> = const { std::cell::Cell::new(Duration::ZERO) });
+    NOW.set(NOW.get() + Duration::from_millis(5));
+    NOW.get()
+}
+
+fn size(chance: &mut Chance) -> (u16, u16) {
+    match chance.below(10) {
+        0 => *chance.one_of(&[(0, 0), (1, 1), (39, 12), (40, 11), (0, 50), (500, 1)]),
+        1 | 2 => (40, 12),
+        3..=6 => (80, 24),
+        _ => (chance.small(160), chance.small(60)),
+    }
+}
+
+fn deed(chance: &mut Chance, app: &App) -> Deed {
+    let deed = match chance.below(100) {
+        0..55 => Deed::Press(by_the_table(chance)),
+        55..70 => Deed::Press(*chance.one_of(&LEADING)),
+        70..84 => Deed::Press(Key::Char(char::from(b' ' + chance.small(95) as u8))),
+        84..86 => Deed::Press(*chance.one_of(&ODD)),
+        86..88 => Deed::Paste(
+            (0..chance.below(40))
+                .map(|_| *chance.one_of(&PASTED))
+                .collect(),
+        ),
+        88..91 => {
+            let (cols, rows) = size(chance);
+            Deed::Resize(cols, rows)
+        }
+        91..99 => Deed::Pass(Duration::from_millis(chance.below(200) as u64)),
+        _ => Deed::Pass(Duration::from_secs(chance.below(100_000) as u64)),
+    };
+    if stays(app, &deed) {
+        deed
+    } else {
+        Deed::Press(Key::Escape)
+    }
+}
+
+/// Keys that lead on and back, whatever is asked.
+const LEADING: [Key; 10] = [
+    Key::Enter,
+    Key::Enter,
+    Key::Escape,
+    Key::Escape,
+    Key::Backspace,
+    Key::Tab,
+    Key::Up,
+    Key::Down,
+    Key::Left,
+    Key::Right,
+];
+
+/// What no keyboard sends, but a line might.
+const ODD: [Key; 9] = [
+    Key::Char('\u{e9}'),
+    Key::Char('\u{4e2d}'),
+    Key::Char('\u{202e}'),
+    Key::Char('\u{0}'),
+    Key::Char('\u{1b}'),
+    Key::BackTab,
+    Key::End,
+    Key::Function(12),
+    Key::Ctrl('u'),
+];
+
+const PASTED: [char; 12] = [
+    '0', '1', '9', '.', '-', 'e', ' ', 'q', '\n', '\u{1b}', '\u{202e}', '\u{4e2d}',
+];
+
+fn by_the_table(chance: &mut Chance) -> Key {
+    let keymap = Keymap::default();
+    let rows: Vec<&[Key]> = keymap.rows().map(|(_, keys)| keys).collect();
+    let keys = *chance.one_of(&rows);
+    let key = *chance.one_of(keys);
+    // A monkey that leaves learns nothing more: that it may is tried now and then.
+    if matches!(key, Key::Char('q') | Key::Ctrl('c')) && chance.below(20) > 0 {
+        return Key::Char(' ');
+    }
+    key
+}
+
+/// Whether the monkey stays in its cage: it writes nowhere else.
+fn stays(app: &App, deed: &Deed) -> bool {
+    let within = |path: &Path| {
+        let inside = |part| matches!(part, Component::Normal(_) | Component::CurDir);
+        path.components().all(inside)
+    };
+    match (app.mode(), deed) {
+        (Mode::FileName(_), Deed::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
+        (Mode::FileName(prompt), Deed::Press(Key::Enter)) => within(Path::new(prompt.name.text())),
+        (Mode::Confirm(question), Deed::Press(Key::Enter)) => within(&question.to),
+        (Mode::Normal | Mode::Assemblies(_), Deed::Press(_)) => match app.stage().origin() {
+            // Of a file elsewhere that the picker has opened nothing is saved.
+            Origin::File(path) => within(path) || !matches!(deed, Deed::Press(Key::Char('w'))),
+            Origin::Preset(_) | Origin::Stdin => true,
+        },
+        // Out of the cage there are too many files to look through.
+        (Mode::Pick(_), Deed::Press(Key::Enter | Key::Left | Key::Backspace)) => false,
+        _ => true,
+    }
+}
+
+/// What must hold whatever was done.
+fn check(app: &App) {
+    let stage = app.stage();
+    let at = stage.at();
+    assert!(at.is_finite(), "the driver is at {at}");
+    assert!(stage.course().clamp(at) == at, "{at} is out of reach");
+    match app.mode() {
+        Mode::Tour(number) => assert!(*number < SCREENS),
+        Mode::Assemblies(cursor) => {
+            let rows = stage.panel().map_or(0, |panel| panel.rows().len());
+            assert!(*cursor < rows, "assembly {cursor} of {rows}");
+        }
+        Mode::Help(help) => {
+            let lines = help.lines(app.view(), app.keymap()).len();
+            assert!(help.scroll <= lines, "line {} of {lines}", help.scroll);
+        }
+        Mode::Pick(picker) => {
+            let (matching, all) = picker.count();
+            assert!(matching <= all);
+            assert!(
+                matching == 0 || picker.chosen().is_some(),
+                "no entry under the cursor"
+            );
+        }
+        Mode::Normal
+        | Mode::GoTo(_)
+        | Mode::FileName(_)
+        | Mode::Confirm(_)
+        | Mode::Search(_)
+        | Mode::Copy
+        | Mode::Value(_) => {}
+    }
+    let scrolls = matches!(app.view(), View::Accuracy | View::Lengths | View::Motion);
+    if *app.mode() == Mode::Normal && scrolls {
+        let most = views::most_scroll(app);
+        assert!(
+            app.scroll() <= most,
+            "scrolled by {} of {most}",
+            app.scroll()
+        );
+    }
+    if app.view() == View::Scene {
+        let values = app.editor().values().len();
+        assert!(
+            values == 0 || app.editor().value().is_some(),
+            "no value under the cursor"
+        );
+    }
+}
+
+/// Every byte is one that the terminal can show.
+fn check_bytes(frame: &[u8], glyphs: Glyphs, colours: Colours) {
+    let text = std::str::from_utf8(frame).expect("frames are whole characters");
+    let mut rest = text;
+    while let Some(at) = rest.find('\u{1b}') {
+        check_text(&rest[..at], glyphs, text);
+        let sequence = rest[at + 1..]
+            .strip_prefix('[')
+            .expect("a control sequence");
+        let end = sequence
+            .find(|c: char| c.is_ascii_alphabetic())
+            .expect("an end of it");
+        if sequence[end..].starts_with('m') && colours == Colours::None {
+            let coloured = |code: &str| {
+                code.len() == 2 && code.starts_with(['3', '4', '9']) || code.starts_with("10")
+            };
+            assert!(
+                !sequence[..end].split(';').any(coloured),
+                "a colour in {sequence:?}"
+            );
+        }
+        rest = &sequence[end + 1..];
+    }
+    check_text(rest, glyphs, text);
+}
+
+fn check_text(text: &str, glyphs: Glyphs, frame: &str) {
+    let allowed = |c: char| match glyphs {
+        _ if matches!(c, '\r' | '\n' | '\u{8}') => true,
+        _ if is_harmful(c) => false,
+        Glyphs::Ascii => c.is_ascii(),
+        Glyphs::Line | Glyphs::Braille => true,
+    };
+    assert!(text.chars().all(allowed), "{text:?} in {frame:?}");
+}
+
+/// The parser of what a terminal sends, and the workbench behind it, fed with anything.
+#[test]
+fn fuzz_the_keys_in_a_cage() {
+    caged("tui::monkey::fuzz_the_keys");
+}
+
+#[test]
+#[ignore = "started by the test above, in a folder of its own"]
+fn fuzz_the_keys() {
+    if std::env::var_os(CAGE).is_none() {
+        return;
+    }
+    let fuzz = Fuzz {
+        name: "keys",
+        seeds: &[],
+        words: &SEQUENCES,
+    };
+    fuzz.run(|bytes| {
+        let [first, second, rest @ ..] = bytes else {
+            return 0;
+        };
+        typed(*first, *second, rest)
+    });
+}
+
+/// Beginnings, ends and wholes of what terminals send.
+const SEQUENCES: [&str; 40] = [
+    "\u{1b}",
+    "\u{1b}[",
+    "\u{1b}O",
+    "\u{1b}[A",
+    "\u{1b}[B",
+    "\u{1b}[C",
+    "\u{1b}[D",
+    "\u{1b}[H",
+    "\u{1b}[F",
+    "\u{1b}[5~",
+    "\u{1b}[6~",
+    "\u{1b}OP",
+    "\u{1b}OQ",
+    "\u{1b}[Z",
+    "\u{1b}[0n",
+    "\u{1b}[1;5C",
+    "\u{1b}[200~",
+    "\u{1b}[201~",
+    "\u{1b}]52;c;",
+    "\u{1b}P",
+    "\u{7}",
+    "\u{1b}\\",
+    "\u{1b}[27u",
+    "\u{1b}[99;5u",
+    "\u{1b}[<0;1;1M",
+    "\u{1b}[1;1R",
+    "\r",
+    "\t",
+    "\u{7f}",
+    "\u{0}",
+    "g90\r",
+    "2",
+    "3",
+    "6",
+    "o",
+    "/C\r",
+    "?",
+    "I",
+    "a",
+    " ",
+];
+
+/// One workbench that is sent these bytes; what it came to.
+fn typed(first: u8, second: u8, bytes: &[u8]) -> u64 {
+    let all = presets::all();
+    let opened = opening::preset(&all[usize::from(first) % all.len()]).unwrap();
+    let sizes = [(80, 24), (40, 12), (120, 40), (0, 0), (39, 12), (200, 60)];
+    let (cols, rows) = sizes[usize::from(second) % sizes.len()];
+    let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, cols, rows);
+    let mut workbench = workbench.timed_by(made_up);
+    let mut keyboard = Keyboard::default();
+    let mut outcome = DefaultHasher::new();
+    let mut inputs = Vec::new();
+    for byte in bytes {
+        // A nul is a pause: what is held back is given up.
+        if *byte == 0 {
+            keyboard.give_up(&mut inputs);
+            workbench.pass(Duration::from_millis(50));
+        } else {
+            keyboard.feed(&[*byte], Instant::now(), &mut inputs);
+        }
+        for input in inputs.drain(..) {
+            let deed = match input {
+                Input::Key(key) => Deed::Press(key),
+                Input::Paste(text) => Deed::Paste(text),
+                Input::Answer => continue,
+            };
+            match deed {
+                Deed::Press(key) if stays(workbench.app(), &Deed::Press(key)) => {
+                    if workbench.key(key) == Effect::Quit {
+                        return 1;
+                    }
+                }
+                Deed::Paste(text) => workbench.app().paste(&text.replace(['/', '~', '.'], "")),
+                Deed::Press(_) | Deed::Resize(..) | Deed::Pass(_) => {}
+            }
+            check(workbench.app());
+        }
+    }
+    let frame = workbench.paint().to_vec();
+    let app = workbench.app();
+    check_bytes(&frame, app.glyphs(), app.colours());
+    (app.view() as usize, std::mem::discriminant(app.mode())).hash(&mut outcome);
+    app.message().map(shape).hash(&mut outcome);
+    (
+        app.stage().origin() == &Origin::Stdin,
+        keyboard.deadline().is_some(),
+    )
+        .hash(&mut outcome);
+    outcome.finish()
+}
