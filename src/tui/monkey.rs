@@ -246,11 +246,13 @@ fn stays(app: &App, deed: &Deed) -> bool {
         (Mode::FileName(_), Deed::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
         (Mode::FileName(prompt), Deed::Press(Key::Enter)) => within(Path::new(prompt.name.text())),
         (Mode::Confirm(question), Deed::Press(Key::Enter)) => within(&question.to),
-        (Mode::Normal | Mode::Assemblies(_), Deed::Press(_)) => match app.stage().origin() {
-            // Of a file elsewhere that the picker has opened nothing is saved.
-            Origin::File(path) => within(path) || !matches!(deed, Deed::Press(Key::Char('w'))),
-            Origin::Preset(_) | Origin::Stdin => true,
-        },
+        (Mode::Normal | Mode::Assemblies(_) | Mode::Unsaved(_), Deed::Press(_)) => {
+            match app.stage().origin() {
+                // Of a file elsewhere that the picker has opened nothing is saved.
+                Origin::File(path) => within(path) || !matches!(deed, Deed::Press(Key::Char('w'))),
+                Origin::Preset(_) | Origin::Stdin => true,
+            }
+        }
         // Out of the cage there are too many files to look through.
         (Mode::Pick(_), Deed::Press(Key::Enter | Key::Left | Key::Backspace)) => false,
         _ => true,
@@ -287,7 +289,9 @@ fn check(app: &App) {
         | Mode::Confirm(_)
         | Mode::Search(_)
         | Mode::Copy
-        | Mode::Value(_) => {}
+        | Mode::Value(_)
+        | Mode::PlotList(_)
+        | Mode::Unsaved(_) => {}
     }
     let scrolls = matches!(app.view(), View::Accuracy | View::Lengths | View::Motion);
     if *app.mode() == Mode::Normal && scrolls {

@@ -109,11 +109,11 @@ impl App {
             | View::Scene
             | View::Lengths => self.row_of_sweep(),
         };
-        self.ask_where(text, "the figures", "csv");
+        self.offer_file(text, "the figures", "csv");
     }
 
     /// Asks for the name of a file for a text, or says why there is none.
-    fn ask_where(&mut self, text: Result<String, String>, what: &str, ending: &str) {
+    fn offer_file(&mut self, text: Result<String, String>, what: &str, ending: &str) {
         match text {
             Ok(text) => {
                 let proposal = self.proposal(ending);
@@ -146,7 +146,7 @@ impl App {
 
     /// Asks where to write the screen as it was when the key was pressed.
     pub(crate) fn ask_for_picture(&mut self, text: String) {
-        self.ask_where(Ok(text), "the screen", "txt");
+        self.offer_file(Ok(text), "the screen", "txt");
     }
 
     /// Asks where to write the drawing, or the plot, as it is seen.
@@ -154,12 +154,12 @@ impl App {
         match self.view {
             View::Motion => {
                 let text = self.lens.svg(&self.stage);
-                self.ask_where(Ok(text), "the drawing", "svg");
+                self.offer_file(Ok(text), "the drawing", "svg");
             }
             View::Plots => {
                 let text = self.plots.svg(&self.stage);
                 let text = text.ok_or_else(|| NOTHING_PLOTTED.into());
-                self.ask_where(text, "the plot", "svg");
+                self.offer_file(text, "the plot", "svg");
             }
             View::Tables | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
                 self.message = Some("there is no drawing in this view".into());
