@@ -380,6 +380,8 @@ impl App {
         let effect = self.settle(effect);
         self.look_at_file(now, false);
         self.focus();
+        // Another view, scene or list may have fewer lines than what was scrolled before.
+        self.scroll_by(0);
         effect
     }
 
@@ -730,8 +732,6 @@ impl App {
             self.study();
         }
         self.sample();
-        // The screen may have another size than when this view was seen last.
-        self.scroll_by(0);
     }
 
     /// Begins a study, goes on with it or repeats it.

@@ -283,15 +283,8 @@ fn check(app: &App) {
                 "no entry under the cursor"
             );
         }
-        Mode::Normal
-        | Mode::GoTo(_)
-        | Mode::FileName(_)
-        | Mode::Confirm(_)
-        | Mode::Search(_)
-        | Mode::Copy
-        | Mode::Value(_)
-        | Mode::PlotList(_)
-        | Mode::Unsaved(_) => {}
+        // What is typed has no invariants that the type does not keep.
+        _ => {}
     }
     let scrolls = matches!(app.view(), View::Accuracy | View::Lengths | View::Motion);
     if *app.mode() == Mode::Normal && scrolls {
