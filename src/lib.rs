@@ -89,6 +89,14 @@
 
 mod arithmetic;
 pub mod assembly;
+#[cfg_attr(
+    not(feature = "tui"),
+    expect(
+        dead_code,
+        unreachable_pub,
+        reason = "messages need less of it than the workbench"
+    )
+)]
 mod capability;
 pub mod cli;
 mod document;

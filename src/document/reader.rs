@@ -120,7 +120,8 @@ impl<'t> Reader<'t> {
         None
     }
 
-    /// True or false.
+    /// True or false; so far only the configuration asks.
+    #[cfg(feature = "tui")]
     pub(crate) fn boolean(&mut self, what: &str, value: &Value<'_>) -> Option<bool> {
         let read = value.get_ref().as_bool();
         if read.is_none() {
@@ -172,6 +173,7 @@ pub(crate) fn meant(table: &DeTable<'_>, known: &[&str], key: &str) -> bool {
 }
 
 /// The mend for a yes or no that was written as a text.
+#[cfg(feature = "tui")]
 fn bare_boolean(text: &str) -> Option<String> {
     let meant = match text {
         "true" | "yes" | "on" => true,

@@ -71,7 +71,7 @@ impl Clock {
     /// `None` where the driver runs as fast as the scene says.
     pub(super) fn pace(&self, time: f64) -> Option<Pace> {
         let drift = self.acceleration / self.speed;
-        (!self.is_even()).then(|| Pace {
+        (!self.is_even()).then_some(Pace {
             ratio: 1.0 + drift * time,
             drift,
         })

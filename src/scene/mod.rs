@@ -226,7 +226,8 @@ impl Scene {
     }
 
     /// Another text read under the same name; `None` where that is no scene.
-    pub(crate) fn again(&self, text: &str) -> Option<Scene> {
+    #[must_use]
+    pub fn again(&self, text: &str) -> Option<Scene> {
         Scene::parse(text, &self.origin).ok()
     }
 
