@@ -9,6 +9,9 @@ use super::{App, Effect, Mode, View};
 use crate::quantity::Catalogue;
 use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
 
+/// Why there is nothing to take out of the plots.
+const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
+
 impl App {
     pub(super) fn take_out(&mut self, action: Action) -> Effect {
         match action {
@@ -81,12 +84,21 @@ impl App {
         key.map_or_else(String::new, |key| format!("; {key} writes CSV"))
     }
 
-    /// Asks where to write the figures as they are now.
+    /// Asks where to write the figures as they are now, or of the plots, what is plotted.
     fn ask_for_csv(&mut self) {
-        match self.row_of_sweep() {
+        let (figures, what) = match self.view {
+            View::Plots => (self.plots.csv().ok_or(NOTHING_PLOTTED.into()), "the curves"),
+            View::Motion
+            | View::Tables
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths => (self.row_of_sweep(), "the figures"),
+        };
+        match figures {
             Ok(text) => {
                 let proposal = self.proposal("csv");
-                let what = "the figures".into();
+                let what = what.into();
                 self.ask_for_file(Document::Text(Text { what, text }), &proposal);
             }
             Err(why) => self.message = Some(why),
@@ -129,12 +141,17 @@ impl App {
                 let what = "the drawing".into();
                 self.ask_for_file(Document::Text(Text { what, text }), &proposal);
             }
-            View::Tables
-            | View::Plots
-            | View::Accuracy
-            | View::Forces
-            | View::Scene
-            | View::Lengths => self.message = Some("there is no drawing in this view".into()),
+            View::Plots => match self.plots.svg(&self.stage) {
+                Some(text) => {
+                    let proposal = self.proposal("svg");
+                    let what = "the plot".into();
+                    self.ask_for_file(Document::Text(Text { what, text }), &proposal);
+                }
+                None => self.message = Some(NOTHING_PLOTTED.into()),
+            },
+            View::Tables | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
+                self.message = Some("there is no drawing in this view".into())
+            }
         }
     }
 
