@@ -172,6 +172,43 @@ fn another_scene_begins_anew_and_another_assembly_keeps_the_choice() {
     assert!(!session.press("n").look().contains("* C.x"));
 }
 
+#[test]
+fn curves_are_written_as_csv_and_as_svg() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("screens_plots");
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 120, 24);
+    session.press("3 X");
+    for (key, ending) in [("Y", "csv"), ("S", "svg")] {
+        let file = folder.join(format!("curves.{ending}"));
+        drop(std::fs::remove_file(&file));
+        session.press(key).press("Ctrl-U");
+        session.type_in(file.to_str().unwrap()).press("Enter");
+        let text = std::fs::read_to_string(&file).unwrap();
+        if ending == "csv" {
+            let header = "driver.angle [deg],time [s],r4.omega [rad/s],r4.alpha [rad/s^2],state";
+            assert_eq!(text.lines().next(), Some(header));
+            assert_eq!(text.lines().count(), 722);
+            assert!(
+                text.lines().nth(1).unwrap().starts_with("60.0,0.0,")
+                    || text.lines().nth(1).unwrap().starts_with("60,0,"),
+                "{text}"
+            );
+        } else {
+            assert!(
+                text.contains(">r4.omega") && text.contains("time"),
+                "{text}"
+            );
+        }
+    }
+    // Where nothing is plotted there is nothing to write.
+    session.press("x c Esc Y");
+    assert!(
+        session
+            .look()
+            .contains("nothing is plotted that could be written")
+    );
+}
+
 /// Every preset shows each of its figures, at every size and in every kind of glyphs.
 #[test]
 fn every_figure_of_every_preset_is_plotted_at_every_size() {

@@ -23,7 +23,10 @@ impl Ticks {
             style: Style::of_ticks(0.0, 1.0),
         };
         let size = high - low;
-        if !(size > 0.0 && size.is_finite()) || most == 0 {
+        let largest = low.abs().max(high.abs());
+        // Multiples of less than this are not told apart by doubles.
+        let is_some = size > largest * LEAST_PART && size.is_finite();
+        if !is_some || most == 0 {
             return none;
         }
         let few = |step: &f64| count(low, high, *step) <= most as f64;
@@ -31,10 +34,9 @@ impl Ticks {
             return none;
         };
         let first = multiple((low / step).ceil(), (low / step).round(), low / step);
-        let values = (0..=most).map(|k| (first + k as f64) * step);
+        let values = (0..most).map(|k| (first + k as f64) * step);
         let end = high + step * SLACK;
         let values: Vec<f64> = values.take_while(|&v| v <= end).collect();
-        let largest = low.abs().max(high.abs());
         Ticks {
             values,
             style: Style::of_ticks(largest, step),
@@ -50,6 +52,9 @@ impl Ticks {
         self.labels().map(|(_, l)| l.len()).max().unwrap_or(0)
     }
 }
+
+/// An axis that is shorter than this part of its values has no ticks.
+const LEAST_PART: f64 = 1e-13;
 
 /// An end that misses a multiple by this part of a step only misses it by rounding.
 const SLACK: f64 = 1e-9;

@@ -10,6 +10,9 @@ use super::{App, Effect, Mode, View};
 use crate::quantity::Catalogue;
 use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
 
+/// Why there is nothing to take out of the plots.
+const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
+
 impl App {
     pub(super) fn take_out(&mut self, action: Action) -> Effect {
         match action {
@@ -184,5 +187,3 @@ impl App {
         format!("{stem}-{place}.{ending}")
     }
 }
-
-const NOTHING_PLOTTED: &str = "nothing is plotted: there is nothing to write";
