@@ -151,7 +151,7 @@ fn the_diagnosis_tells_what_was_found_and_why() {
         .wait_for("line             a pseudo-terminal")
         .wait_for("glyphs           braille: an emulator in a UTF-8 locale")
         .wait_for("colours          none: NO_COLOR is set")
-        .wait_for("configuration    /dev/null/configuration/krank/config.toml (there is none)");
+        .wait_for("configuration    /nowhere/configuration/krank/config.toml (there is none)");
 }
 
 #[test]

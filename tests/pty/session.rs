@@ -108,7 +108,7 @@ impl Setup {
             ("TERM", "xterm-256color"),
             ("LC_ALL", "C.UTF-8"),
             // Nobody's configuration, nothing that an earlier run has left, and nowhere to leave anything.
-            ("XDG_CONFIG_HOME", "/dev/null/configuration"),
+            ("XDG_CONFIG_HOME", "/nowhere/configuration"),
             ("XDG_STATE_HOME", "/dev/null/state"),
         ];
         for (name, value) in usual {

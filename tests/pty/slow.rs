@@ -88,7 +88,12 @@ fn a_whole_help_overlay_shows_within_two_seconds() {
     session.wait_for("? help").wait_for("-3.9164");
     play(&session, 2500);
     let bytes = bytes_until(&session, "?", "the help", |seen| {
+        // A box is drawn with ASCII lines at first.
         let rows = seen.rows();
+        let rows: Vec<_> = rows
+            .iter()
+            .map(|row| row.replace('|', "\u{2502}"))
+            .collect();
         help.iter()
             .all(|line| rows.iter().any(|row| row.contains(line)))
     });
@@ -97,19 +102,33 @@ fn a_whole_help_overlay_shows_within_two_seconds() {
 
 #[test]
 fn no_more_than_half_a_second_is_queued() {
-    let session = slow(&["four-bar"]);
-    // Also at the start, where nothing is known of the line.
-    session.wait_until("a byte", |seen| !seen.bytes.is_empty());
-    let queued = session.queued();
-    assert!(queued <= HALF_A_SECOND, "{queued} bytes at the start");
-    session.wait_for("? help").wait_for("-3.9164");
-    play(&session, 1500);
-    for keys in ["", "?", "\x1b2", "1+", "\x0c", "2\x0c1\x0c"] {
-        session.send(keys);
-        thread::sleep(Duration::from_millis(400));
+    // Each on a line of its own: what is taken away at once to be counted looks like a fast line.
+    let queued = |keys: Option<&str>| {
+        let session = slow(&["four-bar"]);
+        session.wait_until("a byte", |seen| !seen.bytes.is_empty());
+        if let Some(keys) = keys {
+            session.wait_for("? help").wait_for("-3.9164");
+            play(&session, 1500);
+            session.send(keys);
+            thread::sleep(Duration::from_millis(400));
+        }
         let queued = session.queued();
         assert!(queued <= HALF_A_SECOND, "{queued} bytes after {keys:?}");
-    }
+    };
+    // At the start nothing is known of the line.
+    let all = [
+        None,
+        Some(""),
+        Some("?"),
+        Some("2"),
+        Some("1+\x0c"),
+        Some("2\x0c1\x0c"),
+    ];
+    thread::scope(|scope| {
+        for keys in all {
+            scope.spawn(move || queued(keys));
+        }
+    });
 }
 
 #[test]

@@ -71,7 +71,7 @@ impl Server {
         let krank = env!("CARGO_BIN_EXE_krank");
         let remote = format!(
             "echo $$ > '{at}/krank.pid'; LC_ALL=C.UTF-8 XDG_STATE_HOME=/dev/null/state \
-             XDG_CONFIG_HOME=/dev/null/configuration exec '{krank}' four-bar"
+             XDG_CONFIG_HOME=/nowhere/configuration exec '{krank}' four-bar"
         );
         let (port, key) = (self.port.to_string(), format!("{at}/user"));
         let known = format!("UserKnownHostsFile={at}/known");

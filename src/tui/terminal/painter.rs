@@ -20,13 +20,18 @@ use std::ops::Range;
 const SYNC_ON: &[u8] = b"\x1b[?2026h";
 const SYNC_OFF: &[u8] = b"\x1b[?2026l";
 /// Whatever was in force, and whatever is on the screen.
-const CLEAR: &[u8] = b"\x1b[0m\x1b[2J";
+const CLEAR: &[u8] = b"\x1b[m\x1b[2J";
 const ERASE_TO_END: &[u8] = b"\x1b[K";
 
 /// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
 const REWRITE: u16 = 4;
 /// What a frame may end with beyond its room: a cell with its way and its pen, and the pen put down.
 const ENDING: usize = 32;
+
+/// Blanks that are saved by erasing a row: fewer are as soon written.
+const WORTH_WIPING: usize = 12;
+/// Where a frame has less room than this, the line is slow, and what is urgent is roughly drawn at first.
+const HASTY: usize = 1000;
 
 /// Writes frames.
 #[derive(Debug)]
@@ -151,17 +156,25 @@ impl Painter {
         for part in urgent.iter().map(|part| part.intersection(area)) {
             for y in part.top()..part.bottom() {
                 let span = part.left()..part.right();
-                self.span(wanted, y, span).map_err(|Full| from)?;
+                let rough = self.room < HASTY;
+                self.span(wanted, y, span, rough).map_err(|Full| from)?;
             }
         }
         for y in (from..area.height).chain(0..from.min(area.height)) {
-            self.span(wanted, y, 0..area.width).map_err(|Full| y)?;
+            self.span(wanted, y, 0..area.width, false)
+                .map_err(|Full| y)?;
         }
         Ok(())
     }
 
-    /// Writes what differs in some columns of a row.
-    fn span(&mut self, wanted: &Buffer, y: u16, columns: Range<u16>) -> Result<(), Full> {
+    /// Writes what differs in some columns of a row, in rough characters if it may.
+    fn span(
+        &mut self,
+        wanted: &Buffer,
+        y: u16,
+        columns: Range<u16>,
+        rough: bool,
+    ) -> Result<(), Full> {
         let width = wanted.area.width;
         let start = usize::from(y) * usize::from(width);
         let next = &wanted.content[start..start + usize::from(width)];
@@ -169,6 +182,7 @@ impl Painter {
         if self.shown.content[start..][cells.clone()] == next[cells] {
             return Ok(());
         }
+        self.wipe(columns.clone(), y, next)?;
         let (end, erase) = if columns.end == width {
             self.tail(&self.shown.content[start..][..next.len()], next)
         } else {
@@ -176,10 +190,13 @@ impl Painter {
         };
         for x in columns.start..end {
             let cell = &next[usize::from(x)];
-            if self
-                .look
-                .same(&self.shown.content[start + usize::from(x)], cell)
-            {
+            let shown = &self.shown.content[start + usize::from(x)];
+            if self.look.same(shown, cell) {
+                continue;
+            }
+            let rough = rough.then(|| roughly(cell)).flatten();
+            let cell = rough.as_ref().unwrap_or(cell);
+            if rough.is_some() && self.look.same(shown, cell) {
                 continue;
             }
             self.has_room()?;
@@ -195,6 +212,27 @@ impl Painter {
             self.shown.content[start + usize::from(end)..start + usize::from(width)]
                 .fill(Cell::EMPTY);
         }
+        Ok(())
+    }
+
+    /// Erases a row from these columns on, where that is cheaper than blanks one by one: what is erased
+    /// and stays is written again.
+    fn wipe(&mut self, columns: Range<u16>, y: u16, next: &[Cell]) -> Result<(), Full> {
+        let start = usize::from(y) * next.len();
+        let (from, to) = (usize::from(columns.start), usize::from(columns.end));
+        let shown = &self.shown.content[start..][..next.len()];
+        let both = || shown.iter().zip(next).enumerate().skip(from);
+        let is_ink = |cell: &Cell| !self.look.is_blank(cell);
+        let gone = both().filter(|(x, (a, b))| *x < to && is_ink(a) && !is_ink(b));
+        let stays = both().filter(|(_, (a, b))| is_ink(b) && self.look.same(a, b));
+        if gone.count() <= stays.count() + WORTH_WIPING {
+            return Ok(());
+        }
+        self.has_room()?;
+        self.go_to(columns.start, y, next);
+        self.set_pen(Pen::PLAIN);
+        self.bytes.extend_from_slice(ERASE_TO_END);
+        self.shown.content[start + from..start + next.len()].fill(Cell::EMPTY);
         Ok(())
     }
 
@@ -281,6 +319,19 @@ impl Painter {
 fn empty(buffer: &mut Buffer, area: Rect) {
     buffer.resize(area);
     buffer.reset();
+}
+
+/// A character of one byte for one of three that looks like it.
+fn roughly(cell: &Cell) -> Option<Cell> {
+    let rough = match cell.symbol() {
+        "\u{2500}" => '-',
+        "\u{2502}" => '|',
+        "\u{250c}" | "\u{2510}" | "\u{2514}" | "\u{2518}" => '+',
+        _ => return None,
+    };
+    let mut cell = cell.clone();
+    cell.set_char(rough);
+    Some(cell)
 }
 
 /// Positions within a row, which is at most `u16::MAX` wide.
@@ -383,7 +434,7 @@ mod tests {
         let frame = painter.whole(wanted).to_vec();
         assert_eq!(
             frame.escape_ascii().to_string(),
-            r"\x1b[1H\x1b[1;31ma\x1b[0mb"
+            r"\x1b[1H\x1b[1;31ma\x1b[mb"
         );
     }
 
@@ -474,6 +525,29 @@ mod tests {
             }
             shows(&shown, &last, modern)?;
         }
+    }
+
+    /// On a slow line a box is drawn in ASCII at first, which takes a third of the bytes.
+    #[test]
+    fn boxes_are_roughly_drawn_at_first() {
+        let mut painter = painter(Colours::None, true);
+        painter.whole(text(&[]));
+        let line = "\u{2500}".repeat(12);
+        let urgent = [Rect::new(0, 1, WIDTH, 1); 2];
+        painter.wanted = text(&["", &line]);
+        let rough = painter.frame(&urgent, ENDING + 17).to_vec();
+        assert!(painter.is_cut() && rough.is_ascii());
+        let mut last = rough;
+        while painter.is_cut() {
+            last.extend(painter.frame(&urgent, ENDING + 17));
+        }
+        let text_of = String::from_utf8(last).unwrap();
+        let dashes = text_of.find('-').unwrap();
+        assert!(dashes < text_of.find('\u{2500}').unwrap());
+        assert_eq!(text_of.matches('\u{2500}').count(), 12);
+        painter.forget();
+        let at_once = painter.whole(text(&["", &line]));
+        assert!(!at_once.contains(&b'-'), "not where there is room");
     }
 
     #[test]

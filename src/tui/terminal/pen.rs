@@ -5,7 +5,7 @@ use ratatui::buffer::Cell;
 use ratatui::style::{Color, Modifier};
 use std::io::Write;
 
-const PLAIN: &[u8] = b"\x1b[0m";
+const PLAIN: &[u8] = b"\x1b[m";
 
 const ATTRIBUTES: [(Modifier, u8); 4] = [
     (Modifier::BOLD, 1),

@@ -64,11 +64,12 @@ fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
     match line {
         HelpLine::Blank => {}
         HelpLine::Title(title) => {
-            print(buffer, x, y, KEYS + HELP, title, theme::part(Part::Quiet));
+            print(buffer, x, y, KEYS + HELP, title, theme::part(Part::Title));
         }
         HelpLine::Keys(keys, help) => {
             let keys = cut(keys, usize::from(KEYS) - 1);
-            print(buffer, x, y, KEYS, &keys, theme::part(Part::Key));
+            // Bold keys would be a third of what the help takes of a slow line.
+            print(buffer, x, y, KEYS, &keys, theme::part(Part::Text));
             print(buffer, x + KEYS, y, HELP, help, theme::part(Part::Text));
         }
     }

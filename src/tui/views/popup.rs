@@ -54,9 +54,7 @@ pub(super) fn frame(glyphs: Glyphs, frame: Rect, title: &str, buffer: &mut Buffe
             (false, false) => ' ',
         };
         buffer[position].reset();
-        buffer[position]
-            .set_char(glyph)
-            .set_style(theme::part(Part::Quiet));
+        buffer[position].set_char(glyph);
     }
     let style = theme::part(Part::Title);
     let room = frame.width.saturating_sub(BORDER.0);

@@ -114,8 +114,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         + 3 * gap
         + 1;
     let room = line.room().saturating_sub(behind);
-    let listing = matches!(app.mode(), Mode::Assemblies(_));
-    if room >= SHORTEST_SCENE && !(narrow && listing) {
+    if room >= SHORTEST_SCENE && !(narrow && listing(app)) {
         let longest = usize::from(room - gap).min(LONGEST_SCENE);
         line.say(&cut(&scene(app), longest), Part::Text);
         line.gap(gap);
@@ -123,30 +122,68 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     line.say(&driver, Part::Text);
     line.gap(gap);
     let needed = gap + columns(&key) + 1 + columns(name);
+    if studied.is_none() {
+        standing(app, narrow, needed, &mut line);
+    } else {
+        line.gap(gap);
+    }
+    hints(app, &mut line);
+}
+
+/// Columns of what can lie ahead, and of the hints that are worth more than the cost of a state.
+const NEAR: u16 = 24;
+const HINTS: u16 = 26;
+
+/// How the mechanism stands: its state, or what lies ahead of it, and how far that can be trusted. What
+/// comes behind stays in its place while it moves on, so far as there is room.
+fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
+    let gap = if narrow { 1 } else { 2 };
     let (begun, trust) = (line.x, trust(app));
-    let calm = columns(state) + trust.as_deref().map_or(0, |t| gap + columns(t)) + gap;
+    let (state, part) = state(app.condition(), narrow);
     let near = near(app).filter(|text| !narrow && line.room() >= columns(text) + needed);
+    let reserved = if narrow || !can_come_near(app) {
+        0
+    } else {
+        NEAR
+    };
+    let of_trust = trust.as_deref().map_or(0, |trust| columns(trust) + gap);
+    let side_by_side = line.room() >= reserved + gap + of_trust + HINTS;
     if let Some(near) = &near {
         line.say(near, Part::Text);
         line.gap(gap);
-    } else if !(narrow && listing && app.condition() == Condition::Ok) {
+    } else if !(narrow && listing(app) && app.condition() == Condition::Ok) {
         line.say(state, part);
         line.gap(gap);
     }
-    if let Some(trust) = trust.filter(|t| line.room() >= columns(t) + needed) {
+    if side_by_side && reserved > 0 {
+        line.x = line.x.max(begun + reserved + gap);
+    }
+    let fits = |trust: &String| line.room() >= columns(trust) + needed;
+    let shown = trust.filter(|trust| (near.is_none() || side_by_side) && fits(trust));
+    if let Some(trust) = shown {
         line.say(&trust, Part::Quiet);
         line.gap(gap);
-    } else if near.is_some() {
-        // What stands behind stays where it was.
-        line.x = line.x.max(begun + calm);
     }
-    hints(app, &mut line);
+    let from = begun + reserved + gap;
+    if reserved > 0 && line.area.right().saturating_sub(from) >= needed {
+        line.x = line.x.max(from);
+    }
+}
+
+/// Whether there is anything in the motion that the driver can come near to.
+fn can_come_near(app: &App) -> bool {
+    let stage = app.stage();
+    stage.course().shuttle().is_some() || !stage.solver().motion().change_points.is_empty()
+}
+
+fn listing(app: &App) -> bool {
+    matches!(app.mode(), Mode::Assemblies(_))
 }
 
 /// What lies ahead of the driver, where figures exist and something is near.
 fn near(app: &App) -> Option<String> {
     let stage = app.stage();
-    if app.condition() != Condition::Ok || studied(app).is_some() {
+    if app.condition() != Condition::Ok {
         return None;
     }
     let backwards = app.playback().is_backwards();
@@ -570,7 +607,7 @@ fn hints(app: &App, line: &mut Writer<'_>) {
         }
         return;
     }
-    let listing = matches!(app.mode(), Mode::Assemblies(_));
+    let listing = listing(app);
     let can_scroll = listing || most_scroll(app) > 0;
     if listing {
         line.hint(&Key::Enter.to_string(), "take");
