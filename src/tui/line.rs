@@ -1,5 +1,7 @@
 //! A line that is typed.
 
+use super::key::Key;
+
 /// Longer than any number that means something.
 const LONGEST_NUMBER: usize = 24;
 /// Longer than any name of a file that a person types.
@@ -63,8 +65,17 @@ impl Line {
         }
     }
 
-    pub(crate) fn erase(&mut self) {
-        self.text.pop();
+    /// Takes a key that edits the line; false for every other.
+    pub(crate) fn edit(&mut self, key: Key) -> bool {
+        match key {
+            Key::Char(c) => self.push(c),
+            Key::Backspace => {
+                self.text.pop();
+            }
+            Key::Ctrl('u') => self.text.clear(),
+            _ => return false,
+        }
+        true
     }
 
     pub(crate) fn clear(&mut self) {

@@ -65,10 +65,6 @@ impl App {
         let purpose = entry.purpose;
         self.message = None;
         match key {
-            Key::Ctrl('u') => entry.line.clear(),
-            Key::Ctrl(_) => return None,
-            Key::Backspace => entry.line.erase(),
-            Key::Char(c) => entry.line.push(c),
             Key::Escape => {
                 if let Wanted::Find(row) = purpose {
                     self.editor.go_to(row);
@@ -84,6 +80,8 @@ impl App {
                 }
                 return Some(Effect::Show);
             }
+            _ if entry.line.edit(key) => {}
+            Key::Ctrl(_) => return None,
             _ => {}
         }
         if let Wanted::Find(row) = purpose {

@@ -20,28 +20,15 @@ impl App {
         };
         let line = help.typed()?;
         match key {
-            Key::Ctrl('u') => line.clear(),
-            Key::Char(c) => line.push(c),
             Key::Backspace if line.text().is_empty() => {
                 help.show_all();
             }
-            Key::Backspace => line.erase(),
             Key::Enter => help.accept(),
             Key::Escape => {
                 help.show_all();
             }
-            Key::Ctrl(_)
-            | Key::Function(_)
-            | Key::Tab
-            | Key::BackTab
-            | Key::Left
-            | Key::Right
-            | Key::Up
-            | Key::Down
-            | Key::Home
-            | Key::End
-            | Key::PageUp
-            | Key::PageDown => return None,
+            _ if line.edit(key) => {}
+            _ => return None,
         }
         help.scroll = 0;
         Some(Effect::Show)

@@ -4,7 +4,7 @@ use super::super::key::Key;
 use super::super::opening::{self, Unopened};
 use super::super::picker::{Picker, Place, Purpose};
 use super::super::preview::Preview;
-use super::super::{Opened, Origin, views};
+use super::super::{Opened, Origin};
 use super::{App, Effect, Mode};
 use crate::scene::presets;
 use std::env;
@@ -56,7 +56,7 @@ impl App {
 
     /// Keys while something is chosen: letters search. `None` for those that mean the same everywhere.
     pub(super) fn pick_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let page = isize::try_from(views::page(self)).unwrap_or(isize::MAX);
+        let page = self.page();
         let Mode::Pick(picker) = &mut self.mode else {
             return None;
         };

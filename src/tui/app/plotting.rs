@@ -58,16 +58,7 @@ impl App {
                 }
             }
             Key::Enter if typing => list.set_typing(false),
-            Key::Char(_) | Key::Backspace | Key::Ctrl('u') if typing => {
-                if let Some(line) = list.typed() {
-                    match key {
-                        Key::Char(c) => line.push(c),
-                        Key::Backspace => line.erase(),
-                        _ => line.clear(),
-                    }
-                }
-                list.narrow();
-            }
+            _ if list.typed().is_some_and(|line| line.edit(key)) => list.narrow(),
             Key::Char('/') => list.set_typing(true),
             Key::Char('k') => list.move_by(-1),
             Key::Char('j') => list.move_by(1),

@@ -6,8 +6,8 @@ use super::super::cursor::{self, Cursor};
 use super::super::key::Key;
 use super::super::line::Line;
 use super::super::search::{self, Search};
-use super::super::{chosen, sheet};
-use super::{App, Mode, View, views};
+use super::super::{chosen, sheet, views};
+use super::{App, Effect, Mode, View};
 
 impl App {
     /// Asks for a name, in the views that have rows.
@@ -26,10 +26,10 @@ impl App {
         }
     }
 
-    /// Keys of the line in which a name is typed; false for those that mean the same everywhere.
-    pub(super) fn search_key(&mut self, key: Key) -> bool {
+    /// Keys of the line in which a name is typed; `None` for those that mean the same everywhere.
+    pub(super) fn search_key(&mut self, key: Key) -> Option<Effect> {
         let Mode::Search(search) = &mut self.mode else {
-            return false;
+            return None;
         };
         match key {
             Key::Escape => {
@@ -37,20 +37,13 @@ impl App {
                 self.mode = Mode::Normal;
                 self.message = None;
                 self.place_cursor(|_, _| from);
-                return true;
             }
-            Key::Enter => {
-                self.accept_search();
-                return true;
-            }
-            Key::Ctrl('u') => search.name.clear(),
-            Key::Ctrl(_) => return false,
-            Key::Backspace => search.name.erase(),
-            Key::Char(c) => search.name.push(c),
-            _ => return true,
+            Key::Enter => self.accept_search(),
+            _ if search.name.edit(key) => self.find(),
+            Key::Ctrl(_) => return None,
+            _ => {}
         }
-        self.find();
-        true
+        Some(Effect::Show)
     }
 
     /// Moves to the row that is meant by what is typed so far; says so where there is none.

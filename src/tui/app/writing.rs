@@ -1,11 +1,25 @@
 //! Asking for the name of a file, and writing it.
 
+use super::super::key::Key;
 use super::super::line::Line;
 use super::super::writing::{Document, Prompt, Question};
-use super::{App, Mode};
+use super::{App, Effect, Mode};
 use std::path::PathBuf;
 
 impl App {
+    /// Keys that answer whether to write over a file; `None` for those that mean the same everywhere.
+    pub(super) fn confirm_key(&mut self, key: Key) -> Option<Effect> {
+        let Mode::Confirm(question) = &self.mode else {
+            return None;
+        };
+        if key != Key::Enter {
+            return None;
+        }
+        let question = question.clone();
+        self.write(question);
+        Some(Effect::Show)
+    }
+
     /// The name of a file was typed; an old one is not written over unasked.
     pub(super) fn accept_file(&mut self, prompt: Prompt) {
         let to = PathBuf::from(prompt.name.text().trim());
@@ -23,7 +37,7 @@ impl App {
 
     /// Writes what was asked for. A text that could not be written is not lost: the line asks for another
     /// name.
-    pub(super) fn write(&mut self, question: Question) {
+    fn write(&mut self, question: Question) {
         self.mode = Mode::Normal;
         let Question { document, to } = question;
         let done = match &document {

@@ -1,0 +1,92 @@
+//! What is seen: the view, how far it is scrolled, and with which characters and colours.
+
+use super::super::survey::Phase;
+use super::super::views;
+use super::{App, Mode, View};
+use crate::capability::Colours;
+use crate::drawing::Glyphs;
+use ratatui::layout::Size;
+
+/// The height of a cell for its width in most fonts.
+pub(super) const USUAL_ASPECT: f64 = 2.0;
+
+impl App {
+    pub(super) fn next_view(&mut self) {
+        let views = View::ALL.iter().cycle();
+        let next = views.skip_while(|view| **view != self.view).nth(1);
+        self.look(*next.unwrap_or(&View::Motion));
+    }
+
+    /// Looks at a view. What the lengths do is found only while it is looked at; a study begins when it
+    /// is looked at for the first time.
+    pub(crate) fn look(&mut self, view: View) {
+        self.view = view;
+        self.stage.answer(view == View::Lengths);
+        self.relist();
+        if view == View::Accuracy && self.survey.phase() == Phase::Idle {
+            self.study();
+        }
+        self.sample();
+    }
+
+    /// Begins a study, goes on with it or repeats it.
+    pub(super) fn study(&mut self) {
+        self.survey.go_on(self.stage.scene(), self.stage.solver());
+    }
+
+    /// The screen has another size.
+    pub(crate) fn resize(&mut self, size: Size, aspect: Option<f64>) {
+        self.size = size;
+        self.aspect = aspect.unwrap_or(USUAL_ASPECT);
+        self.place_cursor(|cursor, _| cursor);
+        self.scroll_by(0);
+    }
+
+    pub(super) fn page(&self) -> isize {
+        isize::try_from(views::page(self)).unwrap_or(isize::MAX)
+    }
+
+    /// Scrolls what is on top, within its limits.
+    pub(super) fn scroll_by(&mut self, lines: isize) {
+        let most = match self.mode {
+            Mode::Assemblies(_) => self.stage.panel().map_or(0, |p| p.rows().len() - 1),
+            _ => views::most_scroll(self),
+        };
+        let scroll = match &mut self.mode {
+            Mode::Help(help) => &mut help.scroll,
+            Mode::Assemblies(scroll) => scroll,
+            _ if self.view == View::Tables => {
+                return self.place_cursor(|cursor, table| cursor.moved(table, lines));
+            }
+            _ if self.view == View::Scene => {
+                self.editor.move_by(lines);
+                return;
+            }
+            _ => &mut self.scroll[self.view as usize],
+        };
+        *scroll = scroll.saturating_add_signed(lines).min(most);
+    }
+
+    pub(super) fn next_glyphs(&mut self) {
+        let (glyphs, name) = match self.capability.glyphs {
+            Glyphs::Ascii => (Glyphs::Line, "lines"),
+            Glyphs::Line => (Glyphs::Braille, "Braille"),
+            Glyphs::Braille => (Glyphs::Ascii, "ASCII"),
+        };
+        self.capability.glyphs = glyphs;
+        self.message = Some(format!("drawn with {name}"));
+        self.place_cursor(|cursor, _| cursor);
+        self.scroll_by(0);
+    }
+
+    pub(super) fn next_colours(&mut self) {
+        let colours = self.capability.colours.next();
+        self.capability.colours = colours;
+        self.message = Some(match colours {
+            Colours::None => "no colours".into(),
+            Colours::Sixteen => "the 16 colours of the terminal's palette".into(),
+            Colours::Indexed => "colours of the 256".into(),
+            Colours::True => "colours of 24 bits".into(),
+        });
+    }
+}

@@ -1,0 +1,93 @@
+//! What keys go to, and what is looked at.
+
+use super::super::help::Help;
+use super::super::line::Line;
+use super::super::picker::Picker;
+use super::super::plot_list::PlotList;
+use super::super::search::Search;
+use super::super::writing::{Prompt, Question};
+use super::{Entry, Unsaved};
+
+/// What keys go to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    /// The view.
+    Normal,
+    /// The help overlay.
+    Help(Help),
+    /// This screen of the tour.
+    Tour(usize),
+    /// The line in which a coordinate is typed.
+    GoTo(Line),
+    /// The list of assemblies, with the cursor on this one.
+    Assemblies(usize),
+    /// The list in which is chosen what is plotted.
+    PlotList(PlotList),
+    /// The line in which the name of a file is typed.
+    FileName(Prompt),
+    /// The question whether to write to a file.
+    Confirm(Question),
+    /// The list of presets and files.
+    Pick(Box<Picker>),
+    /// The line in which a name is typed that is sought in the tables.
+    Search(Search),
+    /// The question how much of the tables is copied.
+    Copy,
+    /// The line in the scene view in which a value or a name is typed.
+    Value(Entry),
+    /// A question about unsaved edits.
+    Unsaved(Unsaved),
+}
+
+impl Mode {
+    /// The line that is typed in, if there is one.
+    pub(super) fn line(&mut self) -> Option<&mut Line> {
+        match self {
+            Mode::GoTo(line) => Some(line),
+            Mode::FileName(prompt) => Some(&mut prompt.name),
+            Mode::Help(help) => help.typed(),
+            Mode::PlotList(list) => list.typed(),
+            Mode::Search(search) => Some(&mut search.name),
+            Mode::Value(entry) => Some(&mut entry.line),
+            Mode::Normal
+            | Mode::Tour(_)
+            | Mode::Assemblies(_)
+            | Mode::Confirm(_)
+            | Mode::Unsaved(_)
+            | Mode::Pick(_)
+            | Mode::Copy => None,
+        }
+    }
+}
+
+/// What is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum View {
+    /// The drawing, with live tables.
+    Motion,
+    /// All tables.
+    Tables,
+    /// Quantities over the motion.
+    Plots,
+    /// Speed against error.
+    Accuracy,
+    /// Forces.
+    Forces,
+    /// What the scene gives.
+    Scene,
+    /// What the given lengths do to the figures.
+    Lengths,
+}
+
+impl View {
+    /// In the order of their keys.
+    pub(crate) const ALL: [View; 7] = [
+        View::Motion,
+        View::Tables,
+        View::Plots,
+        View::Accuracy,
+        View::Forces,
+        View::Scene,
+        View::Lengths,
+    ];
+}

@@ -1,0 +1,100 @@
+//! A key, or a text that is pasted: what it means in the present mode.
+
+use super::super::action::Action;
+use super::super::key::Key;
+use super::super::tour;
+use super::{App, Effect, Mode};
+use std::time::Duration;
+
+impl App {
+    /// A key was pressed.
+    pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
+        let effect = self.mode_key(key, now).unwrap_or_else(|| {
+            let action = self.keymap.action(key, self.view);
+            action.map_or(Effect::Show, |action| self.update(action, now))
+        });
+        let effect = self.settle(effect);
+        self.look_at_file(now, false);
+        self.focus();
+        // Another view, scene or list may have fewer lines than what was scrolled before.
+        self.scroll_by(0);
+        effect
+    }
+
+    /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
+    pub(crate) fn paste(&mut self, text: &str) {
+        if let Mode::Pick(picker) = &mut self.mode {
+            text.chars().for_each(|c| picker.push(c));
+        } else if let Some(line) = self.mode.line() {
+            text.chars().for_each(|c| line.push(c));
+            self.find();
+        }
+        if let Mode::PlotList(list) = &mut self.mode {
+            list.narrow();
+        }
+    }
+
+    /// What a key means in a mode of its own; `None` for those that mean the same everywhere.
+    fn mode_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        match self.mode {
+            Mode::Normal => None,
+            Mode::Help(_) => self.search_help(key),
+            Mode::Tour(_) => self.turn_page(key),
+            Mode::GoTo(_) | Mode::FileName(_) => self.line_key(key, now),
+            Mode::Assemblies(cursor) => (key == Key::Enter).then(|| {
+                self.take_assembly(cursor, now);
+                Effect::Show
+            }),
+            Mode::PlotList(_) => self.list_key(key),
+            Mode::Confirm(_) => self.confirm_key(key),
+            Mode::Pick(_) => self.pick_key(key, now),
+            Mode::Search(_) => self.search_key(key),
+            Mode::Copy => self.copy_key(key),
+            Mode::Value(_) => self.type_entry(key, now),
+            Mode::Unsaved(_) => self.answer(key, now),
+        }
+    }
+
+    /// Keys of a line that is typed to its end before anything follows from it.
+    fn line_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        let line = self.mode.line()?;
+        match key {
+            Key::Enter => {
+                match &self.mode {
+                    Mode::FileName(prompt) => self.accept_file(prompt.clone()),
+                    Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
+                    _ => {}
+                }
+                return Some(Effect::Show);
+            }
+            Key::Escape => self.mode = Mode::Normal,
+            _ if line.edit(key) => {}
+            Key::Ctrl(_) => return None,
+            _ => {}
+        }
+        self.message = None;
+        Some(Effect::Show)
+    }
+
+    /// Whether the mode lets an action through that is none of its own.
+    pub(super) fn takes(&self, action: Action) -> bool {
+        match self.mode {
+            Mode::Tour(_) => tour::allows(action),
+            _ => self.mode == Mode::Normal,
+        }
+    }
+
+    /// One level back: out of a mode, or a study is stopped.
+    pub(super) fn back(&mut self) {
+        if let Mode::Help(help) = &mut self.mode
+            && help.show_all()
+        {
+            return;
+        }
+        if self.mode != Mode::Normal {
+            self.mode = Mode::Normal;
+        } else if self.is_working() {
+            self.survey.stop();
+        }
+    }
+}
