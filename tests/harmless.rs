@@ -79,7 +79,6 @@ fn what_commands_print_of_a_scene_is_harmless() {
         &["draw", file, "--format", "svg"],
         &["plot", file, "--columns", "C.x"],
         &["plot", file, "--columns", "C.x", "--format", "svg"],
-        &["accuracy", file, "--positions", "1"],
         &["accuracy", file, "--positions", "1", "--format", "json"],
     ] {
         assert_heard_harmless(&here, args, 0);

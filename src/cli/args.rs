@@ -57,6 +57,8 @@ Examples:
 SCENE is a file, a preset's name (krank list) or - for standard input. A name
 with a slash or ending in .toml is always a file: ./four-bar.
 
+krank completions SHELL and krank man print a completion script and the manual.
+
 Exit codes: 0 done; 1 the mechanism cannot do what was asked, or the output
 cannot be written; 2 the command line or the scene is wrong."
     )
@@ -282,18 +284,24 @@ The workbench reads $XDG_CONFIG_HOME/krank/config.toml, or ~/.config/krank/confi
 where that is not set, and never writes it: characters, colours, keys.")]
     Config,
     /// Print a completion script for a shell
-    #[command(after_help = "\
+    #[command(
+        hide = true,
+        after_help = "\
 Example:
-  krank completions bash > ~/.local/share/bash-completion/completions/krank")]
+  krank completions bash > ~/.local/share/bash-completion/completions/krank"
+    )]
     Completions {
         /// The shell
         shell: Shell,
     },
     /// Print the manual page
-    #[command(after_help = "\
+    #[command(
+        hide = true,
+        after_help = "\
 Examples:
   krank man > krank.1
-  krank man sweep > krank-sweep.1")]
+  krank man sweep > krank-sweep.1"
+    )]
     Man {
         /// The command that the page is about; krank itself if left out
         command: Option<String>,

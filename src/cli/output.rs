@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use crate::replace::replace_file;
+use crate::scene::harmless;
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write, stdout};
 use std::path::Path;
@@ -46,10 +47,17 @@ pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure>
 /// Puts a text in the place of a file, at once or not at all; without a file it is printed.
 pub(super) fn replace(path: Option<&Path>, text: &str) -> Result<(), Failure> {
     match file(path) {
+        None if stdout().is_terminal() => write_text(None, &shown(text)),
         None => write_text(None, text),
         Some(path) => replace_file(path, text.as_bytes())
             .map_err(|e| Failure::Output(Some(path.to_owned()), e)),
     }
+}
+
+/// A text of somebody else's for the eyes of a reader: what could act on a terminal is replaced.
+fn shown(text: &str) -> String {
+    let lines = text.split('\n').map(|line| harmless(line, false));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 fn through<T>(

@@ -12,6 +12,7 @@ mod scenes;
 mod streams;
 mod sweep;
 mod table;
+mod tutorial;
 
 use assert_cmd::Command;
 use std::path::{Path, PathBuf};
