@@ -1,0 +1,138 @@
+//! The last line: mode, scene, driver, state, what it cost and its largest bound; then the keys that
+//! matter now, as far as there is room.
+//!
+//! ```text
+//!  motion  four-bar   60.00 deg  ok  63 ns, +-2e-13 mm  ? help  space play  q quit
+//!  motion  peaucellier   79.60 deg  dead point in 3.2 deg  ? help  space play  q quit
+//! ```
+
+mod facts;
+mod hints;
+mod prompts;
+mod writer;
+
+use super::{columns, cut};
+use crate::solver::Condition;
+use crate::tui::app::{App, Mode};
+use crate::tui::theme::Part;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+use writer::Writer;
+
+/// Longer names of scenes are cut; on short lines sooner, and left out where they would say nothing.
+const LONGEST_SCENE: usize = 20;
+const SHORTEST_SCENE: u16 = 6;
+
+/// Narrower lines have single blanks between their parts.
+const ROOM_FOR_GAPS: u16 = 60;
+
+/// Columns of what can lie ahead, and of the hints that are worth more than the cost of a state.
+const NEAR: u16 = 24;
+const HINTS: u16 = 26;
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let mut line = Writer::new(area, buffer);
+    line.say(&format!(" {} ", facts::mode(app)), Part::Mode);
+    if prompts::render(app, &mut line) {
+        return;
+    }
+    let narrow = area.width < ROOM_FOR_GAPS;
+    match app.message() {
+        Some(message) => with_message(app, narrow, message, &mut line),
+        None => with_hints(app, narrow, &mut line),
+    }
+}
+
+/// What matters most of the state, then what was said.
+fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
+    line.gap(1);
+    let studied = facts::studied(app);
+    let is_studied = studied.is_some();
+    let driver = studied.unwrap_or_else(|| facts::driver(app.stage()));
+    line.say(&driver, Part::Text);
+    line.gap(2);
+    // Why figures are missing stays to be read, whatever else there is to say.
+    if app.condition() != Condition::Ok {
+        if !is_studied {
+            let (state, part) = facts::state(app.condition(), narrow);
+            line.say(state, part);
+        }
+        line.gap(2);
+        if line.room() < columns(message) {
+            return;
+        }
+    }
+    line.tell(message, app);
+}
+
+/// Scene, driver and state, then the keys that matter now.
+fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
+    let gap = if narrow { 1 } else { 2 };
+    line.gap(1);
+    let studied = facts::studied(app);
+    let is_studied = studied.is_some();
+    let driver = studied.unwrap_or_else(|| facts::driver(app.stage()));
+    let state = match is_studied {
+        true => "",
+        false => facts::state(app.condition(), narrow).0,
+    };
+    // A short line keeps its room for the key that leads on.
+    let (key, name) = hints::first(app);
+    let leading_on = columns(&key) + 1 + columns(name);
+    let behind = columns(&driver) + columns(state) + leading_on + 3 * gap;
+    let room = line.room().saturating_sub(behind);
+    if room >= SHORTEST_SCENE && !(narrow && is_listing(app)) {
+        let longest = usize::from(room - gap).min(LONGEST_SCENE);
+        line.say(&cut(&facts::scene(app), longest), Part::Text);
+        line.gap(gap);
+    }
+    line.say(&driver, Part::Text);
+    line.gap(gap);
+    if is_studied {
+        line.gap(gap);
+    } else {
+        standing(app, narrow, gap + leading_on, line);
+    }
+    hints::render(app, line);
+}
+
+/// How the mechanism stands: its state, or what lies ahead of it, and how far that can be trusted. What
+/// comes behind stays in its place while it moves on, so far as there is room.
+fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
+    let gap = if narrow { 1 } else { 2 };
+    let trust = facts::trust(app);
+    let (state, part) = facts::state(app.condition(), narrow);
+    let near = facts::near(app);
+    let near = near.filter(|text| !narrow && line.room() >= columns(text) + needed);
+    let reserved = if narrow || !facts::can_come_near(app) {
+        0
+    } else {
+        NEAR
+    };
+    let from = line.x() + reserved + gap;
+    let of_trust = trust.as_deref().map_or(0, |trust| columns(trust) + gap);
+    let side_by_side = line.room() >= reserved + gap + of_trust + HINTS;
+    if let Some(near) = &near {
+        line.say(near, Part::Text);
+        line.gap(gap);
+    } else if !(narrow && is_listing(app) && app.condition() == Condition::Ok) {
+        line.say(state, part);
+        line.gap(gap);
+    }
+    if side_by_side && reserved > 0 {
+        line.go_to(from);
+    }
+    let fits = |trust: &String| line.room() >= columns(trust) + needed;
+    let shown = trust.filter(|trust| (near.is_none() || side_by_side) && fits(trust));
+    if let Some(trust) = shown {
+        line.say(&trust, Part::Quiet);
+        line.gap(gap);
+    }
+    if reserved > 0 && line.room_from(from) >= needed {
+        line.go_to(from);
+    }
+}
+
+fn is_listing(app: &App) -> bool {
+    matches!(app.mode(), Mode::Assemblies(_))
+}

@@ -1,0 +1,206 @@
+//! What is typed, chosen or asked in the last line.
+
+use super::facts::mode;
+use super::{ROOM_FOR_GAPS, Writer};
+use crate::tui::app::{App, Entry, Mode, Unsaved, Wanted};
+use crate::tui::key::Key;
+use crate::tui::line::Line;
+use crate::tui::picker::{Picker, Place};
+use crate::tui::preview::Preview;
+use crate::tui::stage::shown;
+use crate::tui::theme::Part;
+use crate::tui::views::{columns, cut};
+use crate::tui::writing::Question;
+
+/// The name of a file that is asked about keeps so many characters.
+const SHORTEST_FILE: u16 = 12;
+
+/// Renders what is asked for behind the name of the mode. False where nothing is typed, chosen or asked in this line.
+pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
+    match app.mode() {
+        Mode::GoTo(typed) => coordinate(app, typed, line),
+        Mode::FileName(prompt) => file_name(app, &prompt.name, line),
+        Mode::Unsaved(asked) => unsaved(app, asked, line),
+        Mode::Confirm(asked) => question(app, asked, line),
+        Mode::Pick(picker) => picking(app, picker, line),
+        Mode::Search(search) => sought(app, &search.name, line),
+        Mode::Value(entry) => entry_prompt(app, entry, line),
+        Mode::Copy => how_much(line),
+        Mode::Normal | Mode::Help(_) | Mode::Tour(_) | Mode::Assemblies(_) | Mode::PlotList(_) => {
+            return false;
+        }
+    }
+    true
+}
+
+/// Where a coordinate is typed.
+fn coordinate(app: &App, typed: &Line, line: &mut Writer<'_>) {
+    let what = if app.stage().course().turns() {
+        "angle"
+    } else {
+        "position"
+    };
+    line.say(&format!(" {what} [{}]: ", app.stage().unit()), Part::Text);
+    line.say(typed.text(), Part::Text);
+    line.say(" ", Part::Caret);
+    line.gap(3);
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), "go");
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
+/// Where the name of a file is typed; of a long one its end is seen.
+fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
+    line.say(" write to: ", Part::Text);
+    let room = usize::from(line.room().saturating_sub(1));
+    let skipped = typed.text().len().saturating_sub(room);
+    line.say(typed.text().get(skipped..).unwrap_or_default(), Part::Text);
+    line.say(" ", Part::Caret);
+    if object(app, line) {
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), "write");
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
+/// Where a name is typed that is sought in the tables.
+fn sought(app: &App, typed: &Line, line: &mut Writer<'_>) {
+    line.say(" name: ", Part::Text);
+    line.say(typed.text(), Part::Text);
+    line.say(" ", Part::Caret);
+    if object(app, line) {
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), "keep");
+    line.hint(&Key::Escape.to_string(), "back");
+}
+
+/// What is typed in the scene view: a value stands in its row, a name here.
+fn entry_prompt(app: &App, entry: &Entry, line: &mut Writer<'_>) {
+    line.gap(1);
+    let done = match entry.purpose {
+        Wanted::Value => {
+            if let (None, Some(value)) = (app.message(), app.editor().value()) {
+                let units = value.units().join(", ");
+                line.say(&format!("{} in {units}", value.name), Part::Text);
+                line.gap(2);
+            }
+            "take"
+        }
+        Wanted::Find(_) => {
+            line.say(entry.line.text(), Part::Text);
+            line.say(" ", Part::Caret);
+            line.gap(2);
+            "stay"
+        }
+    };
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+        return;
+    }
+    line.hint(&Key::Enter.to_string(), done);
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
+/// What is under the cursor of a list of scenes, in a few words, and what can be done with it.
+fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
+    line.gap(1);
+    let enter = match picker.chosen().map(|item| &item.place) {
+        None => None,
+        Some(Place::Folder(_)) => Some("look inside"),
+        Some(Place::Original | Place::File(_) | Place::Preset(_)) => Some(mode(app)),
+    };
+    let keys = [(Key::Enter, enter), (Key::Escape, Some("back"))];
+    let keys = keys.map(|(key, name)| Some((key.to_string(), name?)));
+    let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + 2;
+    // Where there is no room for a preview, the title alone tells what it would show.
+    let hints: u16 = match app.size().width < ROOM_FOR_GAPS {
+        true => 0,
+        false => keys.iter().flatten().map(needed).sum(),
+    };
+    let (words, part) = match app.preview() {
+        _ if let Some(message) = app.message() => (message, Part::Warning),
+        Some(Preview::Scene(sample)) => (sample.scene.name.as_str(), Part::Text),
+        Some(Preview::Fault(fault)) => (fault.what.as_str(), Part::Warning),
+        Some(Preview::Unseen(why)) => (why.as_str(), Part::Quiet),
+        Some(Preview::Folder(names)) if names.is_empty() => ("no scene in it", Part::Quiet),
+        Some(Preview::Folder(_)) => ("a folder", Part::Quiet),
+        None => ("", Part::Quiet),
+    };
+    let longest = line.room().saturating_sub(hints + 1);
+    let words = cut(&shown(words, app.glyphs()), longest.into());
+    line.say(&words, part);
+    line.gap(2);
+    for (key, name) in keys.iter().flatten() {
+        line.hint(key, name);
+    }
+}
+
+/// How much of the tables is copied.
+fn how_much(line: &mut Writer<'_>) {
+    line.gap(1);
+    for (key, name) in [("v", "value"), ("r", "row"), ("t", "table")] {
+        line.hint(key, name);
+    }
+    line.hint(&Key::Escape.to_string(), "back");
+}
+
+/// What is to become of unsaved edits.
+fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
+    let edits = match asked {
+        Unsaved::Quit | Unsaved::Open => "unsaved edits".to_owned(),
+        Unsaved::Reload => "read it over unsaved edits?".to_owned(),
+        Unsaved::Found(found) if found.stale => format!("stale edits of {}", found.time),
+        Unsaved::Found(found) => format!("unsaved edits of {}", found.time),
+    };
+    let keys = match asked {
+        Unsaved::Quit => [("w", "save"), ("q", "drop, quit"), ("Esc", "stay")],
+        Unsaved::Open => [("w", "save"), ("d", "drop, open"), ("Esc", "stay")],
+        Unsaved::Reload => [("Enter", "read"), ("Esc", "keep"), ("", "")],
+        Unsaved::Found(_) => [("Enter", "take"), ("Esc", "leave"), ("d", "delete")],
+    };
+    let keys = || keys.iter().filter(|(key, _)| !key.is_empty());
+    let needed = |(key, name): &(&str, &str)| columns(key) + 1 + columns(name) + 2;
+    // The keys are what a question is good for.
+    let room = line
+        .room()
+        .saturating_sub(keys().map(needed).sum::<u16>() + 1);
+    line.gap(1);
+    let edits = if columns(&edits) > room {
+        String::new()
+    } else {
+        edits
+    };
+    line.say(&shown(&edits, app.glyphs()), Part::Text);
+    line.gap(if edits.is_empty() { 0 } else { 2 });
+    for (key, name) in keys() {
+        line.hint(key, name);
+    }
+}
+
+/// Whether to write over a file.
+fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
+    let to = &asked.to;
+    let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
+    let name = shown(&name, app.glyphs());
+    // The keys are what a question is good for.
+    let rest = columns(" write over ?  Enter write  Esc cancel");
+    let room = line.room().saturating_sub(rest);
+    let name = cut(&name, usize::from(room.max(SHORTEST_FILE)));
+    line.say(&format!(" write over {name}?"), Part::Text);
+    line.gap(2);
+    line.hint(&Key::Enter.to_string(), "write");
+    line.hint(&Key::Escape.to_string(), "cancel");
+}
+
+/// Says behind a line that is typed in what is wrong with it, if something is.
+fn object(app: &App, line: &mut Writer<'_>) -> bool {
+    line.gap(3);
+    if let Some(message) = app.message() {
+        line.tell(message, app);
+    }
+    app.message().is_some()
+}
