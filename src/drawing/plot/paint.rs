@@ -28,6 +28,9 @@ const APART: i32 = 5;
 const LEAST_APART: i32 = 8;
 /// What is written beside a turn stands so many rows away from it at the most, beside its own.
 const DEEPEST: i32 = 2;
+/// In the row of a turn the curve is so many columns wide to each side, at the most, where something is
+/// written behind it.
+const FLATTEST: i32 = 10;
 
 /// The glyphs of the frame.
 struct Strokes {
@@ -338,12 +341,8 @@ impl Painter<'_> {
                     frame.block.contains((col, row))
                         && frame.block.contains((col + length(&text) - 1, row))
                 };
-                // Inside the arch there is room where there is none at its top.
-                let inwards = if turn.is_peak { 1 } else { -1 };
-                let mut places = (0..=DEEPEST).flat_map(|depth| {
-                    free_places(raster, (point.0, point.1 + inwards * depth), &text)
-                });
-                if let Some((col, row)) = places.find(inside) {
+                let place = seats(raster, point, turn.is_peak, &text).find(inside);
+                if let Some((col, row)) = place {
                     write(raster, col, row, &text, Role::Label);
                 }
             }
@@ -363,6 +362,25 @@ impl Painter<'_> {
             }
         }
     }
+}
+
+/// Where a text can stand for a turn and hides nothing: close to it; in its row behind the flat of the
+/// curve; or inside the arch, where that is wider.
+fn seats<'r>(
+    raster: &'r Raster,
+    (col, row): (i32, i32),
+    is_peak: bool,
+    text: &'r str,
+) -> impl Iterator<Item = (i32, i32)> + use<'r> {
+    let inwards = if is_peak { 1 } else { -1 };
+    let close = free_places(raster, (col, row), text).into_iter();
+    let aside = (1..=FLATTEST).flat_map(|k| [k, -k]).flat_map(move |k| {
+        let places = free_places(raster, (col + k, row), text);
+        places.into_iter().filter(move |place| place.1 == row)
+    });
+    let inside = (1..=DEEPEST)
+        .flat_map(move |depth| free_places(raster, (col, row + inwards * depth), text));
+    close.chain(aside).chain(inside)
 }
 
 fn length(text: &str) -> i32 {
