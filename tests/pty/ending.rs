@@ -104,11 +104,13 @@ fn a_full_disk_leaves_the_file_as_it_was() {
     // No file may grow beyond 0 blocks; ignored, the signal becomes an error of the writer.
     let limits = "trap '' XFSZ; ulimit -f 0; exec";
     let script = format!("{limits} {krank} '{}'", scene.display());
-    let mut session = Setup::script(&script).start();
-    session.wait_for("60.00 deg").send("w");
-    session.wait_for("write").send("\r");
-    session.wait_for("large");
-    session.send("\x03");
+    let mut session = Setup::script(&script).size(120, 30).start();
+    session.wait_for("60.00 deg").send("6");
+    session.wait_for("Enter edit").send(">");
+    session.wait_for("edits are not kept").send("w");
+    session
+        .wait_for("not written, a file may not be so large")
+        .send("\x03");
     session.ended_as_found();
     assert_eq!(std::fs::read(&scene).unwrap(), before);
     let files: Vec<_> = std::fs::read_dir(&folder).unwrap().collect();
