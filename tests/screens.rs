@@ -3,13 +3,15 @@
 #![cfg(feature = "tui")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "support/screen.rs"]
+mod screen;
+
 use krank::drawing::Glyphs;
-use krank::scene::{Scene, presets};
-use krank::solver::Solver;
+use krank::scene::presets;
 use krank::tui::{Colours, Opened, Origin, Workbench};
 use proptest::prelude::*;
+use screen::{Session, emulator, open, preset};
 use std::cell::Cell;
-use std::num::NonZeroU16;
 use std::time::Duration;
 
 const README: &str = include_str!("../README.md");
@@ -32,21 +34,6 @@ r4 = { from = "C", to = "D", length = 60 }
 [start]
 C = [75, 55]
 "#;
-
-fn open(text: &str, origin: Origin) -> Opened {
-    let scene = Scene::parse(text, "test").unwrap();
-    let solver = Solver::new(&scene.mechanism).unwrap();
-    Opened {
-        scene,
-        solver,
-        origin,
-    }
-}
-
-fn preset(name: &str) -> Opened {
-    let text = presets::find(name).unwrap().text;
-    open(text, Origin::Preset(name.into()))
-}
 
 /// A clock on which everything takes 5 ms: a study goes on by a few pieces of work a frame, and finds
 /// the same times on every machine.
@@ -109,59 +96,14 @@ fn masked(text: &str) -> String {
     })
 }
 
-/// A workbench and the screen that it paints on.
-struct Session {
-    workbench: Workbench,
-    terminal: vt100::Parser,
-}
-
-impl Session {
-    fn new(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
-        Session {
-            workbench: Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows)
-                .timed_by(made_up),
-            terminal: emulator(cols, rows),
-        }
-    }
-
-    fn press(&mut self, keys: &str) -> &mut Self {
-        // Painted after every key, so that frames follow each other as they do for a person.
-        for key in keys.split_whitespace() {
-            self.workbench.press(key);
-            self.paint();
-        }
-        self
-    }
-
-    fn pass(&mut self, seconds: f64) -> &mut Self {
-        self.workbench.pass(Duration::from_secs_f64(seconds));
-        self
-    }
-
-    fn paint(&mut self) {
-        let frame = self.workbench.paint();
-        self.terminal.process(frame);
-    }
-
-    fn look(&mut self) -> String {
-        self.paint();
-        let width = self.terminal.screen().size().1.get();
-        let rows = self.terminal.screen().rows(0, width);
-        rows.map(|row| row.trim_end().to_owned() + "\n").collect()
-    }
-
-    fn last_line(&mut self) -> String {
-        self.look().lines().last().unwrap().to_owned()
-    }
-}
-
-fn emulator(cols: u16, rows: u16) -> vt100::Parser {
-    let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
-    vt100::Parser::new(rows, cols, 0)
+/// A session whose studies take the time that is made up.
+fn shown(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    let workbench = Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows);
+    Session::on(workbench.timed_by(made_up), cols, rows)
 }
 
 fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
-    Session::new(preset("four-bar"), glyphs, cols, rows)
+    shown(preset("four-bar"), glyphs, cols, rows)
 }
 
 #[test]
@@ -176,7 +118,7 @@ fn opens_on_the_lectures_four_bar() {
 
 #[test]
 fn shows_a_slider_crank_above_its_tables() {
-    let mut session = Session::new(preset("slider-crank"), Glyphs::Line, 80, 24);
+    let mut session = shown(preset("slider-crank"), Glyphs::Line, 80, 24);
     insta::assert_snapshot!("slider-crank-line-80x24", masked(&session.look()));
 }
 
@@ -200,7 +142,7 @@ fn shows_what_the_lengths_do() {
     let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
     insta::assert_snapshot!("lengths-ascii-40x12", masked(&tiny.press("e PgDn").look()));
     // A redundant linkage jams where a length is off, and the view says so.
-    let mut jammed = Session::new(preset("triple-parallelogram"), Glyphs::Ascii, 80, 24);
+    let mut jammed = shown(preset("triple-parallelogram"), Glyphs::Ascii, 80, 24);
     let screen = jammed.press("e").look();
     assert!(screen.contains("no derivatives by the lengths"), "{screen}");
     // Another scene is asked the same.
@@ -273,7 +215,7 @@ fn measures_speed_against_error_while_keys_stay_live() {
 
 #[test]
 fn another_scene_is_measured_anew_and_the_smallest_screen_scrolls() {
-    let mut session = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 40, 12);
+    let mut session = shown(preset("stephenson-six-bar"), Glyphs::Ascii, 40, 12);
     session.press("4");
     for _ in 0..1200 {
         session.workbench.pass(Duration::from_millis(40));
@@ -305,7 +247,7 @@ fn shows_the_keys() {
 #[test]
 fn says_what_is_missing_at_a_dead_point() {
     let opened = open(SWINGING, Origin::File("bench/swinging.toml".into()));
-    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let mut session = shown(opened, Glyphs::Ascii, 80, 24);
     session.press("] ] ] ] ] .");
     let screen = session.look();
     insta::assert_snapshot!("dead-point-ascii-80x24", masked(&screen));
@@ -326,7 +268,7 @@ const ALMOST_DEAD: &str = "g 8 2 . 8 1 9 2 4 4 2 1 8 5 4 1 Enter";
 fn digits_that_nothing_proves_are_told() {
     for (name, cols, rows) in [("80x24", 80, 24), ("40x12", 40, 12)] {
         let opened = open(SWINGING, Origin::Stdin);
-        let mut session = Session::new(opened, Glyphs::Ascii, cols, rows);
+        let mut session = shown(opened, Glyphs::Ascii, cols, rows);
         session.workbench = Workbench::new(
             open(SWINGING, Origin::Stdin),
             Glyphs::Ascii,
@@ -337,7 +279,7 @@ fn digits_that_nothing_proves_are_told() {
         let screen = session.press(ALMOST_DEAD).look();
         insta::assert_snapshot!(format!("unsure-no-colour-{name}"), masked(&screen));
     }
-    let mut session = Session::new(open(SWINGING, Origin::Stdin), Glyphs::Ascii, 80, 24);
+    let mut session = shown(open(SWINGING, Origin::Stdin), Glyphs::Ascii, 80, 24);
     let screen = session.press(ALMOST_DEAD).look();
     // A rate of r4, and which of its characters are dim.
     let row = screen
@@ -396,7 +338,7 @@ fn the_key_of_the_help_is_always_named() {
     for preset in presets::all() {
         for (cols, rows) in [(40, 12), (60, 16), (80, 24)] {
             let opened = open(preset.text, Origin::Preset(preset.name.into()));
-            let mut session = Session::new(opened, Glyphs::Ascii, cols, rows);
+            let mut session = shown(opened, Glyphs::Ascii, cols, rows);
             for view in ["1", "2", "3", "4", "5", "6"] {
                 let line = session.press(view).last_line();
                 assert!(line.contains("? help"), "{}: {line}", preset.name);
@@ -409,14 +351,14 @@ fn the_key_of_the_help_is_always_named() {
 
 #[test]
 fn what_is_cut_shows_that_it_is() {
-    let mut session = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
+    let mut session = shown(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
     let screen = session.look();
     let title = screen.lines().next().unwrap();
     assert!(
         title.starts_with(" Stephenson's six-bar, driv.. "),
         "{title}"
     );
-    let mut narrow = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 40, 12);
+    let mut narrow = shown(preset("offset-slider-crank"), Glyphs::Ascii, 40, 12);
     let line = narrow.last_line();
     assert!(
         line.starts_with(" motion  offset-..  60.00 deg ok"),
@@ -427,7 +369,7 @@ fn what_is_cut_shows_that_it_is() {
 /// A mechanism that is wide and low leaves its room to the tables.
 #[test]
 fn a_flat_drawing_leaves_room_for_the_points() {
-    let mut session = Session::new(preset("slider-crank"), Glyphs::Ascii, 80, 40);
+    let mut session = shown(preset("slider-crank"), Glyphs::Ascii, 80, 40);
     let screen = session.look();
     for row in [" r3.com ", " C "] {
         assert!(screen.lines().any(|line| line.starts_with(row)), "{screen}");
@@ -460,7 +402,7 @@ fn goes_where_it_is_told_and_says_where_it_cannot() {
     );
 
     let opened = open(SWINGING, Origin::Stdin);
-    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let mut session = shown(opened, Glyphs::Ascii, 80, 24);
     let refused = session.press("g 1 8 0 Enter").last_line();
     assert!(
         refused.ends_with("out of reach: -82.81 to 82.81 deg"),
@@ -514,7 +456,7 @@ fn plays_a_turn_in_four_seconds_and_pauses_without_a_byte() {
 #[test]
 fn a_crank_that_cannot_turn_goes_to_and_fro() {
     let opened = open(SWINGING, Origin::Stdin);
-    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let mut session = shown(opened, Glyphs::Ascii, 80, 24);
     session.press("space");
     let mut angles = Vec::new();
     for _ in 0..200 {
@@ -584,7 +526,7 @@ fn titles_from_a_file_reach_the_terminal_harmless() {
     let hostile = SWINGING.replace("Swinging crank", "A\\u001B[2J\\u202Eb\\u4E2D\\u00E9");
     let title = |glyphs| {
         let opened = open(&hostile, Origin::File("\u{1b}[2J.toml".into()));
-        let screen = Session::new(opened, glyphs, 80, 24).look();
+        let screen = shown(opened, glyphs, 80, 24).look();
         let line = screen.lines().next().unwrap().to_owned();
         line.split_whitespace().next().unwrap().to_owned()
     };
@@ -669,7 +611,7 @@ proptest! {
     fn frames_add_up_to_the_screen_whatever_is_done(deeds in deeds(), preset in 0_usize..19) {
         let preset = &presets::all()[preset % presets::all().len()];
         let opened = open(preset.text, Origin::Preset(preset.name.into()));
-        let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+        let mut session = shown(opened, Glyphs::Ascii, 80, 24);
         for deed in deeds {
             match deed {
                 Deed::Press(key) => {
@@ -704,7 +646,7 @@ fn shows_the_other_assemblies_as_ghosts() {
     }
     let screen = four_bar(Glyphs::Ascii, 40, 12).press("a").look();
     insta::assert_snapshot!("assemblies-ascii-40x12", screen);
-    let mut coupled = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
+    let mut coupled = shown(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
     insta::assert_snapshot!("assemblies-coupled-80x24", coupled.press("a Up").look());
 }
 
@@ -729,13 +671,13 @@ fn an_assembly_is_taken_and_stays() {
 
 #[test]
 fn what_does_not_close_is_not_taken() {
-    let mut session = Session::new(preset("press"), Glyphs::Ascii, 80, 24);
+    let mut session = shown(preset("press"), Glyphs::Ascii, 80, 24);
     let screen = session.press("a Up Up Up").look();
     let row = screen.lines().find(|l| l.contains(" C - ")).unwrap();
     assert!(row.trim_end().ends_with("open"), "{row}");
     let line = session.press("Down Enter").last_line();
     assert!(line.contains("the rest does not close with C=-"), "{line}");
-    let mut yoke = Session::new(preset("scotch-yoke"), Glyphs::Ascii, 80, 24);
+    let mut yoke = shown(preset("scotch-yoke"), Glyphs::Ascii, 80, 24);
     let line = yoke.press("a").last_line();
     assert!(line.contains("there is no other assembly here"), "{line}");
 }
@@ -750,7 +692,7 @@ fn an_assembly_is_saved() {
     let text = text.replace("[start]", "# rough\n[start]");
     std::fs::write(&file, &text).unwrap();
     let opened = open(&text, Origin::File(file.clone()));
-    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let mut session = shown(opened, Glyphs::Ascii, 80, 24);
     session.press("a Enter");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), text, "not unasked");
     let line = session.press("w").last_line();
@@ -787,7 +729,7 @@ fn a_preset_is_saved_under_a_name_that_is_typed() {
     let line = session.press("w").last_line();
     assert!(line.contains("nothing has changed"), "{line}");
     // Another scene does not write over it unasked.
-    let mut other = Session::new(preset("press"), Glyphs::Ascii, 40, 12);
+    let mut other = shown(preset("press"), Glyphs::Ascii, 40, 12);
     other.press("w Ctrl-U").press(&keys.join(" "));
     let line = other.press("Enter").last_line();
     assert!(line.contains("write over new.toml?"), "{line}");

@@ -2,12 +2,12 @@
 #![cfg(feature = "tui")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "support/session.rs"]
-mod session;
+#[path = "support/screen.rs"]
+mod screen;
 
 use krank::drawing::Glyphs;
 use krank::tui::Origin;
-use session::{Session, folder, open, text};
+use screen::{Session, folder, open, text};
 use std::fs;
 
 /// The four-bar with a crank of 101 mm.

@@ -2,66 +2,18 @@
 #![cfg(feature = "tui")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "support/screen.rs"]
+mod screen;
+
 use krank::drawing::Glyphs;
-use krank::scene::{Scene, presets};
-use krank::solver::Solver;
-use krank::tui::{Colours, Opened, Origin, Workbench};
+use krank::scene::presets;
+use krank::tui::{Colours, Workbench};
 use proptest::prelude::*;
-use std::num::NonZeroU16;
+use screen::{Session, emulator, preset};
 use std::time::{Duration, Instant};
 
 fn workbench(preset: &str, glyphs: Glyphs, colours: Colours, cols: u16, rows: u16) -> Workbench {
-    let preset = presets::find(preset).unwrap();
-    let scene = Scene::parse(preset.text, preset.name).unwrap();
-    let solver = Solver::new(&scene.mechanism).unwrap();
-    let origin = Origin::Preset(preset.name.into());
-    let opened = Opened {
-        scene,
-        solver,
-        origin,
-    };
-    Workbench::new(opened, glyphs, colours, cols, rows)
-}
-
-/// A workbench and the screen that it paints on.
-struct Session {
-    workbench: Workbench,
-    terminal: vt100::Parser,
-}
-
-impl Session {
-    fn new(preset: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
-        let [height, width] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
-        Session {
-            workbench: workbench(preset, glyphs, Colours::Sixteen, cols, rows),
-            terminal: vt100::Parser::new(height, width, 0),
-        }
-    }
-
-    fn press(&mut self, keys: &str) -> &mut Self {
-        for key in keys.split_whitespace() {
-            self.workbench.press(key);
-            self.terminal.process(self.workbench.paint());
-        }
-        self
-    }
-
-    /// The body: without the title and the last line, which others look after.
-    fn body(&mut self) -> String {
-        self.terminal.process(self.workbench.paint());
-        let (rows, cols) = self.terminal.screen().size();
-        let lines = self.terminal.screen().rows(0, cols.get());
-        let body = lines
-            .skip(1)
-            .take(usize::from(rows.get()).saturating_sub(2));
-        body.map(|row| row.trim_end().to_owned() + "\n").collect()
-    }
-
-    fn last_line(&mut self) -> String {
-        self.terminal.process(self.workbench.paint());
-        let cols = self.terminal.screen().size().1.get();
-        self.terminal.screen().rows(0, cols).last().unwrap()
-    }
+    Workbench::new(screen::preset(preset), glyphs, colours, cols, rows)
 }
 
 #[test]
@@ -71,26 +23,30 @@ fn shows_arrows_with_their_scale() {
         ("line", Glyphs::Line),
         ("braille", Glyphs::Braille),
     ] {
-        let body = Session::new("four-bar", glyphs, 80, 24).press("v A").body();
+        let body = Session::new(preset("four-bar"), glyphs, 80, 24)
+            .press("v A")
+            .body();
         insta::assert_snapshot!(format!("motion-arrows-{name}-80x24"), body);
     }
-    let mut tiny = Session::new("four-bar", Glyphs::Ascii, 40, 12);
+    let mut tiny = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
     insta::assert_snapshot!("motion-arrows-ascii-40x12", tiny.press("v A").body());
 }
 
 #[test]
 fn shows_coupler_curves() {
     for (name, glyphs) in [("ascii", Glyphs::Ascii), ("braille", Glyphs::Braille)] {
-        let body = Session::new("hoecken", glyphs, 80, 24).press("T").body();
+        let body = Session::new(preset("hoecken"), glyphs, 80, 24)
+            .press("T")
+            .body();
         insta::assert_snapshot!(format!("motion-trace-{name}-80x24"), body);
     }
-    let mut tiny = Session::new("jansen-leg", Glyphs::Ascii, 40, 12);
+    let mut tiny = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 12);
     insta::assert_snapshot!("motion-trace-ascii-40x12", tiny.press("T").body());
 }
 
 #[test]
 fn shows_everything_at_once() {
-    let mut session = Session::new("slider-crank", Glyphs::Braille, 120, 40);
+    let mut session = Session::new(preset("slider-crank"), Glyphs::Braille, 120, 40);
     let body = session.press("i v A T G c").body();
     insta::assert_snapshot!("motion-everything-braille-120x40", body);
     let bare = session.press("i v A T G c d").body();
@@ -101,7 +57,7 @@ fn shows_everything_at_once() {
 /// Each key switches its layer on, says so, and switches it off again: then all is as it was.
 #[test]
 fn every_layer_goes_as_it_came() {
-    let mut session = Session::new("press", Glyphs::Ascii, 80, 24);
+    let mut session = Session::new(preset("press"), Glyphs::Ascii, 80, 24);
     let before = session.body();
     for (key, name) in [
         ("v", "arrows of velocity on"),
@@ -125,7 +81,7 @@ fn every_layer_goes_as_it_came() {
 
 #[test]
 fn zooms_and_pans_and_stays_there() {
-    let mut session = Session::new("four-bar", Glyphs::Ascii, 80, 24);
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let fitted = session.body();
     let near = session.press("z z L K").body();
     insta::assert_snapshot!("motion-zoomed-ascii-80x24", near);
@@ -148,7 +104,7 @@ fn zooms_and_pans_and_stays_there() {
 
 #[test]
 fn the_ends_of_zooming_and_panning_are_told() {
-    let mut session = Session::new("four-bar", Glyphs::Ascii, 80, 24);
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let line = session.press(&"z ".repeat(30)).last_line();
     assert!(line.contains("there is no more to zoom"), "{line}");
     assert!(session.body().contains("zoom 64x"));
@@ -163,7 +119,7 @@ fn the_ends_of_zooming_and_panning_are_told() {
 #[test]
 fn the_smallest_screen_keeps_the_drawing() {
     for preset in presets::all() {
-        let mut session = Session::new(preset.name, Glyphs::Ascii, 40, 12);
+        let mut session = Session::new(screen::preset(preset.name), Glyphs::Ascii, 40, 12);
         let body = session.press("v A T G c i").body();
         assert!(body.contains('o'), "{}\n{body}", preset.name);
         assert!(body.is_ascii(), "{}\n{body}", preset.name);
@@ -238,15 +194,14 @@ proptest! {
     ) {
         let all = presets::all();
         let name = all[preset % all.len()].name;
-        let mut session = Session::new(name, Glyphs::Ascii, cols, rows);
+        let mut session = Session::new(screen::preset(name), Glyphs::Ascii, cols, rows);
         for key in keys {
             session.press(key);
             session.workbench.pass(Duration::from_millis(170));
         }
         let shown = session.body();
         session.workbench.forget();
-        let [height, width] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
-        session.terminal = vt100::Parser::new(height, width, 0);
+        session.terminal = emulator(cols, rows);
         prop_assert_eq!(shown, session.body());
     }
 }

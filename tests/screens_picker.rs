@@ -3,13 +3,13 @@
 #![cfg(feature = "tui")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-#[path = "support/session.rs"]
-mod session;
+#[path = "support/screen.rs"]
+mod screen;
 
 use krank::drawing::Glyphs;
 use krank::scene::LARGEST_FILE;
 use krank::tui::Origin;
-use session::{Session, folder, open, text};
+use screen::{Session, folder, open, text};
 use std::fs;
 use std::time::Duration;
 

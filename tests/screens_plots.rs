@@ -3,7 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "support/screen.rs"]
-#[allow(dead_code, reason = "other tests use the rest")]
 mod screen;
 
 use krank::drawing::Glyphs;
@@ -13,13 +12,6 @@ use krank::tui::{Colours, Origin, Workbench};
 use proptest::prelude::*;
 use screen::{Session, open, preset};
 use std::time::{Duration, Instant};
-
-/// The body: without the title and the last line, which others look after.
-fn body(session: &mut Session) -> String {
-    let text = session.look();
-    let lines: Vec<&str> = text.lines().collect();
-    lines[1..lines.len() - 1].join("\n") + "\n"
-}
 
 /// A driver of no speed: no time passes, and every rate is 0.
 const STILL: &str = r#"
@@ -48,14 +40,14 @@ fn the_first_look_shows_how_the_output_turns() {
         (Glyphs::Braille, "braille"),
     ] {
         let mut session = Session::new(preset("four-bar"), glyphs, 80, 24);
-        insta::assert_snapshot!(format!("plots-{name}-80x24"), body(session.press("3")));
+        insta::assert_snapshot!(format!("plots-{name}-80x24"), session.press("3").body());
         let mut session = Session::new(preset("four-bar"), glyphs, 40, 12);
-        insta::assert_snapshot!(format!("plots-{name}-40x12"), body(session.press("3")));
+        insta::assert_snapshot!(format!("plots-{name}-40x12"), session.press("3").body());
     }
     // A slider's output, and a point's where there is nothing else on the ground.
     let first = |name| {
         let mut session = Session::new(preset(name), Glyphs::Ascii, 80, 24);
-        body(session.press("3"))
+        session.press("3").body()
     };
     assert!(first("slider-crank").contains("* r4.length"));
     assert!(first("four-bar").contains("* r4.omega"));
@@ -123,7 +115,7 @@ fn x_stands_for_the_driver_then_time_then_each_figure() {
         "{against}"
     );
     assert!(!against.contains("* P.x"), "{against}");
-    insta::assert_snapshot!("plots-coupler-curve-ascii-80x24", body(session.press("m")));
+    insta::assert_snapshot!("plots-coupler-curve-ascii-80x24", session.press("m").body());
     let other = session.press("X").look();
     assert!(other.contains("against P.y"), "{other}");
     assert!(session.press("X").look().contains("over driver.angle"));

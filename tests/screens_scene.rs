@@ -2,90 +2,33 @@
 #![cfg(feature = "tui")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "support/screen.rs"]
+mod screen;
+
 use krank::drawing::Glyphs;
-use krank::scene::{Scene, presets};
-use krank::solver::Solver;
+use krank::scene::presets;
 use krank::tui::{Colours, Opened, Origin, Workbench};
 use proptest::prelude::*;
-use std::num::NonZeroU16;
+use screen::{Session, folder, open, preset, text};
 use std::time::Duration;
 
-fn open(text: &str, origin: Origin) -> Opened {
-    let scene = Scene::parse(text, "test").unwrap();
-    let solver = Solver::new(&scene.mechanism).unwrap();
-    Opened {
-        scene,
-        solver,
-        origin,
-    }
+fn four_bar(cols: u16, rows: u16) -> Session {
+    Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
 }
 
-fn text(preset: &str) -> &'static str {
-    presets::find(preset).unwrap().text
+/// What is done and seen in the list of values.
+trait Values {
+    /// Goes to a value.
+    fn find(&mut self, name: &str) -> &mut Self;
+    /// The row under the cursor, without what is drawn beside it.
+    fn row(&mut self) -> String;
 }
 
-/// A workbench and the screen that it paints on.
-struct Session {
-    workbench: Workbench,
-    terminal: vt100::Parser,
-}
-
-impl Session {
-    fn of(opened: Opened, cols: u16, rows: u16) -> Session {
-        let size = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
-        Session {
-            workbench: Workbench::new(opened, Glyphs::Ascii, Colours::Sixteen, cols, rows),
-            terminal: vt100::Parser::new(size[0], size[1], 0),
-        }
-    }
-
-    fn preset(name: &str, cols: u16, rows: u16) -> Session {
-        Session::of(open(text(name), Origin::Preset(name.into())), cols, rows)
-    }
-
-    fn press(&mut self, keys: &str) -> &mut Self {
-        for key in keys.split_whitespace() {
-            self.workbench.press(key);
-            self.paint();
-        }
-        self
-    }
-
-    /// Types a text, letter by letter.
-    fn type_in(&mut self, text: &str) -> &mut Self {
-        for c in text.chars() {
-            let key = if c == ' ' {
-                "space".into()
-            } else {
-                c.to_string()
-            };
-            self.press(&key);
-        }
-        self
-    }
-
-    /// Goes to a value of the list.
+impl Values for Session {
     fn find(&mut self, name: &str) -> &mut Self {
         self.press("/").type_in(name).press("Enter")
     }
 
-    fn paint(&mut self) {
-        let frame = self.workbench.paint();
-        self.terminal.process(frame);
-    }
-
-    fn look(&mut self) -> String {
-        self.paint();
-        let width = self.terminal.screen().size().1.get();
-        let rows = self.terminal.screen().rows(0, width);
-        rows.map(|row| row.trim_end().to_owned() + "\n").collect()
-    }
-
-    fn last_line(&mut self) -> String {
-        self.look().lines().last().unwrap().to_owned()
-    }
-
-    /// The row under the cursor, without what is drawn beside it.
     fn row(&mut self) -> String {
         let screen = self.look();
         let row = screen.lines().find(|line| line.starts_with(" >")).unwrap();
@@ -97,7 +40,7 @@ impl Session {
 #[test]
 fn lists_every_value() {
     for (cols, rows) in [(80, 24), (120, 40), (40, 12)] {
-        let screen = Session::preset("four-bar", cols, rows).press("6").look();
+        let screen = four_bar(cols, rows).press("6").look();
         insta::assert_snapshot!(format!("scene-{cols}x{rows}"), screen);
     }
 }
@@ -105,7 +48,7 @@ fn lists_every_value() {
 #[test]
 fn a_value_is_typed_with_a_unit_and_everything_follows() {
     for (cols, rows) in [(80, 24), (40, 12)] {
-        let mut session = Session::preset("four-bar", cols, rows);
+        let mut session = four_bar(cols, rows);
         session
             .press("6")
             .find("r2 len")
@@ -120,7 +63,7 @@ fn a_value_is_typed_with_a_unit_and_everything_follows() {
 /// What cannot be is said at once, and the last good state stays: in the row, in the drawing, in all views.
 #[test]
 fn what_cannot_be_leaves_the_last_good_state() {
-    let mut session = Session::preset("four-bar", 80, 24);
+    let mut session = four_bar(80, 24);
     session.press("6").find("r3 len");
     let before = session.look();
     for (typed, said) in [
@@ -157,7 +100,7 @@ fn what_cannot_be_leaves_the_last_good_state() {
 
 #[test]
 fn nudges_follow_the_step_and_are_taken_back_as_one() {
-    let mut session = Session::preset("four-bar", 80, 24);
+    let mut session = four_bar(80, 24);
     session.press("6").find("r2 len").press("> > >");
     assert_eq!(session.row(), ">*r2 length 103 mm 100");
     session.press("{ >");
@@ -178,7 +121,7 @@ fn nudges_follow_the_step_and_are_taken_back_as_one() {
 /// The angle that is looked at may be out of reach after an edit: the end is shown, and said so.
 #[test]
 fn the_driver_stays_where_it_is_as_far_as_it_can() {
-    let mut session = Session::preset("four-bar", 80, 24);
+    let mut session = four_bar(80, 24);
     session.press("g 1 8 0 Enter 6").find("r2 len");
     let line = session
         .press("Enter")
@@ -204,7 +147,7 @@ fn the_driver_stays_where_it_is_as_far_as_it_can() {
 /// An edit never changes to the other assembly: where the text would, its [start] follows.
 #[test]
 fn an_edit_keeps_the_assembly() {
-    let mut session = Session::preset("four-bar", 80, 24);
+    let mut session = four_bar(80, 24);
     // At 300 deg, C = [310, 230] is still nearer to the upper assembly; the ground moved is not.
     session.press("6").find("D y").press("Enter");
     let line = session.type_in("300").press("Enter").last_line();
@@ -214,7 +157,7 @@ fn an_edit_keeps_the_assembly() {
         assert!(screen.contains("*C start x"), "{screen}");
     }
     // A start that is moved on purpose means the other assembly.
-    let mut session = Session::preset("four-bar", 80, 24);
+    let mut session = four_bar(80, 24);
     let before = session.look();
     assert!(before.contains("29.379"), "{before}");
     session
@@ -236,7 +179,7 @@ fn an_edit_keeps_the_assembly() {
 
 #[test]
 fn an_assembly_that_was_switched_is_an_edit_like_others() {
-    let mut session = Session::preset("four-bar", 80, 24);
+    let mut session = four_bar(80, 24);
     session.press("a Enter");
     assert!(session.look().contains("302.825"));
     let screen = session.press("6").look();
@@ -247,13 +190,6 @@ fn an_assembly_that_was_switched_is_an_edit_like_others() {
     assert!(session.look().contains("302.825"), "{}", session.look());
     session.press("u");
     assert!(session.look().contains("29.379"), "{}", session.look());
-}
-
-fn folder(name: &str) -> std::path::PathBuf {
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
 }
 
 fn file(folder: &std::path::Path, text: &str) -> (std::path::PathBuf, Opened) {
@@ -268,7 +204,7 @@ fn file(folder: &std::path::Path, text: &str) -> (std::path::PathBuf, Opened) {
 fn a_file_is_saved_with_nothing_else_changed() {
     let text = format!("\u{feff}# mine\n{}", text("four-bar")).replace('\n', "\r\n");
     let (file, opened) = file(&folder("scene-saved"), &text);
-    let mut session = Session::of(opened, 80, 24);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     let line = session.press("w").last_line();
     assert!(line.contains("nothing has changed"), "{line}");
     session
@@ -296,7 +232,7 @@ fn a_file_is_saved_with_nothing_else_changed() {
 #[test]
 fn a_file_that_cannot_be_written_keeps_the_edits() {
     let (file, opened) = file(&folder("scene-full"), text("four-bar"));
-    let mut session = Session::of(opened, 80, 24);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("6").find("r2 len").press(">");
     session.press("W Ctrl-U").type_in("/dev/full");
     let line = session.press("Enter Enter").last_line();
@@ -308,7 +244,7 @@ fn a_file_that_cannot_be_written_keeps_the_edits() {
 #[test]
 fn a_file_that_somebody_else_writes_is_read_again() {
     let (file, opened) = file(&folder("scene-reload"), text("four-bar"));
-    let mut session = Session::of(opened, 80, 24);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     let wait = |session: &mut Session| session.workbench.pass(Duration::from_secs(2));
     session.press("6").find("r2 len");
     std::fs::write(
@@ -368,7 +304,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
 #[test]
 fn unsaved_edits_are_asked_about() {
     let (file, opened) = file(&folder("scene-asked"), text("four-bar"));
-    let mut session = Session::of(opened, 80, 24);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("6").find("r2 len").press(">");
     let line = session.press("q").last_line();
     assert!(
@@ -392,12 +328,12 @@ fn unsaved_edits_are_asked_about() {
         !session.look().contains("r2 length     101"),
         "the other scene is shown"
     );
-    let mut other = Session::preset("four-bar", 40, 12);
+    let mut other = four_bar(40, 12);
     other.press("6").find("r2 len").press(">");
     let line = other.press("q").last_line();
     assert!(line.contains("w save  q drop, quit"), "{line}");
     assert!(!other.workbench.press("q"), "left");
-    let mut quick = Session::preset("four-bar", 40, 12);
+    let mut quick = four_bar(40, 12);
     quick.press("6 >");
     assert!(!quick.workbench.press("Ctrl-C"), "always");
 }
@@ -406,17 +342,11 @@ fn unsaved_edits_are_asked_about() {
 fn edits_of_an_earlier_session_are_offered() {
     let folder = folder("scene-recovery");
     let begin = || {
-        let opened = open(text("four-bar"), Origin::Preset("four-bar".into()));
-        let mut session = Session::of(opened, 80, 24);
+        let opened = preset("four-bar");
+        let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
         session.workbench = std::mem::replace(
             &mut session.workbench,
-            Workbench::new(
-                open(text("four-bar"), Origin::Preset("four-bar".into())),
-                Glyphs::Ascii,
-                Colours::Sixteen,
-                80,
-                24,
-            ),
+            Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Sixteen, 80, 24),
         )
         .recovering_in(&folder);
         session
@@ -480,7 +410,7 @@ proptest! {
     #[test]
     fn edits_never_leave_the_last_good_state(deeds in deeds(), preset in 0_usize..100) {
         let preset = &presets::all()[preset % presets::all().len()];
-        let mut session = Session::preset(preset.name, 80, 24);
+        let mut session = Session::new(screen::preset(preset.name), Glyphs::Ascii, 80, 24);
         session.press("6");
         for deed in deeds {
             match deed {

@@ -7,9 +7,8 @@ mod screen;
 
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Origin, Workbench};
-use screen::{Session, open, preset};
+use screen::{Session, folder, open, preset};
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// A crank that cannot turn fully: its limits are dead points, where there are no rates.
@@ -47,14 +46,6 @@ fn krank(args: &[&str]) -> (String, Option<i32>) {
         String::from_utf8(output.stdout).unwrap(),
         output.status.code(),
     )
-}
-
-/// A folder of its own for a test's files, empty.
-fn folder(test: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
 }
 
 /// The row of the screen that bears the mark of the cursor.

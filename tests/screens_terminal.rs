@@ -2,46 +2,17 @@
 #![cfg(feature = "tui")]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "support/screen.rs"]
+mod screen;
+
 use krank::drawing::Glyphs;
-use krank::scene::{Scene, presets};
-use krank::solver::Solver;
-use krank::tui::{Colours, Opened, Origin, Theme, Workbench};
-use std::num::NonZeroU16;
+use krank::tui::{Colours, Theme, Workbench};
+use screen::{Session, preset};
 use std::time::Duration;
 
-fn preset(name: &str) -> Opened {
-    let scene = Scene::parse(presets::find(name).unwrap().text, name).unwrap();
-    let solver = Solver::new(&scene.mechanism).unwrap();
-    Opened {
-        scene,
-        solver,
-        origin: Origin::Preset(name.into()),
-    }
-}
-
-/// A workbench and the screen that it paints on.
-struct Session {
-    workbench: Workbench,
-    terminal: vt100::Parser,
-}
-
-impl Session {
-    fn new(name: &str, glyphs: Glyphs, colours: Colours, cols: u16, rows: u16) -> Self {
-        let [height, width] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
-        Session {
-            workbench: Workbench::new(preset(name), glyphs, colours, cols, rows),
-            terminal: vt100::Parser::new(height, width, 0),
-        }
-    }
-
-    fn last_line(&mut self, keys: &str) -> String {
-        self.workbench.press(keys);
-        self.terminal.process(self.workbench.paint());
-        let screen = self.terminal.screen();
-        let row = screen.rows(0, screen.size().1.get()).last().unwrap();
-        // What a state costs is this machine's.
-        row.trim_end().to_owned()
-    }
+fn opened(name: &str, glyphs: Glyphs, colours: Colours) -> Session {
+    let workbench = Workbench::new(preset(name), glyphs, colours, 80, 24);
+    Session::on(workbench, 80, 24)
 }
 
 /// The median over a turn of 120 frames.
@@ -93,14 +64,13 @@ fn a_frame_costs_few_bytes_in_every_glyph_and_colour() {
 /// Colours change at once, and the screen shows the same as one that began with them.
 #[test]
 fn colours_change_by_key() {
-    let four_bar = |colours| Session::new("four-bar", Glyphs::Braille, colours, 80, 24);
+    let four_bar = |colours| opened("four-bar", Glyphs::Braille, colours);
     let mut session = four_bar(Colours::Sixteen);
     let mut seen = Vec::new();
     for colours in ["256", "24 bits", "no colours", "16 colours"] {
-        let line = session.last_line("C");
+        let line = session.press("C").last_line();
         assert!(line.contains(colours), "{line}");
-        session.last_line("Home");
-        session.last_line("Ctrl-L");
+        session.press("Home Ctrl-L");
         seen.push(session.terminal.screen().state_formatted());
     }
     for (colours, seen) in [
@@ -113,25 +83,25 @@ fn colours_change_by_key() {
     .zip(seen)
     {
         let mut anew = four_bar(colours);
-        anew.last_line("");
+        anew.paint();
         assert_eq!(anew.terminal.screen().state_formatted(), seen);
     }
 }
 
 #[test]
 fn the_last_line_tells_what_lies_ahead() {
-    let mut session = Session::new("peaucellier", Glyphs::Ascii, Colours::Sixteen, 80, 24);
-    let line = session.last_line("g 7 9 . 6 2 Enter");
+    let mut session = opened("peaucellier", Glyphs::Ascii, Colours::Sixteen);
+    let line = session.press("g 7 9 . 6 2 Enter").last_line();
     assert!(
         line.starts_with(" motion  peaucellier    79.62 deg  dead point in 3.2 deg  "),
         "{line}"
     );
-    let line = session.last_line("r");
+    let line = session.press("r").last_line();
     assert!(line.contains("  79.62 deg  ok"), "it moves away: {line}");
-    let line = session.last_line("r g 5 0 Enter");
+    let line = session.press("r g 5 0 Enter").last_line();
     assert!(line.contains("  50.00 deg  ok"), "{line}");
-    let mut kite = Session::new("parallelogram", Glyphs::Ascii, Colours::Sixteen, 80, 24);
-    let line = kite.last_line("g 1 7 0 Enter");
+    let mut kite = opened("parallelogram", Glyphs::Ascii, Colours::Sixteen);
+    let line = kite.press("g 1 7 0 Enter").last_line();
     assert!(line.contains("change point in 10.0 deg"), "{line}");
 }
 
@@ -139,13 +109,12 @@ fn the_last_line_tells_what_lies_ahead() {
 #[test]
 fn the_last_line_does_not_dance() {
     for (name, from) in [("peaucellier", "g 6 0 Enter"), ("four-bar", "g 3 Enter")] {
-        let mut session = Session::new(name, Glyphs::Ascii, Colours::Sixteen, 80, 24);
-        session.last_line(from);
-        session.last_line("space");
+        let mut session = opened(name, Glyphs::Ascii, Colours::Sixteen);
+        session.press(from).press("space");
         let mut places = Vec::new();
         for _ in 0..20 {
             session.workbench.pass(Duration::from_millis(33));
-            places.push(session.last_line("").find("? help"));
+            places.push(session.last_line().find("? help"));
         }
         places.dedup();
         assert_eq!(places.len(), 1, "{name}: {places:?}");

@@ -1,10 +1,14 @@
-//! A workbench with an emulated terminal.
+//! A workbench, driven by keys, and the emulated terminal that it paints on.
+#![allow(dead_code, reason = "each test uses its part of it")]
 
 use krank::drawing::Glyphs;
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
 use krank::tui::{Colours, Opened, Origin, Workbench};
+use std::fs;
 use std::num::NonZeroU16;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// Opens a scene from its text.
 pub(crate) fn open(text: &str, origin: Origin) -> Opened {
@@ -17,10 +21,30 @@ pub(crate) fn open(text: &str, origin: Origin) -> Opened {
     }
 }
 
+/// The text of a preset.
+pub(crate) fn text(preset: &str) -> &'static str {
+    presets::find(preset).unwrap().text
+}
+
 /// Opens a preset.
 pub(crate) fn preset(name: &str) -> Opened {
-    let text = presets::find(name).unwrap().text;
-    open(text, Origin::Preset(name.into()))
+    open(text(name), Origin::Preset(name.into()))
+}
+
+/// A folder for the files of one test, with nothing in it.
+pub(crate) fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    // Tests of other programs may have the same name, and run at the same time.
+    let folder = folder.join(env!("CARGO_CRATE_NAME")).join(test);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// A terminal of this size with nothing on it.
+pub(crate) fn emulator(cols: u16, rows: u16) -> vt100::Parser {
+    let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
+    vt100::Parser::new(rows, cols, 0)
 }
 
 /// A workbench and the screen that it paints on.
@@ -39,10 +63,9 @@ impl Session {
     }
 
     pub(crate) fn on(workbench: Workbench, cols: u16, rows: u16) -> Self {
-        let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
         Session {
             workbench,
-            terminal: vt100::Parser::new(rows, cols, 0),
+            terminal: emulator(cols, rows),
         }
     }
 
@@ -68,6 +91,12 @@ impl Session {
         self
     }
 
+    /// Lets time pass.
+    pub(crate) fn pass(&mut self, seconds: f64) -> &mut Self {
+        self.workbench.pass(Duration::from_secs_f64(seconds));
+        self
+    }
+
     pub(crate) fn paint(&mut self) {
         let frame = self.workbench.paint();
         self.terminal.process(frame);
@@ -79,6 +108,14 @@ impl Session {
         let width = self.terminal.screen().size().1.get();
         let rows = self.terminal.screen().rows(0, width);
         rows.map(|row| row.trim_end().to_owned() + "\n").collect()
+    }
+
+    /// The screen without the title and the last line.
+    pub(crate) fn body(&mut self) -> String {
+        let text = self.look();
+        let inner = text.lines().count().saturating_sub(2);
+        let lines = text.lines().skip(1).take(inner);
+        lines.map(|line| line.to_owned() + "\n").collect()
     }
 
     pub(crate) fn last_line(&mut self) -> String {
