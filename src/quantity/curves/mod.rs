@@ -1,0 +1,339 @@
+//! Quantities over the motion: samples to draw, the gaps between them, and where they turn.
+
+mod probe;
+mod span;
+#[cfg(test)]
+mod tests;
+
+use super::clock::{Clock, paced};
+use super::extrema::Extremum;
+use super::{Catalogue, Quantity};
+use crate::scene::Scene;
+use crate::solver::{Condition, Range, Solver, State};
+use probe::Probe;
+use span::{NEAR, shown};
+use thiserror::Error;
+
+/// What stands along x.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Abscissa {
+    /// The driver's coordinate.
+    #[default]
+    Driver,
+    /// Time in seconds, 0 where the scene opens: see [`Clock`].
+    Time,
+    /// Another quantity.
+    Figure(Quantity),
+}
+
+/// Why nothing can be drawn over time.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum NoTime {
+    /// The driver stands still.
+    #[error("the scene gives its driver no speed, so no time passes: give the driver a speed")]
+    StandsStill,
+    /// The driver turns back before it comes to a coordinate that was asked for.
+    #[error("the driver turns back before it comes to {0}")]
+    TurnsBack(f64),
+}
+
+/// Samples of some quantities over the motion, or over a part of it.
+#[derive(Clone, Debug)]
+pub struct Curves {
+    /// What stands along x.
+    pub abscissa: Abscissa,
+    /// Its name and unit: `driver.angle`, `deg`; `time`, `s`.
+    pub title: [String; 2],
+    /// The quantity that is the driver's coordinate.
+    pub driver: Quantity,
+    /// The driver's coordinate of each sample, in degrees or in the scene's length unit.
+    pub at: Vec<f64>,
+    /// What stands along x at each sample.
+    pub along: Vec<Option<f64>>,
+    /// What each state is.
+    pub conditions: Vec<Condition>,
+    /// The quantities, in the order in which they were asked for.
+    pub curves: Vec<Curve>,
+    /// Between which samples what stands along x jumps.
+    breaks: Vec<bool>,
+    clock: Option<Clock>,
+    /// The period after which the samples repeat.
+    period: Option<f64>,
+}
+
+/// The samples of a quantity.
+#[derive(Clone, Debug)]
+pub struct Curve {
+    /// What was sampled.
+    pub quantity: Quantity,
+    /// Its value at each sample; `None` where none exists.
+    pub values: Vec<Option<f64>>,
+    /// Where it turns.
+    pub extrema: Vec<Extremum>,
+    /// Between which samples it jumps, as a direction does from 360 to 0 deg: behind the first of the
+    /// two.
+    breaks: Vec<bool>,
+    /// It does not change by more than what its own error may be.
+    is_level: bool,
+}
+
+/// The quantities in one state.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Here {
+    /// What stands along x; `None` outside of what was sampled.
+    pub along: Option<f64>,
+    /// The value of each curve.
+    pub values: Vec<Option<f64>>,
+}
+
+/// Samples of the usual scene over its motion, and of one with so many points and links that this
+/// would be seen as a delay.
+const SAMPLES: usize = 720;
+const FEWEST_SAMPLES: usize = 180;
+/// Points and links of all samples together.
+const MOST_ROWS: usize = 400_000;
+
+impl Curves {
+    /// Solves for the quantities over the whole motion, or over a window of the driver's coordinate.
+    ///
+    /// # Errors
+    /// Over time, where there is none.
+    pub fn new(
+        scene: &Scene,
+        solver: &Solver,
+        quantities: &[Quantity],
+        abscissa: Abscissa,
+        window: Option<(f64, f64)>,
+    ) -> Result<Curves, NoTime> {
+        let clock = match abscissa {
+            Abscissa::Time => {
+                Some(Clock::new(scene.mechanism.driver()).ok_or(NoTime::StandsStill)?)
+            }
+            Abscissa::Driver | Abscissa::Figure(_) => None,
+        };
+        let range = solver.motion().range;
+        let (from, to) = stretch(range, clock.as_ref(), window)?;
+        let driver = Catalogue::new(scene).driver().clone();
+        let mut columns = quantities.to_vec();
+        let title = match &abscissa {
+            Abscissa::Driver => [driver.name.clone(), driver.unit.clone()],
+            Abscissa::Time => ["time".into(), "s".into()],
+            Abscissa::Figure(figure) => {
+                columns.push(figure.clone());
+                [figure.name.clone(), figure.unit.clone()]
+            }
+        };
+        let mut probe = Probe::new(solver, &columns, range, clock);
+        let mechanism = &scene.mechanism;
+        let rows = mechanism.points().len() + mechanism.links().len();
+        let count = (MOST_ROWS / rows.max(1)).clamp(FEWEST_SAMPLES, SAMPLES);
+        let share = |k: usize| k as f64 / count as f64;
+        let places: Vec<f64> = (0..=count)
+            .map(|k| {
+                if k == count {
+                    to
+                } else {
+                    from + (to - from) * share(k)
+                }
+            })
+            .collect();
+        let (mut values, conditions) = probe.sample(&places);
+        let at: Vec<f64> = places.iter().map(|&p| probe.coordinate(p)).collect();
+        let mut along_breaks = vec![false; count];
+        let along = match &abscissa {
+            Abscissa::Driver => at.iter().copied().map(Some).collect(),
+            Abscissa::Time => places.iter().copied().map(Some).collect(),
+            Abscissa::Figure(_) => {
+                let along = values.pop().unwrap_or_default();
+                along_breaks = probe.breaks(quantities.len(), &places, &along);
+                along
+            }
+        };
+        let period = period(range, clock.as_ref(), window);
+        let ends = match range {
+            Range::Limited { .. } => window.is_none(),
+            Range::Full { .. } => false,
+        };
+        let mut curves = Vec::with_capacity(quantities.len());
+        for (i, (quantity, values)) in quantities.iter().zip(values).enumerate() {
+            let breaks = probe.breaks(i, &places, &values);
+            let is_level = probe.is_level(i, &places, &values);
+            let mut curve = Curve {
+                quantity: quantity.clone(),
+                values,
+                breaks,
+                extrema: Vec::new(),
+                is_level,
+            };
+            let goes_round = period.is_some();
+            curve.extrema = probe.extrema(i, &curve, &places, goes_round, ends);
+            curves.push(curve);
+        }
+        let mut all = Curves {
+            abscissa,
+            title,
+            driver,
+            at,
+            along,
+            conditions,
+            curves,
+            breaks: along_breaks,
+            clock,
+            period,
+        };
+        all.place_extrema(&mut probe);
+        Ok(all)
+    }
+
+    /// Finds what stands along x at each extremum; one that lies beyond an end is one period before.
+    fn place_extrema(&mut self, probe: &mut Probe) {
+        let (first, last) = (self.places(0), self.places(usize::MAX));
+        let figure = self.curves.len();
+        for curve in &mut self.curves {
+            for extremum in &mut curve.extrema {
+                // Until here, the place is that of the probe.
+                let mut place = extremum.at;
+                if let Some(period) = self.period {
+                    if place < first {
+                        place += period;
+                    } else if place > last {
+                        place -= period;
+                    }
+                }
+                extremum.at = probe.coordinate(place);
+                extremum.along = match self.abscissa {
+                    Abscissa::Driver => extremum.at,
+                    Abscissa::Time => place,
+                    Abscissa::Figure(_) => probe.value(figure, place).unwrap_or(f64::NAN),
+                };
+            }
+            curve.extrema.retain(|e| e.along.is_finite());
+        }
+    }
+
+    /// The coordinate or the time of a sample; of the last one for any number beyond.
+    fn places(&self, sample: usize) -> f64 {
+        let sample = sample.min(self.at.len().saturating_sub(1));
+        let place = match self.abscissa {
+            Abscissa::Time => self.along.get(sample).copied().flatten(),
+            Abscissa::Driver | Abscissa::Figure(_) => self.at.get(sample).copied(),
+        };
+        place.unwrap_or(0.0)
+    }
+
+    /// The parts of a curve that hang together: places of what stands along x and the value. Parts of
+    /// one sample are possible, parts of none are not.
+    #[must_use]
+    pub fn pieces(&self, curve: usize) -> Vec<Vec<[f64; 2]>> {
+        let Some(curve) = self.curves.get(curve) else {
+            return Vec::new();
+        };
+        let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
+        let mut hangs_on = false;
+        for (i, (x, y)) in self.along.iter().zip(&curve.values).enumerate() {
+            let (Some(x), Some(y)) = (*x, *y) else {
+                hangs_on = false;
+                continue;
+            };
+            match pieces.last_mut() {
+                Some(piece) if hangs_on => piece.push([x, y]),
+                _ => pieces.push(vec![[x, y]]),
+            }
+            let breaks = [&self.breaks, &curve.breaks];
+            hangs_on = !breaks.iter().any(|b| b.get(i).copied().unwrap_or(false));
+        }
+        pieces
+    }
+
+    /// From where to where x goes; of nothing at all, nothing.
+    #[must_use]
+    pub fn span(&self) -> Option<(f64, f64)> {
+        shown(&self.along, &self.breaks)
+    }
+
+    /// What stands along x, and every curve, in a state of the whole solver.
+    #[must_use]
+    pub fn here(&self, state: &State) -> Here {
+        let place = self.place_of(state.at());
+        let pace = place.and_then(|time| self.clock.as_ref()?.pace(time));
+        let along = match &self.abscissa {
+            Abscissa::Driver | Abscissa::Time => place,
+            Abscissa::Figure(figure) => place.and_then(|_| figure.value(state)),
+        };
+        let value = |curve: &Curve| paced(&curve.quantity, state, pace);
+        Here {
+            along,
+            values: self.curves.iter().map(value).collect(),
+        }
+    }
+
+    /// Where among the samples the driver's coordinate lies, as a coordinate or a time.
+    fn place_of(&self, at: f64) -> Option<f64> {
+        let (first, last) = (self.places(0), self.places(usize::MAX));
+        let (low, high) = (first.min(last), first.max(last));
+        let place = match &self.clock {
+            None => at,
+            Some(clock) => clock.time(at)?,
+        };
+        let place = match self.period {
+            Some(_) if (low..=high).contains(&place) => place,
+            Some(period) => low + (place - low).rem_euclid(period),
+            None => place,
+        };
+        (low..=high).contains(&place).then_some(place)
+    }
+}
+
+impl Curve {
+    /// The range of values that is worth showing: all of them, but next to a gap, where a figure may
+    /// grow beyond all bounds, not much more than where most of them are. `None` where there is none.
+    #[must_use]
+    pub fn range(&self) -> Option<(f64, f64)> {
+        let (low, high) = shown(&self.values, &self.breaks)?;
+        // A curve turns between samples, and a little farther out.
+        let near = NEAR * (high - low);
+        let turns = self.extrema.iter().map(|e| e.value);
+        let turns = turns.filter(|&v| low - near <= v && v <= high + near);
+        Some(turns.fold((low, high), |(low, high), v| (low.min(v), high.max(v))))
+    }
+
+    /// Whether it does not change by more than its own error may be.
+    #[must_use]
+    pub fn is_level(&self) -> bool {
+        self.is_level
+    }
+}
+
+/// From where to where, as coordinates or times.
+fn stretch(
+    range: Range,
+    clock: Option<&Clock>,
+    window: Option<(f64, f64)>,
+) -> Result<(f64, f64), NoTime> {
+    match (clock, window) {
+        (None, Some((from, to))) => Ok((from.min(to), from.max(to))),
+        (None, None) => Ok(match range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        }),
+        (Some(clock), None) => Ok(clock.span(range)),
+        (Some(clock), Some((from, to))) => {
+            let time = |at| clock.time(at).ok_or(NoTime::TurnsBack(at));
+            let (from, to) = (time(from)?, time(to)?);
+            Ok((from.min(to), from.max(to)))
+        }
+    }
+}
+
+/// After what the samples repeat, where they cover just that: in degrees or seconds.
+fn period(range: Range, clock: Option<&Clock>, window: Option<(f64, f64)>) -> Option<f64> {
+    let Range::Full { period } = range else {
+        return None;
+    };
+    let covers = window.is_none_or(|(from, to)| (to - from).abs() == period);
+    match clock {
+        _ if !covers => None,
+        None => Some(period),
+        Some(clock) => clock.is_even().then(|| (period / clock.speed()).abs()),
+    }
+}

@@ -1,0 +1,290 @@
+//! Reading quantities anywhere on the way: samples, jumps between them, and where exactly a figure turns.
+
+use super::super::clock::{Clock, Pace, paced};
+use super::super::extrema::{Extremum, lowest, turns};
+use super::super::{Aspect, Quantity, Subject, demand};
+use super::Curve;
+use super::span::{ends, usual};
+use crate::angle::TURN;
+use crate::solver::{Condition, Order, Range, Solver, State};
+use crate::{LANES, Lanes};
+
+/// Of its range, a curve that goes through more than this from one sample to the next is looked at
+/// more closely: it may jump.
+const STEEP: f64 = 0.2;
+/// Halvings by which a jump is told from a steep slope: a millionth of the way between two samples.
+const HALVINGS: u32 = 20;
+/// A turn counts where the curve goes away from it by this part of its range.
+const LEAST_TURN: f64 = 2e-3;
+/// A change that is less than this part of the values is the rounding of what they come from.
+const ROUNDING: f64 = 1e-11;
+/// A change is one where it is more than so many times what an error may be.
+const DOUBT: f64 = 4.0;
+
+/// Reads the quantities anywhere on the way, by coordinate or by time.
+pub(super) struct Probe {
+    solver: Solver,
+    order: Order,
+    columns: Vec<Quantity>,
+    range: Range,
+    clock: Option<Clock>,
+    state: State,
+    lanes: State<Lanes>,
+}
+
+impl Probe {
+    pub(super) fn new(
+        solver: &Solver,
+        columns: &[Quantity],
+        range: Range,
+        clock: Option<Clock>,
+    ) -> Self {
+        let (wanted, order) = demand(columns);
+        let solver = solver.only(&wanted);
+        Probe {
+            order,
+            columns: columns.to_vec(),
+            range,
+            clock,
+            state: solver.state(),
+            lanes: solver.lanes(),
+            solver,
+        }
+    }
+
+    /// The driver's coordinate at a place; rounding leads out of no limit.
+    pub(super) fn coordinate(&self, place: f64) -> f64 {
+        let Some(clock) = &self.clock else {
+            return place;
+        };
+        let at = clock.coordinate(place);
+        match self.range {
+            Range::Limited { low, high } => at.max(low).min(high),
+            Range::Full { .. } => at,
+        }
+    }
+
+    fn pace(&self, place: f64) -> Option<Pace> {
+        self.clock.as_ref()?.pace(place)
+    }
+
+    fn solve(&mut self, place: f64) -> Condition {
+        let at = self.coordinate(place);
+        self.solver.solve(at, self.order, &mut self.state)
+    }
+
+    pub(super) fn value(&mut self, column: usize, place: f64) -> Option<f64> {
+        self.solve(place);
+        paced(&self.columns[column], &self.state, self.pace(place))
+    }
+
+    /// Every column at these places, and what the states are.
+    pub(super) fn sample(&mut self, places: &[f64]) -> (Vec<Vec<Option<f64>>>, Vec<Condition>) {
+        let mut columns = vec![Vec::with_capacity(places.len()); self.columns.len()];
+        let mut conditions = Vec::with_capacity(places.len());
+        for block in places.chunks(LANES) {
+            if self.sample_at_once(block, &mut columns) {
+                conditions.extend(block.iter().map(|_| Condition::Ok));
+                continue;
+            }
+            for &place in block {
+                conditions.push(self.solve(place));
+                let pace = self.pace(place);
+                for (quantity, values) in self.columns.iter().zip(&mut columns) {
+                    values.push(paced(quantity, &self.state, pace));
+                }
+            }
+        }
+        (columns, conditions)
+    }
+
+    /// Whether all places could be solved at once; then they are in the columns.
+    fn sample_at_once(&mut self, block: &[f64], columns: &mut [Vec<Option<f64>>]) -> bool {
+        let Some(&last) = block.last().filter(|&&p| self.pace(p).is_none()) else {
+            return false;
+        };
+        let mut at = [self.coordinate(last); LANES];
+        for (at, &place) in at.iter_mut().zip(block) {
+            *at = self.coordinate(place);
+        }
+        if !self.solver.solve_lanes(at, self.order, &mut self.lanes) {
+            return false;
+        }
+        for (quantity, values) in self.columns.iter().zip(columns) {
+            let lanes = quantity.value(&self.lanes);
+            let lane = |i: usize| lanes.map(|lanes| lanes.0[i]).filter(|v| v.is_finite());
+            values.extend((0..block.len()).map(lane));
+        }
+        true
+    }
+
+    /// Between which samples a column jumps.
+    pub(super) fn breaks(
+        &mut self,
+        column: usize,
+        places: &[f64],
+        values: &[Option<f64>],
+    ) -> Vec<bool> {
+        let wraps = self.columns[column].aspect == Aspect::Angle
+            && self.columns[column].subject != Subject::Driver;
+        let size = usual(values).map_or(0.0, |(low, high)| high - low);
+        let pairs = values.windows(2).zip(places.windows(2));
+        pairs
+            .map(|(pair, ends)| {
+                let [Some(a), Some(b)] = [pair[0], pair[1]] else {
+                    return false;
+                };
+                let change = (b - a).abs();
+                (wraps && change > TURN / 2.0)
+                    || (change > STEEP * size && self.jumps(column, [ends[0], ends[1]], [a, b]))
+            })
+            .collect()
+    }
+
+    /// Whether the change between two places does not become less however close they are.
+    pub(super) fn jumps(
+        &mut self,
+        column: usize,
+        mut places: [f64; 2],
+        mut values: [f64; 2],
+    ) -> bool {
+        let whole = (values[1] - values[0]).abs();
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (places[0] + places[1]);
+            let Some(value) = self.value(column, middle) else {
+                return true;
+            };
+            let end = usize::from((value - values[0]).abs() > (values[1] - value).abs());
+            (places[end], values[end]) = (middle, value);
+            if (values[1] - values[0]).abs() < 0.5 * whole {
+                return false;
+            }
+        }
+        // What is left changes nothing between two doubles that a steep slope could tell from a jump.
+        whole > ROUNDING * values[0].abs().max(values[1].abs())
+    }
+
+    /// Whether a column changes by no more than its own error may be.
+    pub(super) fn is_level(
+        &mut self,
+        column: usize,
+        places: &[f64],
+        values: &[Option<f64>],
+    ) -> bool {
+        let Some((low, high)) = ends(values) else {
+            return true;
+        };
+        let size = low.abs().max(high.abs());
+        if high - low <= ROUNDING * size {
+            return true;
+        }
+        let largest = values
+            .iter()
+            .position(|v| v.is_some_and(|v| v.abs() == size));
+        let Some(place) = largest.and_then(|i| places.get(i)) else {
+            return false;
+        };
+        self.solve(*place);
+        let mut enclosure = self.solver.enclosure();
+        self.solver.enclose(&self.state, self.order, &mut enclosure);
+        let bound = self.columns[column].bound(&self.state, &enclosure);
+        bound.is_some_and(|bound| high - low <= DOUBT * bound)
+    }
+
+    /// Where a curve turns. `at` of each is still the place, and `along` is not yet known.
+    pub(super) fn extrema(
+        &mut self,
+        column: usize,
+        curve: &Curve,
+        places: &[f64],
+        goes_round: bool,
+        ends_are_limits: bool,
+    ) -> Vec<Extremum> {
+        let size = curve.range().map_or(0.0, |(low, high)| high - low);
+        if curve.is_level || size <= 0.0 {
+            return Vec::new();
+        }
+        let mut found = Vec::new();
+        for piece in runs(&curve.values, &curve.breaks) {
+            let values: Vec<f64> = curve.values[piece.clone()]
+                .iter()
+                .copied()
+                .flatten()
+                .collect();
+            let goes_round = goes_round && values.len() == places.len();
+            for turn in turns(&values, LEAST_TURN * size, goes_round) {
+                let sample = piece.start + turn.sample;
+                let is_limit = ends_are_limits && (sample == 0 || sample + 1 == places.len());
+                if turn.is_end && !is_limit {
+                    continue;
+                }
+                let (at, value) = if turn.is_end {
+                    (places[sample], values[turn.sample])
+                } else {
+                    self.refined(column, sample, turn.is_peak, values[turn.sample], places)
+                };
+                found.push(Extremum {
+                    is_peak: turn.is_peak,
+                    at,
+                    along: f64::NAN,
+                    value,
+                    is_extreme: false,
+                });
+            }
+        }
+        mark_extremes(&mut found);
+        found
+    }
+
+    /// The place and the value of a turn near a sample.
+    fn refined(
+        &mut self,
+        column: usize,
+        sample: usize,
+        is_peak: bool,
+        value: f64,
+        places: &[f64],
+    ) -> (f64, f64) {
+        let step = (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
+        let here = places[sample];
+        let sense = if is_peak { -1.0 } else { 1.0 };
+        let f = |place| Some(sense * self.value(column, place)?);
+        let (place, value) = lowest(f, [here - step, here + step], (here, sense * value));
+        (place, sense * value)
+    }
+}
+
+/// The samples that hang together.
+fn runs(values: &[Option<f64>], breaks: &[bool]) -> Vec<std::ops::Range<usize>> {
+    let mut runs = Vec::new();
+    let mut start = None;
+    for (i, value) in values.iter().enumerate() {
+        if value.is_some() {
+            start = start.or(Some(i));
+        }
+        let ends = value.is_none() || breaks.get(i).copied().unwrap_or(true);
+        if ends && let Some(start) = start.take() {
+            runs.push(start..i + usize::from(value.is_some()));
+        }
+    }
+    runs
+}
+
+/// Marks the largest of the maxima and the smallest of the minima.
+fn mark_extremes(extrema: &mut [Extremum]) {
+    for is_peak in [true, false] {
+        let sense = if is_peak { 1.0 } else { -1.0 };
+        let all = extrema.iter_mut().filter(|e| e.is_peak == is_peak);
+        // Of equals the first.
+        let most = all.reduce(|best, e| {
+            if sense * e.value > sense * best.value {
+                e
+            } else {
+                best
+            }
+        });
+        if let Some(most) = most {
+            most.is_extreme = true;
+        }
+    }
+}

@@ -1,0 +1,216 @@
+use super::super::Aspect;
+use super::span::ends;
+use super::*;
+use crate::angle::TURN;
+use crate::scene::presets;
+use crate::solver::Order;
+
+fn opened(text: &str) -> (Scene, Solver) {
+    let scene = Scene::parse(text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+fn preset(name: &str) -> (Scene, Solver) {
+    opened(presets::find(name).unwrap().text)
+}
+
+fn sampled((scene, solver): &(Scene, Solver), columns: &[&str], abscissa: Abscissa) -> Curves {
+    let figures = Catalogue::new(scene).select(columns).unwrap();
+    Curves::new(scene, solver, &figures, abscissa, None).unwrap()
+}
+
+fn turns(curve: &Curve) -> Vec<(f64, f64)> {
+    let mut all: Vec<_> = curve.extrema.iter().map(|e| (e.at, e.value)).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all
+}
+
+/// What is promised: the value to rounding, the place to 1e-5 deg.
+fn close(found: &[(f64, f64)], wanted: &[(f64, f64)]) {
+    assert_eq!(found.len(), wanted.len(), "{found:?}");
+    for (f, w) in found.iter().zip(wanted) {
+        let apart = (f.0 - w.0).rem_euclid(TURN);
+        assert!(apart.min(TURN - apart) < 1e-5, "{f:?} {w:?}");
+        assert!((f.1 - w.1).abs() <= 1e-13 * w.1.abs(), "{f:?} {w:?}");
+    }
+}
+
+/// At the dead centres crank r and rod l are in line: x^2 + e^2 = (l +- r)^2, and the crank points
+/// along the rod, or against it.
+#[test]
+fn strokes_end_at_the_dead_centres() {
+    let curves = sampled(&preset("slider-crank"), &["C.x"], Abscissa::Driver);
+    close(&turns(&curves.curves[0]), &[(0.0, 30.0), (180.0, 10.0)]);
+    let text = presets::find("slider-crank").unwrap().text;
+    let offset = text.replace("through = \"A\", angle = 0", "through = [0, -4], angle = 0");
+    assert_ne!(offset, text);
+    let offset = offset.replace("C = [28, 0]", "C = [28, -4]");
+    let curves = sampled(&opened(&offset), &["C.x"], Abscissa::Driver);
+    let (far, near) = ((900.0_f64 - 16.0).sqrt(), (100.0_f64 - 16.0).sqrt());
+    let angle = |x: f64| (-4.0_f64).atan2(x).to_degrees();
+    let wanted = [(angle(near) + 180.0, near), (angle(far) + 360.0, far)];
+    close(&turns(&curves.curves[0]), &wanted);
+}
+
+/// The rocker of a crank-rocker turns back where crank and coupler are in line: the law of cosines.
+#[test]
+fn a_rocker_turns_back_where_crank_and_coupler_are_in_line() {
+    let curves = sampled(&preset("four-bar"), &["r4.angle"], Abscissa::Driver);
+    let rocker = |reach: f64| {
+        let cosine =
+            (400.0_f64.powi(2) + 250.0_f64.powi(2) - reach * reach) / (2.0 * 400.0 * 250.0);
+        360.0 - cosine.acos().to_degrees()
+    };
+    let values: Vec<f64> = curves.curves[0].extrema.iter().map(|e| e.value).collect();
+    assert_eq!(values.len(), 2);
+    for wanted in [rocker(400.0), rocker(200.0)] {
+        assert!(
+            values.iter().any(|v| (v - wanted).abs() < 1e-11),
+            "{values:?} {wanted}"
+        );
+    }
+}
+
+#[test]
+fn samples_are_the_states_themselves() {
+    for name in ["four-bar", "stephenson-six-bar", "double-rocker", "kite"] {
+        let (scene, solver) = preset(name);
+        let figures = Catalogue::new(&scene).figures();
+        let curves = Curves::new(&scene, &solver, &figures, Abscissa::Driver, None).unwrap();
+        let mut state = solver.state();
+        for (k, &at) in curves.at.iter().enumerate().step_by(7) {
+            let condition = solver.solve(at, Order::Acceleration, &mut state);
+            assert_eq!(condition, curves.conditions[k], "{name} {at}");
+            let here = curves.here(&state);
+            for (curve, value) in curves.curves.iter().zip(here.values) {
+                let bits = |v: Option<f64>| v.map(f64::to_bits);
+                assert_eq!(
+                    bits(curve.values[k]),
+                    bits(value),
+                    "{name} {} {at}",
+                    curve.quantity.name
+                );
+            }
+            let along = here.along.unwrap();
+            assert!((along - at).rem_euclid(curves.period.unwrap_or(f64::MAX)) < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn a_period_of_two_turns_and_limits_are_covered_whole() {
+    let curves = sampled(&preset("kite"), &["C.x"], Abscissa::Driver);
+    assert_eq!(curves.span(), Some((0.0, 720.0)));
+    let (scene, solver) = preset("double-rocker");
+    let curves = sampled(&(scene, solver.clone()), &["C.x", "C.vx"], Abscissa::Driver);
+    let Range::Limited { low, high } = solver.motion().range else {
+        panic!("it is limited");
+    };
+    assert_eq!(curves.span(), Some((low, high)));
+    // Places exist at the limits, rates do not, and grow beyond all bounds before.
+    let [place, rate] = &curves.curves[..] else {
+        panic!()
+    };
+    assert!(place.values[0].is_some() && rate.values[0].is_none());
+    let (low, high) = ends(&rate.values).unwrap();
+    let shown = rate.range().unwrap();
+    assert!(
+        shown.1 - shown.0 < 0.6 * (high - low),
+        "{shown:?} of {low} to {high}"
+    );
+    assert_eq!(curves.pieces(1).len(), 1);
+}
+
+#[test]
+fn directions_jump_at_360_deg_and_nothing_else_does() {
+    let (scene, solver) = preset("drag-link");
+    let figures = Catalogue::new(&scene).figures();
+    let curves = Curves::new(&scene, &solver, &figures, Abscissa::Driver, None).unwrap();
+    for (i, curve) in curves.curves.iter().enumerate() {
+        for piece in curves.pieces(i) {
+            let steps = piece.windows(2).map(|p| (p[1][1] - p[0][1]).abs());
+            let most = steps.fold(0.0, f64::max);
+            if curve.quantity.aspect == Aspect::Angle {
+                assert!(most < 180.0, "{} {most}", curve.quantity.name);
+            }
+        }
+        if curve.quantity.aspect != Aspect::Angle {
+            assert_eq!(curves.pieces(i).len(), 1, "{}", curve.quantity.name);
+        }
+    }
+}
+
+#[test]
+fn a_pole_is_a_gap_and_a_steep_slope_is_none() {
+    let (scene, solver) = preset("four-bar");
+    let figures = Catalogue::new(&scene).select(&["C.x"]).unwrap();
+    let mut probe = Probe::new(&solver, &figures, solver.motion().range, None);
+    // C.x itself, from one end of its stroke to the other: steep, but no jump.
+    let values = [0.0, 180.0].map(|at| probe.value(0, at).unwrap());
+    assert!(!probe.jumps(0, [0.0, 180.0], values));
+    // Values that are not those of the curve stand for a jump behind the first sample.
+    assert!(probe.jumps(0, [0.0, 180.0], [1e6, values[1]]));
+}
+
+/// With an acceleration, too, the slope of a place over time is the velocity beside it, and the slope
+/// of that the acceleration.
+#[test]
+fn over_time_rates_are_the_slopes_of_what_stands_beside_them() {
+    let text = presets::find("four-bar").unwrap().text;
+    for speed in [
+        "speed = \"15 rad/s\"",
+        "speed = \"15 rad/s\"\nacceleration = \"40 rad/s^2\"",
+        "speed = \"-3 rad/s\"\nacceleration = \"2 rad/s^2\"",
+    ] {
+        let scene = opened(&text.replace("speed = \"15 rad/s\"", speed));
+        for names in [
+            ["C.x", "C.vx", "C.ax"],
+            ["r4.angle", "r4.omega", "r4.alpha"],
+        ] {
+            let curves = sampled(&scene, &names, Abscissa::Time);
+            let unit = if names[0] == "C.x" {
+                1.0
+            } else {
+                1.0_f64.to_radians()
+            };
+            for (of, slope, scale) in [(0, 1, unit), (1, 2, 1.0)] {
+                let size = curves.curves[slope].range().unwrap();
+                let size = size.0.abs().max(size.1.abs());
+                for k in (1..curves.at.len() - 1).step_by(11) {
+                    let t = |k: usize| curves.along[k].unwrap();
+                    let v = |k: usize| curves.curves[of].values[k].unwrap() * scale;
+                    let found = (v(k + 1) - v(k - 1)) / (t(k + 1) - t(k - 1));
+                    let wanted = curves.curves[slope].values[k].unwrap();
+                    assert!(
+                        (found - wanted).abs() < 2e-3 * size,
+                        "{speed} {names:?} {found} {wanted}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn without_a_speed_there_is_no_time() {
+    let text = presets::find("four-bar")
+        .unwrap()
+        .text
+        .replace("15 rad/s", "0 rad/s");
+    let (scene, solver) = opened(&text);
+    let figures = Catalogue::new(&scene).select(&["C.x"]).unwrap();
+    let none = Curves::new(&scene, &solver, &figures, Abscissa::Time, None);
+    assert!(matches!(none, Err(NoTime::StandsStill)));
+}
+
+#[test]
+fn what_is_all_rounding_is_level() {
+    let curves = sampled(
+        &preset("slider-crank"),
+        &["C.y", "C.vy", "C.x", "r2.omega"],
+        Abscissa::Driver,
+    );
+    let level: Vec<bool> = curves.curves.iter().map(Curve::is_level).collect();
+    assert_eq!(level, [true, true, false, true]);
+}
