@@ -1,0 +1,247 @@
+//! The command line as its users write it.
+
+mod figures;
+mod pictures;
+mod workbench;
+
+pub(super) use figures::{AccuracyArgs, Format, SweepArgs, TableArgs};
+pub(super) use pictures::{DrawArgs, Glyphs, Names, PictureFormat, PlotArgs, Size};
+#[cfg(feature = "tui")]
+pub(super) use workbench::{Colour, Theme, View};
+pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
+
+use crate::assembly::Wish;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+/// The keys that one cannot do without, where there is a workbench.
+#[cfg(feature = "tui")]
+macro_rules! keys_help {
+    () => {
+        "\
+Keys of the workbench:
+  space play or pause   . one step on   , one step back   r the other way
+  g type where to go    2 all tables    n the next preset t other characters
+  a other assemblies    ? all keys        q leave
+
+"
+    };
+}
+#[cfg(not(feature = "tui"))]
+macro_rules! keys_help {
+    () => {
+        ""
+    };
+}
+
+/// What stands for a scene on the command line.
+const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
+
+/// A terminal workbench for planar linkages.
+#[derive(Debug, Parser)]
+#[command(
+    name = "krank",
+    version,
+    about = "A terminal workbench for planar linkages",
+    long_about = "A terminal workbench for planar linkages: position, velocity and acceleration \
+                  of any mechanism with one input, drawn and in tables.",
+    args_conflicts_with_subcommands = true,
+    after_help = concat!(
+        keys_help!(),
+        "\
+Examples:
+  krank                          open the four-bar of the lectures
+  krank slider-crank --at 30     open a preset at 30 degrees
+  krank my-press.toml            open a scene file
+  krank press --view tables      open a preset with all its tables
+  krank press --print            print the screen that opens, and leave
+  krank sweep four-bar -o four-bar.csv
+
+SCENE is a file, a preset's name (krank list) or - for standard input. A name
+with a slash or ending in .toml is always a file: ./four-bar.
+
+krank completions SHELL and krank man print a completion script and the manual.
+
+Exit codes: 0 done; 1 the mechanism cannot do what was asked, or the output
+cannot be written; 2 the command line or the scene is wrong."
+    )
+)]
+pub(super) struct Cli {
+    #[command(subcommand)]
+    pub(super) command: Option<Command>,
+    #[command(flatten)]
+    pub(super) workbench: WorkbenchArgs,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum Command {
+    /// List the presets
+    #[command(after_help = "\
+Example:
+  krank list                     their names and titles")]
+    List,
+    /// Tell what krank understands of a scene: parts, mobility, groups, range
+    #[command(after_help = "\
+Examples:
+  krank check four-bar
+  krank check four-bar --assembly C=-
+  krank check my-press.toml --format json
+  krank check - < my-press.toml")]
+    Check(CheckArgs),
+    /// Print the position, velocity and acceleration tables at one angle
+    #[command(after_help = "\
+Examples:
+  krank table four-bar --at 60
+  krank table slider-crank --at 30 --digits 10
+  krank table press --bounds --sensitivity
+  krank table four-bar --format json
+  krank table four-bar --at 240 --assembly C=-")]
+    Table(TableArgs),
+    /// Draw the linkage at one angle: in characters, or as SVG
+    #[command(after_help = "\
+Examples:
+  krank draw four-bar --at 60
+  krank draw hoecken --traces
+  krank draw four-bar --velocities --accelerations C --size 120x40
+  krank draw jansen-leg --traces T --ghosts 6 --format svg -o leg.svg
+
+POINTS are names of points separated by commas, or all. Without them --traces
+draws the curves that are no circles about a ground pin (or these, where there
+is nothing else), --velocities and --accelerations the arrows of all joints and
+riders. Arrows of one kind have one scale over the whole motion; the line below
+tells it. One whose shaft is broken is longer than it is drawn.")]
+    Draw(DrawArgs),
+    /// Write figures over the driver's angle, row by row
+    #[command(after_help = "\
+Examples:
+  krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega
+  krank sweep four-bar --columns 'C.*,*.omega' --format json
+  krank sweep press-ram --step 0.1 -o press.csv
+
+Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
+krank sweep SCENE | head -n 1 shows all of a scene's. The driver's coordinate
+always comes first and the state last: ok, change-point, dead-point or
+no-assembly. A value that does not exist is an empty cell (null in JSON).
+--bounds puts C.x.bound behind each C.x, in the same unit: what the error of
+solving the scene as it is given does not exceed. --sensitivity puts
+C.x.sensitivity there: the change of C.x where every given length is off by one
+unit, at the worst.
+Without --from and --to a sweep covers the motion range and ends on its limits,
+or after one period.")]
+    Sweep(SweepArgs),
+    /// Plot figures over the motion: in characters, or as SVG
+    #[command(after_help = "\
+Examples:
+  krank plot four-bar --columns r4.omega
+  krank plot four-bar --columns 'C.v*,r4.alpha' --size 120x40
+  krank plot slider-crank --columns C.vx --against C.x
+  krank plot hoecken --columns P.y --against P.x --format svg -o curve.svg
+
+Columns are named as in krank sweep; every unit has a panel of its own. Over
+time, 0 s is where the scene opens, and the driver goes on from there with its
+speed and acceleration. Maxima and minima are marked with their value and place,
+which are solved for, not read from the picture: the value to rounding, the
+place to about 1e-5 deg. Where no value exists there is a gap.")]
+    Plot(PlotArgs),
+    /// Print a scene with the [start] of another assembly
+    #[command(after_help = "\
+Examples:
+  krank start four-bar --assembly C=- > crossed.toml
+  krank start my-press.toml --assembly C=-,F=+ -o my-press.toml
+
+Only [start] changes: comments, order and everything else stay as they are. The
+file is written at once or not at all, and may be the scene itself. Where the
+motion of the assembly does not come to where the scene opens, the opening of
+the driver changes too.")]
+    Start(StartArgs),
+    /// Measure speed against error: every method that could solve a scene, in a table and a chart
+    #[command(after_help = "\
+Examples:
+  krank accuracy                 the four-bar of the lectures
+  krank accuracy jansen-leg --format csv -o jansen.csv
+  krank accuracy my-press.toml --positions 36000
+
+Every method gives positions, velocities and accelerations, and is held against
+a run in doubled precision. Methods that a scene does not allow are listed with
+the reason. Times are this machine's: let it rest meanwhile. Ctrl-C ends it.")]
+    Accuracy(AccuracyArgs),
+    /// Print a configuration to begin with: every key, and what is built in
+    #[cfg(feature = "tui")]
+    #[command(after_help = "\
+Example:
+  krank config > ~/.config/krank/config.toml
+
+The workbench reads $XDG_CONFIG_HOME/krank/config.toml, or ~/.config/krank/config.toml
+where that is not set, and never writes it: characters, colours, keys.")]
+    Config,
+    /// Print a completion script for a shell
+    #[command(
+        hide = true,
+        after_help = "\
+Example:
+  krank completions bash > ~/.local/share/bash-completion/completions/krank"
+    )]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Print the manual page
+    #[command(
+        hide = true,
+        after_help = "\
+Examples:
+  krank man > krank.1
+  krank man sweep > krank-sweep.1"
+    )]
+    Man {
+        /// The command that the page is about; krank itself if left out
+        command: Option<String>,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(super) struct CheckArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
+    pub(super) format: CheckFormat,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum CheckFormat {
+    /// For a person
+    Text,
+    /// One object
+    Json,
+}
+
+/// The assembly that is meant.
+#[derive(Debug, Args)]
+pub(super) struct AssemblyArgs {
+    /// The assembly of a group where the scene opens, as check lists them; separated by commas
+    #[arg(long = "assembly", value_name = "GROUP=CHOICE", value_delimiter = ',')]
+    pub(super) wishes: Vec<Wish>,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct StartArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
+    #[command(flatten)]
+    pub(super) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct OutputArgs {
+    /// Write to a file instead of standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
