@@ -41,7 +41,6 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use comparing::Comparison;
-pub(crate) use editing::{Entry, Wanted};
 use filing::Pending;
 pub(crate) use filing::Unsaved;
 pub(crate) use mode::Mode;
@@ -94,7 +93,7 @@ pub(crate) struct App {
     chosen: Chosen,
     /// Where the cursor of the tables is.
     cursor: Cursor,
-    /// The name that was sought last in the tables.
+    /// The name that was sought last.
     sought: String,
     /// What is plotted.
     plots: Plots,

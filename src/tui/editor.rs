@@ -99,8 +99,6 @@ pub(crate) struct Editor {
     fitting: Notch,
     /// Steps that the person has chosen, each for all values that measure the same.
     chosen: Vec<(Measure, Notch)>,
-    /// What was searched last.
-    sought: String,
     pub(crate) history: History,
 }
 
@@ -114,7 +112,6 @@ impl Editor {
             cursor: 0,
             fitting: DEGREE,
             chosen: Vec::new(),
-            sought: String::new(),
             history: History::default(),
         }
     }
@@ -240,13 +237,7 @@ impl Editor {
         if row != self.cursor {
             self.go(row);
         }
-        sought.clone_into(&mut self.sought);
         true
-    }
-
-    /// What was searched last.
-    pub(crate) fn sought(&self) -> &str {
-        &self.sought
     }
 
     /// Finds the step that fits the value under the cursor.

@@ -3,6 +3,24 @@
 //! Keys become actions, actions change the state, views show it: a view changes nothing. Time and the
 //! terminal come in from outside, so that the whole can be driven, as a [`Workbench`], by a
 //! test. The timer follows the wall clock; while paused nothing wakes up and nothing is written.
+//!
+//! # Where to find what
+//!
+//! | modules | what they hold |
+//! |---|---|
+//! | `key`, `action`, `keymap`, `config`, `places` | keys, the table of what they can ask for, and what a person has configured |
+//! | `app` | the state, and what each action does to it; a file of `app/` for each part |
+//! | `views`, `theme`, `palette` | what is drawn; one file for each view and each list, `views/status/` for the last line |
+//! | `workbench`, `picture`, `terminal` | the whole without a terminal, its screen as text, and the real terminal |
+//! | `stage`, `course`, `playback`, `steps`, `ahead`, `panel`, `cost` | the open scene solved where its driver stands, and how that moves |
+//! | `lens`, `chosen` | the motion view: layers, zoom, the points that are followed |
+//! | `sheet`, `figures`, `cursor`, `search`, `copying`, `clipboard` | the tables: columns, width of figures, the cursor, finding, copying |
+//! | `plots`, `plot_list` | the plots, and the list of what is plotted |
+//! | `survey` | the study of the accuracy view |
+//! | `editor`, `edited`, `history` | the scene view: values, what an edit makes of the scene, taking it back |
+//! | `saving`, `writing`, `disk`, `recovery` | files: the scene's own, others that are written, changes by others, unsaved edits |
+//! | `opening`, `picker`, `folder`, `preview`, `rival` | other scenes: opening, the list of them, what is seen of them, comparing with one |
+//! | `help`, `tour`, `line` | the help, the tour, and lines that are typed |
 
 mod action;
 mod ahead;

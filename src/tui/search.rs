@@ -1,4 +1,4 @@
-//! Finding a row of the tables by its name.
+//! Finding a row by its name.
 
 use super::cursor::Cursor;
 use super::line::Line;
@@ -9,7 +9,16 @@ use crate::report::Tables;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Search {
     pub(crate) name: Line,
-    pub(crate) from: Cursor,
+    pub(crate) from: Whence,
+}
+
+/// Where a search began.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Whence {
+    /// In the tables.
+    Tables(Cursor),
+    /// In this row of the scene view.
+    Scene(usize),
 }
 
 /// How well a name fits what is typed, the best last.

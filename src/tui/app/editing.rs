@@ -5,28 +5,11 @@ use super::super::action::{Action, SceneAction};
 use super::super::edited::{self, Edited};
 use super::super::figures::coordinate;
 use super::super::history::Deed;
-use super::super::key::Key;
 use super::super::line::Line;
-use super::{App, Effect, Mode, View};
+use super::{App, Mode, View};
 use crate::Input;
 use crate::scene::{Measure, Value};
 use std::time::Duration;
-
-/// What is typed in the scene view.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Entry {
-    pub(crate) line: Line,
-    pub(crate) purpose: Wanted,
-}
-
-/// What it is typed for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Wanted {
-    /// Another value in the row under the cursor.
-    Value,
-    /// A part of a name, to go to; the cursor was in this row.
-    Find(usize),
-}
 
 impl App {
     /// What the scene view alone can do.
@@ -42,77 +25,12 @@ impl App {
 
     fn type_value(&mut self) {
         if self.editor.value().is_some() {
-            self.mode = Mode::Value(Entry {
-                line: Line::for_number(),
-                purpose: Wanted::Value,
-            });
-        }
-    }
-
-    /// Searches the list of values by name.
-    pub(super) fn search_values(&mut self) {
-        self.mode = Mode::Value(Entry {
-            line: Line::for_number(),
-            purpose: Wanted::Find(self.editor.cursor()),
-        });
-    }
-
-    /// A key while a value or a name is typed; `None` for those that mean the same everywhere.
-    pub(super) fn type_entry(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let Mode::Value(entry) = &mut self.mode else {
-            return None;
-        };
-        let purpose = entry.purpose;
-        self.message = None;
-        match key {
-            Key::Escape => {
-                if let Wanted::Find(row) = purpose {
-                    self.editor.go_to(row);
-                }
-                self.mode = Mode::Normal;
-                return Some(Effect::Show);
-            }
-            Key::Enter => {
-                let typed = entry.line.text().to_owned();
-                match purpose {
-                    Wanted::Value => self.take_value(&typed, now),
-                    Wanted::Find(_) => self.end_search(&typed),
-                }
-                return Some(Effect::Show);
-            }
-            _ if entry.line.edit(key) => {}
-            Key::Ctrl(_) => return None,
-            _ => {}
-        }
-        if let Wanted::Find(row) = purpose {
-            self.seek(row);
-        }
-        Some(Effect::Show)
-    }
-
-    /// Goes to the first value behind a row whose name has what is typed so far.
-    fn seek(&mut self, from: usize) {
-        let Mode::Value(entry) = &self.mode else {
-            return;
-        };
-        let typed = entry.line.text().to_owned();
-        self.editor.go_to(from);
-        if !typed.is_empty() && !self.editor.seek(&typed, false) {
-            self.message = Some(format!("no value is named {typed}"));
-        }
-    }
-
-    /// Stays where the search has led; with nothing typed it goes on to the next.
-    fn end_search(&mut self, typed: &str) {
-        self.mode = Mode::Normal;
-        let sought = self.editor.sought().to_owned();
-        if typed.is_empty() && !sought.is_empty() {
-            self.editor.seek(&sought, true);
+            self.mode = Mode::Value(Line::for_number());
         }
     }
 
     /// Another value was typed: it is taken, or the line stays to be corrected.
-    fn take_value(&mut self, typed: &str, now: Duration) {
+    pub(super) fn take_value(&mut self, typed: &str, now: Duration) {
         let Some(value) = self.editor.value().cloned() else {
             return;
         };

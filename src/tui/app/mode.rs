@@ -6,7 +6,7 @@ use super::super::picker::Picker;
 use super::super::plot_list::PlotList;
 use super::super::search::Search;
 use super::super::writing::{Prompt, Question};
-use super::{Entry, Unsaved};
+use super::Unsaved;
 
 /// What keys go to.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,12 +29,12 @@ pub(crate) enum Mode {
     Confirm(Question),
     /// The list of presets and files.
     Pick(Box<Picker>),
-    /// The line in which a name is typed that is sought in the tables.
+    /// The line in which a name is typed that is sought.
     Search(Search),
     /// The question how much of the tables is copied.
     Copy,
-    /// The line in the scene view in which a value or a name is typed.
-    Value(Entry),
+    /// The line in the scene view in which a value is typed.
+    Value(Line),
     /// A question about unsaved edits.
     Unsaved(Unsaved),
 }
@@ -48,7 +48,7 @@ impl Mode {
             Mode::Help(help) => help.typed(),
             Mode::PlotList(list) => list.typed(),
             Mode::Search(search) => Some(&mut search.name),
-            Mode::Value(entry) => Some(&mut entry.line),
+            Mode::Value(line) => Some(line),
             Mode::Normal
             | Mode::Tour(_)
             | Mode::Assemblies(_)

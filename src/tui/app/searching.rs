@@ -1,29 +1,27 @@
-//! The cursor of the tables: moving it, finding a row by its name, and choosing what the motion view
-//! shows.
+//! Finding a row by its name, in the tables and in the scene view; the cursor of the tables, and choosing
+//! what the motion view shows.
 
 use super::super::action::TablesAction;
 use super::super::cursor::{self, Cursor};
 use super::super::key::Key;
 use super::super::line::Line;
-use super::super::search::{self, Search};
+use super::super::search::{self, Search, Whence};
 use super::super::{chosen, sheet, views};
 use super::{App, Effect, Mode, View};
 
 impl App {
     /// Asks for a name, in the views that have rows.
     pub(super) fn search(&mut self) {
-        match self.view {
-            View::Tables => {
-                self.mode = Mode::Search(Search {
-                    name: Line::for_search(),
-                    from: self.cursor,
-                });
-            }
-            View::Scene => self.search_values(),
+        let from = match self.view {
+            View::Tables => Whence::Tables(self.cursor),
+            View::Scene => Whence::Scene(self.editor.cursor()),
             View::Motion | View::Plots | View::Accuracy | View::Forces | View::Lengths => {
                 self.message = Some("there is nothing to search here".into());
+                return;
             }
-        }
+        };
+        let name = Line::for_search();
+        self.mode = Mode::Search(Search { name, from });
     }
 
     /// Keys of the line in which a name is typed; `None` for those that mean the same everywhere.
@@ -36,7 +34,7 @@ impl App {
                 let from = search.from;
                 self.mode = Mode::Normal;
                 self.message = None;
-                self.place_cursor(|_, _| from);
+                self.go_back(from);
             }
             Key::Enter => self.accept_search(),
             _ if search.name.edit(key) => self.find(),
@@ -46,18 +44,43 @@ impl App {
         Some(Effect::Show)
     }
 
+    /// Puts the cursor where the search began.
+    fn go_back(&mut self, from: Whence) {
+        match from {
+            Whence::Tables(cursor) => self.place_cursor(|_, _| cursor),
+            Whence::Scene(row) => self.editor.go_to(row),
+        }
+    }
+
     /// Moves to the row that is meant by what is typed so far; says so where there is none.
     pub(super) fn find(&mut self) {
         let Mode::Search(search) = &self.mode else {
             return;
         };
-        let (typed, from) = (search.name.text().to_owned(), search.from);
-        let found = match typed.trim() {
-            "" => Some(from),
-            typed => search::best(self.stage.tables(), typed, from),
-        };
-        self.message = found.is_none().then(|| nameless(&typed));
-        self.place_cursor(|_, _| found.unwrap_or(from));
+        let (typed, from) = (search.name.text().trim().to_owned(), search.from);
+        if typed.is_empty() {
+            self.message = None;
+            self.go_back(from);
+            return;
+        }
+        let found = self.go_to_name(&typed, from);
+        self.message = (!found).then(|| nameless(&typed));
+    }
+
+    /// Moves to the row that a name means, of several to the first from a place on; back to that place
+    /// where there is none, and then false.
+    fn go_to_name(&mut self, typed: &str, from: Whence) -> bool {
+        match from {
+            Whence::Tables(from) => {
+                let found = search::best(self.stage.tables(), typed, from);
+                self.place_cursor(|_, _| found.unwrap_or(from));
+                found.is_some()
+            }
+            Whence::Scene(row) => {
+                self.editor.go_to(row);
+                self.editor.seek(typed, false)
+            }
+        }
     }
 
     /// Stays where the name led. Nothing typed means the next row of the name that was sought last; a
@@ -66,23 +89,32 @@ impl App {
         let Mode::Search(search) = &self.mode else {
             return;
         };
-        let typed = search.name.text().trim().to_owned();
+        let (typed, from) = (search.name.text().trim().to_owned(), search.from);
         if typed.is_empty() {
             self.mode = Mode::Normal;
-            self.find_next();
-        } else if search::best(self.stage.tables(), &typed, search.from).is_some() {
+            self.find_next(from);
+            return;
+        }
+        if self.go_to_name(&typed, from) {
             self.sought = typed;
             self.mode = Mode::Normal;
         }
     }
 
-    fn find_next(&mut self) {
+    /// Goes on to the next row of the name that was sought last.
+    fn find_next(&mut self, from: Whence) {
         if self.sought.is_empty() {
             return;
         }
-        match search::next(self.stage.tables(), &self.sought, self.cursor) {
-            Some(found) => self.place_cursor(|_, _| found),
-            None => self.message = Some(nameless(&self.sought)),
+        let found = match from {
+            Whence::Tables(_) => {
+                let next = search::next(self.stage.tables(), &self.sought, self.cursor);
+                next.map(|next| self.place_cursor(|_, _| next)).is_some()
+            }
+            Whence::Scene(_) => self.editor.seek(&self.sought, true),
+        };
+        if !found {
+            self.message = Some(nameless(&self.sought));
         }
     }
 
@@ -129,5 +161,5 @@ impl App {
 }
 
 fn nameless(typed: &str) -> String {
-    format!("no row is named {}", typed.trim())
+    format!("no row is named {typed}")
 }

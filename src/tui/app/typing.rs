@@ -40,7 +40,7 @@ impl App {
             Mode::Normal => None,
             Mode::Help(_) => self.search_help(key),
             Mode::Tour(_) => self.turn_page(key),
-            Mode::GoTo(_) | Mode::FileName(_) => self.line_key(key, now),
+            Mode::GoTo(_) | Mode::Value(_) | Mode::FileName(_) => self.line_key(key, now),
             Mode::Assemblies(cursor) => (key == Key::Enter).then(|| {
                 self.take_assembly(cursor, now);
                 Effect::Show
@@ -50,7 +50,6 @@ impl App {
             Mode::Pick(_) => self.pick_key(key, now),
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
-            Mode::Value(_) => self.type_entry(key, now),
             Mode::Unsaved(_) => self.answer(key, now),
         }
     }
@@ -60,11 +59,8 @@ impl App {
         let line = self.mode.line()?;
         match key {
             Key::Enter => {
-                match &self.mode {
-                    Mode::FileName(prompt) => self.accept_file(prompt.clone()),
-                    Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
-                    _ => {}
-                }
+                self.message = None;
+                self.accept_line(now);
                 return Some(Effect::Show);
             }
             Key::Escape => self.mode = Mode::Normal,
@@ -74,6 +70,15 @@ impl App {
         }
         self.message = None;
         Some(Effect::Show)
+    }
+
+    fn accept_line(&mut self, now: Duration) {
+        match &self.mode {
+            Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
+            Mode::Value(line) => self.take_value(&line.text().to_owned(), now),
+            Mode::FileName(prompt) => self.accept_file(prompt.clone()),
+            _ => {}
+        }
     }
 
     /// Whether the mode lets an action through that is none of its own.

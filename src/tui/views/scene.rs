@@ -10,7 +10,7 @@
 use super::motion::{rule, show};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right};
 use crate::scene::Value;
-use crate::tui::app::{App, Mode, Wanted};
+use crate::tui::app::{App, Mode};
 use crate::tui::editor::Editor;
 use crate::tui::stage::shown;
 use crate::tui::theme::{self, Part};
@@ -185,9 +185,7 @@ impl Columns {
         let point = at + self.name + 1 + self.whole;
         let unit = point + self.fraction + 1;
         let typed = match app.mode() {
-            Mode::Value(entry) if under_cursor && entry.purpose == Wanted::Value => {
-                Some(entry.line.text())
-            }
+            Mode::Value(line) if under_cursor => Some(line.text()),
             _ => None,
         };
         if let Some(typed) = typed {

@@ -4,7 +4,7 @@ use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::ahead::ahead;
-use crate::tui::app::{App, Mode, Unsaved, View, Wanted};
+use crate::tui::app::{App, Mode, Unsaved, View};
 use crate::tui::figures::coordinate;
 use crate::tui::picker::Purpose;
 use crate::tui::stage::{Stage, shown};
@@ -38,10 +38,7 @@ pub(super) fn mode(app: &App) -> &'static str {
             Unsaved::Reload => "reload",
             Unsaved::Found(_) => "found",
         },
-        (Mode::Value(entry), _) => match entry.purpose {
-            Wanted::Value => "edit",
-            Wanted::Find(_) => "find",
-        },
+        (Mode::Value(_), _) => "edit",
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",

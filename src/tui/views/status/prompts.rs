@@ -2,7 +2,7 @@
 
 use super::facts::mode;
 use super::{ROOM_FOR_GAPS, Writer};
-use crate::tui::app::{App, Entry, Mode, Unsaved, Wanted};
+use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::key::Key;
 use crate::tui::line::Line;
 use crate::tui::picker::{Picker, Place};
@@ -24,7 +24,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::Confirm(asked) => question(app, asked, line),
         Mode::Pick(picker) => picking(app, picker, line),
         Mode::Search(search) => sought(app, &search.name, line),
-        Mode::Value(entry) => entry_prompt(app, entry, line),
+        Mode::Value(_) => value(app, line),
         Mode::Copy => how_much(line),
         Mode::Normal | Mode::Help(_) | Mode::Tour(_) | Mode::Assemblies(_) | Mode::PlotList(_) => {
             return false;
@@ -66,7 +66,7 @@ fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
-/// Where a name is typed that is sought in the tables.
+/// Where a name is typed that is sought.
 fn sought(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" name: ", Part::Text);
     line.say(typed.text(), Part::Text);
@@ -78,30 +78,19 @@ fn sought(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "back");
 }
 
-/// What is typed in the scene view: a value stands in its row, a name here.
-fn entry_prompt(app: &App, entry: &Entry, line: &mut Writer<'_>) {
+/// Which value is typed: it stands in its row.
+fn value(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
-    let done = match entry.purpose {
-        Wanted::Value => {
-            if let (None, Some(value)) = (app.message(), app.editor().value()) {
-                let units = value.units().join(", ");
-                line.say(&format!("{} in {units}", value.name), Part::Text);
-                line.gap(2);
-            }
-            "take"
-        }
-        Wanted::Find(_) => {
-            line.say(entry.line.text(), Part::Text);
-            line.say(" ", Part::Caret);
-            line.gap(2);
-            "stay"
-        }
-    };
     if let Some(message) = app.message() {
         line.tell(message, app);
         return;
     }
-    line.hint(&Key::Enter.to_string(), done);
+    if let Some(value) = app.editor().value() {
+        let units = value.units().join(", ");
+        line.say(&format!("{} in {units}", value.name), Part::Text);
+        line.gap(2);
+    }
+    line.hint(&Key::Enter.to_string(), "take");
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
