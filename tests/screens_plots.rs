@@ -264,6 +264,7 @@ proptest! {
 /// What a frame costs at 200 x 60 while it plays: run in release, with `--ignored --nocapture`.
 #[test]
 #[ignore = "a measurement, not a test"]
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
 fn cost_of_a_frame() {
     for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
         let mut bench = Workbench::new(preset("four-bar"), glyphs, Colours::Sixteen, 200, 60);

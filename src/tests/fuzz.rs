@@ -33,6 +33,7 @@ pub(crate) struct Fuzz<'a> {
 
 impl Fuzz<'_> {
     /// Feeds the target; it says in a number what came of an input.
+    #[allow(clippy::print_stdout, reason = "the figures are to be read")]
     pub(crate) fn run(&self, target: impl Fn(&[u8]) -> u64) {
         let mut pool = self.corpus();
         assert!(!pool.is_empty(), "no corpus of {}", self.name);

@@ -35,6 +35,7 @@ fn a_monkey_at_the_keys_breaks_nothing() {
 }
 
 /// Runs another test in a process and a folder of its own.
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
 fn caged(test: &str) {
     let name = test.replace("::", "-");
     let cage = std::env::temp_dir().join(format!("krank-{name}-{}", std::process::id()));
@@ -63,6 +64,7 @@ fn caged(test: &str) {
 /// Not to be run by itself: it writes files where it stands.
 #[test]
 #[ignore = "started by the test above, in a folder of its own"]
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
 fn in_its_cage() {
     if std::env::var_os(CAGE).is_none() {
         return;

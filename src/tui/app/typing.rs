@@ -72,10 +72,11 @@ impl App {
         Some(Effect::Show)
     }
 
+    /// The line was typed to its end.
     fn accept_line(&mut self, now: Duration) {
         match &self.mode {
             Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
-            Mode::Value(line) => self.take_value(&line.text().to_owned(), now),
+            Mode::Value(line) => self.take_value(line.clone().text(), now),
             Mode::FileName(prompt) => self.accept_file(prompt.clone()),
             _ => {}
         }
