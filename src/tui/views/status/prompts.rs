@@ -66,7 +66,7 @@ fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
-/// Where a name is typed that is sought in the tables.
+/// Where a name is typed that is sought in the tables or among the values.
 fn sought(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" name: ", Part::Text);
     line.say(typed.text(), Part::Text);
@@ -78,30 +78,23 @@ fn sought(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), "back");
 }
 
-/// What is typed in the scene view: a value stands in its row, a name here.
+/// What is typed in the scene view: a value stands in its row.
 fn entry_prompt(app: &App, entry: &Entry, line: &mut Writer<'_>) {
+    if let Wanted::Find(_) = entry.purpose {
+        sought(app, &entry.line, line);
+        return;
+    }
     line.gap(1);
-    let done = match entry.purpose {
-        Wanted::Value => {
-            if let (None, Some(value)) = (app.message(), app.editor().value()) {
-                let units = value.units().join(", ");
-                line.say(&format!("{} in {units}", value.name), Part::Text);
-                line.gap(2);
-            }
-            "take"
-        }
-        Wanted::Find(_) => {
-            line.say(entry.line.text(), Part::Text);
-            line.say(" ", Part::Caret);
-            line.gap(2);
-            "stay"
-        }
-    };
     if let Some(message) = app.message() {
         line.tell(message, app);
         return;
     }
-    line.hint(&Key::Enter.to_string(), done);
+    if let Some(value) = app.editor().value() {
+        let units = value.units().join(", ");
+        line.say(&format!("{} in {units}", value.name), Part::Text);
+        line.gap(2);
+    }
+    line.hint(&Key::Enter.to_string(), "take");
     line.hint(&Key::Escape.to_string(), "cancel");
 }
 
