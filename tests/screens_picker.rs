@@ -92,11 +92,16 @@ fn typing_narrows_the_list_at_once() {
         .type_in("walk")
         .look();
     assert!(
-        screen.contains("find: LEG walk") && screen.contains("2 of 28"),
+        screen.contains("search: LEG walk") && screen.contains("2 of 28"),
         "{screen}"
     );
     assert!(screen.contains("> jansen-leg"), "{screen}");
-    assert!(session.press("Backspace").look().contains("find: LEG wal "));
+    assert!(
+        session
+            .press("Backspace")
+            .look()
+            .contains("search: LEG wal ")
+    );
     let nothing = session.type_in("q?").look();
     assert!(nothing.contains("nothing matches; Ctrl-U"), "{nothing}");
     assert!(nothing.contains("0 of 28"), "{nothing}");

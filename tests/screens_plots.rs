@@ -161,6 +161,7 @@ fn another_scene_begins_anew_and_another_assembly_keeps_the_choice() {
     assert!(session.look().contains("* C.x"));
     session.press("a Down Enter 3");
     assert!(session.look().contains("* C.x"), "{}", session.look());
+    // Another assembly is an edit, which is asked about.
     assert!(!session.press("n d").look().contains("* C.x"));
 }
 

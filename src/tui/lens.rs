@@ -155,6 +155,11 @@ impl Lens {
         self.setting.window = Window::default();
     }
 
+    /// Whether the whole motion is seen, as large as it can be.
+    pub(crate) fn fits(&self) -> bool {
+        self.setting.window == Window::default()
+    }
+
     /// Enlarges by so many steps; false at the end of what is sensible.
     pub(crate) fn enlarge(&mut self, steps: i8) -> bool {
         let level = self.setting.window.level.saturating_add(steps);

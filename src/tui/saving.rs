@@ -22,7 +22,7 @@ pub(crate) fn save(
         match fs::read(to) {
             Ok(now) => {
                 if expected.is_some_and(|text| unmarked(&now) != text.as_bytes()) {
-                    let ways = "R reads it, W writes elsewhere";
+                    let ways = "R reads it, W saves elsewhere";
                     return Err(format!("not written, {name} has changed on disk: {ways}"));
                 }
                 if now.starts_with(BYTE_ORDER_MARK.as_bytes()) {
@@ -31,12 +31,22 @@ pub(crate) fn save(
             }
             // It was taken away: there is nothing to lose.
             Err(e) if e.kind() == io::ErrorKind::NotFound => {}
-            Err(e) => return Err(format!("not written, {}: {name}", why(&e))),
+            Err(e) => return Err(refused(&e, to)),
         }
     }
     bytes.extend_from_slice(text.as_bytes());
     match replace_file(to, &bytes) {
         Ok(()) => Ok(format!("written to {}", to.display())),
-        Err(e) => Err(format!("not written, {}: {name}", why(&e))),
+        Err(e) => Err(refused(&e, to)),
     }
+}
+
+/// Why nothing was written, and of what: of a folder that is not there, the folder.
+fn refused(error: &io::Error, to: &Path) -> String {
+    let missing = error.kind() == io::ErrorKind::NotFound;
+    let named = match to.parent().filter(|_| missing) {
+        Some(folder) => folder.to_string_lossy(),
+        None => to.file_name().unwrap_or(to.as_os_str()).to_string_lossy(),
+    };
+    format!("not written, {}: {named}", why(error))
 }

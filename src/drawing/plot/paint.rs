@@ -32,6 +32,9 @@ const DEEPEST: i32 = 2;
 /// written behind it.
 const FLATTEST: i32 = 10;
 
+/// Blanks between the unit and the label behind it.
+const UNIT_GAP: i32 = 2;
+
 /// The glyphs of the frame.
 struct Strokes {
     upright: char,
@@ -129,13 +132,27 @@ impl Painter<'_> {
                 labels.push((col, label));
             }
         }
-        // The last one has the unit; the others leave it its room.
+        // Each stands below its tick. The unit is behind the last one, or before it where that is at the
+        // edge; the others leave it its room.
+        let from =
+            |col: i32, label: &str| (col - length(label) / 2).min(end - length(label)).max(0);
         let mut taken = end + 1;
-        if let Some((_, label)) = labels.last_mut() {
-            *label = format!("{label} {}", self.plot.x.unit);
+        if let Some((col, label)) = labels.pop() {
+            let (unit, last) = (&self.plot.x.unit, from(col, &label));
+            let (before, behind) = (last - length(unit) - UNIT_GAP, last + length(&label) + 1);
+            let fits = behind + length(unit) <= end;
+            write(raster, last, foot + 1, &label, Role::Axis);
+            write(
+                raster,
+                if fits { behind } else { before },
+                foot + 1,
+                unit,
+                Role::Axis,
+            );
+            taken = if fits { last } else { before };
         }
         for (col, label) in labels.iter().rev() {
-            let from = (col - length(label) / 2).min(end - length(label)).max(0);
+            let from = from(*col, label);
             if from + length(label) < taken {
                 write(raster, from, foot + 1, label, Role::Axis);
                 taken = from;

@@ -108,7 +108,8 @@ impl App {
     /// Reads the file again because that was asked for.
     pub(super) fn reload(&mut self, now: Duration) {
         match self.stage.origin() {
-            Origin::File(_) if self.is_changed() => {
+            // A file that is gone is no danger to the edits.
+            Origin::File(path) if self.is_changed() && path.exists() => {
                 self.mode = Mode::Unsaved(Unsaved::Reload);
             }
             Origin::File(_) => self.reload_now(now),

@@ -1,5 +1,6 @@
 //! Asking for the name of a file, and writing it.
 
+use super::super::edited;
 use super::super::key::Key;
 use super::super::line::Line;
 use super::super::writing::{Document, Prompt, Question};
@@ -35,8 +36,8 @@ impl App {
         }
     }
 
-    /// Writes what was asked for. A text that could not be written is not lost: the line asks for another
-    /// name.
+    /// Writes what was asked for. Where that cannot be, the line asks for another name: a text is not
+    /// lost, and a name is mended rather than typed again.
     fn write(&mut self, question: Question) {
         self.mode = Mode::Normal;
         let Question { document, to } = question;
@@ -48,7 +49,8 @@ impl App {
         self.message = Some(match done {
             Ok(said) => said,
             Err(why) => {
-                if let Document::Text(_) = document {
+                // No name would help an assembly that no start positions tell from the others.
+                if edited::says_what_is_shown(&self.stage) || document != Document::Scene {
                     self.ask_for_file(document, &to.to_string_lossy());
                 }
                 why

@@ -1,7 +1,7 @@
 //! The list of presets and files, and beside it the scene under the cursor.
 //!
 //! ```text
-//! Open a scene  find: pre_                       3 of 31
+//! Open a scene  search: pre_                     3 of 31
 //!   scenes/             | Press with a ram
 //! > press-mine.toml     |     o-----o
 //!   presets             |    /       \
@@ -81,7 +81,7 @@ fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
         print(buffer, x, area.y, room, text, theme::part(part))
     };
     let x = put(buffer, area.x + 1, what, Part::Title);
-    let x = put(buffer, x + 2, "find: ", Part::Quiet);
+    let x = put(buffer, x + 2, "search: ", Part::Quiet);
     let x = put(buffer, x, &shown(picker.search(), app.glyphs()), Part::Text);
     let x = put(buffer, x, " ", Part::Caret);
     let (found, all) = picker.count();

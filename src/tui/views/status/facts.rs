@@ -10,6 +10,7 @@ use crate::tui::picker::Purpose;
 use crate::tui::stage::{Stage, shown};
 use crate::tui::survey::Phase;
 use crate::tui::theme::Part;
+use crate::tui::views::columns;
 use crate::tui::writing::{Document, Prompt, Question};
 
 /// More turns than this are told with an exponent.
@@ -130,9 +131,9 @@ pub(super) fn near(app: &App) -> Option<String> {
     Some(ahead.text(stage.course(), stage.unit()))
 }
 
-/// What the last state cost, where that was measured, and how far a place in it can be from the truth.
-/// Not beside what the lengths do: that is another kind of error.
-pub(super) fn trust(app: &App) -> Option<String> {
+/// What the last state cost, where that was measured and there is room for it, and how far a place in it
+/// can be from the truth. Not beside what the lengths do: that is another kind of error.
+pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     let stage = app.stage();
     let shows_figures = match (app.mode(), app.view()) {
         (Mode::Normal, View::Motion | View::Tables) => true,
@@ -166,10 +167,8 @@ pub(super) fn trust(app: &App) -> Option<String> {
         Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
         None => "no bound".into(),
     };
-    Some(match stage.cost() {
-        Some(cost) => format!("{cost}, {bound}"),
-        None => bound,
-    })
+    let both = stage.cost().map(|cost| format!("{cost}, {bound}"));
+    Some(both.filter(|both| columns(both) <= room).unwrap_or(bound))
 }
 
 /// How far the figure under the cursor can be from the truth.

@@ -1,12 +1,18 @@
 //! The keys that matter now.
 
-use super::{Writer, is_listing};
-use crate::tui::action::{Action, PlotsAction, SceneAction, TablesAction, entry_of};
+use super::{ROOM_FOR_GAPS, Writer, is_listing};
+use crate::tui::action::{Action, MotionAction, PlotsAction, SceneAction, TablesAction, entry_of};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::key::Key;
 use crate::tui::sheet::FOUND;
 use crate::tui::survey::Phase;
 use crate::tui::views::most_scroll;
+
+/// What Enter does in the list of plots, where there is room to say all of it.
+const PLOT: &str = "plot it or not";
+
+/// Offered where only a part of the motion is seen.
+const FIT: Action = Action::Motion(MotionAction::Fit);
 
 /// The key that comes first, and what it does.
 pub(super) fn first(app: &App) -> (String, &'static str) {
@@ -22,6 +28,10 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     }
     if let Mode::PlotList(list) = app.mode() {
         for (key, name) in list_hints(list.is_typing()) {
+            let name = match *name {
+                PLOT if app.size().width < ROOM_FOR_GAPS => "plot",
+                name => name,
+            };
             line.hint(&key.to_string(), name);
         }
         return;
@@ -32,7 +42,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         line.hint(&Key::Enter.to_string(), "take");
     }
     for &action in offered(app) {
-        if action == Action::LineDown && !can_scroll {
+        if (action == Action::LineDown && !can_scroll) || (action == FIT && app.lens().fits()) {
             continue;
         }
         if let Some((key, name)) = hint_of(app, action) {
@@ -53,6 +63,7 @@ fn offered(app: &App) -> &'static [Action] {
         (Mode::Pick(_), _) => &[Action::Back],
         (_, View::Motion) => &[
             Action::Help,
+            FIT,
             Action::Play,
             Action::Quit,
             Action::StepForward,
@@ -140,7 +151,7 @@ fn list_hints(typing: bool) -> &'static [(Key, &'static str)] {
         &[(Key::Enter, "keep"), (Key::Escape, "all")]
     } else {
         &[
-            (Key::Enter, "plot it or not"),
+            (Key::Enter, PLOT),
             (Key::Escape, "done"),
             (Key::Char('/'), "search"),
             (Key::Char('c'), "none"),

@@ -14,6 +14,7 @@ mod writer;
 use super::{columns, cut};
 use crate::solver::Condition;
 use crate::tui::app::{App, Mode};
+use crate::tui::stage::shown;
 use crate::tui::theme::Part;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -49,20 +50,27 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     let studied = facts::studied(app);
     let is_studied = studied.is_some();
     let driver = studied.unwrap_or_else(|| facts::driver(app.stage()));
-    line.say(&driver, Part::Text);
-    line.gap(2);
-    // Why figures are missing stays to be read, whatever else there is to say.
-    if app.condition() != Condition::Ok {
-        if !is_studied {
-            let (state, part) = facts::state(app.condition(), narrow);
-            line.say(state, part);
-        }
+    let is_missing = app.condition() != Condition::Ok;
+    let (state, part) = match is_studied {
+        true => ("", Part::Text),
+        false => facts::state(app.condition(), narrow),
+    };
+    let why = if is_missing { columns(state) + 2 } else { 0 };
+    let needed = why + columns(&shown(message, app.glyphs()));
+    let spare = line.room().checked_sub(needed);
+    // A part of a figure would be another figure: it stands whole, or not at all.
+    if spare >= Some(columns(&driver) + 2) || (is_missing && spare.is_none()) {
+        line.say(&driver, Part::Text);
         line.gap(2);
-        if line.room() < columns(message) {
-            return;
-        }
     }
-    line.tell(message, app);
+    // Why figures are missing stays to be read, whatever else there is to say.
+    if is_missing {
+        line.say(state, part);
+        line.gap(2);
+    }
+    if spare.is_some() || !is_missing {
+        line.tell(message, app);
+    }
 }
 
 /// Scene, driver and state, then the keys that matter now.
@@ -100,8 +108,9 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
 /// comes behind stays in its place while it moves on, so far as there is room.
 fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     let gap = if narrow { 1 } else { 2 };
-    let trust = facts::trust(app);
     let (state, part) = facts::state(app.condition(), narrow);
+    let hints = columns(state) + 2 * gap + HINTS;
+    let trust = facts::trust(app, line.room().saturating_sub(hints));
     let near = facts::near(app);
     let near = near.filter(|text| !narrow && line.room() >= columns(text) + needed);
     let reserved = if narrow || !facts::can_come_near(app) {
@@ -134,5 +143,5 @@ fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
 }
 
 fn is_listing(app: &App) -> bool {
-    matches!(app.mode(), Mode::Assemblies(_))
+    matches!(app.mode(), Mode::Assemblies(_) | Mode::PlotList(_))
 }
