@@ -10,7 +10,7 @@ use super::extrema::Extremum;
 use super::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
-use probe::Probe;
+use probe::{Probe, beside, wraps};
 use span::{NEAR, shown};
 use thiserror::Error;
 
@@ -73,8 +73,8 @@ pub struct Curve {
     /// Between which samples it jumps, as a direction does from 360 to 0 deg: behind the first of the
     /// two.
     breaks: Vec<bool>,
-    /// It does not change by more than what its own error may be.
-    is_level: bool,
+    /// Where it stays, if it does not change by more than what its own error may be.
+    level: Option<f64>,
 }
 
 /// The quantities in one state.
@@ -156,14 +156,17 @@ impl Curves {
         };
         let mut curves = Vec::with_capacity(quantities.len());
         for (i, (quantity, values)) in quantities.iter().zip(values).enumerate() {
-            let breaks = probe.breaks(i, &places, &values);
-            let is_level = probe.is_level(i, &places, &values);
+            let level = probe.level(i, &places, &values, &conditions);
+            let breaks = match level {
+                Some(_) => vec![false; count],
+                None => probe.breaks(i, &places, &values),
+            };
             let mut curve = Curve {
                 quantity: quantity.clone(),
                 values,
                 breaks,
                 extrema: Vec::new(),
-                is_level,
+                level,
             };
             let goes_round = period.is_some();
             curve.extrema = probe.extrema(i, &curve, &places, goes_round, ends);
@@ -235,6 +238,7 @@ impl Curves {
                 hangs_on = false;
                 continue;
             };
+            let y = curve.level.unwrap_or(y);
             match pieces.last_mut() {
                 Some(piece) if hangs_on => piece.push([x, y]),
                 _ => pieces.push(vec![[x, y]]),
@@ -260,7 +264,13 @@ impl Curves {
             Abscissa::Driver | Abscissa::Time => place,
             Abscissa::Figure(figure) => place.and_then(|_| figure.value(state)),
         };
-        let value = |curve: &Curve| paced(&curve.quantity, state, pace);
+        let value = |curve: &Curve| {
+            let value = paced(&curve.quantity, state, pace)?;
+            Some(match curve.level {
+                Some(level) if wraps(&curve.quantity) => beside(level, value),
+                Some(_) | None => value,
+            })
+        };
         Here {
             along,
             values: self.curves.iter().map(value).collect(),
@@ -286,9 +296,13 @@ impl Curves {
 
 impl Curve {
     /// The range of values that is worth showing: all of them, but next to a gap, where a figure may
-    /// grow beyond all bounds, not much more than where most of them are. `None` where there is none.
+    /// grow beyond all bounds, not much more than where most of them are. What stays has its place alone.
+    /// `None` where there is none.
     #[must_use]
     pub fn range(&self) -> Option<(f64, f64)> {
+        if let Some(level) = self.level {
+            return Some((level, level));
+        }
         let (low, high) = shown(&self.values, &self.breaks)?;
         // A curve turns between samples, and a little farther out.
         let near = NEAR * (high - low);
@@ -300,7 +314,7 @@ impl Curve {
     /// Whether it does not change by more than its own error may be.
     #[must_use]
     pub fn is_level(&self) -> bool {
-        self.is_level
+        self.level.is_some()
     }
 }
 

@@ -204,6 +204,62 @@ fn without_a_speed_there_is_no_time() {
     assert!(matches!(none, Err(NoTime::StandsStill)));
 }
 
+/// The straight line of a Peaucellier linkage, and its rates: what is beside it is rounding, more of it
+/// at the dead points. A coupler that stays level points to 0 or to 360 deg less an error.
+#[test]
+fn rounding_turns_nowhere_and_is_drawn_as_nothing() {
+    for (name, column, at) in [
+        ("peaucellier", "P.x", 105.0),
+        ("peaucellier", "P.vx", 0.0),
+        ("parallelogram", "r3.angle", 0.0),
+        ("triple-parallelogram", "r3.angle", 0.0),
+    ] {
+        let (scene, solver) = preset(name);
+        let curves = sampled(&(scene, solver.clone()), &[column], Abscissa::Driver);
+        let curve = &curves.curves[0];
+        assert!(curve.is_level(), "{name} {column}");
+        assert!(curve.extrema.is_empty(), "{name} {column}");
+        let (low, high) = curve.range().unwrap();
+        assert_eq!(low.to_bits(), high.to_bits(), "{name} {column}");
+        assert!((low - at).abs() < 1e-9, "{name} {column} {low}");
+        let pieces = curves.pieces(0);
+        assert_eq!(pieces.len(), 1, "{name} {column}");
+        assert!(pieces[0].iter().all(|p| p[1].to_bits() == low.to_bits()));
+        let mut state = solver.state();
+        for at in [1.0, 33.3, 60.0] {
+            solver.solve(at, Order::Acceleration, &mut state);
+            let here = curves.here(&state).values[0].unwrap();
+            assert!((here - low).abs() < 1e-9, "{name} {column} {here}");
+        }
+    }
+}
+
+/// Near a change point bounds are as wide as the linkage: a curve whose largest sample lies there is not
+/// taken for level. The kite is turned so that its change point is beside a sample.
+#[test]
+fn what_moves_is_not_level_where_little_is_proved() {
+    let kite = presets::find("kite").unwrap().text;
+    for beside in [1e-9_f64, 1e-7, 1e-6, 1e-5, 1e-4] {
+        let direction = (30.0 + beside).to_radians();
+        let (x, y) = (100.0 * direction.cos(), 100.0 * direction.sin());
+        let text = kite
+            .replace("D = [100, 0]", &format!("D = [{x:?}, {y:?}]"))
+            .replace("angle = 90", "angle = 120")
+            .replace("C = [182, 182]", "C = [66.6, 248.6]")
+            .replace("[vectors]", "[vectors]\nAC = [\"A\", \"C\"]");
+        assert_ne!(text, kite);
+        let scene = opened(&text);
+        let curves = sampled(
+            &scene,
+            &["AC.length", "AC.accel", "r4.omega"],
+            Abscissa::Driver,
+        );
+        for curve in &curves.curves {
+            assert!(!curve.is_level(), "{} {beside}", curve.quantity.name);
+        }
+    }
+}
+
 #[test]
 fn what_is_all_rounding_is_level() {
     let curves = sampled(
