@@ -59,6 +59,8 @@ pub struct Curves {
     clock: Option<Clock>,
     /// The period after which the samples repeat.
     period: Option<f64>,
+    /// Of a driver that does not keep its speed: after how many degrees the linkage is where it was.
+    turn: Option<f64>,
 }
 
 /// The samples of a quantity.
@@ -150,6 +152,12 @@ impl Curves {
             }
         };
         let period = period(range, clock.as_ref(), window);
+        let turn = match range {
+            Range::Full { period: turn } => {
+                (clock.is_some() && period.is_none() && window.is_none()).then_some(turn)
+            }
+            Range::Limited { .. } => None,
+        };
         let ends = match range {
             Range::Limited { .. } => window.is_none(),
             Range::Full { .. } => false,
@@ -183,6 +191,7 @@ impl Curves {
             breaks: along_breaks,
             clock,
             period,
+            turn,
         };
         all.place_extrema(&mut probe);
         Ok(all)
@@ -281,9 +290,13 @@ impl Curves {
     fn place_of(&self, at: f64) -> Option<f64> {
         let (first, last) = (self.places(0), self.places(usize::MAX));
         let (low, high) = (first.min(last), first.max(last));
-        let place = match &self.clock {
-            None => at,
-            Some(clock) => clock.time(at)?,
+        let place = match (&self.clock, self.period) {
+            (None, _) => at,
+            (Some(clock), Some(_)) => clock.time(at)?,
+            (Some(clock), None) => {
+                let comes_by = |at| clock.time_between(at, low, high);
+                comes_by(at).or_else(|| comes_by(self.reduced(at)))?
+            }
         };
         let place = match self.period {
             Some(_) if (low..=high).contains(&place) => place,
@@ -291,6 +304,16 @@ impl Curves {
             None => place,
         };
         (low..=high).contains(&place).then_some(place)
+    }
+
+    /// The coordinate on the way of a driver that does not keep its speed, at which the linkage is as at
+    /// this one.
+    fn reduced(&self, at: f64) -> f64 {
+        let (Some(turn), [first, .., last]) = (self.turn, &self.at[..]) else {
+            return at;
+        };
+        let low = first.min(*last);
+        low + (at - low).rem_euclid(turn)
     }
 }
 

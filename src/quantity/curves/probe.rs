@@ -20,6 +20,8 @@ const LEAST_TURN: f64 = 2e-3;
 const ROUNDING: f64 = 1e-11;
 /// A change is one where it is more than so many times what an error may be.
 const DOUBT: f64 = 4.0;
+/// What rounding makes of a coordinate that is had from a time, as a part of the range.
+const BESIDE: f64 = 1e-12;
 /// The places at which errors are looked at, to tell such a change.
 const WITNESSES: usize = 16;
 
@@ -64,15 +66,22 @@ impl Probe {
         }
     }
 
-    /// The driver's coordinate at a place; rounding leads out of no limit.
+    /// The driver's coordinate at a place; rounding leads neither out of a limit nor beside it.
     pub(super) fn coordinate(&self, place: f64) -> f64 {
         let Some(clock) = &self.clock else {
             return place;
         };
         let at = clock.coordinate(place);
-        match self.range {
-            Range::Limited { low, high } => at.max(low).min(high),
-            Range::Full { .. } => at,
+        let Range::Limited { low, high } = self.range else {
+            return at;
+        };
+        // Beside a dead point rates are beyond all bounds, at it they do not exist.
+        let limit = if at - low < high - at { low } else { high };
+        let is_there = (at - limit).abs() <= BESIDE * (high - low);
+        if is_there {
+            limit
+        } else {
+            at.max(low).min(high)
         }
     }
 

@@ -260,6 +260,67 @@ fn what_moves_is_not_level_where_little_is_proved() {
     }
 }
 
+/// A time is rounded, and the coordinate that it leads back to; the way ends at the limits all the same.
+#[test]
+fn over_time_the_ends_are_the_limits_themselves() {
+    let text = presets::find("scissor-lift").unwrap().text;
+    let speed = "speed    = \"-50 mm/s\"";
+    assert!(text.contains(speed));
+    for (speed_of, rate) in [(-0.02, -0.001), (-0.02, 0.01), (-3.0, -0.7), (-50.0, 0.0)] {
+        let slow = format!("speed = \"{speed_of:?} mm/s\"\nacceleration = \"{rate:?} mm/s^2\"");
+        let scene = opened(&text.replace(speed, &slow));
+        let Range::Limited { low, high } = scene.1.motion().range else {
+            panic!("it is limited");
+        };
+        let curves = sampled(&scene, &["M1.vx"], Abscissa::Time);
+        for end in [curves.at[0], *curves.at.last().unwrap()] {
+            let ends = [low, high].map(f64::to_bits);
+            assert!(ends.contains(&end.to_bits()), "{speed_of} {rate}: {end:e}");
+        }
+    }
+}
+
+/// Wherever the driver is, it comes by on the way that is drawn: on another turn, or when it has turned
+/// back.
+#[test]
+fn over_time_the_cursor_is_on_the_curve_of_an_uneven_driver() {
+    let text = presets::find("four-bar").unwrap().text;
+    for speed in [
+        "speed = \"15 rad/s\"\nacceleration = \"40 rad/s^2\"",
+        "speed = \"3 rad/s\"\nacceleration = \"-9 rad/s^2\"",
+        "speed = \"-3 rad/s\"\nacceleration = \"2 rad/s^2\"",
+    ] {
+        let (scene, solver) = opened(&text.replace("speed = \"15 rad/s\"", speed));
+        let of = (scene, solver.clone());
+        let curves = sampled(&of, &["C.x", "C.vx"], Abscissa::Time);
+        let mut state = solver.state();
+        let clock = Clock::new(of.0.mechanism.driver()).unwrap();
+        for at in [
+            -700.0, -30.0, 0.0, 30.0, 59.0, 60.0, 61.0, 180.0, 419.0, 421.0, 7000.0,
+        ] {
+            solver.solve(at, Order::Acceleration, &mut state);
+            let here = curves.here(&state);
+            let time = here.along.unwrap_or_else(|| panic!("{speed} {at}"));
+            let apart = (clock.coordinate(time) - at).rem_euclid(TURN);
+            assert!(apart.min(TURN - apart) < 1e-6, "{speed} {at} {time}");
+            // Between the samples beside it.
+            let next = curves
+                .along
+                .iter()
+                .position(|t| t.unwrap() >= time)
+                .unwrap();
+            let around = curves.curves[1].values[next.saturating_sub(1)..=next].iter();
+            let size = curves.curves[1]
+                .range()
+                .map_or(0.0, |(low, high)| high - low);
+            for value in around.flatten() {
+                let apart = (here.values[1].unwrap() - value).abs();
+                assert!(apart < 0.05 * size, "{speed} {at} {apart} {size}");
+            }
+        }
+    }
+}
+
 #[test]
 fn what_is_all_rounding_is_level() {
     let curves = sampled(
