@@ -21,6 +21,9 @@ pub struct Clock {
     acceleration: f64,
 }
 
+/// Of a stretch of time, what rounding may add to it.
+const ROUNDING: f64 = 1e-12;
+
 /// How fast the driver runs at a time, against what the scene says.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pace {
@@ -57,6 +60,15 @@ impl Clock {
     #[must_use]
     pub fn time(&self, coordinate: f64) -> Option<f64> {
         self.times(coordinate - self.start)[0]
+    }
+
+    /// When the driver is there first, between two times: one that turns back comes by twice.
+    pub(super) fn time_between(&self, coordinate: f64, low: f64, high: f64) -> Option<f64> {
+        let times = self.times(coordinate - self.start).into_iter().flatten();
+        // The ends themselves were rounded.
+        let slack = ROUNDING * (high - low);
+        let within = times.filter(|t| (low - slack..=high + slack).contains(t));
+        within.min_by(f64::total_cmp).map(|t| t.max(low).min(high))
     }
 
     /// Whether the driver keeps its speed.

@@ -146,7 +146,8 @@ fn less(a: Entry, b: Entry, scale: f64) -> Entry {
     };
     let of_b = of_b * scale;
     let rounding = 2.0 * f64::EPSILON * (of_a.abs() + of_b.abs());
-    let bound = a.bound.zip(b.bound).map(|(a, b)| a + b * scale + rounding);
+    let bound = a.bound.zip(b.bound);
+    let bound = bound.map(|(a, b)| (a + b * scale + rounding) * ROUNDED_UP);
     entry(of_a - of_b, bound, a.given && b.given)
 }
 
@@ -159,15 +160,20 @@ fn turned(a: Entry, b: Entry) -> Entry {
     let apart = (of_a - of_b).rem_euclid(TURN);
     let apart = if apart > half { apart - TURN } else { apart };
     let bound = a.bound.zip(b.bound);
-    let bound = bound.map(|(a, b)| a + b + 2.0 * f64::EPSILON * TURN);
+    let bound = bound.map(|(a, b)| (a + b + 2.0 * f64::EPSILON * TURN) * ROUNDED_UP);
     entry(apart, bound, a.given && b.given)
 }
 
+/// More than the roundings of a bound that is itself computed.
+const ROUNDED_UP: f64 = 1.0 + 8.0 * f64::EPSILON;
+
 fn entry(value: f64, bound: Option<f64>, given: bool) -> Entry {
+    let shown = seen(value, bound);
     Entry {
-        value: Some(seen(value, bound)),
+        value: Some(shown),
         given,
-        bound,
+        // What is shown as 0 is off by what was left out, too.
+        bound: bound.map(|bound| bound + (value - shown).abs()),
     }
 }
 
@@ -246,6 +252,25 @@ mod tests {
             apart.value.unwrap() != 0.0 && apart.bound.unwrap() < 1e-11,
             "{apart:?}"
         );
+    }
+
+    /// Whatever the true figures are that two bounds leave room for, their difference is within its own.
+    #[test]
+    fn the_bound_of_a_difference_holds_where_it_is_shown_as_nothing() {
+        let entry = |value: f64, bound: f64| Entry {
+            value: Some(value),
+            given: false,
+            bound: Some(bound),
+        };
+        for ends in [[1.0, -1.0], [-1.0, 1.0]] {
+            let [a, b] = [entry(1e-10, 3e-10), entry(-2e-10, 4e-10)];
+            let [true_a, true_b] = [(a, ends[0]), (b, ends[1])]
+                .map(|(e, end)| e.value.unwrap() + end * e.bound.unwrap());
+            for found in [less(a, b, 1.0), turned(a, b)] {
+                assert_eq!(found.value, Some(0.0));
+                assert!((true_a - true_b).abs() <= found.bound.unwrap(), "{found:?}");
+            }
+        }
     }
 
     #[test]

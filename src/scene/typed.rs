@@ -1,7 +1,8 @@
 //! Numbers as people type them, with or without a unit, made into what stands in the file.
 //!
-//! The conversion from another unit is exact in decimals and rounded once, to the nearest double, which is
-//! then written with as few digits as tell it: `12 in` become `304.8` mm, `30cm` become `300`.
+//! The conversion from another unit is exact in decimals (of radians, to 23 digits) and rounded once, to the
+//! nearest double, which is then written with as few digits as tell it: `12 in` become `304.8` mm, `30cm`
+//! become `300`.
 
 use super::Unit;
 use super::rate::{self, number_length};
@@ -152,7 +153,10 @@ impl Value {
     /// A number in another unit than the file's, in the file's; `None` where the unit does not fit.
     fn converted(&self, number: &str, plain: f64, unit: &str) -> Option<f64> {
         match self.measure {
-            Measure::Angle => (unit == "rad").then(|| plain.to_degrees()),
+            Measure::Angle => {
+                let degrees = degrees(number);
+                (unit == "rad").then(|| degrees.unwrap_or(plain.to_degrees()))
+            }
             Measure::Length | Measure::Coordinate | Measure::Start => {
                 let typed = Unit::ALL.into_iter().find(|u| u.symbol() == unit)?;
                 let [times, of] = [typed, self.scene].map(Unit::whole_tenths_of_mm);
@@ -192,6 +196,10 @@ fn same(one: &str, other: &str) -> bool {
     one.chars().filter(bare).eq(other.chars().filter(bare))
 }
 
+/// A radian in degrees, 180/pi, with 23 digits: those of the number that is typed and these are all told
+/// before the product is rounded.
+const RADIAN: (u128, i64) = (57_295_779_513_082_320_876_798, -21);
+
 /// The double nearest to `number * times / of`.
 fn scaled(number: &str, plain: f64, times: u32, of: u32) -> f64 {
     exactly(number, times, of).unwrap_or(plain * f64::from(times) / f64::from(of))
@@ -199,13 +207,11 @@ fn scaled(number: &str, plain: f64, times: u32, of: u32) -> f64 {
 
 /// The same in decimals; `None` where there are more digits than anybody types.
 fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
-    let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
-    let negative = mantissa.starts_with('-');
-    let mantissa = mantissa.trim_start_matches(['+', '-']);
-    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits: u128 = format!("{whole}{fraction}").parse().ok()?;
-    let mut exponent: i64 = exponent.parse().ok()?;
-    exponent = exponent.checked_sub(i64::try_from(fraction.len()).ok()?)?;
+    let Decimal {
+        sign,
+        digits,
+        mut exponent,
+    } = Decimal::of(number)?;
     let (mut product, of) = (digits.checked_mul(times.into())?, u128::from(of));
     // As many more digits as there is room for, until the division leaves nothing.
     while product % of != 0 {
@@ -218,11 +224,51 @@ fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
     let quotient = product / of;
     // More than 30 digits are there; one behind them says on which side of a tie the rest is.
     let (rest, shift) = if product % of == 0 { ("", 0) } else { ("1", 1) };
-    let sign = if negative { "-" } else { "" };
     format!("{sign}{quotient}{rest}e{}", exponent - shift)
         .parse()
         .ok()
 }
+
+/// The double nearest to a number of radians in degrees; `None` where there are more digits than anybody
+/// types.
+fn degrees(number: &str) -> Option<f64> {
+    let Decimal {
+        sign,
+        digits,
+        exponent,
+    } = Decimal::of(number)?;
+    let product = digits.checked_mul(RADIAN.0)?;
+    format!("{sign}{product}e{}", exponent + RADIAN.1)
+        .parse()
+        .ok()
+}
+
+/// A decimal number as it was typed: `digits` times ten to the power of `exponent`.
+struct Decimal {
+    sign: &'static str,
+    digits: u128,
+    exponent: i64,
+}
+
+impl Decimal {
+    fn of(number: &str) -> Option<Decimal> {
+        let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+        let sign = if mantissa.starts_with('-') { "-" } else { "" };
+        let mantissa = mantissa.trim_start_matches(['+', '-']);
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+        let exponent: i64 = exponent.parse().ok()?;
+        Some(Decimal {
+            sign,
+            digits: format!("{whole}{fraction}").parse().ok()?,
+            // Small enough that a few more digits lead to no overflow.
+            exponent: (exponent.clamp(-MOST_POWER, MOST_POWER))
+                .checked_sub(i64::try_from(fraction.len()).ok()?)?,
+        })
+    }
+}
+
+/// Beyond these powers of ten every number is 0 or too large, however many digits are typed before.
+const MOST_POWER: i64 = 1_000_000_000;
 
 /// As few digits as tell the double, as TOML reads them.
 fn shortest(number: f64) -> String {
@@ -340,6 +386,22 @@ mod tests {
         assert_eq!(moved("1e-7", 1e-9), "1.01e-7");
         assert_eq!(moved("1e200", 1e199), "1.1e200");
         assert_eq!(value_in(TEXT, "driver speed").moved(0.5), "15.5 rad/s");
+    }
+
+    /// Against products that were worked out with 60 digits; to multiply doubles is off by a last digit.
+    #[test]
+    fn radians_are_rounded_once() {
+        for (text, expected) in [
+            ("1.2 rad", "68.75493541569878"),
+            ("0.1 rad", "5.729577951308232"),
+            ("0.7 rad", "40.10704565915763"),
+            ("1.1 rad", "63.02535746439055"),
+            ("1.3 rad", "74.48451336700701"),
+            ("1.9 rad", "108.86198107485642"),
+            ("2.2 rad", "126.0507149287811"),
+        ] {
+            assert_eq!(typed("driver angle", text), expected, "{text}");
+        }
     }
 
     #[test]

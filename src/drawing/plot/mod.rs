@@ -133,16 +133,7 @@ impl Plot {
                 panels.len() - 1
             });
             panels[place].curves.push(line(curves, figure));
-            // What does not change has no range of its own but a place.
-            let range = curve.range().map(|(low, high)| {
-                let middle = low + (high - low) / 2.0;
-                if curve.is_level() {
-                    (middle, middle)
-                } else {
-                    (low, high)
-                }
-            });
-            ranges[place] = union(ranges[place], range);
+            ranges[place] = union(ranges[place], curve.range());
         }
         for (panel, range) in panels.iter_mut().zip(ranges) {
             (panel.y.low, panel.y.high) = spread(range);

@@ -103,7 +103,9 @@ const SMALL: f64 = 1e-4;
 const DIGITS: i32 = 5;
 const CHANGING: i32 = 4;
 /// No number has more decimals.
-const MOST_DECIMALS: i32 = 9;
+const MOST_DECIMALS: i32 = 14;
+/// A smaller part of a figure does not change.
+const LEAST_CHANGE: f64 = 1e-12;
 
 impl Style {
     /// For multiples of a step up to a size.
@@ -121,7 +123,7 @@ impl Style {
         if largest == 0.0 {
             return Style::Fixed(0);
         }
-        let change = Some(high - low).filter(|&c| c > largest * 1e-9);
+        let change = Some(high - low).filter(|&c| c > largest * LEAST_CHANGE);
         let digits = (DIGITS - 1) - exponent(largest);
         let digits = change.map_or(digits, |c| digits.max(CHANGING - 1 - exponent(c)));
         if !(SMALL..LARGE * 10.0).contains(&largest) {
@@ -136,9 +138,14 @@ impl Style {
             Style::Fixed(decimals) => format!("{value:.decimals$}"),
             Style::Exponent(_) if value == 0.0 => "0".into(),
             Style::Exponent(last) => {
-                let digits = usize::try_from(exponent(value) - last).unwrap_or(0);
-                let digits = digits.min(17);
-                format!("{value:.digits$e}")
+                // What is rounded up to the next power of ten has a digit more.
+                let shorter = exponential(value, last);
+                let rounded = shorter.parse().unwrap_or(value);
+                if exponent(rounded) > exponent(value) {
+                    exponential(rounded, last)
+                } else {
+                    shorter
+                }
             }
         };
         let is_nought = !text.contains(|c: char| ('1'..='9').contains(&c));
@@ -147,6 +154,13 @@ impl Style {
             Some(_) | None => text,
         }
     }
+}
+
+/// A number with an exponent, down to the digit of a power of ten.
+fn exponential(value: f64, last: i32) -> String {
+    let digits = usize::try_from(exponent(value) - last).unwrap_or(0);
+    let digits = digits.min(17);
+    format!("{value:.digits$e}")
 }
 
 /// The power of ten of the first digit.
@@ -207,6 +221,29 @@ mod tests {
         assert_eq!(text(1000.0, 1000.2, 1_000.123_456), "1000.1235");
         assert_eq!(text(-2.5e7, 2.5e7, 1_234_567.0), "1.235e6");
         assert_eq!(text(0.0, 2e-7, 1.5e-7), "1.5000e-7");
+        // Whatever of a curve is drawn as a change is told as one.
+        assert_eq!(text(100.0, 100.0 + 5e-9, 100.0 + 3e-9), "100.000000003000");
+    }
+
+    #[test]
+    fn ticks_are_told_apart_on_tiny_ranges_and_have_the_digits_of_each_other() {
+        for (low, high) in [
+            (100.0, 100.0 + 1e-9),
+            (-100.0 - 2e-10, -100.0),
+            (1.0, 1.0 + 5e-13),
+        ] {
+            let labels = labels(low, high, false, 9);
+            assert!(labels.len() > 2, "{labels:?}");
+            assert!(
+                labels.windows(2).all(|pair| pair[0] != pair[1]),
+                "{labels:?}"
+            );
+        }
+        // Ten times 1e-6 is a little less than 1e-5.
+        assert_eq!(
+            labels(8e-6, 1.1e-5, false, 5),
+            ["8e-6", "9e-6", "1.0e-5", "1.1e-5"]
+        );
     }
 
     proptest! {

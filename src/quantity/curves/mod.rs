@@ -10,7 +10,7 @@ use super::extrema::Extremum;
 use super::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
-use probe::Probe;
+use probe::{Probe, beside, wraps};
 use span::{NEAR, shown};
 use thiserror::Error;
 
@@ -59,6 +59,8 @@ pub struct Curves {
     clock: Option<Clock>,
     /// The period after which the samples repeat.
     period: Option<f64>,
+    /// Of a driver that does not keep its speed: after how many degrees the linkage is where it was.
+    turn: Option<f64>,
 }
 
 /// The samples of a quantity.
@@ -73,8 +75,8 @@ pub struct Curve {
     /// Between which samples it jumps, as a direction does from 360 to 0 deg: behind the first of the
     /// two.
     breaks: Vec<bool>,
-    /// It does not change by more than what its own error may be.
-    is_level: bool,
+    /// Where it stays, if it does not change by more than what its own error may be.
+    level: Option<f64>,
 }
 
 /// The quantities in one state.
@@ -150,20 +152,29 @@ impl Curves {
             }
         };
         let period = period(range, clock.as_ref(), window);
+        let turn = match range {
+            Range::Full { period: turn } => {
+                (clock.is_some() && period.is_none() && window.is_none()).then_some(turn)
+            }
+            Range::Limited { .. } => None,
+        };
         let ends = match range {
             Range::Limited { .. } => window.is_none(),
             Range::Full { .. } => false,
         };
         let mut curves = Vec::with_capacity(quantities.len());
         for (i, (quantity, values)) in quantities.iter().zip(values).enumerate() {
-            let breaks = probe.breaks(i, &places, &values);
-            let is_level = probe.is_level(i, &places, &values);
+            let level = probe.level(i, &places, &values, &conditions);
+            let breaks = match level {
+                Some(_) => vec![false; count],
+                None => probe.breaks(i, &places, &values),
+            };
             let mut curve = Curve {
                 quantity: quantity.clone(),
                 values,
                 breaks,
                 extrema: Vec::new(),
-                is_level,
+                level,
             };
             let goes_round = period.is_some();
             curve.extrema = probe.extrema(i, &curve, &places, goes_round, ends);
@@ -180,6 +191,7 @@ impl Curves {
             breaks: along_breaks,
             clock,
             period,
+            turn,
         };
         all.place_extrema(&mut probe);
         Ok(all)
@@ -235,6 +247,7 @@ impl Curves {
                 hangs_on = false;
                 continue;
             };
+            let y = curve.level.unwrap_or(y);
             match pieces.last_mut() {
                 Some(piece) if hangs_on => piece.push([x, y]),
                 _ => pieces.push(vec![[x, y]]),
@@ -260,7 +273,13 @@ impl Curves {
             Abscissa::Driver | Abscissa::Time => place,
             Abscissa::Figure(figure) => place.and_then(|_| figure.value(state)),
         };
-        let value = |curve: &Curve| paced(&curve.quantity, state, pace);
+        let value = |curve: &Curve| {
+            let value = paced(&curve.quantity, state, pace)?;
+            Some(match curve.level {
+                Some(level) if wraps(&curve.quantity) => beside(level, value),
+                Some(_) | None => value,
+            })
+        };
         Here {
             along,
             values: self.curves.iter().map(value).collect(),
@@ -271,9 +290,13 @@ impl Curves {
     fn place_of(&self, at: f64) -> Option<f64> {
         let (first, last) = (self.places(0), self.places(usize::MAX));
         let (low, high) = (first.min(last), first.max(last));
-        let place = match &self.clock {
-            None => at,
-            Some(clock) => clock.time(at)?,
+        let place = match (&self.clock, self.period) {
+            (None, _) => at,
+            (Some(clock), Some(_)) => clock.time(at)?,
+            (Some(clock), None) => {
+                let comes_by = |at| clock.time_between(at, low, high);
+                comes_by(at).or_else(|| comes_by(self.reduced(at)))?
+            }
         };
         let place = match self.period {
             Some(_) if (low..=high).contains(&place) => place,
@@ -282,13 +305,27 @@ impl Curves {
         };
         (low..=high).contains(&place).then_some(place)
     }
+
+    /// The coordinate on the way of a driver that does not keep its speed, at which the linkage is as at
+    /// this one.
+    fn reduced(&self, at: f64) -> f64 {
+        let (Some(turn), [first, .., last]) = (self.turn, &self.at[..]) else {
+            return at;
+        };
+        let low = first.min(*last);
+        low + (at - low).rem_euclid(turn)
+    }
 }
 
 impl Curve {
     /// The range of values that is worth showing: all of them, but next to a gap, where a figure may
-    /// grow beyond all bounds, not much more than where most of them are. `None` where there is none.
+    /// grow beyond all bounds, not much more than where most of them are. What stays has its place alone.
+    /// `None` where there is none.
     #[must_use]
     pub fn range(&self) -> Option<(f64, f64)> {
+        if let Some(level) = self.level {
+            return Some((level, level));
+        }
         let (low, high) = shown(&self.values, &self.breaks)?;
         // A curve turns between samples, and a little farther out.
         let near = NEAR * (high - low);
@@ -300,7 +337,7 @@ impl Curve {
     /// Whether it does not change by more than its own error may be.
     #[must_use]
     pub fn is_level(&self) -> bool {
-        self.is_level
+        self.level.is_some()
     }
 }
 

@@ -4,8 +4,8 @@ use super::super::clock::{Clock, Pace, paced};
 use super::super::extrema::{Extremum, lowest, turns};
 use super::super::{Aspect, Quantity, Subject, demand};
 use super::Curve;
-use super::span::{ends, usual};
-use crate::angle::TURN;
+use super::span::usual;
+use crate::angle::{self, TURN};
 use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{LANES, Lanes};
 
@@ -20,6 +20,20 @@ const LEAST_TURN: f64 = 2e-3;
 const ROUNDING: f64 = 1e-11;
 /// A change is one where it is more than so many times what an error may be.
 const DOUBT: f64 = 4.0;
+/// What rounding makes of a coordinate that is had from a time, as a part of the range.
+const BESIDE: f64 = 1e-12;
+/// The places at which errors are looked at, to tell such a change.
+const WITNESSES: usize = 16;
+
+/// Whether a quantity is a direction, which goes on at 0 where it comes to 360 deg.
+pub(super) fn wraps(quantity: &Quantity) -> bool {
+    quantity.aspect == Aspect::Angle && quantity.subject != Subject::Driver
+}
+
+/// A direction as it is counted by whoever counts from another one: within half a turn of that.
+pub(super) fn beside(other: f64, direction: f64) -> f64 {
+    direction - TURN * ((direction - other) / TURN).round()
+}
 
 /// Reads the quantities anywhere on the way, by coordinate or by time.
 pub(super) struct Probe {
@@ -52,15 +66,22 @@ impl Probe {
         }
     }
 
-    /// The driver's coordinate at a place; rounding leads out of no limit.
+    /// The driver's coordinate at a place; rounding leads neither out of a limit nor beside it.
     pub(super) fn coordinate(&self, place: f64) -> f64 {
         let Some(clock) = &self.clock else {
             return place;
         };
         let at = clock.coordinate(place);
-        match self.range {
-            Range::Limited { low, high } => at.max(low).min(high),
-            Range::Full { .. } => at,
+        let Range::Limited { low, high } = self.range else {
+            return at;
+        };
+        // Beside a dead point rates are beyond all bounds, at it they do not exist.
+        let limit = if at - low < high - at { low } else { high };
+        let is_there = (at - limit).abs() <= BESIDE * (high - low);
+        if is_there {
+            limit
+        } else {
+            at.max(low).min(high)
         }
     }
 
@@ -125,8 +146,7 @@ impl Probe {
         places: &[f64],
         values: &[Option<f64>],
     ) -> Vec<bool> {
-        let wraps = self.columns[column].aspect == Aspect::Angle
-            && self.columns[column].subject != Subject::Driver;
+        let wraps = wraps(&self.columns[column]);
         let size = usual(values).map_or(0.0, |(low, high)| high - low);
         let pairs = values.windows(2).zip(places.windows(2));
         pairs
@@ -164,31 +184,61 @@ impl Probe {
         whole > ROUNDING * values[0].abs().max(values[1].abs())
     }
 
-    /// Whether a column changes by no more than its own error may be.
-    pub(super) fn is_level(
+    /// Where a column stays, if it changes by no more than its own error may be: then one value is within
+    /// the errors of all. What may be 0 is 0.
+    pub(super) fn level(
         &mut self,
         column: usize,
         places: &[f64],
         values: &[Option<f64>],
-    ) -> bool {
-        let Some((low, high)) = ends(values) else {
-            return true;
-        };
-        let size = low.abs().max(high.abs());
-        if high - low <= ROUNDING * size {
-            return true;
+        conditions: &[Condition],
+    ) -> Option<f64> {
+        // At a dead point a figure is only good to the square root of a rounding.
+        let firm = values.iter().zip(conditions).enumerate();
+        let firm = firm.filter(|(_, (_, condition))| **condition != Condition::DeadPoint);
+        let mut firm: Vec<(usize, f64)> = firm.filter_map(|(i, (v, _))| Some((i, (*v)?))).collect();
+        let mut level = firm.first()?.1;
+        if wraps(&self.columns[column]) {
+            level = beside(0.0, level);
+            firm.iter_mut().for_each(|(_, v)| *v = beside(level, *v));
         }
-        let largest = values
-            .iter()
-            .position(|v| v.is_some_and(|v| v.abs() == size));
-        let Some(place) = largest.and_then(|i| places.get(i)) else {
-            return false;
-        };
-        self.solve(*place);
+        let by_value = |a: &&(usize, f64), b: &&(usize, f64)| a.1.total_cmp(&b.1);
+        let ends = [firm.iter().min_by(by_value)?, firm.iter().max_by(by_value)?];
+        let size = ends[0].1.abs().max(ends[1].1.abs());
+        let (mut least, mut most, mut proved) = (f64::NEG_INFINITY, f64::INFINITY, 0);
+        if ends[1].1 - ends[0].1 > ROUNDING * size {
+            let spread = firm.iter().step_by(firm.len().div_ceil(WITNESSES));
+            for &(sample, value) in ends.into_iter().chain(spread) {
+                let Some(bound) = self.bound(column, places[sample]) else {
+                    continue;
+                };
+                least = least.max(value - DOUBT * bound);
+                most = most.min(value + DOUBT * bound);
+                if least > most {
+                    return None;
+                }
+                proved += 1;
+            }
+            if proved < WITNESSES / 2 {
+                return None;
+            }
+            if (least..=most).contains(&0.0) {
+                level = 0.0;
+            }
+        }
+        Some(if wraps(&self.columns[column]) {
+            angle::wrapped(level)
+        } else {
+            level
+        })
+    }
+
+    /// What the error of a column does not exceed at a place, if that can be proved.
+    fn bound(&mut self, column: usize, place: f64) -> Option<f64> {
+        self.solve(place);
         let mut enclosure = self.solver.enclosure();
         self.solver.enclose(&self.state, self.order, &mut enclosure);
-        let bound = self.columns[column].bound(&self.state, &enclosure);
-        bound.is_some_and(|bound| high - low <= DOUBT * bound)
+        self.columns[column].bound(&self.state, &enclosure)
     }
 
     /// Where a curve turns. `at` of each is still the place, and `along` is not yet known.
@@ -201,7 +251,7 @@ impl Probe {
         ends_are_limits: bool,
     ) -> Vec<Extremum> {
         let size = curve.range().map_or(0.0, |(low, high)| high - low);
-        if curve.is_level || size <= 0.0 {
+        if curve.is_level() || size <= 0.0 {
             return Vec::new();
         }
         let mut found = Vec::new();

@@ -204,6 +204,123 @@ fn without_a_speed_there_is_no_time() {
     assert!(matches!(none, Err(NoTime::StandsStill)));
 }
 
+/// The straight line of a Peaucellier linkage, and its rates: what is beside it is rounding, more of it
+/// at the dead points. A coupler that stays level points to 0 or to 360 deg less an error.
+#[test]
+fn rounding_turns_nowhere_and_is_drawn_as_nothing() {
+    for (name, column, at) in [
+        ("peaucellier", "P.x", 105.0),
+        ("peaucellier", "P.vx", 0.0),
+        ("parallelogram", "r3.angle", 0.0),
+        ("triple-parallelogram", "r3.angle", 0.0),
+    ] {
+        let (scene, solver) = preset(name);
+        let curves = sampled(&(scene, solver.clone()), &[column], Abscissa::Driver);
+        let curve = &curves.curves[0];
+        assert!(curve.is_level(), "{name} {column}");
+        assert!(curve.extrema.is_empty(), "{name} {column}");
+        let (low, high) = curve.range().unwrap();
+        assert_eq!(low.to_bits(), high.to_bits(), "{name} {column}");
+        assert!((low - at).abs() < 1e-9, "{name} {column} {low}");
+        let pieces = curves.pieces(0);
+        assert_eq!(pieces.len(), 1, "{name} {column}");
+        assert!(pieces[0].iter().all(|p| p[1].to_bits() == low.to_bits()));
+        let mut state = solver.state();
+        for at in [1.0, 33.3, 60.0] {
+            solver.solve(at, Order::Acceleration, &mut state);
+            let here = curves.here(&state).values[0].unwrap();
+            assert!((here - low).abs() < 1e-9, "{name} {column} {here}");
+        }
+    }
+}
+
+/// Near a change point bounds are as wide as the linkage: a curve whose largest sample lies there is not
+/// taken for level. The kite is turned so that its change point is beside a sample.
+#[test]
+fn what_moves_is_not_level_where_little_is_proved() {
+    let kite = presets::find("kite").unwrap().text;
+    for beside in [1e-9_f64, 1e-7, 1e-6, 1e-5, 1e-4] {
+        let direction = (30.0 + beside).to_radians();
+        let (x, y) = (100.0 * direction.cos(), 100.0 * direction.sin());
+        let text = kite
+            .replace("D = [100, 0]", &format!("D = [{x:?}, {y:?}]"))
+            .replace("angle = 90", "angle = 120")
+            .replace("C = [182, 182]", "C = [66.6, 248.6]")
+            .replace("[vectors]", "[vectors]\nAC = [\"A\", \"C\"]");
+        assert_ne!(text, kite);
+        let scene = opened(&text);
+        let curves = sampled(
+            &scene,
+            &["AC.length", "AC.accel", "r4.omega"],
+            Abscissa::Driver,
+        );
+        for curve in &curves.curves {
+            assert!(!curve.is_level(), "{} {beside}", curve.quantity.name);
+        }
+    }
+}
+
+/// A time is rounded, and the coordinate that it leads back to; the way ends at the limits all the same.
+#[test]
+fn over_time_the_ends_are_the_limits_themselves() {
+    let text = presets::find("scissor-lift").unwrap().text;
+    let speed = "speed    = \"-50 mm/s\"";
+    assert!(text.contains(speed));
+    for (speed_of, rate) in [(-0.02, -0.001), (-0.02, 0.01), (-3.0, -0.7), (-50.0, 0.0)] {
+        let slow = format!("speed = \"{speed_of:?} mm/s\"\nacceleration = \"{rate:?} mm/s^2\"");
+        let scene = opened(&text.replace(speed, &slow));
+        let Range::Limited { low, high } = scene.1.motion().range else {
+            panic!("it is limited");
+        };
+        let curves = sampled(&scene, &["M1.vx"], Abscissa::Time);
+        for end in [curves.at[0], *curves.at.last().unwrap()] {
+            let ends = [low, high].map(f64::to_bits);
+            assert!(ends.contains(&end.to_bits()), "{speed_of} {rate}: {end:e}");
+        }
+    }
+}
+
+/// Wherever the driver is, it comes by on the way that is drawn: on another turn, or when it has turned
+/// back.
+#[test]
+fn over_time_the_cursor_is_on_the_curve_of_an_uneven_driver() {
+    let text = presets::find("four-bar").unwrap().text;
+    for speed in [
+        "speed = \"15 rad/s\"\nacceleration = \"40 rad/s^2\"",
+        "speed = \"3 rad/s\"\nacceleration = \"-9 rad/s^2\"",
+        "speed = \"-3 rad/s\"\nacceleration = \"2 rad/s^2\"",
+    ] {
+        let (scene, solver) = opened(&text.replace("speed = \"15 rad/s\"", speed));
+        let of = (scene, solver.clone());
+        let curves = sampled(&of, &["C.x", "C.vx"], Abscissa::Time);
+        let mut state = solver.state();
+        let clock = Clock::new(of.0.mechanism.driver()).unwrap();
+        for at in [
+            -700.0, -30.0, 0.0, 30.0, 59.0, 60.0, 61.0, 180.0, 419.0, 421.0, 7000.0,
+        ] {
+            solver.solve(at, Order::Acceleration, &mut state);
+            let here = curves.here(&state);
+            let time = here.along.unwrap_or_else(|| panic!("{speed} {at}"));
+            let apart = (clock.coordinate(time) - at).rem_euclid(TURN);
+            assert!(apart.min(TURN - apart) < 1e-6, "{speed} {at} {time}");
+            // Between the samples beside it.
+            let next = curves
+                .along
+                .iter()
+                .position(|t| t.unwrap() >= time)
+                .unwrap();
+            let around = curves.curves[1].values[next.saturating_sub(1)..=next].iter();
+            let size = curves.curves[1]
+                .range()
+                .map_or(0.0, |(low, high)| high - low);
+            for value in around.flatten() {
+                let apart = (here.values[1].unwrap() - value).abs();
+                assert!(apart < 0.05 * size, "{speed} {at} {apart} {size}");
+            }
+        }
+    }
+}
+
 #[test]
 fn what_is_all_rounding_is_level() {
     let curves = sampled(
