@@ -148,14 +148,18 @@ fn the_driver_stays_where_it_is_as_far_as_it_can() {
 #[test]
 fn an_edit_keeps_the_assembly() {
     let mut session = four_bar(80, 24);
-    // At 300 deg, C = [310, 230] is still nearer to the upper assembly; the ground moved is not.
+    // With D so high, C = [310, 230] would be nearer to the other assembly: by hand, the circles about B
+    // and D meet at (158.9, 366.1) and (348.4, 55.4), which are 203 mm and 179 mm away.
     session.press("6").find("D y").press("Enter");
     let line = session.type_in("300").press("Enter").last_line();
+    assert!(line.contains("[start] follows"), "{line}");
     let screen = session.look();
-    assert!(screen.contains("*D y"), "{screen}");
-    if line.contains("[start] follows") {
-        assert!(screen.contains("*C start x"), "{screen}");
-    }
+    assert!(screen.contains("*C start x     158.9"), "{screen}");
+    assert!(screen.contains("*C start y     366.1"), "{screen}");
+    // One step takes both back.
+    let screen = session.press("u").look();
+    assert!(screen.contains(" C start x     310 "), "{screen}");
+    assert!(!screen.contains("four-bar*"), "{screen}");
     // A start that is moved on purpose means the other assembly.
     let mut session = four_bar(80, 24);
     let before = session.look();

@@ -120,3 +120,59 @@ fn words(scene: &Scene, fault: &Fault) -> String {
         | Fault::Singular { .. } => first_words(&scene.explain(fault)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Vec2;
+    use crate::scene::{Measure, presets};
+    use crate::tui::opening;
+
+    fn places(scene: &Scene, solver: &Solver) -> Vec<Vec2> {
+        let mut state = solver.state();
+        let at = scene.mechanism.driver().start;
+        assert_ne!(
+            solver.solve(at, Order::Position, &mut state),
+            Condition::NoAssembly
+        );
+        let points = scene.mechanism.point_ids();
+        points.map(|point| state.position(point)).collect()
+    }
+
+    /// A length that is a ten-thousandth longer moves no point far: in another assembly some would be
+    /// elsewhere. The text that comes of it opens there too.
+    #[test]
+    fn small_edits_of_any_preset_keep_its_assembly() {
+        let mut kept = 0;
+        for preset in presets::all() {
+            let stage = Stage::new(opening::preset(preset).unwrap());
+            let before = places(stage.scene(), stage.solver());
+            let size = before.iter().map(|p| p.norm()).fold(0.0, f64::max);
+            let values = stage.scene().values();
+            for value in values.iter().filter(|v| v.measure == Measure::Length) {
+                let text = value.moved(value.number * 1e-4);
+                let text = stage.scene().with_value(value, &text);
+                // Redundant linkages close with the lengths that they have, and no others.
+                let Ok(edited) = keeping(&stage, &text) else {
+                    continue;
+                };
+                kept += 1;
+                let Opened { scene, solver, .. } = &edited.opened;
+                let name = format!("{}: {}", preset.name, value.name);
+                let far = |after: &[Vec2]| {
+                    let pairs = before.iter().zip(after);
+                    pairs.map(|(a, b)| (*a - *b).norm()).fold(0.0, f64::max)
+                };
+                let moved = far(&places(scene, solver));
+                assert!(moved < 0.05 * size, "{name} moves {moved} of {size}");
+                let again = reopened(&stage, scene.text()).unwrap().opened;
+                let moved = far(&places(&again.scene, &again.solver));
+                assert!(
+                    moved < 0.05 * size,
+                    "{name} reopened moves {moved} of {size}"
+                );
+            }
+        }
+        assert!(kept > 50, "{kept}");
+    }
+}

@@ -193,7 +193,12 @@ impl App {
                 }
                 self.take_edit(edited, now);
                 let said = if is_undo { "taken back" } else { "made again" };
-                self.message = Some(format!("{name} {said}"));
+                // That the driver could not stay is worth saying too.
+                let more = self
+                    .message
+                    .take()
+                    .map_or(String::new(), |m| format!("; {m}"));
+                self.message = Some(format!("{name} {said}{more}"));
             }
             // Every text of the history was opened before.
             Err(why) => self.message = Some(format!("{name}: {why}")),
