@@ -109,7 +109,7 @@ fn words(scene: &Scene, fault: &Fault) -> String {
         Fault::Open { point, gap, .. } => {
             let name = scene.point_name(*point).unwrap_or("a joint");
             let (gap, unit) = (figure(*gap), scene.unit.symbol());
-            format!("does not close: {name} is out of reach by {gap} {unit}")
+            format!("{name} out of reach by {gap} {unit}")
         }
         Fault::Mobility { .. }
         | Fault::OverConstrained { .. }
