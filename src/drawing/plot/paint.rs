@@ -338,30 +338,28 @@ impl Painter<'_> {
     /// Marks where curves turn, and says what and where, as far as there is room: of the largest and the
     /// smallest first.
     fn turns(&self, panel: &Panel, frame: &Frame, raster: &mut Raster) {
-        let turns = || panel.curves.iter().flat_map(|line| &line.turns);
+        let lines = panel.curves.iter().zip(ROLES.into_iter().cycle());
+        let turns = lines.flat_map(|(line, role)| line.turns.iter().map(move |turn| (turn, role)));
         let cell = |turn: &Turn| Some((self.layout.x.cell(turn.at.x)?, frame.y.cell(turn.at.y)?));
-        for turn in turns() {
-            if let Some((col, row)) = cell(turn) {
-                let glyph = if turn.is_peak { PEAK } else { DIP };
-                raster.put(col, row, glyph, Role::Front);
-            }
+        let placed = turns.filter_map(|(turn, role)| Some((turn, role, cell(turn)?)));
+        let mut placed: Vec<(&Turn, Role, (i32, i32))> = placed.collect();
+        for &(turn, _, (col, row)) in &placed {
+            let glyph = if turn.is_peak { PEAK } else { DIP };
+            raster.put(col, row, glyph, Role::Front);
         }
+        placed.sort_by_key(|(turn, ..)| !turn.is_extreme);
         let x = Style::of_range(self.plot.x.low, self.plot.x.high);
-        for is_extreme in [true, false] {
-            for turn in turns().filter(|turn| turn.is_extreme == is_extreme) {
-                let Some(point) = cell(turn) else {
-                    continue;
-                };
-                let (value, along) = (frame.style.text(turn.at.y), x.text(turn.at.x));
-                let text = format!("{value} at {along}");
-                let inside = |&(col, row): &(i32, i32)| {
-                    frame.block.contains((col, row))
-                        && frame.block.contains((col + length(&text) - 1, row))
-                };
-                let place = seats(raster, point, turn.is_peak, &text).find(inside);
-                if let Some((col, row)) = place {
-                    write(raster, col, row, &text, Role::Label);
-                }
+        for (turn, role, point) in placed {
+            let (value, along) = (frame.style.text(turn.at.y), x.text(turn.at.x));
+            let text = format!("{value} at {along}");
+            let inside = |&(col, row): &(i32, i32)| {
+                let last = col + length(&text) - 1;
+                frame.block.contains((col, row)) && frame.block.contains((last, row))
+            };
+            let inwards = if turn.is_peak { 1 } else { -1 };
+            let place = seats(raster, point, inwards, role, &text).find(inside);
+            if let Some((col, row)) = place {
+                write(raster, col, row, &text, Role::Label);
             }
         }
     }
@@ -381,18 +379,24 @@ impl Painter<'_> {
     }
 }
 
-/// Where a text can stand for a turn and hides nothing: close to it; in its row behind the flat of the
-/// curve; or inside the arch, where that is wider.
+/// Where a text can stand for a turn of a curve and hides nothing: close to it; in its row behind the flat
+/// of the curve, where nothing else lies between; or inside the arch, so many rows `inwards`.
 fn seats<'r>(
     raster: &'r Raster,
     (col, row): (i32, i32),
-    is_peak: bool,
+    inwards: i32,
+    role: Role,
     text: &'r str,
 ) -> impl Iterator<Item = (i32, i32)> + use<'r> {
-    let inwards = if is_peak { 1 } else { -1 };
     let close = free_places(raster, (col, row), text).into_iter();
-    let aside = (1..=FLATTEST).flat_map(|k| [k, -k]).flat_map(move |k| {
-        let places = free_places(raster, (col + k, row), text);
+    let is_flat = move |to: i32| {
+        let between = (col.min(to)..=col.max(to)).filter(move |&c| c != col);
+        let mut roles = between.filter_map(move |c| Some(raster.cell(c, row)?.role));
+        roles.all(|r| r == role || matches!(r, Role::Empty | Role::Ghost))
+    };
+    let aside = (1..=FLATTEST).flat_map(|k| [k, -k]).map(move |k| col + k);
+    let aside = aside.filter(move |&to| is_flat(to)).flat_map(move |to| {
+        let places = free_places(raster, (to, row), text);
         places.into_iter().filter(move |place| place.1 == row)
     });
     let inside = (1..=DEEPEST)
