@@ -131,3 +131,71 @@ fn the_configuration_of_the_readme_is_read() {
     assert_eq!(config.glyphs, Some(Glyphs::Ascii));
     assert!(!config.tour);
 }
+
+const README: &str = include_str!("../README.md");
+
+/// The screen of a view as `krank --print` has it.
+fn printed(key: &str, rows: u16) -> String {
+    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, rows)
+        .timed_by(made_up);
+    workbench.press(key);
+    workbench.text()
+}
+
+/// The same without the digits of bounds: a sharper proof is no other screen.
+fn masked(text: &str) -> String {
+    let mut pieces = text.split("+-");
+    let first = pieces.next().unwrap().to_owned();
+    pieces.fold(first, |mut all, piece| {
+        let end = piece.find(' ').unwrap_or(piece.len());
+        let digits = |c: char| if c.is_ascii_digit() { 'N' } else { c };
+        all.push_str("+-");
+        all.extend(piece[..end].chars().map(digits));
+        all + &piece[end..]
+    })
+}
+
+/// Every view has a screen in the README, and it is the one that is seen.
+#[test]
+fn the_screens_of_the_readme_are_real() {
+    for (key, rows) in [
+        ("1", 24),
+        ("2", 24),
+        ("3", 24),
+        ("5", 12),
+        ("6", 22),
+        ("e", 14),
+    ] {
+        let screen = printed(key, rows);
+        let block = format!("```txt\n{}\n```", screen.trim_end());
+        assert!(
+            masked(README).contains(&masked(&block)),
+            "the README should show for {key}\n{screen}"
+        );
+    }
+    // Times are another machine's: the methods are these, in this order.
+    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 24);
+    workbench.press("4");
+    let screen = workbench.text();
+    let blocks = README.split("```txt\n").skip(1);
+    let shown = blocks.map(|block| block.split("```").next().unwrap());
+    let shown = shown.filter(|block| block.contains("error over time"));
+    let [shown] = shown.collect::<Vec<_>>()[..] else {
+        panic!("the README has other screens of the accuracy view than one");
+    };
+    let mut methods = 0;
+    for line in shown.lines().skip(2).filter_map(|line| line.get(40..)) {
+        // A letter, a mark, and the method; behind it, its time.
+        let method = line
+            .get(2..)
+            .unwrap_or_default()
+            .split("  ")
+            .next()
+            .unwrap();
+        if line.starts_with(|c: char| c.is_ascii_lowercase()) {
+            assert!(screen.contains(method), "{method:?} is not in\n{screen}");
+            methods += 1;
+        }
+    }
+    assert!(methods >= 15, "{shown}");
+}
