@@ -176,3 +176,98 @@ mod tests {
         assert!(kept > 50, "{kept}");
     }
 }
+
+#[cfg(test)]
+mod nudges {
+    use super::super::Origin;
+    use super::*;
+    use crate::scene::{Measure, Value, presets};
+    use crate::solver::Range;
+
+    fn stage(text: &str) -> Stage {
+        let scene = Scene::parse(text, "test").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        Stage::new(Opened {
+            scene,
+            solver,
+            origin: Origin::Preset("test".into()),
+        })
+    }
+
+    /// A small step for a value.
+    fn nudge(value: &Value, size: f64) -> f64 {
+        let own = if value.number == 0.0 {
+            size
+        } else {
+            value.number
+        };
+        match value.measure {
+            Measure::Angle => 1.0,
+            // A decimal of one digit always is a number.
+            _ => format!("{:.0e}", own * 1e-3).parse().unwrap(),
+        }
+    }
+
+    /// How far any point is moved, for the size of the linkage, at most, over the motion.
+    fn farthest(one: &Stage, other: &Solver) -> f64 {
+        let (low, high) = match one.solver().motion().range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        let size = one.reach().bounds().size().norm();
+        let (mut here, mut there) = (one.solver().state(), other.state());
+        let mut most = 0.0_f64;
+        for k in 0..8 {
+            let at = low + (high - low) * (f64::from(k) + 0.37) / 8.0;
+            let closes = [
+                one.solver().solve(at, Order::Position, &mut here),
+                other.solve(at, Order::Position, &mut there),
+            ];
+            if closes.contains(&Condition::NoAssembly) {
+                continue;
+            }
+            for point in one.scene().mechanism.point_ids() {
+                let moved = (here.position(point) - there.position(point)).norm();
+                most = most.max(moved / size);
+            }
+        }
+        most
+    }
+
+    /// Every length, coordinate and angle of every preset, nudged both ways: where nothing is near a change
+    /// point, all points move little, anywhere in the motion, and the text opens as it is shown.
+    #[test]
+    fn small_nudges_move_everything_little() {
+        for preset in presets::all() {
+            let first = stage(preset.text);
+            if !first.solver().motion().change_points.is_empty() {
+                continue;
+            }
+            let size = first.reach().bounds().size().norm();
+            for value in first.scene().values() {
+                if !matches!(
+                    value.measure,
+                    Measure::Length | Measure::Coordinate | Measure::Angle
+                ) {
+                    continue;
+                }
+                for sense in [1.0, -1.0] {
+                    let text = value.moved(sense * nudge(&value, size));
+                    let text = first.scene().with_value(&value, &text);
+                    let Ok(edited) = keeping(&first, &text) else {
+                        continue;
+                    };
+                    let named = format!("{} {} {sense}", preset.name, value.name);
+                    let moved = farthest(&first, &edited.opened.solver);
+                    assert!(moved < MOST_MOVED, "{named}: {moved}");
+                    let again = stage(edited.opened.scene.text());
+                    let same = agree(again.scene(), &edited.opened.solver, again.solver());
+                    assert!(same, "{named}");
+                }
+            }
+        }
+    }
+
+    /// Of the size of the linkage; another assembly would be farther off.
+    const MOST_MOVED: f64 = 0.1;
+}
