@@ -10,8 +10,7 @@ use krank::drawing::Glyphs;
 use krank::scene::presets;
 use krank::tui::{Colours, Opened, Origin, Workbench};
 use proptest::prelude::*;
-use screen::{Session, emulator, open, preset};
-use std::cell::Cell;
+use screen::{Session, emulator, made_up, open, preset};
 use std::time::Duration;
 
 const README: &str = include_str!("../README.md");
@@ -34,15 +33,6 @@ r4 = { from = "C", to = "D", length = 60 }
 [start]
 C = [75, 55]
 "#;
-
-/// A clock on which everything takes 5 ms: a study goes on by a few pieces of work a frame, and finds
-/// the same times on every machine.
-fn made_up() -> Duration {
-    // Tests that run beside this one do not move it.
-    thread_local!(static NOW: Cell<Duration> = const { Cell::new(Duration::ZERO) });
-    NOW.set(NOW.get() + Duration::from_millis(5));
-    NOW.get()
-}
 
 /// The keys of the workbench are the same wherever they are written down.
 #[test]

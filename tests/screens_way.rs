@@ -7,7 +7,7 @@ mod screen;
 
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Config, Workbench};
-use screen::{Session, preset};
+use screen::{Session, made_up, preset};
 
 fn four_bar(cols: u16, rows: u16) -> Session {
     Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)

@@ -43,8 +43,6 @@ mod key;
 mod keymap;
 mod lens;
 mod line;
-#[cfg(test)]
-mod monkey;
 mod opening;
 mod palette;
 mod panel;
@@ -64,6 +62,8 @@ mod stage;
 mod steps;
 mod survey;
 mod terminal;
+#[cfg(test)]
+mod tests;
 mod theme;
 mod tour;
 mod views;

@@ -5,16 +5,16 @@
 //! A failure prints the seed of its episode, and `KRANK_MONKEY_SEED` begins with that one. The monkey saves
 //! files where it can: it works in a process of its own, in an empty folder.
 
-use super::app::{App, Effect, Mode, View};
-use super::key::Key;
-use super::keymap::Keymap;
-use super::terminal::{Input, Keyboard};
-use super::tour::SCREENS;
-use super::{Origin, Theme, Workbench, opening, views};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::{is_harmful, presets};
 use crate::tests::{Chance, Fuzz, shape};
+use crate::tui::app::{App, Effect, Mode, View};
+use crate::tui::key::Key;
+use crate::tui::keymap::Keymap;
+use crate::tui::terminal::{Input, Keyboard};
+use crate::tui::tour::SCREENS;
+use crate::tui::{Origin, Theme, Workbench, opening, views};
 use ratatui::layout::Size;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::panic::{self, AssertUnwindSafe};
@@ -31,7 +31,7 @@ const CAGE: &str = "KRANK_MONKEY_CAGE";
 
 #[test]
 fn a_monkey_at_the_keys_breaks_nothing() {
-    caged("tui::monkey::in_its_cage");
+    caged("tui::tests::monkey::in_its_cage");
 }
 
 /// Runs another test in a process and a folder of its own.
@@ -345,7 +345,7 @@ fn check_text(text: &str, glyphs: Glyphs, frame: &str) {
 /// The parser of what a terminal sends, and the workbench behind it, fed with anything.
 #[test]
 fn fuzz_the_keys_in_a_cage() {
-    caged("tui::monkey::fuzz_the_keys");
+    caged("tui::tests::monkey::fuzz_the_keys");
 }
 
 #[test]

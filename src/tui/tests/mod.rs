@@ -1,0 +1,3 @@
+//! Tests of the workbench as a whole that see inside.
+
+mod monkey;
