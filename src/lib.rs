@@ -91,7 +91,7 @@ mod arithmetic;
 pub mod assembly;
 #[cfg_attr(
     not(feature = "tui"),
-    expect(
+    allow(
         dead_code,
         unreachable_pub,
         reason = "messages need less of it than the workbench"

@@ -4,7 +4,6 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 #[path = "support/screen.rs"]
-#[allow(dead_code, reason = "other tests use the rest")]
 mod screen;
 
 use krank::drawing::Glyphs;

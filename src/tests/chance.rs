@@ -17,6 +17,7 @@ impl Chance {
     }
 
     /// The same of small numbers.
+    #[cfg(feature = "tui")]
     pub(crate) fn small(&mut self, count: u16) -> u16 {
         u16::try_from(self.below(count.into())).unwrap()
     }
