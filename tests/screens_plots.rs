@@ -262,6 +262,55 @@ proptest! {
     }
 }
 
+/// A four-bar whose rocker drives another one, and so on: a chain of so many dyads.
+fn chain(dyads: usize) -> String {
+    let mut text = String::from(
+        "name = \"Chain\"\nunit = \"mm\"\n[driver]\nlink = \"crank\"\nangle = 60\nspeed = \"15 rad/s\"\n",
+    );
+    let mut parts = [
+        "[ground]\nA = [0, 0]\n".to_owned(),
+        "[links]\ncrank = { from = \"A\", to = \"C0\", length = 100 }\n".to_owned(),
+        "[start]\n".to_owned(),
+    ];
+    for k in 1..=dyads {
+        let (x, before) = (400 * k, k - 1);
+        let length = if k == 1 { 300 } else { 400 };
+        parts[0] += &format!("D{k} = [{x}, 0]\n");
+        parts[1] +=
+            &format!("r{k} = {{ from = \"C{before}\", to = \"C{k}\", length = {length} }}\n");
+        parts[1] += &format!("s{k} = {{ from = \"C{k}\", to = \"D{k}\", length = 250 }}\n");
+        parts[2] += &format!("C{k} = [{}, 234]\n", x - 89);
+    }
+    parts.iter().for_each(|part| text += part);
+    text
+}
+
+/// A chain is plotted by its last rocker, which needs all that is before it.
+#[test]
+fn a_chain_of_dyads_is_plotted() {
+    let mut session = Session::new(open(&chain(40), Origin::Stdin), Glyphs::Ascii, 80, 24);
+    let text = session.press("3").look();
+    assert!(text.contains("* s40.omega"), "{text}");
+    assert!(text.contains("driver.angle"), "{text}");
+}
+
+/// How long the view of a chain of 1,000 dyads takes to open, and a step in it: in release, with
+/// `--ignored --nocapture`.
+#[test]
+#[ignore = "a measurement, not a test"]
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
+fn cost_of_a_long_chain() {
+    let opened = open(&chain(1000), Origin::Stdin);
+    let mut bench = Workbench::new(opened, Glyphs::Braille, Colours::Sixteen, 200, 60);
+    bench.paint();
+    for key in ["3", ".", "X", "x"] {
+        let begun = Instant::now();
+        bench.press(key);
+        bench.paint();
+        println!("key {key}: {:?}", begun.elapsed());
+    }
+}
+
 /// What a frame costs at 200 x 60 while it plays: run in release, with `--ignored --nocapture`.
 #[test]
 #[ignore = "a measurement, not a test"]

@@ -57,6 +57,12 @@ impl Keymap {
         self.keys(action).first().copied()
     }
 
+    /// The same as messages name it, also where a person took it away.
+    pub(crate) fn told(&self, action: Action) -> String {
+        self.key(action)
+            .map_or_else(|| "(no key)".into(), |key| key.to_string())
+    }
+
     /// Every row of the table with its keys.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'static Entry, &[Key])> {
         action::entries().zip(self.keys.iter().map(Vec::as_slice))

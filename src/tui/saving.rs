@@ -8,13 +8,14 @@ use std::io;
 use std::path::Path;
 
 /// Writes a scene's text: at once or not at all. To its `own` file with the byte order mark that this has,
-/// and only if it still holds the text that is `expected`, where one is. What was done, or why nothing
-/// was, in words.
+/// and only if it still holds the text that is `expected`, where one is: where not, these are the `ways`
+/// out. What was done, or why nothing was, in words.
 pub(crate) fn save(
     text: &str,
     own: bool,
     expected: Option<&str>,
     to: &Path,
+    ways: &str,
 ) -> Result<String, String> {
     let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
     let mut bytes = Vec::new();
@@ -22,7 +23,6 @@ pub(crate) fn save(
         match fs::read(to) {
             Ok(now) => {
                 if expected.is_some_and(|text| unmarked(&now) != text.as_bytes()) {
-                    let ways = "R reads it, W saves elsewhere";
                     return Err(format!("not written, {name} has changed on disk: {ways}"));
                 }
                 if now.starts_with(BYTE_ORDER_MARK.as_bytes()) {

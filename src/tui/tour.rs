@@ -24,10 +24,7 @@ pub(crate) struct Screen {
 /// A screen, from 0, with the keys that a person has.
 pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
     use Action as A;
-    let key = |action| match keymap.key(action) {
-        Some(key) => key.to_string(),
-        None => "(no key)".into(),
-    };
+    let key = |action| keymap.told(action);
     let (title, text) = match number {
         0 => (
             "What krank shows",
@@ -57,9 +54,8 @@ pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
         2 => (
             "Tables, plots, trust",
             format!(
-                "{} has all tables, {} plots, {} the motion again.\nEach figure has a proved \
-                 bound: digits beyond it are dim, or dots. What does not exist is -, never a \
-                 guess. {} measures methods, {} what each length does.",
+                "{} has all tables, {} plots, {} the motion again.\nFigures have a proved \
+                 bound where there is one: digits beyond it are dim, or dots. What does not exist is -. {} measures methods, {} what each length does.",
                 key(A::TablesView),
                 key(A::PlotsView),
                 key(A::MotionView),

@@ -20,7 +20,7 @@ fn a_plot_is_as_large_as_it_should_be_and_ascii_in_a_plain_environment() {
         "* C.vx",
         "* r4.omega",
         "over driver.angle",
-        "360 deg",
+        "deg  360",
     ] {
         assert!(text.contains(part), "{part}\n{text}");
     }

@@ -1,6 +1,7 @@
 //! The scene and its file: saving, reading again what somebody else has written, keeping unsaved edits
 //! for recovery, and asking before they are lost.
 
+use super::super::action::Action;
 use super::super::disk::{Disk, News, unmarked};
 use super::super::edited;
 use super::super::history::Deed;
@@ -93,12 +94,11 @@ impl App {
         match news {
             News::Written(bytes) if unmarked(&bytes) == self.editor.saved().as_bytes() => {}
             News::Written(_) if self.is_changed() => {
-                self.message = Some(format!(
-                    "{name} has changed on disk: R reads it, W saves elsewhere"
-                ));
+                let ways = self.ways_out();
+                self.message = Some(format!("{name} has changed on disk: {ways}"));
             }
             News::Written(bytes) => self.read_in(&bytes, &name, now),
-            News::Gone => self.message = Some(format!("{name} is gone: w writes it again")),
+            News::Gone => self.tell_gone(&name),
             News::Unreadable(error) => {
                 self.message = Some(format!("{name} cannot be read: {error}"));
             }
@@ -119,13 +119,25 @@ impl App {
         }
     }
 
+    /// What to do where the file is another than was opened.
+    fn ways_out(&self) -> String {
+        let key = |action| self.keymap.told(action);
+        let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
+        format!("{reload} reads it, {elsewhere} saves elsewhere")
+    }
+
+    fn tell_gone(&mut self, name: &str) {
+        let key = self.keymap.told(Action::Save);
+        self.message = Some(format!("{name} is gone: {key} writes it again"));
+    }
+
     fn reload_now(&mut self, now: Duration) {
         let (Some(disk), Some(name)) = (&self.disk, self.file_name()) else {
             return;
         };
         match disk.read() {
             News::Written(bytes) => self.read_in(&bytes, &name, now),
-            News::Gone => self.message = Some(format!("{name} is gone: w writes it again")),
+            News::Gone => self.tell_gone(&name),
             News::Unreadable(error) => {
                 self.message = Some(format!("{name} cannot be read: {error}"));
             }
@@ -211,7 +223,7 @@ impl App {
         let own = matches!(self.stage.origin(), Origin::File(own) if own == to);
         let text = self.stage.scene().text().to_owned();
         let expected = (own && !over).then(|| self.editor.saved());
-        let said = saving::save(&text, own, expected, to)?;
+        let said = saving::save(&text, own, expected, to, &self.ways_out())?;
         if let Some(recovery) = &mut self.recovery {
             recovery.drop_kept();
         }
@@ -300,11 +312,12 @@ impl App {
                     recovery.take();
                 }
                 self.change(edited, Deed::Other("recovered edits".into()), now);
+                let key = self.keymap.told(Action::Undo);
                 self.message = Some(match found.stale {
-                    true => {
-                        "they are back, made on another text than the file has; u drops them".into()
-                    }
-                    false => "the unsaved edits are back; u takes them away".into(),
+                    true => format!(
+                        "they are back, made on another text than the file has; {key} drops them"
+                    ),
+                    false => format!("the unsaved edits are back; {key} takes them away"),
                 });
             }
             Err(why) => self.message = Some(format!("they cannot be shown: {why}")),

@@ -12,6 +12,7 @@ use crate::tests::{Chance, Fuzz, shape};
 use crate::tui::app::{App, Effect, Mode, View};
 use crate::tui::key::Key;
 use crate::tui::keymap::Keymap;
+use crate::tui::picker::Place;
 use crate::tui::terminal::{Input, Keyboard};
 use crate::tui::tour::SCREENS;
 use crate::tui::{Origin, Theme, Workbench, opening, views};
@@ -238,27 +239,33 @@ fn by_the_table(chance: &mut Chance) -> Key {
     key
 }
 
-/// Whether the monkey stays in its cage: it writes nowhere else.
+/// Whether the monkey stays in its cage: it looks and writes nowhere else.
 fn stays(app: &App, deed: &Deed) -> bool {
-    let within = |path: &Path| {
-        let inside = |part| matches!(part, Component::Normal(_) | Component::CurDir);
-        path.components().all(inside)
-    };
     match (app.mode(), deed) {
         (Mode::FileName(_), Deed::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
-        (Mode::FileName(prompt), Deed::Press(Key::Enter)) => within(Path::new(prompt.name.text())),
-        (Mode::Confirm(question), Deed::Press(Key::Enter)) => within(&question.to),
-        (Mode::Normal | Mode::Assemblies(_) | Mode::Unsaved(_), Deed::Press(_)) => {
-            match app.stage().origin() {
-                // Of a file elsewhere that the picker has opened nothing is saved.
-                Origin::File(path) => within(path) || !matches!(deed, Deed::Press(Key::Char('w'))),
-                Origin::Preset(_) | Origin::Stdin => true,
+        (Mode::FileName(prompt), Deed::Press(Key::Enter)) => {
+            is_in_cage(Path::new(prompt.name.text().trim()))
+        }
+        (Mode::Confirm(question), Deed::Press(Key::Enter)) => is_in_cage(&question.to),
+        (Mode::Pick(_), Deed::Press(Key::Left)) => false,
+        (Mode::Pick(picker), Deed::Press(Key::Enter | Key::Right)) => {
+            match picker.chosen().map(|item| &item.place) {
+                Some(Place::Folder(path) | Place::File(path)) => is_in_cage(path),
+                Some(Place::Original | Place::Preset(_)) | None => true,
             }
         }
-        // Out of the cage there are too many files to look through.
-        (Mode::Pick(_), Deed::Press(Key::Enter | Key::Left | Key::Backspace)) => false,
-        _ => true,
+        _ => match app.stage().origin() {
+            Origin::File(path) => is_in_cage(path),
+            Origin::Preset(_) | Origin::Stdin => true,
+        },
     }
+}
+
+fn is_in_cage(path: &Path) -> bool {
+    let inside = |part| matches!(part, Component::Normal(_) | Component::CurDir);
+    let cage = std::env::current_dir().unwrap();
+    let within = path.strip_prefix(&cage).unwrap_or(path);
+    within.components().all(inside)
 }
 
 /// What must hold whatever was done.
