@@ -184,7 +184,7 @@ fn the_screens_of_the_readme_are_real() {
         panic!("the README has other screens of the accuracy view than one");
     };
     let mut methods = 0;
-    for line in shown.lines().skip(2).filter_map(|line| line.get(40..)) {
+    for line in shown.lines().skip(2).filter_map(|line| line.get(41..)) {
         // A letter, a mark, and the method; behind it, its time.
         let method = line
             .get(2..)
