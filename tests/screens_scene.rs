@@ -242,6 +242,19 @@ fn a_file_that_cannot_be_written_keeps_the_edits() {
     assert_eq!(std::fs::read_to_string(file).unwrap(), text("four-bar"));
 }
 
+/// The steps of a link that turns used to stay where a slide had taken its place.
+#[test]
+fn a_file_that_is_read_again_may_be_driven_otherwise() {
+    let (file, opened) = file(&folder("scene-driver"), text("four-bar"));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    assert!(session.look().contains("step 5 deg"));
+    std::fs::write(&file, text("scissor-lift")).unwrap();
+    session.workbench.pass(Duration::from_secs(2));
+    let screen = session.press("z").look();
+    let step = screen.lines().next().unwrap();
+    assert!(step.contains("step ") && !step.contains("deg"), "{screen}");
+}
+
 #[test]
 fn a_file_that_somebody_else_writes_is_read_again() {
     let (file, opened) = file(&folder("scene-reload"), text("four-bar"));

@@ -46,9 +46,13 @@ impl App {
     /// The same scene in another form: the driver stands where it stood, as far as it can be
     /// there, and what is looked at and chosen stays.
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
-        let at = self.stage.at();
+        let (at, turned) = (self.stage.at(), self.stage.course().turns());
         self.chosen = self.chosen.moved(self.stage.scene(), &opened.scene);
         self.stage = Stage::new(opened);
+        // A file that was read again may have a slide for a driver where it had a link.
+        if turned != self.stage.course().turns() {
+            self.steps = steps_of(&self.stage);
+        }
         self.opened += 1;
         self.survey.forget();
         self.look(self.view);
