@@ -9,7 +9,7 @@
 //! shows is known cell by cell, so that the next frame simply has these changes left. What is urgent
 //! comes first, the rest from the top, or from where the last frame was cut.
 
-use super::pen::{Look, Pen, escape};
+use super::pen::{Look, Pen, escape, identical};
 use crate::capability::Capability;
 use crate::tui::Frames;
 use crate::tui::palette::{Palette, Theme};
@@ -178,17 +178,17 @@ impl Painter {
         let width = wanted.area.width;
         let start = usize::from(y) * usize::from(width);
         let next = &wanted.content[start..start + usize::from(width)];
-        let cells = usize::from(columns.start)..usize::from(columns.end);
-        if self.shown.content[start..][cells.clone()] == next[cells] {
+        let Some(changed) = self.changed(start, columns.clone(), next) else {
             return Ok(());
-        }
-        self.wipe(columns.clone(), y, next)?;
+        };
+        let wiped = changed.len() > WORTH_WIPING && self.wipe(columns.clone(), y, next)?;
+        let changed = if wiped { columns.clone() } else { changed };
         let (end, erase) = if columns.end == width {
             self.tail(&self.shown.content[start..][..next.len()], next)
         } else {
             (columns.end, false)
         };
-        for x in columns.start..end {
+        for x in changed.start..changed.end.min(end) {
             let cell = &next[usize::from(x)];
             let shown = &self.shown.content[start + usize::from(x)];
             if self.look.same(shown, cell) {
@@ -215,9 +215,18 @@ impl Painter {
         Ok(())
     }
 
+    /// From the first to the last of some columns whose cells differ.
+    fn changed(&self, start: usize, columns: Range<u16>, next: &[Cell]) -> Option<Range<u16>> {
+        let shown = &self.shown.content[start..][..next.len()];
+        let differs = |x: &u16| !identical(&shown[usize::from(*x)], &next[usize::from(*x)]);
+        let first = columns.clone().find(differs)?;
+        let last = columns.rev().find(differs)?;
+        Some(first..last + 1)
+    }
+
     /// Erases a row from these columns on, where that is cheaper than blanks one by one: what is erased
-    /// and stays is written again.
-    fn wipe(&mut self, columns: Range<u16>, y: u16, next: &[Cell]) -> Result<(), Full> {
+    /// and stays is written again. Whether that was so.
+    fn wipe(&mut self, columns: Range<u16>, y: u16, next: &[Cell]) -> Result<bool, Full> {
         let start = usize::from(y) * next.len();
         let (from, to) = (usize::from(columns.start), usize::from(columns.end));
         let shown = &self.shown.content[start..][..next.len()];
@@ -226,14 +235,14 @@ impl Painter {
         let gone = both().filter(|(x, (a, b))| *x < to && is_ink(a) && !is_ink(b));
         let stays = both().filter(|(_, (a, b))| is_ink(b) && self.look.same(a, b));
         if gone.count() <= stays.count() + WORTH_WIPING {
-            return Ok(());
+            return Ok(false);
         }
         self.has_room()?;
         self.go_to(columns.start, y, next);
         self.set_pen(Pen::PLAIN);
         self.bytes.extend_from_slice(ERASE_TO_END);
         self.shown.content[start + from..start + next.len()].fill(Cell::EMPTY);
-        Ok(())
+        Ok(true)
     }
 
     /// However little room there is, a frame brings something.

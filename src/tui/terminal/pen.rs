@@ -63,12 +63,30 @@ impl Look {
 
     /// Whether two cells look alike.
     pub(super) fn same(&self, a: &Cell, b: &Cell) -> bool {
-        a == b || (a.symbol() == b.symbol() && self.pen_of(a) == self.pen_of(b))
+        same_symbol(a, b) && (same_style(a, b) || self.pen_of(a) == self.pen_of(b))
     }
 
     /// Whether a cell is nothing but ground.
     pub(super) fn is_blank(&self, cell: &Cell) -> bool {
-        cell.symbol() == " " && self.pen_of(cell) == Pen::PLAIN
+        cell.symbol().as_bytes() == b" " && self.pen_of(cell) == Pen::PLAIN
+    }
+}
+
+/// Whether two cells are the same, whatever the terminal shows of it: most are, and this is asked of
+/// every cell of every frame.
+pub(super) fn identical(a: &Cell, b: &Cell) -> bool {
+    same_style(a, b) && same_symbol(a, b)
+}
+
+fn same_style(a: &Cell, b: &Cell) -> bool {
+    (a.fg, a.bg, a.modifier) == (b.fg, b.bg, b.modifier)
+}
+
+fn same_symbol(a: &Cell, b: &Cell) -> bool {
+    match (a.symbol().as_bytes(), b.symbol().as_bytes()) {
+        // Without a call.
+        ([a], [b]) => a == b,
+        (a, b) => a == b,
     }
 }
 
