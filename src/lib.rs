@@ -118,5 +118,5 @@ pub mod tui;
 pub use arithmetic::{Ball, Constant, Double, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
     Axis, Body, Builder, Defect, Driver, Element, Input, Length, Link, LinkId, Load, Mechanism,
-    Member, Point, PointId, Slide, SlideId, Slider,
+    Member, Point, PointId, Profile, Slide, SlideId, Slider, StrokeEnd,
 };

@@ -11,7 +11,7 @@ use std::collections::HashSet;
 ///
 /// Ids belong to the builder that gave them. Those of another name whatever stands at their place
 /// here, and a method given one that has no such place panics.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub struct Builder {
     points: Vec<Point>,
     links: Vec<Link>,
@@ -20,6 +20,22 @@ pub struct Builder {
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     gravity: Vec2,
+    metres: f64,
+}
+
+impl Default for Builder {
+    fn default() -> Self {
+        Builder {
+            points: Vec::new(),
+            links: Vec::new(),
+            slides: Vec::new(),
+            driver: None,
+            start: Vec::new(),
+            loads: Vec::new(),
+            gravity: Vec2::ZERO,
+            metres: 1.0,
+        }
+    }
 }
 
 impl Builder {
@@ -150,6 +166,11 @@ impl Builder {
         self.gravity = gravity;
     }
 
+    /// Says how many metres the unit of all lengths has: 1 if it is not said. Only forces need it.
+    pub fn metres(&mut self, metres: f64) {
+        self.metres = metres;
+    }
+
     /// Checks every element by itself.
     ///
     /// # Errors
@@ -165,6 +186,7 @@ impl Builder {
                 start: self.start,
                 loads: self.loads,
                 gravity: self.gravity,
+                metres: self.metres,
             }),
             _ => Err(defects),
         }
@@ -178,11 +200,8 @@ impl Builder {
         }
         self.check_slides(&mut found);
         self.check_driver(&mut found);
-        let loads_finite = self.loads.iter().all(|load| match *load {
-            Load::Force { force, .. } => force.is_finite(),
-            Load::Torque { torque, .. } => torque.is_finite(),
-        });
-        if !(loads_finite && self.gravity.is_finite()) {
+        let is_unit = self.metres > 0.0 && self.metres.is_finite();
+        if !(self.loads.iter().all(Load::is_sound) && self.gravity.is_finite() && is_unit) {
             found.push(Defect::Load);
         }
         found

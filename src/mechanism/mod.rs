@@ -6,9 +6,11 @@
 
 mod builder;
 mod lengths;
+mod load;
 
 pub use builder::Builder;
 pub use lengths::{Axis, Length};
+pub use load::{Load, Profile, StrokeEnd};
 
 use crate::Vec2;
 use thiserror::Error;
@@ -179,25 +181,6 @@ pub struct Driver {
     pub acceleration: f64,
 }
 
-/// A load, kept for the balance of forces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Load {
-    /// A force in N at a point, constant in the ground frame.
-    Force {
-        /// Where it acts.
-        point: PointId,
-        /// Its components.
-        force: Vec2,
-    },
-    /// A torque in N m on a link, counter-clockwise.
-    Torque {
-        /// The loaded link.
-        link: LinkId,
-        /// Its size.
-        torque: f64,
-    },
-}
-
 /// A planar mechanism with one input.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
@@ -208,6 +191,7 @@ pub struct Mechanism {
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
     gravity: Vec2,
+    metres: f64,
 }
 
 impl Mechanism {
@@ -257,6 +241,19 @@ impl Mechanism {
     #[must_use]
     pub fn gravity(&self) -> Vec2 {
         self.gravity
+    }
+
+    /// The metres of the unit of its lengths.
+    #[must_use]
+    pub fn metres(&self) -> f64 {
+        self.metres
+    }
+
+    /// Whether anything acts on it: a load, a weight, or what resists being accelerated.
+    #[must_use]
+    pub fn has_forces(&self) -> bool {
+        let has_mass = |link: &Link| link.mass > 0.0 || link.inertia > 0.0;
+        !self.loads.is_empty() || self.links.iter().any(has_mass)
     }
 
     /// One point.
@@ -360,8 +357,8 @@ pub enum Defect {
         /// The link.
         link: LinkId,
     },
-    /// A load or the gravity that is not finite.
-    #[error("loads and gravity must be finite")]
+    /// A load, the gravity or the unit that is not finite, or negative where it must not be.
+    #[error("loads and gravity must be finite; stiffness, damping and lengths not negative")]
     Load,
 }
 

@@ -247,18 +247,12 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             let load = match load {
                 draft::Load::Force { point, force } => {
                     let point = self.point("`point` of the load", point);
-                    point.map(|point| Load::Force {
-                        point,
-                        force: *force,
-                    })
+                    point.map(|point| Load::force(point, *force))
                 }
                 draft::Load::Torque { link, torque } => {
                     let what = "`link` of the load";
                     let link = self.names.find(self.reader, what, link, Sort::Link);
-                    link.map(|link| Load::Torque {
-                        link: LinkId::new(link),
-                        torque: *torque,
-                    })
+                    link.map(|link| Load::torque(LinkId::new(link), *torque))
                 }
             };
             if let Some(load) = load {
@@ -266,6 +260,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             }
         }
         self.builder.gravity(self.draft.gravity);
+        self.builder.metres(self.draft.unit.metres());
     }
 
     /// A point by its name; `r3.com` is the centre of mass of `r3`.

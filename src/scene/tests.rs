@@ -153,7 +153,7 @@ fn every_key_is_read() {
     assert_eq!(m.gravity(), Vec2::new(0.0, -9.81));
     let t = point(&scene, "T");
     let force = Vec2::new(0.0, -500.0);
-    assert_eq!(m.loads()[0], Load::Force { point: t, force });
+    assert_eq!(m.loads()[0], Load::force(t, force));
     assert!(matches!(m.loads()[1], Load::Torque { torque: 12.5, .. }));
 }
 

@@ -35,6 +35,12 @@ impl Unit {
         self.tenths_of_mm() / unit.tenths_of_mm()
     }
 
+    /// Its size in metres.
+    #[must_use]
+    pub fn metres(self) -> f64 {
+        self.in_units_of(Unit::Metre)
+    }
+
     /// Its size in tenths of a millimetre: whole numbers, so that a conversion rounds only once per
     /// operation.
     pub(super) fn tenths_of_mm(self) -> f64 {
