@@ -181,6 +181,15 @@ impl Number for Ball {
         self.mid - self.radius > other.mid + other.radius
     }
 
+    /// Around both.
+    fn either(self, other: Ball) -> Ball {
+        let apart = (self.mid - other.mid).abs();
+        Ball::new(
+            self.mid,
+            self.radius.max((apart + other.radius) * INFLATION),
+        )
+    }
+
     /// Each component within 0.75 ulp (0.6 was measured), exact where the other is zero, and turned by as much as the angle
     /// can be off.
     #[inline]

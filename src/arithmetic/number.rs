@@ -59,6 +59,12 @@ pub trait Number:
     /// Whether it is certainly above another; not where one is no number.
     fn exceeds(self, other: Self) -> bool;
 
+    /// This one, where rounding leaves open whether it or the other one holds: with a bound, both.
+    #[must_use]
+    fn either(self, _other: Self) -> Self {
+        self
+    }
+
     /// The unit vector at an angle in degrees, exactly reduced.
     fn unit(degrees: Self) -> Vec2<Self>;
 

@@ -256,6 +256,19 @@ impl Mechanism {
         !self.loads.is_empty() || self.links.iter().any(has_mass)
     }
 
+    /// The joints of a link that a force can pass: pinned to another link or to the ground, or with a
+    /// pin that slides.
+    pub fn pins(&self, link: LinkId) -> impl Iterator<Item = PointId> + '_ {
+        let is_pin = |point: PointId| {
+            let given = self.point(point);
+            let others = given.links.len() + usize::from(given.ground.is_some());
+            let slides = || self.slides.iter().any(|s| s.slider == Slider::Pin(point));
+            others > 1 || slides()
+        };
+        let members = self.link(link).members.iter().map(|m| m.point);
+        members.filter(move |&point| is_pin(point))
+    }
+
     /// One point.
     #[must_use]
     pub fn point(&self, id: PointId) -> &Point {

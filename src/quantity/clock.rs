@@ -144,6 +144,14 @@ pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> O
         Aspect::Ay => second(first(Aspect::Vy)?),
         Aspect::Alpha => second(first(Aspect::Omega)?),
         Aspect::Accel => second(first(Aspect::Rate)?),
+        // Loads, dampers and inertia do not follow from those at another pace.
+        Aspect::Torque
+        | Aspect::Force
+        | Aspect::Power
+        | Aspect::Fx
+        | Aspect::Fy
+        | Aspect::Normal
+        | Aspect::Moment => return None,
     };
     paced.is_finite().then_some(paced)
 }

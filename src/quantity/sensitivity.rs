@@ -231,18 +231,21 @@ struct Kind {
 }
 
 impl Kind {
-    const COUNT: usize = 6;
+    const COUNT: usize = 9;
 
     fn of(figure: &Quantity) -> usize {
         let order = match figure.aspect.order() {
             Order::Position => 0,
             Order::Velocity => 1,
-            Order::Acceleration => 2,
+            Order::Acceleration | Order::Force => 2,
         };
         match figure.aspect {
             Aspect::Angle | Aspect::Omega | Aspect::Alpha => 3 + order,
             Aspect::X | Aspect::Y | Aspect::Vx | Aspect::Vy | Aspect::Ax | Aspect::Ay => order,
             Aspect::Length | Aspect::Rate | Aspect::Accel => order,
+            Aspect::Torque | Aspect::Moment => 6,
+            Aspect::Force | Aspect::Fx | Aspect::Fy | Aspect::Normal => 7,
+            Aspect::Power => 8,
         }
     }
 

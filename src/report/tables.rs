@@ -295,7 +295,7 @@ fn plane(point: PointId, order: Order, reading: &Reading<'_>) -> Option<Plane> {
     let (x, y) = match order {
         Order::Position => (Aspect::X, Aspect::Y),
         Order::Velocity => (Aspect::Vx, Aspect::Vy),
-        Order::Acceleration => (Aspect::Ax, Aspect::Ay),
+        Order::Acceleration | Order::Force => (Aspect::Ax, Aspect::Ay),
     };
     let subject = Subject::Point(point);
     let component = |aspect| value(subject, aspect, reading.state);

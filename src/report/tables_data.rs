@@ -25,7 +25,7 @@ fn point_aspects(order: Order) -> [(&'static str, Aspect); 4] {
             ("v", Aspect::Vx),
             ("v.angle", Aspect::Angle),
         ],
-        Order::Acceleration => [
+        Order::Acceleration | Order::Force => [
             ("ax", Aspect::Ax),
             ("ay", Aspect::Ay),
             ("a", Aspect::Ax),

@@ -51,7 +51,7 @@ fn title(order: Order) -> &'static str {
     match order {
         Order::Position => "position",
         Order::Velocity => "velocity",
-        Order::Acceleration => "acceleration",
+        Order::Acceleration | Order::Force => "acceleration",
     }
 }
 
@@ -91,7 +91,9 @@ impl Writer<'_> {
         let [length, turning] = match order {
             Order::Position => [("r", Aspect::Length), ("theta", Aspect::Angle)],
             Order::Velocity => [("dr/dt", Aspect::Rate), ("omega", Aspect::Omega)],
-            Order::Acceleration => [("d2r/dt2", Aspect::Accel), ("alpha", Aspect::Alpha)],
+            Order::Acceleration | Order::Force => {
+                [("d2r/dt2", Aspect::Accel), ("alpha", Aspect::Alpha)]
+            }
         };
         let vectors = &self.tables.vectors;
         // Sign, point and star beside the digits.
@@ -162,7 +164,7 @@ impl Writer<'_> {
         let (names, aspect) = match order {
             Order::Position => (["x", "y", "r"], Aspect::X),
             Order::Velocity => (["vx", "vy", "v"], Aspect::Vx),
-            Order::Acceleration => (["ax", "ay", "a"], Aspect::Ax),
+            Order::Acceleration | Order::Force => (["ax", "ay", "a"], Aspect::Ax),
         };
         let mut grid = Grid::new(POINT_LABELS, self.style.digits + 2);
         let headers = names.map(|name| self.label(name, aspect));
@@ -190,6 +192,6 @@ pub(super) fn index(order: Order) -> usize {
     match order {
         Order::Position => 0,
         Order::Velocity => 1,
-        Order::Acceleration => 2,
+        Order::Acceleration | Order::Force => 2,
     }
 }

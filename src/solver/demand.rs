@@ -30,6 +30,9 @@ impl Needed {
 
 /// For every step whether the demand needs it.
 pub(super) fn needed_steps(program: &Program, demand: &Demand) -> Vec<bool> {
+    if demand.forces {
+        return vec![true; program.steps.len()];
+    }
     let slides = demand
         .slides
         .iter()

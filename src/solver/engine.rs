@@ -85,12 +85,18 @@ impl Engine {
                 work: Vec::new(),
             },
             at_once: None,
+            forces: None,
             frame: self.frame,
             rates,
             length_rates: rates.times(self.frame.scale),
             driven: self.driven,
             driver_scale: if self.turns { 1.0 } else { self.frame.scale },
         }
+    }
+
+    /// The driven link, if the driver turns.
+    pub(super) fn driven(&self) -> Option<LinkId> {
+        self.driven
     }
 
     /// A difference of the driver's coordinate as the derivatives count it.
@@ -135,7 +141,7 @@ impl Engine {
         match order {
             Order::Position => self.run_to::<POSITION>(steps, at, state),
             Order::Velocity => self.run_to::<VELOCITY>(steps, at, state),
-            Order::Acceleration => self.run_to::<ACCELERATION>(steps, at, state),
+            Order::Acceleration | Order::Force => self.run_to::<ACCELERATION>(steps, at, state),
         }
     }
 

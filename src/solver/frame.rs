@@ -53,6 +53,11 @@ impl Frame {
         }
     }
 
+    /// The solver's origin in the scene.
+    pub(super) fn origin(&self) -> Vec2 {
+        self.origin
+    }
+
     /// A length of the scene in the solver's unit; exact.
     pub(super) fn length(&self, length: f64) -> f64 {
         length / self.scale

@@ -12,7 +12,7 @@ impl Solver {
     /// Room for the states at several coordinates.
     #[must_use]
     pub fn lanes(&self) -> State<Lanes> {
-        self.engine.state(self.slides)
+        self.room()
     }
 
     /// Solves for several of the driver's coordinates at once, if each is an ordinary one; otherwise,
@@ -24,7 +24,9 @@ impl Solver {
     #[must_use]
     pub fn solve_lanes(&self, at: [f64; LANES], order: Order, state: &mut State<Lanes>) -> bool {
         state.condition = Condition::NoAssembly;
+        let is_smooth = order < Order::Force || self.balance.as_ref().is_none_or(|b| b.is_smooth());
         let solved = self.engine.program.coupled.is_empty()
+            && is_smooth
             && at.iter().all(|&at| self.is_ordinary(at))
             && {
                 self.choose_in_lanes(at, state);
@@ -33,7 +35,16 @@ impl Solver {
         if solved {
             state.condition = Condition::Ok;
         }
+        self.balance_lanes(order, state);
         solved
+    }
+
+    /// With the instructions that the steps are run with.
+    fn balance_lanes(&self, order: Order, state: &mut State<Lanes>) {
+        vectorized(
+            #[inline(always)]
+            || self.balance(order, state),
+        );
     }
 
     /// Neither outside the motion nor at or near one of its singular places.
@@ -80,7 +91,7 @@ impl Engine {
         match order {
             Order::Position => self.run_lanes_to::<POSITION>(at, state),
             Order::Velocity => self.run_lanes_to::<VELOCITY>(at, state),
-            Order::Acceleration => self.run_lanes_to::<ACCELERATION>(at, state),
+            Order::Acceleration | Order::Force => self.run_lanes_to::<ACCELERATION>(at, state),
         }
     }
 

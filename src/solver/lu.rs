@@ -49,6 +49,27 @@ pub(super) fn solve<T: Number>(matrix: &[T], pivots: &[usize], right: &mut [T], 
     }
 }
 
+/// Solves with the transpose of the matrix that [`factor`] was given.
+pub(super) fn solve_transposed<T: Number>(
+    matrix: &[T],
+    pivots: &[usize],
+    right: &mut [T],
+    n: usize,
+) {
+    for i in 0..n {
+        let sum = (0..i).fold(T::default(), |sum, k| sum + matrix[k * n + i] * right[k]);
+        right[i] = (right[i] - sum) / matrix[i * n + i];
+    }
+    for i in (0..n).rev() {
+        let below = i + 1..n;
+        let sum = below.fold(T::default(), |sum, k| sum + matrix[k * n + i] * right[k]);
+        right[i] = right[i] - sum;
+    }
+    for (k, &pivot) in pivots.iter().enumerate().rev() {
+        right.swap(k, pivot);
+    }
+}
+
 /// The size of the largest component; NaN where any is NaN, so that `largest(..) < limit` refuses it.
 pub(super) fn largest<T: Number>(v: &[T]) -> f64 {
     let sizes = v.iter().map(|v| v.nearest().abs());
@@ -78,6 +99,20 @@ mod tests {
         let (mut matrix, mut pivots) = (a, [0; 3]);
         factor(&mut matrix, &mut pivots, 3).unwrap();
         solve(&matrix, &pivots, &mut right, 3);
+        for (got, want) in right.iter().zip(x) {
+            assert!((got - want).abs() < 1e-15, "{got} {want}");
+        }
+    }
+
+    #[test]
+    fn solves_with_the_transpose() {
+        let a = [0.0, 2.0, 1.0, 1.0, 0.0, 3.0, 4.0, 5.0, 0.0];
+        let x = [1.0, -2.0, 0.5];
+        let column = |i: usize| [a[i], a[3 + i], a[6 + i]];
+        let mut right: Vec<f64> = (0..3).map(|i| dot(&column(i), &x)).collect();
+        let (mut matrix, mut pivots) = (a, [0; 3]);
+        factor(&mut matrix, &mut pivots, 3).unwrap();
+        solve_transposed(&matrix, &pivots, &mut right, 3);
         for (got, want) in right.iter().zip(x) {
             assert!((got - want).abs() < 1e-15, "{got} {want}");
         }

@@ -28,6 +28,7 @@ mod coupled;
 mod demand;
 mod engine;
 mod fault;
+mod forces;
 mod frame;
 mod lanes;
 mod lu;
@@ -47,6 +48,7 @@ mod zero;
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};
 pub use fault::Fault;
+pub use forces::{Indeterminate, Residual};
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
@@ -55,9 +57,10 @@ pub use plan::{Group, GroupKind, Pick, Plan};
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
 
-use crate::{Element, LinkId, Mechanism, PointId, SlideId, Vec2};
+use crate::{Element, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
 use assemble::Request;
 use engine::Engine;
+use forces::Balance;
 use frame::Frame;
 use network::Network;
 use order::Ordering;
@@ -72,6 +75,8 @@ pub enum Order {
     Velocity,
     /// Positions, velocities and accelerations.
     Acceleration,
+    /// These, and the forces, where anything acts.
+    Force,
 }
 
 /// What a caller wants to read from a state: the solver leaves out everything else.
@@ -83,6 +88,8 @@ pub struct Demand {
     pub links: Vec<LinkId>,
     /// Slides whose guide or travel is read.
     pub slides: Vec<SlideId>,
+    /// Whether forces are read: everything that moves has a part in them.
+    pub forces: bool,
 }
 
 /// How many constraints are tried in the place of the one that was set aside first.
@@ -102,6 +109,10 @@ pub struct Solver {
     at_once: Option<Arc<Engine>>,
     first_loop: Option<Loop>,
     slides: usize,
+    /// Where the scene opens, if the motion comes there.
+    opening: f64,
+    /// How forces are found, where anything acts.
+    balance: Option<Arc<Balance>>,
 }
 
 impl Solver {
@@ -186,7 +197,7 @@ impl Solver {
             return Err(stuck);
         }
         let first_loop = classify::classify(&engine, network);
-        Ok(Solver {
+        let mut solver = Solver {
             at_once: bounds::at_once(network, ordering, &plan),
             first_loop,
             engine,
@@ -194,7 +205,11 @@ impl Solver {
             plan,
             motion,
             slides,
-        })
+            opening: begun.at,
+            balance: None,
+        };
+        solver.balance = Balance::new(network, &solver);
+        Ok(solver)
     }
 
     /// The groups in the order in which they are solved.
@@ -214,6 +229,7 @@ impl Solver {
     pub fn only(&self, demand: &Demand) -> Solver {
         Solver {
             engine: self.engine.only(demand),
+            balance: self.balance.clone().filter(|_| demand.forces),
             ..self.clone()
         }
     }
@@ -227,21 +243,53 @@ impl Solver {
     /// An empty state with all the room that solving needs.
     #[must_use]
     pub fn state(&self) -> State {
-        self.engine.state(self.slides)
+        self.room()
+    }
+
+    /// An empty state in any arithmetic.
+    fn room<T: Number>(&self) -> State<T> {
+        let mut state = self.engine.state(self.slides);
+        let balance = self.balance.as_ref();
+        state.forces = balance.map(|b| Box::new(b.forces(&self.engine, self.slides)));
+        state
+    }
+
+    /// Whether anything acts on the mechanism: a load, a weight or inertia.
+    #[must_use]
+    pub fn has_forces(&self) -> bool {
+        self.balance.is_some()
+    }
+
+    /// The reactions that a redundant linkage leaves open: any force of the constraint that repeats others
+    /// is in equilibrium.
+    #[must_use]
+    pub fn indeterminate(&self) -> &[Indeterminate] {
+        self.balance.as_ref().map_or(&[], |b| b.indeterminate())
     }
 
     /// Solves for the driver's coordinate `at` (deg, or the scene's length unit), not wrapped.
     ///
     /// The result depends on `at` alone, never on what the state held before. Allocates nothing.
     pub fn solve(&self, at: f64, order: Order, state: &mut State) -> Condition {
-        if !self.motion.covers(at) {
+        if self.motion.covers(at) {
+            match self.motion.range {
+                Range::Full { .. } => self.run(at, order, state),
+                Range::Limited { .. } => self.solve_between_limits(at, order, state),
+            };
+        } else {
             state.at = at;
             state.condition = Condition::NoAssembly;
-            return Condition::NoAssembly;
         }
-        match self.motion.range {
-            Range::Full { .. } => self.run(at, order, state),
-            Range::Limited { .. } => self.solve_between_limits(at, order, state),
+        self.balance(order, state);
+        state.condition
+    }
+
+    /// The forces of a state that has been solved; none where they were not asked for.
+    #[inline(always)]
+    fn balance<T: Number>(&self, order: Order, state: &mut State<T>) {
+        match &self.balance {
+            Some(balance) if order == Order::Force => balance.balance(&self.engine, state),
+            Some(_) | None => state.forget_forces(),
         }
     }
 

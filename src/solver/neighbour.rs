@@ -2,12 +2,14 @@
 //! at its motion.
 
 use super::engine::Engine;
+use super::forces::Balance;
 use super::motion::MISFIT;
 use super::network::Network;
 use super::plan::Program;
 use super::step::Step;
 use super::{Condition, Order, Solver, State, chain};
 use crate::Mechanism;
+use std::sync::Arc;
 
 /// A solver beside another one: for a mechanism of the same structure, with other lengths.
 #[derive(Clone, Debug)]
@@ -16,6 +18,7 @@ pub struct Neighbour {
     slides: usize,
     /// For every group 1, or -1 where the same assembly has the other sign here.
     turned: Vec<f64>,
+    balance: Option<Arc<Balance>>,
 }
 
 impl Solver {
@@ -39,7 +42,9 @@ impl Solver {
                 ours.unknowns() == theirs.unknowns() && ours.width() == theirs.width()
             });
         let turned = turned(&self.engine.program, &engine.program);
-        alike.then_some(Neighbour {
+        let balance = self.balance.as_ref();
+        alike.then(|| Neighbour {
+            balance: balance.and_then(|b| b.beside(&network, &engine)),
             engine,
             slides: self.slides,
             turned,
@@ -76,7 +81,10 @@ impl Neighbour {
     /// An empty state with all the room that solving needs.
     #[must_use]
     pub fn state(&self) -> State {
-        self.engine.state(self.slides)
+        let mut state = self.engine.state(self.slides);
+        let balance = self.balance.as_ref();
+        state.forces = balance.map(|b| Box::new(b.forces(&self.engine, self.slides)));
+        state
     }
 
     /// Solves where the state `beside` of the other solver is, on the same assembly.
@@ -92,6 +100,10 @@ impl Neighbour {
         let condition = self.engine.run(beside.at, order, state);
         if condition == Condition::Ok && self.engine.misfit(state, MISFIT).is_some() {
             state.condition = Condition::NoAssembly;
+        }
+        match &self.balance {
+            Some(balance) if order == Order::Force => balance.balance(&self.engine, state),
+            Some(_) | None => state.forget_forces(),
         }
         state.condition
     }

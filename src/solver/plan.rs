@@ -5,7 +5,7 @@ use super::fault::Fault;
 use super::frame::Frame;
 use super::network::Network;
 use super::step::Step;
-use crate::{Constant, Element, LinkId, Mechanism, PointId, Vec2};
+use crate::{Constant, Element, LinkId, Mechanism, PointId, SlideId, Vec2};
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -151,6 +151,16 @@ pub(super) enum Gauge {
     },
 }
 
+/// A slide that holds a joint on a known line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hold {
+    pub slide: SlideId,
+    /// The link between the joint and the slide, if the joint is not the sliding point itself.
+    pub carrier: Option<LinkId>,
+    /// Whether it is the guide that moves with the joint, over a point that is known.
+    pub is_yoke: bool,
+}
+
 /// What the solver runs: the steps in order, and what they start from.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
@@ -162,4 +172,6 @@ pub(super) struct Program {
     pub points: Vec<Vec2<Constant>>,
     pub links: Vec<Vec2<Constant>>,
     pub watches: Vec<Watch>,
+    /// By their places among the steps, in order: through what those with a guide hold their joint.
+    pub holds: Vec<(usize, Hold)>,
 }

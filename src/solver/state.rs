@@ -1,6 +1,7 @@
 //! The result of a solve: kinematic coefficients inside, figures in the scene's units outside.
 
 use super::coupled::Scratch;
+use super::forces::Forces;
 use super::frame::Frame;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
@@ -65,9 +66,9 @@ pub(super) struct TravelState<T = f64> {
 /// What turns coefficients into rates: q', q'^2 and q'' of the driver, in radians or scaled lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Rates<T = f64> {
-    speed: T,
-    square: T,
-    acceleration: T,
+    pub(super) speed: T,
+    pub(super) square: T,
+    pub(super) acceleration: T,
 }
 
 /// Position, velocity and acceleration of every point and link, in the scene's units and frame.
@@ -94,6 +95,8 @@ pub struct State<T = f64> {
     pub(super) scratch: Scratch<T>,
     /// The same mechanism as one list of rows, where its bounds are found so.
     pub(super) at_once: Option<Box<State<T>>>,
+    /// Room for the forces, where anything acts.
+    pub(super) forces: Option<Box<Forces<T>>>,
     pub(super) frame: Frame,
     /// For angles, and for lengths in the scene's unit.
     pub(super) rates: Rates<T>,
@@ -109,6 +112,12 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn condition(&self) -> Condition {
         self.condition
+    }
+
+    /// Whether the driver turns a link, and does not push a slide.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        self.driven.is_some()
     }
 
     /// The driver's coordinate, as asked.

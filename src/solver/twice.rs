@@ -10,7 +10,7 @@ impl Solver {
     /// Room for a state in twice the precision.
     #[must_use]
     pub fn twice(&self) -> State<Double> {
-        let mut twice: State<Double> = self.engine.state(self.slides);
+        let mut twice: State<Double> = self.room();
         let groups = self.engine.program.coupled.iter();
         let work = groups.map(|g| g.unknowns() * (g.unknowns() + 1)).max();
         twice.scratch.work = vec![0.0; work.unwrap_or(0)];
@@ -29,11 +29,15 @@ impl Solver {
         for (sign, &of) in twice.signs.iter_mut().zip(&state.signs) {
             *sign = Double::exactly(of);
         }
-        match order {
+        let solved = match order {
             Order::Position => self.engine.run_twice::<POSITION>(state, twice),
             Order::Velocity => self.engine.run_twice::<VELOCITY>(state, twice),
-            Order::Acceleration => self.engine.run_twice::<ACCELERATION>(state, twice),
-        }
+            Order::Acceleration | Order::Force => {
+                self.engine.run_twice::<ACCELERATION>(state, twice)
+            }
+        };
+        self.balance(order, twice);
+        solved
     }
 }
 

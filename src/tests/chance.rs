@@ -22,6 +22,12 @@ impl Chance {
         u16::try_from(self.below(count.into())).unwrap()
     }
 
+    /// A number from `low` to `high`.
+    pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
+        let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
+        low + part * (high - low)
+    }
+
     /// Any byte.
     pub(crate) fn byte(&mut self) -> u8 {
         u8::try_from(self.below(256)).unwrap()

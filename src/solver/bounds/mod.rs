@@ -71,6 +71,7 @@ impl Solver {
     #[must_use]
     pub fn enclosure(&self) -> State<Ball> {
         let mut enclosure = self.engine.enclosure(self.slides);
+        enclosure.forces = self.room().forces;
         let at_once = self.at_once.as_ref();
         enclosure.at_once = at_once.map(|engine| Box::new(engine.enclosure(self.slides)));
         enclosure
@@ -89,10 +90,13 @@ impl Solver {
             }
             enclosure.at_once = Some(whole);
             if proved {
+                self.engine.enclose_helpers(enclosure);
+                self.balance(order, enclosure);
                 return;
             }
         }
         self.engine.enclose_to(at, order, state, enclosure);
+        self.balance(order, enclosure);
     }
 }
 
@@ -130,6 +134,16 @@ impl Engine {
         enclosure
     }
 
+    /// The points of the program's own that ride on links: what was proved of the mechanism carries them.
+    fn enclose_helpers(&self, enclosure: &mut State<Ball>) {
+        let (q, direction) = self.coordinate(enclosure.at);
+        for step in &self.program.steps {
+            if matches!(step, Step::Ride { point, .. } if point.index() >= self.named_points) {
+                step.run::<Ball, ACCELERATION>(q, direction, enclosure);
+            }
+        }
+    }
+
     /// Encloses a state; whether every step was proved, with its rates.
     fn enclose_to(
         &self,
@@ -149,7 +163,7 @@ impl Engine {
         match order {
             Order::Position => self.enclose::<POSITION>(state, enclosure),
             Order::Velocity => self.enclose::<VELOCITY>(state, enclosure),
-            Order::Acceleration => self.enclose::<ACCELERATION>(state, enclosure),
+            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, enclosure),
         }
     }
 

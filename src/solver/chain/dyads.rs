@@ -8,7 +8,7 @@
 
 use super::{Chain, Scope};
 use crate::solver::network::ClassId;
-use crate::solver::plan::GroupKind;
+use crate::solver::plan::{GroupKind, Hold};
 use crate::solver::step::{Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Step, Swing};
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
@@ -22,16 +22,6 @@ struct Anchor {
     arm: Vec2<Constant>,
     /// A link of the class that ends at the point.
     link: LinkId,
-}
-
-/// A slide that holds a joint on a known line.
-#[derive(Clone, Copy, Debug)]
-struct Hold {
-    slide: SlideId,
-    /// The link between the joint and the slide, if the joint is not the sliding point itself.
-    carrier: Option<LinkId>,
-    /// Whether it is the guide that moves with the joint, over a point that is known.
-    is_yoke: bool,
 }
 
 impl Chain<'_> {
@@ -100,6 +90,11 @@ impl Chain<'_> {
         Arm::new(anchor.pivot, anchor.link, anchor.arm.turned(turn.conj()))
     }
 
+    /// Notes through what the step that comes next holds its joint.
+    fn note_hold(&mut self, hold: Hold) {
+        self.program.holds.push((self.program.steps.len(), hold));
+    }
+
     // ---- dyads
 
     /// RRR: a joint anchored by two classes.
@@ -136,6 +131,7 @@ impl Chain<'_> {
             let group = self.open_group(GroupKind::Rrp, Some(point));
             self.program.group_starts[group] = helpers;
             let rail = self.rail(&line);
+            self.note_hold(hold);
             self.push(match rail {
                 Some(rail) => Step::CircleRail(CircleRail::new(point, arm, rail, group)),
                 None => Step::CircleLine(CircleLine::new(point, arm, line, group)),
@@ -170,20 +166,26 @@ impl Chain<'_> {
             let class = self.network.class(link);
             let point = given.slider.point();
             // Where the sliding point is: known, or anchored in the guide's own class.
-            let (pin, arm) = if self.point_known[point.index()] {
-                (point, Vec2::default())
+            let (pin, arm, carrier) = if self.point_known[point.index()] {
+                (point, Vec2::default(), None)
             } else if let Some(anchor) = anchors
                 .iter()
                 .find(|a| a.point == point && a.class == class && a.pivot != pivot)
             {
                 let turn = self.network.turn[link.index()];
-                (anchor.pivot, anchor.arm.turned(turn.conj()))
+                let arm = anchor.arm.turned(turn.conj());
+                (anchor.pivot, arm, Some(anchor.link))
             } else {
                 continue;
             };
             let along = Constant::given_unit(given.angle);
             let offset = along.perp().dot(self.frame.local(given.through) - at - arm);
             let group = self.open_group(GroupKind::Rpr, Some(pin));
+            self.note_hold(Hold {
+                slide,
+                carrier,
+                is_yoke: false,
+            });
             self.push(Step::Swing(Swing {
                 pivot,
                 pin,
@@ -264,6 +266,8 @@ impl Chain<'_> {
             let group = self.open_group(kind, Some(point));
             // The helping points belong to the group, too.
             self.program.group_starts[group] = helpers;
+            self.note_hold(*one);
+            self.note_hold(*two);
             self.push(Step::Lines {
                 point,
                 first,

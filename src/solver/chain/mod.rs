@@ -112,6 +112,7 @@ impl<'n> Chain<'n> {
                 points,
                 links,
                 watches: Vec::new(),
+                holds: Vec::new(),
             },
             groups: Vec::new(),
             constants: Vec::new(),

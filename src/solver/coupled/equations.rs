@@ -15,7 +15,7 @@ use crate::{Number, Vec2};
 impl Coupled {
     // ---- motion of spots
 
-    fn turning_state<T: Number>(
+    pub(super) fn turning_state<T: Number>(
         &self,
         turning: Turning,
         state: &State<T>,
@@ -72,7 +72,7 @@ impl Coupled {
         let mut row = 0;
         for equation in &self.equations {
             match equation {
-                Equation::Distance { a, b, length } => {
+                Equation::Distance { a, b, length, .. } => {
                     let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
                     let size = e.norm2().sqrt();
                     // (|e| - r)(|e| + r) / 2 keeps the digits that |e|^2 - r^2 would lose.
@@ -80,7 +80,7 @@ impl Coupled {
                     room.right[row] = (size - length) * (size + length).scaled(0.5);
                     row += 1;
                 }
-                Equation::Meeting { a, b } => {
+                Equation::Meeting { a, b, .. } => {
                     let gap = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
                     (room.right[row], room.right[row + 1]) = (gap.x, gap.y);
                     row += 2;
@@ -90,6 +90,7 @@ impl Coupled {
                     q: on,
                     along,
                     turning,
+                    ..
                 } => {
                     let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;
                     let t = Vec2::of(*along).turned(self.turning_state(*turning, state, room).d);
@@ -125,7 +126,7 @@ impl Coupled {
                     };
                     row += 1;
                 }
-                Equation::Meeting { a, b } => {
+                Equation::Meeting { a, b, .. } => {
                     let (a, b) = (
                         self.moving(a, q, state, room),
                         self.moving(b, q, state, room),
@@ -139,6 +140,7 @@ impl Coupled {
                     q: on,
                     along,
                     turning,
+                    ..
                 } => {
                     let link = self.turning_state(*turning, state, room);
                     let (x, on) = (
@@ -174,7 +176,7 @@ impl Coupled {
                     self.add_columns(b, -e, row * n, q, state, room);
                     row += 1;
                 }
-                Equation::Meeting { a, b } => {
+                Equation::Meeting { a, b, .. } => {
                     for axis in [Vec2::X, Vec2::X.perp()] {
                         let axis = axis.exactly();
                         self.add_columns(a, axis, row * n, q, state, room);
@@ -187,6 +189,7 @@ impl Coupled {
                     q: on,
                     along,
                     turning,
+                    ..
                 } => {
                     let t = Vec2::of(*along).turned(self.turning_state(*turning, state, room).d);
                     let gap = self.moving(x, q, state, room).p - self.moving(on, q, state, room).p;

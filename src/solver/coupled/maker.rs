@@ -1,7 +1,7 @@
 //! How a coupled group is made: the choice of its unknowns, a spot for every joint, and the list of
 //! the equations between them.
 
-use super::{Base, Equation, Part, Spot, Turning};
+use super::{Base, Equation, Part, Seat, Spot, Turning};
 use crate::solver::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
@@ -59,6 +59,7 @@ impl<'a> Maker<'a> {
                 base: Base::Known(point),
                 arm: None,
                 along: Vec2::default(),
+                seat: None,
             });
         }
         self.spots
@@ -73,6 +74,7 @@ impl<'a> Maker<'a> {
             base: Base::Free(self.free - 1),
             arm: None,
             along: Vec2::default(),
+            seat: None,
         }
     }
 
@@ -87,8 +89,15 @@ impl<'a> Maker<'a> {
         Some((Turning::Unknown(i), network.turn[link.index()]))
     }
 
-    /// A place `local` in a link, seen from one of its points that has a base of its own.
-    fn on_link(&self, link: LinkId, foot: PointId, local: Vec2<Constant>) -> Option<Spot> {
+    /// A place `local` in a link, seen from one of its points that has a base of its own; the joint
+    /// `end` if there is one.
+    fn on_link(
+        &self,
+        link: LinkId,
+        foot: PointId,
+        local: Vec2<Constant>,
+        end: Option<PointId>,
+    ) -> Option<Spot> {
         let (turning, turn) = self.turning(link)?;
         let Spot {
             base, arm: None, ..
@@ -101,6 +110,7 @@ impl<'a> Maker<'a> {
             base,
             arm: Some((turning, arm)),
             along: Vec2::default(),
+            seat: Some(Seat { link, foot, end }),
         })
     }
 
@@ -125,13 +135,18 @@ impl<'a> Maker<'a> {
             let joints: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
             let foot = self.foot(link, &joints);
             for &point in &joints {
-                let Some(here) = self.on_link(link, foot, self.local(link, point)) else {
+                let local = self.local(link, point);
+                let Some(here) = self.on_link(link, foot, local, Some(point)) else {
                     continue;
                 };
                 match self.spot(point) {
                     _ if point == foot => {}
                     None => self.spots.push((point, here)),
-                    Some(there) => self.equations.push(Equation::Meeting { a: here, b: there }),
+                    Some(there) => self.equations.push(Equation::Meeting {
+                        a: here,
+                        b: there,
+                        pushed: None,
+                    }),
                 }
             }
         }
@@ -173,7 +188,11 @@ impl<'a> Maker<'a> {
         // A joint that sits on another frame's arm becomes free, and is tied to that arm.
         if let Some((_, there)) = self.spots.iter_mut().find(|(p, _)| *p == foot) {
             let arm = std::mem::replace(there, spot);
-            self.equations.push(Equation::Meeting { a: spot, b: arm });
+            self.equations.push(Equation::Meeting {
+                a: spot,
+                b: arm,
+                pushed: None,
+            });
         } else {
             self.spots.push((foot, spot));
         }
@@ -193,10 +212,12 @@ impl<'a> Maker<'a> {
 
     fn add_distance(&mut self, link: LinkId) {
         let ends: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
-        if let [a, b] = ends[..] {
-            let length = (self.local(link, a) - self.local(link, b)).norm();
-            if let (Some(a), Some(b)) = (self.spot(a), self.spot(b)) {
-                self.equations.push(Equation::Distance { a, b, length });
+        if let [from, to] = ends[..] {
+            let length = (self.local(link, from) - self.local(link, to)).norm();
+            if let (Some(a), Some(b)) = (self.spot(from), self.spot(to)) {
+                let bar = (link, [from, to]);
+                self.equations
+                    .push(Equation::Distance { a, b, length, bar });
             }
         }
     }
@@ -209,7 +230,7 @@ impl<'a> Maker<'a> {
             Body::Ground => self.on_ground(slide),
             Body::Link(on) => {
                 let mut joints = network.joints(on).map(|m| m.point);
-                joints.find_map(|foot| self.on_link(on, foot, through))
+                joints.find_map(|foot| self.on_link(on, foot, through, None))
             }
         };
         let (Some(x), Some(q)) = (self.spot(given.slider.point()), guide) else {
@@ -223,6 +244,7 @@ impl<'a> Maker<'a> {
             self.equations.push(Equation::Meeting {
                 a: x,
                 b: Spot { along, ..q },
+                pushed: Some(slide),
             });
         } else {
             self.equations.push(Equation::Slot {
@@ -230,6 +252,7 @@ impl<'a> Maker<'a> {
                 q,
                 along,
                 turning,
+                slide,
             });
         }
     }
@@ -242,6 +265,7 @@ impl<'a> Maker<'a> {
             base,
             arm: Some((ground, Vec2::default())),
             along: Vec2::default(),
+            seat: None,
         })
     }
 }

@@ -6,6 +6,7 @@
 //! J z'' = -(second rates with z'' = 0).
 
 mod approach;
+mod backwards;
 mod enclose;
 mod equations;
 mod maker;
@@ -60,6 +61,18 @@ struct Spot {
     base: Base,
     arm: Option<(Turning, Vec2<Constant>)>,
     along: Vec2<Constant>,
+    /// The link that carries the joint, where it has an arm on one.
+    seat: Option<Seat>,
+}
+
+/// Where on a link an arm is: forces pass there.
+#[derive(Clone, Copy, Debug)]
+struct Seat {
+    link: LinkId,
+    /// The joint at the arm's beginning.
+    foot: PointId,
+    /// The joint at its end; none for the place of a guide.
+    end: Option<PointId>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -68,16 +81,21 @@ enum Equation {
         a: Spot,
         b: Spot,
         length: Constant,
+        /// The bar, and its joints at a and b.
+        bar: (LinkId, [PointId; 2]),
     },
     Meeting {
         a: Spot,
         b: Spot,
+        /// The driven slide, if it is that which brings them together.
+        pushed: Option<SlideId>,
     },
     Slot {
         x: Spot,
         q: Spot,
         along: Vec2<Constant>,
         turning: Turning,
+        slide: SlideId,
     },
 }
 
@@ -371,7 +389,7 @@ impl Coupled {
     }
 
     /// Takes z from what the group has placed: the inverse of writing it.
-    pub(in crate::solver) fn read(&self, state: &State, z: &mut [f64]) {
+    pub(in crate::solver) fn read<T: Number>(&self, state: &State<T>, z: &mut [T]) {
         for (point, spot) in &self.spots {
             if let (Base::Free(i), None) = (spot.base, spot.arm) {
                 let Vec2 { x, y } = state.points[point.index()].p;
@@ -381,7 +399,7 @@ impl Coupled {
         for (i, (link, turn)) in self.turning.iter().zip(&self.turns).enumerate() {
             let at = 2 * (self.free + i);
             let d = state.links[link.index()].d;
-            let Vec2 { x, y } = d.turned(turn.nearest().conj());
+            let Vec2 { x, y } = d.turned(Vec2::of(turn.conj()));
             (z[at], z[at + 1]) = (x, y);
         }
     }
@@ -410,7 +428,7 @@ impl Coupled {
         self.spots.iter().for_each(|(_, spot)| note(spot));
         for equation in &self.equations {
             match equation {
-                Equation::Distance { a, b, .. } | Equation::Meeting { a, b } => {
+                Equation::Distance { a, b, .. } | Equation::Meeting { a, b, .. } => {
                     [a, b].map(&mut note)
                 }
                 Equation::Slot { x, q, .. } => [x, q].map(&mut note),

@@ -191,7 +191,7 @@ impl Coupled {
 
 /// The circle on which an equation keeps a free joint, if it does; `row` is that of the other one.
 fn circle(equation: &Equation, row: usize) -> Option<Closing> {
-    let Equation::Distance { a, b, length } = equation else {
+    let Equation::Distance { a, b, length, .. } = equation else {
         return None;
     };
     let is_free = |spot: &Spot| matches!(spot.base, Base::Free(_)) && spot.arm.is_none();

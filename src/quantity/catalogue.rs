@@ -1,0 +1,303 @@
+//! All figures of a scene, by name.
+
+use super::{Aspect, Quantity, Share, Subject};
+use crate::nearest::nearest;
+use crate::scene::Scene;
+use crate::{Input, Slider};
+use thiserror::Error;
+
+/// All quantities of a scene, in the order of the file.
+#[derive(Clone, Debug)]
+pub struct Catalogue {
+    quantities: Vec<Quantity>,
+}
+
+/// A column pattern that names nothing in the scene.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("no quantity is named `{pattern}`{}", self.mend())]
+pub struct UnknownColumn {
+    /// The pattern.
+    pub pattern: String,
+    /// The name nearest to it.
+    pub nearest: Option<String>,
+}
+
+impl UnknownColumn {
+    fn mend(&self) -> String {
+        let beside = ["bound", "sensitivity"];
+        let beside = beside.map(|kind| (kind, self.pattern.strip_suffix(kind)));
+        for (kind, name) in beside {
+            if let Some(name) = name.and_then(|name| name.strip_suffix('.')) {
+                let option = if kind == "bound" {
+                    "--bounds"
+                } else {
+                    "--sensitivity"
+                };
+                return format!("; name `{name}`, and {option} puts `{name}.{kind}` behind it");
+            }
+        }
+        let nearest = self.nearest.as_ref();
+        nearest.map_or_else(String::new, |n| format!("; did you mean `{n}`?"))
+    }
+}
+
+impl Catalogue {
+    /// Lists what a scene can show: the driver, every vector, every named point, every centre of mass.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let mut catalogue = Catalogue {
+            quantities: Vec::new(),
+        };
+        let driver_aspects = match scene.mechanism.driver().input {
+            Input::Turn(_) => &[Aspect::Angle][..],
+            Input::Push(_) => &[Aspect::Length][..],
+        };
+        catalogue.push(scene, "driver", Subject::Driver, driver_aspects);
+        if let (Input::Push(_), Some(driver)) = (
+            scene.mechanism.driver().input,
+            catalogue.quantities.first_mut(),
+        ) {
+            driver.name = "driver.position".into();
+        }
+        for vector in &scene.vectors {
+            let subject = Subject::from(vector.kind);
+            if !matches!(subject, Subject::Link(_)) {
+                catalogue.push(scene, &vector.name, subject, &Aspect::STRETCHING);
+            }
+            catalogue.push(scene, &vector.name, subject, &Aspect::TURNING);
+        }
+        for link in scene.mechanism.link_ids() {
+            if scene.mechanism.link(link).ends.is_none() {
+                catalogue.push(
+                    scene,
+                    scene.link_name(link),
+                    Subject::Link(link),
+                    &Aspect::TURNING,
+                );
+            }
+        }
+        for point in scene.mechanism.point_ids() {
+            if let Some(name) = scene.point_name(point) {
+                catalogue.push(scene, name, Subject::Point(point), &Aspect::POINT);
+            }
+        }
+        if scene.mechanism.has_forces() {
+            catalogue.forces(scene);
+        }
+        catalogue
+    }
+
+    /// What the driver must do, what the joints and guides carry, what the frame feels.
+    fn forces(&mut self, scene: &Scene) {
+        let mechanism = &scene.mechanism;
+        let drive = match mechanism.driver().input {
+            Input::Turn(_) => Aspect::Torque,
+            Input::Push(_) => Aspect::Force,
+        };
+        let total = Subject::Drive(Share::Total);
+        self.push(scene, "driver", total, &[drive, Aspect::Power]);
+        for share in Share::PARTS {
+            let part = share.name().unwrap_or_default();
+            let name = format!("driver.{}.{part}", drive.name());
+            self.name(scene, name, Subject::Drive(share), drive);
+        }
+        for link in mechanism.link_ids() {
+            for point in mechanism.pins(link) {
+                if let Some(name) = scene.point_name(point) {
+                    let name = format!("{}.{name}", scene.link_name(link));
+                    self.push(scene, &name, Subject::Joint(link, point), &Aspect::JOINT);
+                }
+            }
+        }
+        for slide in mechanism.slide_ids() {
+            let is_locked = matches!(mechanism.slide(slide).slider, Slider::Link { .. });
+            let aspects = [Aspect::Normal, Aspect::Moment];
+            let aspects = &aspects[..if is_locked { 2 } else { 1 }];
+            self.push(
+                scene,
+                scene.slide_name(slide),
+                Subject::Slide(slide),
+                aspects,
+            );
+        }
+        self.push(scene, "ground", Subject::Frame, &Aspect::FRAME);
+        for aspect in Aspect::FRAME {
+            let name = format!("ground.{}.residual", aspect.name());
+            self.name(scene, name, Subject::FrameResidual, aspect);
+        }
+    }
+
+    fn push(&mut self, scene: &Scene, name: &str, subject: Subject, aspects: &[Aspect]) {
+        for &aspect in aspects {
+            let name = format!("{name}.{}", aspect.name());
+            self.name(scene, name, subject, aspect);
+        }
+    }
+
+    fn name(&mut self, scene: &Scene, name: String, subject: Subject, aspect: Aspect) {
+        self.quantities.push(Quantity {
+            name,
+            unit: aspect.unit(scene.unit.symbol()),
+            subject,
+            aspect,
+        });
+    }
+
+    /// All of them, the driver's coordinate first.
+    #[must_use]
+    pub fn all(&self) -> &[Quantity] {
+        &self.quantities
+    }
+
+    /// The driver's coordinate.
+    #[must_use]
+    pub fn driver(&self) -> &Quantity {
+        &self.quantities[0]
+    }
+
+    /// All but those of the driver.
+    #[must_use]
+    pub fn figures(&self) -> Vec<Quantity> {
+        let figures = self.quantities.iter();
+        figures
+            .filter(|q| q.subject != Subject::Driver)
+            .cloned()
+            .collect()
+    }
+
+    /// The quantities that match the patterns, in the order of the patterns, each once; `*` stands
+    /// for any run of characters. The driver's coordinate is left out: it always comes first.
+    ///
+    /// # Errors
+    /// The first pattern that matches nothing, with the nearest name.
+    pub fn select(&self, patterns: &[impl AsRef<str>]) -> Result<Vec<Quantity>, UnknownColumn> {
+        let mut selected: Vec<Quantity> = Vec::new();
+        for pattern in patterns {
+            let pattern = pattern.as_ref();
+            let mut any = false;
+            for quantity in self.quantities.iter().filter(|q| matches(pattern, &q.name)) {
+                any = true;
+                if quantity.subject != Subject::Driver && !selected.contains(quantity) {
+                    selected.push(quantity.clone());
+                }
+            }
+            if !any {
+                return Err(self.unknown(pattern));
+            }
+        }
+        Ok(selected)
+    }
+
+    fn unknown(&self, pattern: &str) -> UnknownColumn {
+        let names = self.quantities.iter().map(|q| q.name.as_str());
+        UnknownColumn {
+            pattern: pattern.into(),
+            nearest: nearest(pattern, names).map(str::to_owned),
+        }
+    }
+}
+
+/// Whether `name` fits `pattern`, where `*` stands for any run of characters.
+///
+/// Each piece between two stars takes the first place where it fits: if any choice fits, this one
+/// does, and many stars cost no more than a few.
+fn matches(pattern: &str, name: &str) -> bool {
+    let Some((head, rest)) = pattern.split_once('*') else {
+        return pattern == name;
+    };
+    let Some(mut left) = name.strip_prefix(head) else {
+        return false;
+    };
+    let (pieces, tail) = rest.rsplit_once('*').unwrap_or(("", rest));
+    for piece in pieces.split('*') {
+        let Some((_, behind)) = left.split_once(piece) else {
+            return false;
+        };
+        left = behind;
+    }
+    left.ends_with(tail)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::value;
+    use super::*;
+    use crate::scene::presets;
+    use crate::solver::{Order, Solver};
+    use proptest::prelude::*;
+
+    fn slider_crank() -> Scene {
+        let preset = presets::find("slider-crank").unwrap();
+        Scene::parse(preset.text, preset.name).unwrap()
+    }
+
+    #[test]
+    fn every_figure_of_the_catalogue_has_a_value_and_no_other_has() {
+        let scene = slider_crank();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let mut state = solver.state();
+        solver.solve(30.0, Order::Acceleration, &mut state);
+        let catalogue = Catalogue::new(&scene);
+        assert!(catalogue.all().iter().all(|q| q.value(&state).is_some()));
+        let point = |name| {
+            let mut ids = scene.mechanism.point_ids();
+            Subject::Point(ids.find(|&id| scene.point_name(id) == Some(name)).unwrap())
+        };
+        let link = Subject::Link(scene.mechanism.link_ids().next().unwrap());
+        assert_eq!(value(point("C"), Aspect::Y, &state), Some(0.0));
+        for (subject, aspect) in [
+            (point("B"), Aspect::Angle),
+            (point("B"), Aspect::Rate),
+            (link, Aspect::Vx),
+            (link, Aspect::Length),
+        ] {
+            assert_eq!(
+                value(subject, aspect, &state),
+                None,
+                "{subject:?} {aspect:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn patterns_select_in_their_own_order_and_each_figure_once() {
+        let scene = slider_crank();
+        let catalogue = Catalogue::new(&scene);
+        let names = |patterns: &[&str]| -> Vec<String> {
+            let selected = catalogue.select(patterns).unwrap();
+            selected.into_iter().map(|q| q.name).collect()
+        };
+        assert_eq!(
+            names(&["C.v*", "C.*y", "driver.*"]),
+            ["C.vx", "C.vy", "C.y", "C.ay"]
+        );
+        assert_eq!(
+            names(&["r3.com.*x"]),
+            ["r3.com.x", "r3.com.vx", "r3.com.ax"]
+        );
+        let unknown = catalogue.select(&["c.x"]).unwrap_err();
+        assert_eq!(unknown.nearest.as_deref(), Some("C.x"));
+    }
+
+    /// What a pattern means, tried out in full.
+    fn tried_out(pattern: &[u8], name: &[u8]) -> bool {
+        match pattern.split_first() {
+            None => name.is_empty(),
+            Some((b'*', rest)) => (0..=name.len()).any(|i| tried_out(rest, &name[i..])),
+            Some((c, rest)) => name.first() == Some(c) && tried_out(rest, &name[1..]),
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn stars_stand_for_any_run(pattern in "[ab*]{0,7}", name in "[ab]{0,9}") {
+            prop_assert_eq!(matches(&pattern, &name), tried_out(pattern.as_bytes(), name.as_bytes()));
+        }
+    }
+
+    #[test]
+    fn many_stars_cost_no_more_than_a_few() {
+        assert!(!matches(&"a*".repeat(40), &format!("{}b", "b".repeat(64))));
+        assert!(!matches(&format!("{}c", "*a".repeat(30)), &"a".repeat(64)));
+    }
+}

@@ -1,0 +1,176 @@
+//! The value of a figure in a state, and its bound.
+
+use super::{Aspect, Share, Subject};
+use crate::solver::{Condition, Order, Residual, State};
+use crate::{Ball, LinkId, Number, PointId, SlideId, Vec2, angle};
+
+/// The value of one figure in this state, or `None` where none exists: at a dead point there are no
+/// rates, without an assembly there is nothing but the driver, and a subject has no figures that are
+/// not its own (a point does not turn, a link keeps its length).
+#[must_use]
+pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> Option<T> {
+    let exists = match state.condition() {
+        Condition::Ok | Condition::ChangePoint => true,
+        // Which forces exist there, the state itself knows.
+        Condition::DeadPoint => matches!(aspect.order(), Order::Position | Order::Force),
+        Condition::NoAssembly => false,
+    };
+    let value = match subject {
+        Subject::Driver => Some(driver_value(aspect, state)),
+        _ if !exists => None,
+        Subject::Point(point) => point_value(point, aspect, state),
+        Subject::Link(link) => link_value(link, aspect, state),
+        Subject::Slide(slide) => slide_value(slide, aspect, state),
+        Subject::Between(tail, head) => between_value(tail, head, aspect, state),
+        Subject::Drive(share) => drive_value(share, aspect, state),
+        Subject::Joint(link, point) => plane(state.joint_force(link, point)?, aspect),
+        Subject::Frame if aspect == Aspect::Moment => state.frame_moment(),
+        Subject::Frame => plane(state.frame_force()?, aspect),
+        Subject::FrameResidual => {
+            let Residual { force, moment, .. } = state.residual()?;
+            if aspect == Aspect::Moment {
+                Some(moment)
+            } else {
+                plane(force, aspect)
+            }
+        }
+    };
+    value.filter(|v| v.is_finite())
+}
+
+/// How far a figure of this state can be from the true one, if that can be proved; `enclosure` is
+/// what [`Solver::enclose`](crate::solver::Solver::enclose) made of the state.
+#[must_use]
+pub fn bound(
+    subject: Subject,
+    aspect: Aspect,
+    state: &State,
+    enclosure: &State<Ball>,
+) -> Option<f64> {
+    let value = value(subject, aspect, state)?;
+    let ball = self::value(subject, aspect, enclosure)?;
+    // Directions just before and just after a full turn are close.
+    let turn = if aspect == Aspect::Angle && (value - ball.mid).abs() > angle::TURN / 2.0 {
+        angle::TURN.copysign(ball.mid - value)
+    } else {
+        0.0
+    };
+    ball.bound(value + turn)
+}
+
+/// What a state is, in the word that the `state` column uses.
+#[must_use]
+pub fn state_word(condition: Condition) -> &'static str {
+    match condition {
+        Condition::Ok => "ok",
+        Condition::DeadPoint => "dead-point",
+        Condition::ChangePoint => "change-point",
+        Condition::NoAssembly => "no-assembly",
+    }
+}
+
+fn driver_value<T: Number>(aspect: Aspect, state: &State<T>) -> T {
+    match aspect.order() {
+        Order::Position => state.at(),
+        Order::Velocity => state.driver_speed(),
+        Order::Acceleration | Order::Force => state.driver_acceleration(),
+    }
+}
+
+fn point_value<T: Number>(point: PointId, aspect: Aspect, state: &State<T>) -> Option<T> {
+    match aspect {
+        Aspect::X => Some(state.position(point).x),
+        Aspect::Y => Some(state.position(point).y),
+        Aspect::Vx => Some(state.velocity(point).x),
+        Aspect::Vy => Some(state.velocity(point).y),
+        Aspect::Ax => Some(state.acceleration(point).x),
+        Aspect::Ay => Some(state.acceleration(point).y),
+        _ => None,
+    }
+}
+
+fn link_value<T: Number>(link: LinkId, aspect: Aspect, state: &State<T>) -> Option<T> {
+    match aspect {
+        Aspect::Angle => Some(state.angle(link)),
+        Aspect::Omega => Some(state.omega(link)),
+        Aspect::Alpha => Some(state.alpha(link)),
+        _ => None,
+    }
+}
+
+fn slide_value<T: Number>(slide: SlideId, aspect: Aspect, state: &State<T>) -> Option<T> {
+    let travel = state.travel(slide);
+    match aspect {
+        Aspect::Length => Some(travel.position),
+        Aspect::Rate => Some(travel.rate),
+        Aspect::Accel => Some(travel.accel),
+        // The vector runs from the sliding point back to `through`, against the guide.
+        Aspect::Angle => Some(T::degrees(-travel.guide)),
+        Aspect::Omega => Some(travel.omega),
+        Aspect::Alpha => Some(travel.alpha),
+        Aspect::Normal => state.normal(slide),
+        Aspect::Moment => state.moment(slide),
+        _ => None,
+    }
+}
+
+/// A component of a force.
+fn plane<T: Number>(force: Vec2<T>, aspect: Aspect) -> Option<T> {
+    match aspect {
+        Aspect::Fx => Some(force.x),
+        Aspect::Fy => Some(force.y),
+        _ => None,
+    }
+}
+
+/// A turned driver has a torque, a pushed one a force.
+fn drive_value<T: Number>(share: Share, aspect: Aspect, state: &State<T>) -> Option<T> {
+    let is_its_own = match aspect {
+        Aspect::Torque => state.turns(),
+        Aspect::Force => !state.turns(),
+        Aspect::Power => return state.power().filter(|_| share == Share::Total),
+        _ => false,
+    };
+    if !is_its_own {
+        return None;
+    }
+    let part = |number: usize| state.drive_parts().map(|parts| parts[number]);
+    match share {
+        Share::Total => state.drive(),
+        Share::Load => part(0),
+        Share::Gravity => part(1),
+        Share::Inertia => part(2),
+        Share::Residual => state.residual().map(|residual| residual.drive),
+    }
+}
+
+/// Of r = head - tail: r' = r.v / |r|, omega = (r x v) / r.r, and once more for the second rates.
+fn between_value<T: Number>(
+    tail: PointId,
+    head: PointId,
+    aspect: Aspect,
+    state: &State<T>,
+) -> Option<T> {
+    let r = state.position(head) - state.position(tail);
+    let length = r.norm();
+    // Velocity and acceleration of the head as seen from the tail, along r and across it.
+    let split = |vector: Vec2<T>| ((r / length).dot(vector), (r / length).cross(vector));
+    let first = || split(state.velocity(head) - state.velocity(tail));
+    let second = || split(state.acceleration(head) - state.acceleration(tail));
+    match aspect {
+        Aspect::Length => Some(length),
+        Aspect::Rate => Some(first().0),
+        Aspect::Accel => {
+            let omega = first().1 / length;
+            Some(second().0 + length * omega * omega)
+        }
+        Aspect::Angle => Some(T::degrees(r)),
+        Aspect::Omega => Some(first().1 / length),
+        Aspect::Alpha => {
+            let (rate, across) = first();
+            let omega = across / length;
+            Some((second().1 - (rate * omega).scaled(2.0)) / length)
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,157 @@
+//! A coupled group backwards: its own matrix, transposed, tells what each of its equations carries.
+//!
+//! With Q what has come to the unknowns, J^T lambda = Q; an equation presses with -lambda times its
+//! gradient on what it ties together.
+
+use super::{Base, Coupled, Equation, Room, Spot, Turning};
+use crate::solver::forces::{Forces, Slots};
+use crate::solver::lu;
+use crate::solver::state::State;
+use crate::{Number, Vec2};
+
+/// What a group's forces are found from and noted in.
+struct Ledger<'a, T> {
+    q: T,
+    slots: &'a Slots,
+    state: &'a State<T>,
+    forces: &'a mut Forces<T>,
+}
+
+impl Coupled {
+    /// Hands what has come to the group down to what it stands on; whether its matrix allows it.
+    pub(in crate::solver) fn run_back<T: Number>(
+        &self,
+        q: T,
+        slots: &Slots,
+        state: &mut State<T>,
+        forces: &mut Forces<T>,
+    ) -> bool {
+        let mut scratch = std::mem::take(&mut state.scratch);
+        let mut room = self.open(&mut scratch);
+        self.read(state, room.z);
+        self.jacobian(q, state, &mut room);
+        let n = self.unknowns();
+        let solved = lu::factor(room.matrix, room.pivots, n).is_some();
+        if solved {
+            let mut ledger = Ledger {
+                q,
+                slots,
+                state,
+                forces,
+            };
+            self.gather(&mut room, &mut ledger);
+            lu::solve_transposed(room.matrix, room.pivots, room.right, n);
+            self.press(&room, &mut ledger);
+        }
+        state.scratch = scratch;
+        solved
+    }
+
+    /// What has come to each unknown: a force to a free joint, a couple to a direction.
+    fn gather<T: Number>(&self, room: &mut Room<'_, T>, ledger: &mut Ledger<'_, T>) {
+        room.right.fill(T::default());
+        for (point, spot) in &self.spots {
+            let force = ledger.forces.points[point.index()];
+            let couple = self.carry(spot, force, room, ledger);
+            if let Base::Free(i) = spot.base {
+                room.right[2 * i] += force.x;
+                room.right[2 * i + 1] += force.y;
+            }
+            if let Some((Turning::Unknown(i), couple)) = couple {
+                room.right[2 * self.free + i] += couple;
+            }
+        }
+        for (i, link) in self.turning.iter().enumerate() {
+            room.right[2 * self.free + i] += ledger.forces.links[link.index()];
+        }
+    }
+
+    /// A force at a spot: what stands on known ground goes on to it. Gives the couple on what turns the
+    /// spot's arm.
+    fn carry<T: Number>(
+        &self,
+        spot: &Spot,
+        force: Vec2<T>,
+        room: &Room<'_, T>,
+        ledger: &mut Ledger<'_, T>,
+    ) -> Option<(Turning, T)> {
+        let forces = &mut *ledger.forces;
+        if let Base::Known(point) = spot.base {
+            forces.points[point.index()] += force;
+        }
+        if let Some(seat) = spot.seat {
+            if let Some(end) = seat.end {
+                forces.note(ledger.slots.of(seat.link, end), force);
+            }
+            forces.note(ledger.slots.of(seat.link, seat.foot), -force);
+        }
+        let (turning, arm) = spot.arm?;
+        let link = self.turning_state(turning, ledger.state, room);
+        let along = Vec2::of(spot.along);
+        let r = (Vec2::of(arm) + along * ledger.q).turned(link.d);
+        let couple = r.cross(force);
+        forces.drive += along.turned(link.d).dot(force);
+        self.twist(turning, spot, couple, forces);
+        Some((turning, couple))
+    }
+
+    /// A couple on what turns a spot's arm.
+    fn twist<T: Number>(&self, turning: Turning, spot: &Spot, couple: T, forces: &mut Forces<T>) {
+        match (turning, spot.seat) {
+            (Turning::Known(link), _) => forces.links[link.index()] += couple,
+            (Turning::Unknown(i), Some(seat)) if seat.link != self.turning[i] => {
+                forces.couples[seat.link.index()] += couple;
+            }
+            (Turning::Unknown(_), _) => {}
+        }
+    }
+
+    /// What every equation presses with.
+    fn press<T: Number>(&self, room: &Room<'_, T>, ledger: &mut Ledger<'_, T>) {
+        let mut rows = room.right.iter().map(|&lambda| -lambda);
+        for equation in &self.equations {
+            let place = |spot: &Spot, ledger: &Ledger<'_, T>| {
+                self.moving(spot, ledger.q, ledger.state, room).p
+            };
+            let mut next = || rows.next().unwrap_or_default();
+            match equation {
+                Equation::Distance { a, b, bar, .. } => {
+                    let e = place(a, ledger) - place(b, ledger);
+                    let force = e * next();
+                    self.carry(a, force, room, ledger);
+                    self.carry(b, -force, room, ledger);
+                    let [from, to] = bar.1.map(|end| ledger.slots.of(bar.0, end));
+                    ledger.forces.note(from, -force);
+                    ledger.forces.note(to, force);
+                }
+                Equation::Meeting { a, b, pushed } => {
+                    let force = Vec2::new(next(), next());
+                    self.carry(a, force, room, ledger);
+                    self.carry(b, -force, room, ledger);
+                    if let (Some(slide), Some((turning, _))) = (pushed, b.arm) {
+                        let link = self.turning_state(turning, ledger.state, room);
+                        let tau = Vec2::of(b.along).turned(link.d);
+                        ledger.forces.normals[slide.index()] = tau.cross(force);
+                    }
+                }
+                Equation::Slot {
+                    x,
+                    q: on,
+                    along,
+                    turning,
+                    slide,
+                } => {
+                    let link = self.turning_state(*turning, ledger.state, room);
+                    let t = Vec2::of(*along).turned(link.d);
+                    let gap = place(x, ledger) - place(on, ledger);
+                    let across = next();
+                    let force = t.perp() * across;
+                    self.carry(x, force, room, ledger);
+                    self.carry(on, -force, room, ledger);
+                    self.twist(*turning, on, -(t.dot(gap) * across), ledger.forces);
+                    ledger.forces.normals[slide.index()] = across;
+                }
+            }
+        }
+    }
+}

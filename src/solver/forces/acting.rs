@@ -1,0 +1,256 @@
+//! What acts on a mechanism at a state: loads, springs, presses, weights and inertia, as forces at points
+//! and couples on links.
+//!
+//! Inside, lengths are the solver's and forces newtons, so that couples are in newtons times the
+//! solver's length; a factor turns these into N m where they are read.
+
+use super::profile;
+use super::{Forces, Part};
+use crate::solver::frame::Frame;
+use crate::solver::state::State;
+use crate::{
+    Body, Constant, LinkId, Load, Mechanism, Number, PointId, Profile, SlideId, StrokeEnd, Vec2,
+};
+
+/// Everything that acts, ready to be asked at a state.
+#[derive(Clone, Debug)]
+pub(super) struct Acting {
+    loads: Vec<Act>,
+    masses: Vec<Mass>,
+    /// In m/s^2.
+    gravity: Vec2<Constant>,
+    /// Metres in the solver's length.
+    pub(super) unit: Constant,
+}
+
+/// A load in the solver's lengths.
+#[derive(Clone, Debug)]
+enum Act {
+    Force {
+        point: PointId,
+        force: Vec2<Constant>,
+        frame: Option<LinkId>,
+        over: Profile,
+    },
+    Torque {
+        link: LinkId,
+        torque: Constant,
+        over: Profile,
+    },
+    Press {
+        slide: SlideId,
+        point: PointId,
+        end: StrokeEnd,
+        /// Where the stroke ends, in the scene's unit along the guide.
+        bottom: Constant,
+        curve: Profile,
+    },
+    Spring {
+        from: PointId,
+        to: PointId,
+        stiffness: Constant,
+        length: Constant,
+        damping: Constant,
+    },
+}
+
+/// What a link weighs, and how it resists being accelerated.
+#[derive(Clone, Copy, Debug)]
+struct Mass {
+    link: LinkId,
+    com: PointId,
+    mass: Constant,
+    inertia: Constant,
+}
+
+impl Acting {
+    /// `bottom` tells where the stroke of a slide ends.
+    pub(super) fn new(
+        mechanism: &Mechanism,
+        frame: Frame,
+        bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
+    ) -> Acting {
+        let loads = mechanism.loads().iter();
+        let loads = loads.map(|load| act(mechanism, frame, load, &bottom));
+        let masses = mechanism.link_ids().filter_map(|id| {
+            let link = mechanism.link(id);
+            let has_mass = link.mass > 0.0 || link.inertia > 0.0;
+            has_mass.then_some(Mass {
+                link: id,
+                com: link.com?,
+                mass: Constant::given(link.mass),
+                inertia: Constant::given(link.inertia),
+            })
+        });
+        Acting {
+            loads: loads.collect(),
+            masses: masses.collect(),
+            gravity: mechanism.gravity().map(Constant::given),
+            unit: Constant::given(mechanism.metres()).scaled(frame.scale),
+        }
+    }
+
+    /// Where the stroke of a press ends.
+    pub(super) fn bottom(&self, slide: SlideId, end: StrokeEnd) -> Constant {
+        let found = self.loads.iter().find_map(|load| match load {
+            Act::Press {
+                slide: of,
+                end: which,
+                bottom,
+                ..
+            } if (*of, *which) == (slide, end) => Some(*bottom),
+            _ => None,
+        });
+        found.unwrap_or_default()
+    }
+
+    /// Whether what acts is one formula over the whole motion, without pieces.
+    pub(super) fn is_smooth(&self) -> bool {
+        self.loads.iter().all(|load| match load {
+            Act::Force { over, .. } | Act::Torque { over, .. } => over.is_one(),
+            Act::Press { .. } => false,
+            Act::Spring { .. } => true,
+        })
+    }
+
+    /// Puts everything that acts at this state upon the points and links of `forces`.
+    #[inline(always)]
+    pub(super) fn act<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        for load in &self.loads {
+            self.load(load, state, forces);
+        }
+        let unit = T::of(self.unit);
+        let rates = &state.rates;
+        for mass in &self.masses {
+            let com = &state.points[mass.com.index()];
+            let m = T::of(mass.mass);
+            let weight = Vec2::of(self.gravity) * m;
+            forces.push(Part::Gravity, mass.com, weight, state);
+            let a = com.a * rates.square + com.v * rates.acceleration;
+            forces.push(Part::Inertia, mass.com, -(a * (m * unit)), state);
+            let link = &state.links[mass.link.index()];
+            let alpha = link.a * rates.square + link.w * rates.acceleration;
+            let couple = -(alpha * T::of(mass.inertia)) / unit;
+            forces.twist(Part::Inertia, mass.link, couple, state);
+        }
+    }
+
+    #[inline(always)]
+    fn load<T: Number>(&self, load: &Act, state: &State<T>, forces: &mut Forces<T>) {
+        match load {
+            Act::Force {
+                point,
+                force,
+                frame,
+                over,
+            } => {
+                let force = Vec2::of(*force) * self.factor(over, state);
+                let force = match frame {
+                    Some(link) => force.turned(state.links[link.index()].d),
+                    None => force,
+                };
+                forces.push(Part::Load, *point, force, state);
+            }
+            Act::Torque { link, torque, over } => {
+                let torque = T::of(*torque) * self.factor(over, state) / T::of(self.unit);
+                forces.twist(Part::Load, *link, torque, state);
+            }
+            Act::Press {
+                slide,
+                point,
+                end,
+                bottom,
+                curve,
+            } => {
+                let travel = state.travel(*slide);
+                // Towards the end, both are counted positive.
+                let (distance, towards) = match end {
+                    StrokeEnd::Least => (travel.position - T::of(*bottom), -travel.rate),
+                    StrokeEnd::Greatest => (T::of(*bottom) - travel.position, travel.rate),
+                };
+                let size = profile::press(curve, distance, towards);
+                let against = match end {
+                    StrokeEnd::Least => travel.guide,
+                    StrokeEnd::Greatest => -travel.guide,
+                };
+                forces.push(Part::Load, *point, against * size, state);
+            }
+            Act::Spring {
+                from,
+                to,
+                stiffness,
+                length,
+                damping,
+            } => {
+                let (a, b) = (state.points[from.index()], state.points[to.index()]);
+                let e = b.p - a.p;
+                let size = e.norm2().sqrt();
+                let along = e / size;
+                let rate = along.dot(b.v - a.v) * state.rates.speed;
+                let stretch = size - T::of(*length);
+                let tension = T::of(*stiffness) * stretch + T::of(*damping) * rate;
+                let pull = along * (tension * T::of(self.unit));
+                forces.push(Part::Load, *from, pull, state);
+                forces.push(Part::Load, *to, -pull, state);
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn factor<T: Number>(&self, over: &Profile, state: &State<T>) -> T {
+        if over.is_one() {
+            T::exactly(1.0)
+        } else {
+            profile::repeated(over, state.at, state.driven.is_some())
+        }
+    }
+}
+
+fn act(
+    mechanism: &Mechanism,
+    frame: Frame,
+    load: &Load,
+    bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
+) -> Act {
+    match load {
+        Load::Force {
+            point,
+            force,
+            frame,
+            over,
+        } => Act::Force {
+            point: *point,
+            force: force.map(Constant::given),
+            frame: match frame {
+                Body::Ground => None,
+                Body::Link(link) => Some(*link),
+            },
+            over: over.clone(),
+        },
+        Load::Torque { link, torque, over } => Act::Torque {
+            link: *link,
+            torque: Constant::given(*torque),
+            over: over.clone(),
+        },
+        Load::Press { slide, end, curve } => Act::Press {
+            slide: *slide,
+            point: mechanism.slide(*slide).slider.point(),
+            end: *end,
+            bottom: bottom(*slide, *end),
+            curve: curve.clone(),
+        },
+        Load::Spring {
+            from,
+            to,
+            stiffness,
+            length,
+            damping,
+        } => Act::Spring {
+            from: *from,
+            to: *to,
+            stiffness: Constant::given(*stiffness),
+            length: Constant::given(frame.length(*length)),
+            damping: Constant::given(*damping),
+        },
+    }
+}

@@ -1,0 +1,106 @@
+//! The couples that pass where a link is kept from turning.
+//!
+//! Links that are locked to each other are a tree of locks. What a lock carries is the couple of all that
+//! hangs beyond it.
+
+use super::Forces;
+use crate::solver::network::{GROUND, Network};
+use crate::solver::plan::Program;
+use crate::solver::step::Step;
+use crate::{LinkId, Number, SlideId, Slider};
+
+/// The locks of a mechanism.
+#[derive(Clone, Debug)]
+pub(super) struct Locked {
+    /// The links that are locked to the ground: no step has taken their couples on.
+    grounded: Vec<LinkId>,
+    locks: Vec<Lock>,
+}
+
+/// A lock, and the links beyond it as seen from where their direction comes from.
+#[derive(Clone, Debug)]
+struct Lock {
+    slide: SlideId,
+    beyond: Vec<LinkId>,
+    /// Whether the sliding link is among them, and not the guide.
+    holds_slider: bool,
+}
+
+impl Locked {
+    pub(super) fn new(network: &Network<'_>, program: &Program) -> Locked {
+        let mechanism = network.mechanism;
+        let edges: Vec<(SlideId, LinkId, LinkId)> = mechanism
+            .slide_ids()
+            .filter(|slide| !network.repeated_locks.contains(slide))
+            .filter_map(|id| match mechanism.slide(id).slider {
+                Slider::Pin(_) => None,
+                Slider::Link { link, .. } => Some((id, link, network.body(mechanism.slide(id).on))),
+            })
+            .collect();
+        let root = |link: LinkId| {
+            let is_rep = |step: &Step| match step {
+                Step::Lock {
+                    link: locked, to, ..
+                } if *locked == link => Some(*to),
+                _ => None,
+            };
+            let ground = network.class(link) == GROUND;
+            let led = || program.steps.iter().find_map(is_rep);
+            if ground {
+                network.ground()
+            } else {
+                led().unwrap_or(link)
+            }
+        };
+        let locks = edges.iter().map(|&(slide, slider, guide)| {
+            let root = root(slider);
+            let beyond = reached(slider, slide, &edges);
+            let holds_slider = !beyond.contains(&root);
+            Lock {
+                slide,
+                beyond: if holds_slider {
+                    beyond
+                } else {
+                    reached(guide, slide, &edges)
+                },
+                holds_slider,
+            }
+        });
+        Locked {
+            locks: locks.collect(),
+            grounded: network.members[GROUND.0]
+                .iter()
+                .copied()
+                .filter(|&l| l != network.ground())
+                .collect(),
+        }
+    }
+
+    /// The couples, once all steps have been run backwards.
+    pub(super) fn finish<T: Number>(&self, forces: &mut Forces<T>) {
+        for link in &self.grounded {
+            forces.couples[link.index()] += forces.links[link.index()];
+        }
+        for lock in &self.locks {
+            let couples = lock.beyond.iter().map(|l| forces.couples[l.index()]);
+            let sum = couples.fold(T::default(), |sum, couple| sum + couple);
+            forces.moments[lock.slide.index()] = if lock.holds_slider { -sum } else { sum };
+        }
+    }
+}
+
+/// The links that are locked to one without this slide.
+fn reached(from: LinkId, without: SlideId, edges: &[(SlideId, LinkId, LinkId)]) -> Vec<LinkId> {
+    let mut found = vec![from];
+    let mut next = 0;
+    while let Some(&link) = found.get(next) {
+        next += 1;
+        for &(_, a, b) in edges.iter().filter(|edge| edge.0 != without) {
+            let other = if a == link { b } else { a };
+            if (a == link || b == link) && !found.contains(&other) {
+                found.push(other);
+            }
+        }
+    }
+    found
+}

@@ -1,0 +1,203 @@
+//! Reactions that the equilibrium leaves open: those of constraints that repeat others.
+//!
+//! The steps stand on as many constraints as there are unknowns. A constraint beyond these may press with
+//! any force: whatever feels it is indeterminate. So each is made to press with a unit force, which the
+//! steps hand down; what has to hold against it, besides the constraint itself where the steps stand on
+//! it, is open.
+
+use super::{Balance, Extent, Forces, Slots};
+use crate::solver::engine::Engine;
+use crate::solver::network::Network;
+use crate::solver::plan::{Gauge, Watch};
+use crate::solver::state::{Condition, State};
+use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
+
+/// Below this part of a unit force, what is felt is rounding.
+const FELT: f64 = 1e-9;
+
+/// What cannot be told.
+#[derive(Clone, Debug)]
+pub(super) struct Open {
+    /// By slot.
+    pub joints: Vec<bool>,
+    /// By slide.
+    pub normals: Vec<bool>,
+    pub moments: Vec<bool>,
+}
+
+/// A reaction that a redundant linkage leaves open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Indeterminate {
+    /// The force on a link at a joint.
+    Joint(LinkId, PointId),
+    /// The normal force of a slide.
+    Normal(SlideId),
+    /// The moment of a slide.
+    Moment(SlideId),
+}
+
+impl Open {
+    pub(super) fn none(mechanism: &Mechanism, slots: &Slots) -> Open {
+        let slides = mechanism.slides().len();
+        Open {
+            joints: vec![false; slots.nowhere() + 1],
+            normals: vec![false; slides],
+            moments: vec![false; slides],
+        }
+    }
+
+    /// Tries every constraint at an assembled state.
+    pub(super) fn find(
+        balance: &Balance,
+        network: &Network<'_>,
+        engine: &Engine,
+        state: &mut State,
+    ) -> Open {
+        let mut open = Open::none(network.mechanism, &balance.slots);
+        if engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
+            return open;
+        }
+        for watch in &engine.program.watches {
+            open.probe(balance, engine, state, |state, forces, felt| {
+                press(watch, &balance.slots, network, state, forces, felt);
+            });
+        }
+        for &slide in &network.repeated_locks {
+            let given = network.mechanism.slide(slide);
+            let Slider::Link { link, .. } = given.slider else {
+                continue;
+            };
+            let on = network.body(given.on);
+            open.probe(balance, engine, state, |_, forces, felt| {
+                forces.links[link.index()] += 1.0;
+                forces.links[on.index()] += -1.0;
+                felt.moments[slide.index()] = 1.0;
+            });
+        }
+        open
+    }
+
+    /// Presses, hands down, and marks what holds against it.
+    fn probe(
+        &mut self,
+        balance: &Balance,
+        engine: &Engine,
+        state: &mut State,
+        press: impl Fn(&State, &mut Forces<f64>, &mut Felt),
+    ) {
+        let Some(mut forces) = state.forces.take() else {
+            return;
+        };
+        forces.clear();
+        let mut felt = Felt::new(self);
+        press(state, &mut forces, &mut felt);
+        let before = state.condition;
+        state.condition = Condition::Ok;
+        if balance.run_back(engine, state, &mut forces) {
+            balance.locked.finish(&mut forces);
+            self.mark(&forces, &felt);
+        }
+        state.condition = before;
+        forces.extent = Extent::Nothing;
+        state.forces = Some(forces);
+    }
+
+    fn mark(&mut self, forces: &Forces<f64>, felt: &Felt) {
+        let joints = forces.joints.iter().zip(&felt.joints);
+        for (open, (&a, &b)) in self.joints.iter_mut().zip(joints) {
+            *open |= (a + b).norm() > FELT;
+        }
+        let normals = forces.normals.iter().zip(&felt.normals);
+        for (open, (a, b)) in self.normals.iter_mut().zip(normals) {
+            *open |= (a + b).abs() > FELT;
+        }
+        let moments = forces.moments.iter().zip(&felt.moments);
+        for (open, (a, b)) in self.moments.iter_mut().zip(moments) {
+            *open |= (a + b).abs() > FELT;
+        }
+    }
+
+    /// What is open, in the order of the mechanism.
+    pub(super) fn list(&self, mechanism: &Mechanism, slots: &Slots) -> Vec<Indeterminate> {
+        let mut list = Vec::new();
+        for link in mechanism.link_ids() {
+            for point in mechanism.pins(link) {
+                if self.joints[slots.of(link, point)] {
+                    list.push(Indeterminate::Joint(link, point));
+                }
+            }
+        }
+        for slide in mechanism.slide_ids() {
+            if self.normals[slide.index()] {
+                list.push(Indeterminate::Normal(slide));
+            }
+            if self.moments[slide.index()] {
+                list.push(Indeterminate::Moment(slide));
+            }
+        }
+        list
+    }
+}
+
+/// What a constraint itself does to links and slides while it presses.
+struct Felt {
+    joints: Vec<Vec2>,
+    normals: Vec<f64>,
+    moments: Vec<f64>,
+}
+
+impl Felt {
+    fn new(open: &Open) -> Felt {
+        Felt {
+            joints: vec![Vec2::ZERO; open.joints.len()],
+            normals: vec![0.0; open.normals.len()],
+            moments: vec![0.0; open.moments.len()],
+        }
+    }
+}
+
+/// A watched constraint presses with a unit force.
+fn press(
+    watch: &Watch,
+    slots: &Slots,
+    network: &Network<'_>,
+    state: &State,
+    forces: &mut Forces<f64>,
+    felt: &mut Felt,
+) {
+    let at = |p: PointId| state.points[p.index()].p;
+    let mut pair = |from: PointId, to: PointId, force: Vec2, forces: &mut Forces<f64>| {
+        forces.points[to.index()] += force;
+        forces.points[from.index()] += -force;
+        if let crate::Element::Link(link) = watch.element {
+            felt.joints[slots.of(link, to)] += -force;
+            felt.joints[slots.of(link, from)] += force;
+        }
+    };
+    match watch.gauge {
+        Gauge::Distance { from, to, .. } => {
+            let e = at(to) - at(from);
+            pair(from, to, e / e.norm(), forces);
+        }
+        Gauge::Direction { from, to, link, .. } => {
+            let e = at(to) - at(from);
+            pair(from, to, e.perp() / e.norm(), forces);
+            forces.links[link.index()] += -e.norm();
+        }
+        Gauge::OnLine { point, line } => {
+            let guide = line.at(state);
+            forces.points[point.index()] += guide.n;
+            forces.points[line.through.index()] += -guide.n;
+            let s = guide.t.dot(at(point) - guide.q.p);
+            forces.links[line.link.index()] += -s;
+            if let crate::Element::Slide(slide) = watch.element {
+                felt.normals[slide.index()] += 1.0;
+                if let Body::Link(on) = network.mechanism.slide(slide).on {
+                    felt.joints[slots.of(on, line.through)] += guide.n;
+                }
+            }
+        }
+        // The driver's own: it repeats nothing.
+        Gauge::Pushed { .. } => {}
+    }
+}

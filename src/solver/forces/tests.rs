@@ -1,0 +1,219 @@
+//! Every link and every pin by itself is in equilibrium, whatever acts: in all presets, each loaded at
+//! random, at random places of the motion.
+
+use super::*;
+use crate::scene::{Scene, presets};
+use crate::solver::{Condition, Order, Range};
+use crate::tests::Chance;
+use crate::{Slider, Vec2};
+
+/// A preset with a mass for every link, weights, a force, a torque, a spring and a damper.
+fn loaded(text: &str, chance: &mut Chance) -> String {
+    let mut out = String::from("gravity = [1.5, -9.81]\n");
+    let mut section = "";
+    let (mut point, mut link) = (None, None);
+    for line in text.lines().filter(|l| !l.starts_with("gravity")) {
+        if line.starts_with('[') {
+            section = line;
+        }
+        let is_link = section == "[links]" && line.trim_end().ends_with('}');
+        if !is_link || line.contains("mass") {
+            out += &format!("{line}\n");
+            continue;
+        }
+        let name = line.split('=').next().unwrap_or_default().trim();
+        link = Some(name.to_owned());
+        point = Some(format!("{name}.com"));
+        let open = line.trim_end().trim_end_matches('}');
+        let com = if line.contains("com =") {
+            String::new()
+        } else {
+            format!(
+                "com = [{}, {}], ",
+                chance.within(-1.0, 1.0),
+                chance.within(-1.0, 1.0)
+            )
+        };
+        let (mass, inertia) = (chance.within(0.1, 5.0), chance.within(0.01, 0.5));
+        out += &format!("{open}, {com}mass = {mass}, inertia = {inertia} }}\n");
+    }
+    let mut number = || chance.within(-50.0, 50.0);
+    if let (Some(point), Some(link)) = (point, link) {
+        out += &format!(
+            "[[loads]]\npoint = \"{point}\"\nforce = [{}, {}]\n",
+            number(),
+            number()
+        );
+        out += &format!("[[loads]]\nlink = \"{link}\"\ntorque = {}\n", number());
+    }
+    out
+}
+
+/// The forces of a state, as they were noted.
+struct Noted {
+    forces: Forces<f64>,
+    /// What acts: on points, and as couples on links.
+    points: Vec<Vec2>,
+    couples: Vec<f64>,
+}
+
+fn noted(solver: &Solver, state: &State) -> Noted {
+    let balance = solver.balance.as_ref().unwrap();
+    let mut acting = balance.forces(&solver.engine, solver.slides);
+    balance.acting.act(state, &mut acting);
+    Noted {
+        forces: (**state.forces.as_ref().unwrap()).clone(),
+        points: acting.points,
+        couples: acting.links,
+    }
+}
+
+/// A sum of forces and moments, and the size of the largest term.
+#[derive(Default)]
+struct Sum {
+    force: Vec2,
+    moment: f64,
+    size: f64,
+}
+
+impl Sum {
+    fn add(&mut self, at: Vec2, force: Vec2) {
+        self.force += force;
+        self.twist(at.cross(force));
+        self.size = self.size.max(force.norm());
+    }
+
+    fn twist(&mut self, couple: f64) {
+        self.moment += couple;
+        self.size = self.size.max(couple.abs());
+    }
+
+    fn miss(&self) -> f64 {
+        self.force.norm().max(self.moment.abs()) / self.size.max(1.0)
+    }
+}
+
+/// What the guide of a slide does to what slides: a force at its point, and a couple.
+fn guided(mechanism: &Mechanism, slide: SlideId, state: &State, of: &Noted) -> (PointId, Vec2) {
+    let t = state.travels[slide.index()].guide.d;
+    let along = if mechanism.driver().input == Input::Push(slide) {
+        -of.forces.drive
+    } else {
+        0.0
+    };
+    let force = t.perp() * of.forces.normals[slide.index()] + t * along;
+    (mechanism.slide(slide).slider.point(), force)
+}
+
+fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &Noted) -> f64 {
+    let at = |p: PointId| state.points[p.index()].p;
+    let mut sum = Sum::default();
+    for member in &mechanism.link(link).members {
+        let slot = of.forces.slots.of(link, member.point);
+        sum.add(at(member.point), of.forces.joints[slot]);
+    }
+    sum.twist(of.couples[link.index()]);
+    if mechanism.driver().input == Input::Turn(link) {
+        sum.twist(-of.forces.drive);
+    }
+    for slide in mechanism.slide_ids() {
+        let (point, force) = guided(mechanism, slide, state, of);
+        let given = mechanism.slide(slide);
+        let moment = of.forces.moments[slide.index()];
+        if matches!(given.slider, Slider::Link { link: slider, .. } if slider == link) {
+            sum.add(at(point), force);
+            sum.twist(moment);
+        }
+        if given.on == Body::Link(link) {
+            sum.add(at(point), -force);
+            sum.twist(-moment);
+        }
+    }
+    sum.miss()
+}
+
+fn pin_miss(mechanism: &Mechanism, point: PointId, state: &State, of: &Noted) -> f64 {
+    let mut sum = Sum::default();
+    sum.add(Vec2::ZERO, of.points[point.index()]);
+    for &link in &mechanism.point(point).links {
+        let slot = of.forces.slots.of(link, point);
+        sum.add(Vec2::ZERO, -of.forces.joints[slot]);
+    }
+    for slide in mechanism.slide_ids() {
+        if mechanism.slide(slide).slider == Slider::Pin(point) {
+            let (_, force) = guided(mechanism, slide, state, of);
+            sum.add(Vec2::ZERO, force);
+        }
+    }
+    sum.miss()
+}
+
+/// The worst misses of a solver's states at some places of its motion.
+fn check(name: &str, scene: &Scene, solver: &Solver, chance: &mut Chance) {
+    let mechanism = &scene.mechanism;
+    let mut state = solver.state();
+    let (low, high) = match solver.motion().range {
+        Range::Full { period } => (0.0, period),
+        Range::Limited { low, high } => (low, high),
+    };
+    let mut checked = 0;
+    for _ in 0..20 {
+        let at = chance.within(low, high);
+        if solver.solve(at, Order::Force, &mut state) != Condition::Ok {
+            continue;
+        }
+        // Beside a singular place everything is large, and rounding with it.
+        if state.measures.iter().any(|m| m.abs() < 1e-3) {
+            continue;
+        }
+        checked += 1;
+        let of = noted(solver, &state);
+        for link in mechanism.link_ids() {
+            let miss = link_miss(mechanism, link, &state, &of);
+            let link = scene.link_name(link);
+            assert!(
+                miss < 1e-11,
+                "{name} at {at}: link {link} misses by {miss:e}"
+            );
+        }
+        for point in mechanism.point_ids() {
+            if mechanism.point(point).ground.is_none() {
+                let miss = pin_miss(mechanism, point, &state, &of);
+                let point = scene.point_name(point);
+                assert!(
+                    miss < 1e-11,
+                    "{name} at {at}: pin {point:?} misses by {miss:e}"
+                );
+            }
+        }
+        let residual = state.residual().unwrap();
+        let size = of.points.iter().map(|f| f.norm()).fold(1.0, f64::max);
+        let drive = state.drive().unwrap().abs().max(size);
+        assert!(
+            residual.drive.abs() < 1e-11 * drive,
+            "{name} at {at}: {residual:?} of {drive}"
+        );
+        assert!(
+            residual.force.norm() < 1e-11 * size,
+            "{name} at {at}: {residual:?}"
+        );
+    }
+    eprintln!(
+        "{name} {checked} {:?} {:?} open {:?}",
+        state.drive(),
+        state.frame_force(),
+        solver.indeterminate()
+    );
+    assert!(checked > 5, "{name}: only {checked} states were ordinary");
+}
+
+#[test]
+fn every_link_and_every_pin_of_every_preset_is_in_equilibrium() {
+    let mut chance = Chance(7);
+    for preset in presets::all() {
+        let text = loaded(preset.text, &mut chance);
+        let scene = Scene::parse(&text, preset.name).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        check(preset.name, &scene, &solver, &mut chance);
+    }
+}
