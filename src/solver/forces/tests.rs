@@ -2,6 +2,7 @@
 //! random, at random places of the motion.
 
 use super::*;
+use crate::quantity::{Catalogue, Quantity};
 use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Order, Range};
 use crate::tests::Chance;
@@ -148,14 +149,19 @@ fn pin_miss(mechanism: &Mechanism, point: PointId, state: &State, of: &Noted) ->
     sum.miss()
 }
 
+/// The ends of a motion.
+fn ends(solver: &Solver) -> (f64, f64) {
+    match solver.motion().range {
+        Range::Full { period } => (0.0, period),
+        Range::Limited { low, high } => (low, high),
+    }
+}
+
 /// The worst misses of a solver's states at some places of its motion.
 fn check(name: &str, scene: &Scene, solver: &Solver, chance: &mut Chance) {
     let mechanism = &scene.mechanism;
     let mut state = solver.state();
-    let (low, high) = match solver.motion().range {
-        Range::Full { period } => (0.0, period),
-        Range::Limited { low, high } => (low, high),
-    };
+    let (low, high) = ends(solver);
     let mut checked = 0;
     for _ in 0..20 {
         let at = chance.within(low, high);
@@ -198,12 +204,6 @@ fn check(name: &str, scene: &Scene, solver: &Solver, chance: &mut Chance) {
             "{name} at {at}: {residual:?}"
         );
     }
-    eprintln!(
-        "{name} {checked} {:?} {:?} open {:?}",
-        state.drive(),
-        state.frame_force(),
-        solver.indeterminate()
-    );
     assert!(checked > 5, "{name}: only {checked} states were ordinary");
 }
 
@@ -215,5 +215,86 @@ fn every_link_and_every_pin_of_every_preset_is_in_equilibrium() {
         let scene = Scene::parse(&text, preset.name).unwrap_or_else(|e| panic!("{e}\n{text}"));
         let solver = Solver::new(&scene.mechanism).unwrap();
         check(preset.name, &scene, &solver, &mut chance);
+    }
+}
+
+/// The same of mechanisms whose every length is off by up to a twentieth of the longest, as far as they
+/// still assemble.
+#[test]
+fn and_so_is_every_link_of_linkages_at_random() {
+    let mut chance = Chance(8);
+    let mut opened = 0;
+    for preset in presets::all().iter().cycle().take(200) {
+        let text = loaded(preset.text, &mut chance);
+        let mut scene = Scene::parse(&text, preset.name).unwrap();
+        let off = 0.05 * Solver::new(&scene.mechanism).unwrap().scale();
+        for length in scene.mechanism.lengths() {
+            let by = chance.within(-off, off);
+            scene.mechanism = scene.mechanism.changed(length, by);
+        }
+        if let Ok(solver) = Solver::new(&scene.mechanism) {
+            opened += 1;
+            check(preset.name, &scene, &solver, &mut chance);
+        }
+    }
+    assert!(opened > 60, "only {opened} of 200 could be assembled");
+}
+
+/// Held against the same in twice the precision.
+#[test]
+fn no_bound_of_a_force_is_smaller_than_its_error() {
+    let mut chance = Chance(9);
+    for preset in presets::all() {
+        let text = loaded(preset.text, &mut chance);
+        let scene = Scene::parse(&text, preset.name).unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let figures = Catalogue::new(&scene);
+        let is_force = |q: &&Quantity| q.aspect.order() == Order::Force;
+        let figures: Vec<&Quantity> = figures.all().iter().filter(is_force).collect();
+        let (mut state, mut balls) = (solver.state(), solver.enclosure());
+        let mut truth = solver.twice();
+        let (low, high) = ends(&solver);
+        let (mut proved, mut unproved, mut over) = (0, 0, Vec::new());
+        for _ in 0..40 {
+            let at = chance.within(low, high);
+            if solver.solve(at, Order::Force, &mut state) != Condition::Ok
+                || !solver.solve_twice(&state, Order::Force, &mut truth)
+            {
+                continue;
+            }
+            solver.enclose(&state, Order::Force, &mut balls);
+            for figure in &figures {
+                let Some(value) = figure.value(&state) else {
+                    continue;
+                };
+                let exact = figure.value(&truth).unwrap();
+                let miss = (exact - crate::Double::exactly(value)).abs().hi;
+                let Some(bound) = figure.bound(&state, &balls) else {
+                    unproved += 1;
+                    continue;
+                };
+                proved += 1;
+                let name = &figure.name;
+                assert!(
+                    miss <= bound,
+                    "{} at {at}: {name} {miss:e} > {bound:e}",
+                    preset.name
+                );
+                if miss > 0.0 {
+                    over.push(bound / miss);
+                }
+            }
+        }
+        over.sort_by(f64::total_cmp);
+        let median = over[over.len() / 2];
+        println!(
+            "{:20} {proved} proved, {unproved} not; over, median {median:.0}",
+            preset.name
+        );
+        assert!(
+            unproved * 10 < proved,
+            "{}: {unproved} of {proved}",
+            preset.name
+        );
     }
 }
