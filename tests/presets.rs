@@ -56,11 +56,13 @@ const fn within(name: &'static str, low: f64, high: f64, groups: &'static [Group
 
 use GroupKind::{Coupled, Rpp, Rpr, Rrp, Rrr};
 
-const EXPECTED: [Expected; 23] = [
+const EXPECTED: [Expected; 25] = [
     turning("four-bar", &[Rrr]),
     turning("slider-crank", &[Rrp]),
     turning("press", &[Rrr, Rrr]),
     turning("press-ram", &[Rrr, Rrp]),
+    turning("four-bar-load", &[Rrr]),
+    turning("engine", &[Rrp]),
     turning("offset-slider-crank", &[Rrp]),
     turning("slotted-lever", &[Rpr]),
     turning("whitworth", &[Rpr, Rrp]),

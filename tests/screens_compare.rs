@@ -140,7 +140,7 @@ fn rows_without_partner_say_so() {
     let mut session = beside("partners", Glyphs::Ascii, 100, 40);
     let screen = session
         .press("2 D")
-        .type_in("press-ram")
+        .type_in("press")
         .press("Enter")
         .look();
     assert_eq!(row(&screen, "r2.com")[1..], ["only", "here"]);

@@ -1,19 +1,20 @@
 //! What the file says, element by element, before names are joined.
 
 use super::Unit;
+use super::motor::{self, Motor};
 use super::reader::{Name, Reader, Span, Value, meant, quoted};
-use super::{elements, input};
-use crate::Vec2;
+use super::{elements, input, loads};
 use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
+use crate::{Profile, StrokeEnd, Vec2};
 use toml::de::DeTable;
 
 /// The most links that a scene may have.
 pub(super) const MOST_LINKS: usize = 10_000;
 
-const SECTIONS: [&str; 12] = [
+const SECTIONS: [&str; 14] = [
     "name", "source", "note", "unit", "ground", "driver", "links", "slides", "start", "vectors",
-    "loads", "gravity",
+    "loads", "springs", "gravity", "motor",
 ];
 
 /// A scene as written. Values that could not be read have a placeholder, so that what they do not
@@ -34,11 +35,26 @@ pub(super) struct Draft<'t> {
     pub(super) start: Vec<Place<'t>>,
     pub(super) vectors: Vec<Vector<'t>>,
     pub(super) loads: Vec<Load<'t>>,
+    pub(super) springs: Vec<Spring<'t>>,
+    pub(super) motor: Option<Motor>,
     pub(super) gravity: Vec2,
     /// Whether a section could not be read at all: its names are missing everywhere.
     pub(super) unreadable: bool,
     /// Whether a link or a slide names a point that could not be read.
     pub(super) lost_points: bool,
+    /// Whether a vector, a load or a spring could not be read, which may have named a point.
+    pub(super) lost_references: bool,
+}
+
+impl Draft<'_> {
+    /// Takes note of what is missing where something about a section was reported.
+    fn lost(&mut self, section: &str, value: &Value<'_>, reported: bool) {
+        match section {
+            "vectors" | "loads" | "springs" => self.lost_references |= reported,
+            // A section that is no table has lost all its names.
+            _ => self.unreadable |= reported && value.get_ref().as_table().is_none(),
+        }
+    }
 }
 
 /// A point with coordinates, in whatever frame.
@@ -145,8 +161,33 @@ pub(super) struct Vector<'t> {
 
 #[derive(Debug)]
 pub(super) enum Load<'t> {
-    Force { point: Name<'t>, force: Vec2 },
-    Torque { link: Name<'t>, torque: f64 },
+    Force {
+        point: Name<'t>,
+        force: Vec2,
+        /// The link with which it turns; the ground's frame without one.
+        frame: Option<Name<'t>>,
+        over: Profile,
+    },
+    Torque {
+        link: Name<'t>,
+        torque: f64,
+        over: Profile,
+    },
+    Press {
+        slide: Name<'t>,
+        curve: Profile,
+        /// `None` where the file leaves it to the guide.
+        end: Option<StrokeEnd>,
+    },
+}
+
+#[derive(Debug)]
+pub(super) struct Spring<'t> {
+    pub(super) from: Name<'t>,
+    pub(super) to: Name<'t>,
+    pub(super) stiffness: f64,
+    pub(super) length: f64,
+    pub(super) damping: f64,
 }
 
 /// Reads the whole document.
@@ -171,7 +212,8 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<
             "slides" => elements::slides(reader, &mut draft, value),
             "start" => draft.start = places(reader, "[start]", "start of", value),
             "vectors" => draft.vectors = elements::vectors(reader, value),
-            "loads" => draft.loads = input::loads(reader, value),
+            "loads" => draft.loads = loads::loads(reader, value),
+            "springs" => draft.springs = loads::springs(reader, value),
             "gravity" => {
                 let gravity = reader.pair("`gravity` (m/s^2)", value);
                 draft.gravity = gravity.unwrap_or_default();
@@ -180,11 +222,14 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<
                 draft.driver = input::driver(reader, draft.unit, key.span(), value);
                 draft.driver_key = Some(key.span());
             }
-            // Texts and the unit were read above; unknown keys are reported.
+            // Texts and the unit were read above, the motor is read below; unknown keys are reported.
             _ => {}
         }
-        // A section that is no table has lost all its names.
-        draft.unreadable |= reader.found.len() > before && value.get_ref().as_table().is_none();
+        draft.lost(key.get_ref().as_ref(), value, reader.found.len() > before);
+    }
+    if let Some(value) = root.get("motor") {
+        let driven = draft.driver.as_ref().map(|driver| &driver.input);
+        draft.motor = motor::read(reader, draft.unit, driven, value);
     }
     if !draft.unreadable && draft.links.is_empty() && draft.slides.is_empty() {
         reader.report(elements::nothing_moves());

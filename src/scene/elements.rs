@@ -158,8 +158,8 @@ fn link_mass<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, link
         let at = reader.pair(&format!("`com` of {of}"), value);
         link.com = Some((key.span(), at.unwrap_or_default()));
     }
-    link.mass = not_negative(reader, of, table, "mass");
-    link.inertia = not_negative(reader, of, table, "inertia");
+    link.mass = reader.not_negative(of, table, "mass", "");
+    link.inertia = reader.not_negative(of, table, "inertia", "");
     let key = |name| table.get_key_value(name).map(|(key, _)| (name, key.span()));
     link.mass_key = key("mass").or_else(|| key("inertia"));
 }
@@ -193,23 +193,6 @@ fn length<'v>(reader: &mut Reader<'_>, of: &str, value: &Value<'v>) -> Option<f6
             .help("a length is a distance; the direction of a link is from `from` to `to`")
     });
     None
-}
-
-fn not_negative<'v>(reader: &mut Reader<'_>, of: &str, table: &'v DeTable<'v>, key: &str) -> f64 {
-    let Some(value) = table.get(key) else {
-        return 0.0;
-    };
-    let what = format!("`{key}` of {of}");
-    let number = reader.number(&what, value);
-    if number.is_some_and(|n| n < 0.0) {
-        let literal = reader.literal(&value.span());
-        reader.report(
-            Diagnostic::new(format!("{what} must not be negative, but is {literal}"))
-                .at(value.span(), "negative")
-                .help(format!("leave `{key}` out where it does not matter")),
-        );
-    }
-    number.unwrap_or(0.0).max(0.0)
 }
 
 /// The section `[slides]`.

@@ -1,42 +1,46 @@
-//! Reads what acts on the mechanism: the driver and the loads.
+//! Reads the driver.
 
 use super::Unit;
-use super::draft::{Driver, Input, Load};
+use super::draft::{Driver, Input};
 use super::rate::{self, Degree, Kind, Misfit};
 use super::reader::{Reader, Span, Value, meant};
 use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
 use toml::de::DeTable;
 
-const LOAD: &str =
-    r#"[[loads]] with point = "C" and force = [0, -500], or link = "r4" and torque = 12"#;
-
 /// The rate where the file gives none: per unit of the coordinate, so that velocities are the
 /// kinematic coefficients.
 const UNIT_SPEED: f64 = 1.0;
 
+/// Whose rates they are.
+const OF: &str = "the driver";
+
 /// How a kind of driver is written.
-struct Form {
+pub(super) struct Form {
     /// The key that names what is driven.
     driven: &'static str,
     /// The key of its coordinate.
     coordinate: &'static str,
     /// The coordinate of the other kind.
     other: &'static str,
+    /// What a motor drives it by, and the key for it.
+    pub(super) effort: &'static str,
     example: &'static str,
 }
 
-const TURNED: Form = Form {
+pub(super) const TURNED: Form = Form {
     driven: "link",
     coordinate: "angle",
     other: "position",
+    effort: "torque",
     example: r#"link = "r2", angle = 60, speed = "15 rad/s""#,
 };
 
-const PUSHED: Form = Form {
+pub(super) const PUSHED: Form = Form {
     driven: "slide",
     coordinate: "position",
     other: "angle",
+    effort: "force",
     example: r#"slide = "r4", position = 120, speed = "50 mm/s""#,
 };
 
@@ -77,8 +81,15 @@ pub(super) fn driver<'v>(
     } else {
         Kind::Push(unit)
     };
-    let speed = rate(reader, table, "speed", kind, Degree::Speed);
-    let acceleration = rate(reader, table, "acceleration", kind, Degree::Acceleration);
+    let speed = rate(reader, OF, table, "speed", kind, Degree::Speed);
+    let acceleration = rate(
+        reader,
+        OF,
+        table,
+        "acceleration",
+        kind,
+        Degree::Acceleration,
+    );
     let name = name?;
     Some(Driver {
         input: match kind {
@@ -149,8 +160,9 @@ fn start(reader: &mut Reader<'_>, table: &DeTable<'_>, form: &Form, key: Span) -
 }
 
 /// A speed or an acceleration, `None` if it is left out or wrong.
-fn rate(
+pub(super) fn rate(
     reader: &mut Reader<'_>,
+    of: &str,
     table: &DeTable<'_>,
     key: &str,
     kind: Kind,
@@ -185,58 +197,10 @@ fn rate(
         Misfit::NotFinite => ("is too large:", None),
     };
     reader.report(
-        Diagnostic::new(format!("`{key}` of the driver {rule} `{bare}`"))
+        Diagnostic::new(format!("`{key}` of {of} {rule} `{bare}`"))
             .at(value.span(), "expected a number and a unit, in quotes")
             .maybe_help(help)
             .help(format!("possible units: `{}`", units.join("`, `"))),
     );
     None
-}
-
-/// The list `[[loads]]`.
-pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Load<'v>> {
-    let Some(items) = value.get_ref().as_array() else {
-        reader.report(
-            Diagnostic::new("`loads` must be a list of tables")
-                .at(value.span(), "expected a list")
-                .help(format!("for example: {LOAD}")),
-        );
-        return Vec::new();
-    };
-    let read = |value| load(reader, value);
-    items.iter().filter_map(read).collect()
-}
-
-fn load<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Option<Load<'v>> {
-    let table = reader.table("a load", LOAD, value)?;
-    let has = |key| table.get(key);
-    match (has("point"), has("force"), has("link"), has("torque")) {
-        (Some(point), Some(force), None, None) => {
-            reader.only("the load", table, &["point", "force"]);
-            let point = reader.string("`point` of the load", point);
-            let force = reader.pair("`force` of the load (N)", force);
-            Some(Load::Force {
-                point: point?,
-                force: force?,
-            })
-        }
-        (None, None, Some(link), Some(torque)) => {
-            reader.only("the load", table, &["link", "torque"]);
-            let link = reader.string("`link` of the load", link);
-            let torque = reader.number("`torque` of the load (N m)", torque);
-            Some(Load::Torque {
-                link: link?,
-                torque: torque?,
-            })
-        }
-        _ => {
-            reader.only("the load", table, &["point", "force", "link", "torque"]);
-            reader.report(
-                Diagnostic::new("a load is a force at a point or a torque on a link")
-                    .at(value.span(), "neither of them")
-                    .help(format!("for example: {LOAD}")),
-            );
-            None
-        }
-    }
 }

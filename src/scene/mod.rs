@@ -67,15 +67,35 @@
 //! | `turn` | of a sliding link's x axis against the guide, in deg | 0 |
 //! | **`[start]`** | rough positions of moving points where the scene opens: `C = [x, y]` | none |
 //! | **`[vectors]`** | more vectors for the tables, tail and head: `r1 = ["D", "A"]` | none |
-//! | **`[[loads]]`** | any number of loads | none |
-//! | `point`, `force` | a force `[x, y]` in N at a point, in the ground's frame | |
+//! | **`[[loads]]`** | any number of loads, each a force, a torque or a press | none |
+//! | `point`, `force` | a force `[x, y]` in N at a point | |
+//! | `frame` | the link in whose frame a force is given: it turns with it | `"ground"` |
 //! | `link`, `torque` | or: a torque in N m on a link, counter-clockwise | |
+//! | `over` | the part of a force or a torque that acts, over the driver's coordinate: knots `[[0, 0.2], [15, 1], [360, 0.2]]` in deg, or in the unit of a driven slide | 1 |
+//! | `slide`, `press` | or: a force in N against a slide that closes, over the distance before the end of its stroke: knots `[[12, 0], [4, 200e3], [0, 350e3]]` | |
+//! | `end` | where a press works: the `"least"` or the `"greatest"` position along the guide; must be given where that is horizontal | the lower end |
+//! | **`[[springs]]`** | any number of springs and dampers between points | none |
+//! | `from`, `to` | the two points, on different bodies | |
+//! | `stiffness` | in N/m | 0 |
+//! | `length` | without a force, in the scene's `unit` | 0 |
+//! | `damping` | in N s/m, of the rate of the distance | 0 |
+//! | **`[motor]`** | what is to drive the scene; it changes no motion | none |
+//! | `torque` | rated torque in N m | unknown |
+//! | `force` | of a driven slide instead: rated force in N | unknown |
+//! | `peak` | what the motor gives for a short while, in N m or N | unknown |
+//! | `speed` | its rated speed, written as the driver's | unknown |
+//! | `flywheel` | moment of inertia on the driver's shaft in kg m^2 | 0 |
+//! | `fluctuation` | wished of the driver's speed, (greatest - least) / mean | none |
+//! | `tolerance` | how far from the end of its stroke a ram still counts as at rest | none |
 //!
 //! - A point comes into being where a link or a slide names it; one that two links name, or a link and
 //!   the ground, is a pin joint. `from` lies at `[0, 0]` of its link, `to` at `[length, 0]`.
 //! - A slide's name is a vector too: its r is the signed position along the guide, counted from
 //!   `through`, and it runs from the sliding point back to `through`.
-//! - `[vectors]` and `[[loads]]` may name a centre of mass: `"r3.com"`.
+//! - `[vectors]`, `[[loads]]` and `[[springs]]` may name a centre of mass: `"r3.com"`.
+//! - Between the knots of `over` and `press` run straight lines, beyond the first and the last the value
+//!   stays; but a press does nothing further away than its last knot, and nothing on the way back. Knots
+//!   of `over` that span whole turns repeat.
 //! - A scene without `speed` is read per unit of its input: its velocities and accelerations are the
 //!   kinematic coefficients.
 //! - Names are made of ASCII letters, digits, `_`, `-` and `'` (such a key is quoted: `"B'"`), at most 64
@@ -89,13 +109,17 @@
 //! is wrong and what would mend it: [`Diagnostics`]. What is wrong with the mechanism as a whole the
 //! solver finds, and [`Scene::explain`] says it in the same way.
 
+mod acting;
 mod defect;
 mod draft;
 mod elements;
 mod guide;
 mod input;
+mod loads;
+mod motor;
 mod names;
 pub mod presets;
+mod profile;
 mod rate;
 mod reader;
 mod resolve;
@@ -106,6 +130,7 @@ mod unit;
 mod values;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, harmless, is_harmful};
+pub use motor::Motor;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;
@@ -136,6 +161,8 @@ pub struct Scene {
     pub mechanism: Mechanism,
     /// The vectors of the tables in the order of the file: links with two ends, slides, `[vectors]`.
     pub vectors: Vec<Vector>,
+    /// The motor that is to drive it (`[motor]`).
+    pub motor: Option<Motor>,
     pub(crate) point_names: Vec<Option<String>>,
     pub(crate) link_names: Vec<String>,
     pub(crate) slide_names: Vec<String>,
@@ -208,6 +235,7 @@ impl Scene {
                 unit: draft.unit,
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
+                motor: draft.motor,
                 point_names: resolved.point_names,
                 link_names: resolved.link_names,
                 slide_names: resolved.slide_names,

@@ -23,6 +23,8 @@ static PRESETS: &[Preset] = presets! {
     "slider-crank"
     "press"
     "press-ram"
+    "four-bar-load"
+    "engine"
     "offset-slider-crank"
     "slotted-lever"
     "whitworth"

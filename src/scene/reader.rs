@@ -4,7 +4,7 @@ use super::rate;
 use crate::Vec2;
 use crate::document::Diagnostic;
 pub(super) use crate::document::{Name, Reader, Span, Value, meant, quoted};
-use toml::de::{DeArray, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 /// No coordinate or length may be larger: squares of scaled values must stay finite, and nothing
 /// that a person builds comes near.
@@ -48,6 +48,30 @@ impl Reader<'_> {
                 .help(help),
         );
         None
+    }
+
+    /// A number of a table that may be left out, and is 0 then; `unit` is put behind its name.
+    pub(super) fn not_negative(
+        &mut self,
+        of: &str,
+        table: &DeTable<'_>,
+        key: &str,
+        unit: &str,
+    ) -> f64 {
+        let Some(value) = table.get(key) else {
+            return 0.0;
+        };
+        let what = format!("`{key}` of {of}{unit}");
+        let number = self.number(&what, value);
+        if number.is_some_and(|n| n < 0.0) {
+            let literal = self.literal(&value.span());
+            self.report(
+                Diagnostic::new(format!("{what} must not be negative, but is {literal}"))
+                    .at(value.span(), "negative")
+                    .help(format!("leave `{key}` out where it does not matter")),
+            );
+        }
+        number.unwrap_or(0.0).max(0.0)
     }
 
     /// A pair `[x, y]`.

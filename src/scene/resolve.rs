@@ -6,7 +6,7 @@ use super::reader::{Name, Reader, Span};
 use super::{Places, Vector, VectorKind, defect};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
-use crate::{Builder, Driver, LinkId, Load, Mechanism, PointId, SlideId, mechanism};
+use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, mechanism};
 use std::collections::{HashMap, HashSet};
 
 /// Everything of a scene that comes from joining names.
@@ -34,7 +34,8 @@ pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &Draft<'t>) -> Option<
     resolver.start();
     resolver.vectors();
     resolver.loads();
-    if !draft.lost_points {
+    resolver.springs();
+    if !(draft.lost_points || draft.lost_references) {
         resolver.unused();
     }
     resolver.finish()
@@ -52,7 +53,7 @@ pub(super) struct Resolver<'r, 's, 't> {
     pub(super) referred: HashSet<&'t str>,
     /// The centres of mass, by the link's place in the draft.
     centres: HashMap<usize, PointId>,
-    slides: HashMap<&'t str, SlideId>,
+    pub(super) slides: HashMap<&'t str, SlideId>,
     /// The slides that could be built, by id.
     built_slides: Vec<&'r draft::Slide<'t>>,
     point_names: Vec<Option<String>>,
@@ -242,29 +243,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
-    fn loads(&mut self) {
-        for load in &self.draft.loads {
-            let load = match load {
-                draft::Load::Force { point, force } => {
-                    let point = self.point("`point` of the load", point);
-                    point.map(|point| Load::force(point, *force))
-                }
-                draft::Load::Torque { link, torque } => {
-                    let what = "`link` of the load";
-                    let link = self.names.find(self.reader, what, link, Sort::Link);
-                    link.map(|link| Load::torque(LinkId::new(link), *torque))
-                }
-            };
-            if let Some(load) = load {
-                self.builder.load(load);
-            }
-        }
-        self.builder.gravity(self.draft.gravity);
-        self.builder.metres(self.draft.unit.metres());
-    }
-
     /// A point by its name; `r3.com` is the centre of mass of `r3`.
-    fn point(&mut self, what: &str, name: &Name<'t>) -> Option<PointId> {
+    pub(super) fn point(&mut self, what: &str, name: &Name<'t>) -> Option<PointId> {
         if let Some(link) = name.text.strip_suffix(".com") {
             return self.centre(what, name, link);
         }

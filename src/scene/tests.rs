@@ -1,7 +1,7 @@
 //! The reading of good scenes.
 
 use super::*;
-use crate::{Body, Input, Load, Slider, Vec2};
+use crate::{Body, Input, Load, Profile, Slider, StrokeEnd, Vec2};
 
 fn preset(name: &str) -> Scene {
     let preset = presets::find(name).unwrap();
@@ -127,6 +127,40 @@ torque = 12.5
 [[loads]]
 point = "boom.com"
 force = [1, 2]
+frame = "arm"
+over = [[1.0, 0], [1.2, 1.5], [2, -0.5]]
+
+[[loads]]
+link = "ram"
+torque = -3
+over = [[0, 1], [1, 0]]
+
+[[loads]]
+slide = "guide"
+press = [[0.5, 0], [0.2, 200e3], [0, 350e3]]
+
+[[loads]]
+slide = "guide"
+press = [[0, 10], [0.1, 0]]
+end = "greatest"
+
+[[springs]]
+from = "O"
+to = "T"
+stiffness = 1200
+length = 3.5
+damping = 5
+
+[[springs]]
+from = "ram.com"
+to = "T"
+damping = 2
+
+[motor]
+force = 2000
+peak = 6e3
+speed = "0.0508 m/s"
+tolerance = 0.1
 "#;
 
 #[test]
@@ -155,6 +189,111 @@ fn every_key_is_read() {
     let force = Vec2::new(0.0, -500.0);
     assert_eq!(m.loads()[0], Load::force(t, force));
     assert!(matches!(m.loads()[1], Load::Torque { torque: 12.5, .. }));
+    assert_eq!(m.metres(), 0.0254);
+    assert!(m.has_forces());
+}
+
+fn over(knots: &[[f64; 2]]) -> Profile {
+    Profile::new(knots.to_vec()).unwrap()
+}
+
+#[test]
+fn every_kind_of_load_is_read() {
+    let scene = Scene::parse(EVERYTHING, "made-up").unwrap();
+    let m = &scene.mechanism;
+    let [_, _, ram, arm] = m.link_ids().collect::<Vec<_>>()[..] else {
+        panic!("four links")
+    };
+    let [_, guide, _] = m.slide_ids().collect::<Vec<_>>()[..] else {
+        panic!("three slides")
+    };
+    let named = |name| point(&scene, name);
+    let spring = |from, to, stiffness, length, damping| Load::Spring {
+        from: named(from),
+        to: named(to),
+        stiffness,
+        length,
+        damping,
+    };
+    let press = |end, knots: &[[f64; 2]]| Load::Press {
+        slide: guide,
+        end,
+        curve: over(knots),
+    };
+    assert_eq!(
+        m.loads()[2..],
+        [
+            Load::Force {
+                point: named("boom.com"),
+                force: Vec2::new(1.0, 2.0),
+                frame: Body::Link(arm),
+                over: over(&[[1.0, 0.0], [1.2, 1.5], [2.0, -0.5]]),
+            },
+            Load::Torque {
+                link: ram,
+                torque: -3.0,
+                over: over(&[[0.0, 1.0], [1.0, 0.0]]),
+            },
+            // The guide points up: its lower end is where the position is least.
+            press(StrokeEnd::Least, &[[0.0, 350e3], [0.2, 200e3], [0.5, 0.0]]),
+            press(StrokeEnd::Greatest, &[[0.0, 10.0], [0.1, 0.0]]),
+            spring("O", "T", 1200.0, 3.5, 5.0),
+            spring("ram.com", "T", 0.0, 0.0, 2.0),
+        ]
+    );
+    assert_eq!(
+        scene.motor,
+        Some(Motor {
+            rated: Some(2000.0),
+            peak: Some(6000.0),
+            speed: Some(2.0),
+            tolerance: Some(0.1),
+            ..Motor::default()
+        })
+    );
+}
+
+#[test]
+fn a_press_works_at_the_lower_end_of_its_guide() {
+    let text = presets::find("press-ram").unwrap().text;
+    let end = |angle: &str| {
+        let text = text.replace("angle = 90", &format!("angle = {angle}"));
+        let load = "[[loads]]\nslide = \"r6\"\npress = [[9, 0], [0, 5]]\n";
+        let scene = Scene::parse(&format!("{text}{load}"), "x").ok()?;
+        let Load::Press { end, .. } = scene.mechanism.loads()[0] else {
+            panic!("a press")
+        };
+        Some(end)
+    };
+    assert_eq!(end("90"), Some(StrokeEnd::Least));
+    assert_eq!(end("0.001"), Some(StrokeEnd::Least));
+    assert_eq!(end("-90"), Some(StrokeEnd::Greatest));
+    assert_eq!(end("180.001"), Some(StrokeEnd::Greatest));
+    assert_eq!((end("0"), end("-180"), end("360")), (None, None, None));
+}
+
+#[test]
+fn a_motor_turns_where_a_link_is_driven() {
+    let text = presets::find("four-bar").unwrap().text;
+    let motor = |keys: &str| {
+        Scene::parse(&format!("{text}\n[motor]\n{keys}"), "x")
+            .unwrap()
+            .motor
+    };
+    let all = "torque = 20\npeak = 20.0\nspeed = \"60 rpm\"\nflywheel = 0.5\nfluctuation = 0.02\n";
+    assert_eq!(
+        motor(all),
+        Some(Motor {
+            rated: Some(20.0),
+            peak: Some(20.0),
+            speed: Some(2.0 * std::f64::consts::PI),
+            flywheel: Some(0.5),
+            fluctuation: Some(0.02),
+            tolerance: None,
+        })
+    );
+    assert_eq!(motor(""), Some(Motor::default()));
+    assert_eq!(Scene::parse(text, "x").unwrap().motor, None);
 }
 
 #[test]

@@ -34,6 +34,13 @@ static TORQUES: [Scale; 4] = [
     scale("kN m", 1000, 1),
 ];
 static GRAVITIES: [Scale; 2] = [scale("m/s^2", 1, 1), scale("mm/s^2", 1, 1000)];
+static STIFFNESSES: [Scale; 3] = [
+    scale("N/m", 1, 1),
+    scale("N/mm", 1000, 1),
+    scale("kN/m", 1000, 1),
+];
+static DAMPINGS: [Scale; 2] = [scale("N s/m", 1, 1), scale("N s/mm", 1000, 1)];
+static FACTORS: [Scale; 2] = [scale("", 1, 1), scale("%", 1, 100)];
 
 /// Why what was typed cannot stand for a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -147,7 +154,9 @@ impl Value {
             (measure, None) => scales(measure).iter().map(|s| s.symbol).collect(),
         };
         let others = all.into_iter().filter(|&unit| unit != self.unit);
-        std::iter::once(self.unit).chain(others).collect()
+        let all = std::iter::once(self.unit).chain(others);
+        // A plain number has no unit of its own to be typed.
+        all.filter(|unit| !unit.is_empty()).collect()
     }
 
     /// A number in another unit than the file's, in the file's; `None` where the unit does not fit.
@@ -179,6 +188,9 @@ fn scales(measure: Measure) -> &'static [Scale] {
         Measure::Force => &FORCES,
         Measure::Torque => &TORQUES,
         Measure::Gravity => &GRAVITIES,
+        Measure::Stiffness => &STIFFNESSES,
+        Measure::Damping => &DAMPINGS,
+        Measure::Factor => &FACTORS,
         Measure::Length
         | Measure::Coordinate
         | Measure::Start
@@ -293,7 +305,8 @@ mod tests {
         link = \"r2\"\nangle = 60\nspeed = \"15 rad/s\"\n[links]\n\
         r2 = { from = \"A\", to = \"B\", length = 100, com = [50, 0], mass = 1, inertia = 2 }\n\
         r3 = { from = \"B\", to = \"C\", length = 300 }\nr4 = { from = \"C\", to = \"D\", length = 250 }\n\
-        [start]\nC = [310, 230]\n[[loads]]\nlink = \"r4\"\ntorque = 1\n[[loads]]\npoint = \"C\"\nforce = [1, 2]\n";
+        [start]\nC = [310, 230]\n[[loads]]\nlink = \"r4\"\ntorque = 1\n[[loads]]\npoint = \"C\"\nforce = [1, 2]\nover = [[0, 1], [9, 0]]\n\
+        [[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 100\nlength = 20\ndamping = 3\n";
 
     fn value_in(text: &str, name: &str) -> Value {
         let values = Scene::parse(text, "test").unwrap().values();
@@ -343,6 +356,14 @@ mod tests {
             ("r4 torque", "5 N mm", "0.005"),
             ("C force y", "-1.2kN", "-1200"),
             ("gravity y", "-9810 mm/s^2", "-9.81"),
+            ("spring A-C stiffness", "1.2 N/mm", "1200"),
+            ("spring A-C stiffness", "3kN/m", "3000"),
+            ("spring A-C length", "2 cm", "20"),
+            ("spring A-C damping", "0.5 N s/mm", "500"),
+            ("spring A-C damping", "7 Ns/m", "7"),
+            ("C force knot 2 at", "1 rad", "57.29577951308232"),
+            ("C force knot 2 factor", "12.5 %", "0.125"),
+            ("C force knot 2 factor", "-0.5", "-0.5"),
         ] {
             let found = typed(name, text);
             assert_eq!(found.parse::<f64>(), expected.parse::<f64>(), "{text}");
@@ -365,6 +386,10 @@ mod tests {
         assert_eq!(
             refused("driver speed", "12 mm/s"),
             "mm/s does not fit here: rad/s, deg/s, rpm"
+        );
+        assert_eq!(
+            refused("C force knot 1 factor", "2 N"),
+            "N does not fit here: %"
         );
         for wrong in [
             "", "nan", "inf", "1,2,3", "1 2", "1,000.5", "--1", "1e400", "-",

@@ -7,13 +7,15 @@ use super::rate::{self, Degree, Kind, number_length};
 use super::reader::{Value as Item, number_of};
 use super::rewrite::Edits;
 use super::{Scene, Unit};
+use crate::Input;
+use std::collections::HashMap;
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 /// What a value measures, and what it may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// A distance, positive, in the scene's unit.
+    /// A distance, positive, in the scene's unit; the length of a spring without a force may be 0.
     Length,
     /// A coordinate or a slide's position, in the scene's unit.
     Coordinate,
@@ -39,6 +41,12 @@ pub enum Measure {
     Torque,
     /// In m/s^2.
     Gravity,
+    /// In N/m, not negative.
+    Stiffness,
+    /// In N s/m, not negative.
+    Damping,
+    /// A plain number: the part of a load that acts, or of a speed by which it fluctuates.
+    Factor,
 }
 
 impl Measure {
@@ -57,7 +65,10 @@ impl Measure {
             | Measure::Inertia
             | Measure::Force
             | Measure::Torque
-            | Measure::Gravity => None,
+            | Measure::Gravity
+            | Measure::Stiffness
+            | Measure::Damping
+            | Measure::Factor => None,
         }
     }
 
@@ -71,7 +82,10 @@ impl Measure {
             Measure::Force => "N",
             Measure::Torque => "N m",
             Measure::Gravity => "m/s^2",
-            Measure::TurnSpeed
+            Measure::Stiffness => "N/m",
+            Measure::Damping => "N s/m",
+            Measure::Factor
+            | Measure::TurnSpeed
             | Measure::TurnAcceleration
             | Measure::PushSpeed
             | Measure::PushAcceleration => "",
@@ -128,6 +142,8 @@ impl Scene {
         let mut collector = Collector {
             text: self.text(),
             unit: self.unit,
+            turns: matches!(self.mechanism.driver().input, Input::Turn(_)),
+            met: HashMap::new(),
             found: Vec::new(),
         };
         for (key, value) in root.get_ref() {
@@ -154,9 +170,9 @@ impl Scene {
     }
 }
 
-/// Several loads may act on the same point: the second is `C force x (2)`.
+/// Elements are named freely: `motor torque` may be the motor's, and what acts on a link `motor`.
 fn tell_apart(values: &mut [Value]) {
-    let mut met = std::collections::HashMap::<String, usize>::new();
+    let mut met = HashMap::<String, usize>::new();
     for value in values {
         let times = met.entry(value.name.clone()).or_default();
         *times += 1;
@@ -170,6 +186,10 @@ fn tell_apart(values: &mut [Value]) {
 struct Collector<'t> {
     text: &'t str,
     unit: Unit,
+    /// Whether a link is driven, and no slide.
+    turns: bool,
+    /// How often each load and each spring was met.
+    met: HashMap<String, usize>,
     found: Vec<Value>,
 }
 
@@ -182,13 +202,9 @@ impl Collector<'_> {
             "driver" => self.driver(value),
             "links" => each(value, |name, link| self.link(name, link)),
             "slides" => each(value, |name, slide| self.slide(name, slide)),
-            "loads" => {
-                let loads = value.get_ref().as_array();
-                let loads = loads.into_iter().flat_map(|loads| loads.iter());
-                loads
-                    .filter_map(|l| l.get_ref().as_table())
-                    .for_each(|l| self.load(l));
-            }
+            "loads" => tables(value).for_each(|load| self.load(load)),
+            "springs" => tables(value).for_each(|spring| self.spring(spring)),
+            "motor" => self.motor(value),
             // Names and texts.
             _ => {}
         }
@@ -201,17 +217,12 @@ impl Collector<'_> {
     }
 
     fn driver(&mut self, section: &Item<'_>) {
-        let Some(table) = section.get_ref().as_table() else {
-            return;
-        };
-        let turns = table.contains_key("link");
-        each(section, |key, value| match (key, turns) {
+        each(section, |key, value| match (key, self.turns) {
             ("angle", _) => self.number("driver angle".into(), Measure::Angle, value),
             ("position", _) => {
                 self.number("driver position".into(), Measure::Coordinate, value);
             }
-            ("speed", true) => self.rate("driver speed", Measure::TurnSpeed, value),
-            ("speed", false) => self.rate("driver speed", Measure::PushSpeed, value),
+            ("speed", _) => self.rate("driver speed", self.speed(), value),
             ("acceleration", true) => {
                 self.rate("driver acceleration", Measure::TurnAcceleration, value);
             }
@@ -219,6 +230,34 @@ impl Collector<'_> {
                 self.rate("driver acceleration", Measure::PushAcceleration, value);
             }
             _ => {}
+        });
+    }
+
+    /// What the speed of the driver, and of its motor, measures.
+    fn speed(&self) -> Measure {
+        if self.turns {
+            Measure::TurnSpeed
+        } else {
+            Measure::PushSpeed
+        }
+    }
+
+    fn motor(&mut self, section: &Item<'_>) {
+        let effort = if self.turns {
+            Measure::Torque
+        } else {
+            Measure::Force
+        };
+        each(section, |key, value| {
+            let name = format!("motor {key}");
+            match key {
+                "torque" | "force" | "peak" => self.number(name, effort, value),
+                "speed" => self.rate(&name, self.speed(), value),
+                "flywheel" => self.number(name, Measure::Inertia, value),
+                "fluctuation" => self.number(name, Measure::Factor, value),
+                "tolerance" => self.number(name, Measure::Length, value),
+                _ => {}
+            }
         });
     }
 
@@ -251,20 +290,80 @@ impl Collector<'_> {
     }
 
     fn load(&mut self, load: &DeTable<'_>) {
-        let on = |key| load.get(key).and_then(|name| name.get_ref().as_str());
-        if let (Some(point), Some(force)) = (on("point"), load.get("force")) {
-            self.pair(format!("{point} force"), Measure::Force, force);
+        let on = ["point", "link", "slide"].map(|key| name_in(load, key));
+        let Some(on) = on.into_iter().flatten().next() else {
+            return;
+        };
+        let sizes = ["force", "torque", "press"].map(|key| Some((key, load.get(key)?)));
+        let Some((size, value)) = sizes.into_iter().flatten().next() else {
+            return;
+        };
+        let what = format!("{on} {size}");
+        let again = self.again(&what);
+        match size {
+            "force" => {
+                for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
+                    self.number(format!("{what} {axis}{again}"), Measure::Force, item);
+                }
+            }
+            "torque" => self.number(format!("{what}{again}"), Measure::Torque, value),
+            _ => self.knots(&what, &again, (Measure::Coordinate, Measure::Force), value),
         }
-        if let (Some(link), Some(torque)) = (on("link"), load.get("torque")) {
-            self.number(format!("{link} torque"), Measure::Torque, torque);
+        if let Some(over) = load.get("over") {
+            let coordinate = if self.turns {
+                Measure::Angle
+            } else {
+                Measure::Coordinate
+            };
+            self.knots(&what, &again, (coordinate, Measure::Factor), over);
+        }
+    }
+
+    /// The knots of a load, counted from 1: where each lies, and what is there.
+    fn knots(&mut self, what: &str, again: &str, measures: (Measure, Measure), list: &Item<'_>) {
+        let value = if measures.1 == Measure::Factor {
+            "factor"
+        } else {
+            "size"
+        };
+        for (i, knot) in items(list).enumerate() {
+            let knots = items(knot).zip([("at", measures.0), (value, measures.1)]);
+            for (item, (part, measure)) in knots {
+                let name = format!("{what} knot {} {part}{again}", i + 1);
+                self.number(name, measure, item);
+            }
+        }
+    }
+
+    fn spring(&mut self, spring: &DeTable<'_>) {
+        let (Some(from), Some(to)) = (name_in(spring, "from"), name_in(spring, "to")) else {
+            return;
+        };
+        let what = format!("spring {from}-{to}");
+        let again = self.again(&what);
+        for (key, value) in spring {
+            let name = format!("{what} {}{again}", key.get_ref());
+            match key.get_ref().as_ref() {
+                "stiffness" => self.number(name, Measure::Stiffness, value),
+                "length" => self.number(name, Measure::Length, value),
+                "damping" => self.number(name, Measure::Damping, value),
+                _ => {}
+            }
+        }
+    }
+
+    /// Several loads may act on the same point: every number of the second ends with ` (2)`.
+    fn again(&mut self, what: &str) -> String {
+        let times = self.met.entry(what.to_owned()).or_default();
+        *times += 1;
+        match *times {
+            1 => String::new(),
+            times => format!(" ({times})"),
         }
     }
 
     fn pair(&mut self, name: String, measure: Measure, value: &Item<'_>) {
-        let Some(items) = value.get_ref().as_array() else {
-            return;
-        };
-        for (axis, item) in ["x", "y"].into_iter().zip(items.iter()) {
+        for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
             self.number(format!("{name} {axis}"), measure, item);
         }
     }
@@ -315,6 +414,22 @@ impl Collector<'_> {
             quotes,
         });
     }
+}
+
+/// The items of a list, if it is one.
+fn items<'v>(value: &'v Item<'v>) -> impl Iterator<Item = &'v Item<'v>> {
+    let items = value.get_ref().as_array();
+    items.into_iter().flat_map(|items| items.iter())
+}
+
+/// The tables of a list.
+fn tables<'v>(value: &'v Item<'v>) -> impl Iterator<Item = &'v DeTable<'v>> {
+    items(value).filter_map(|item| item.get_ref().as_table())
+}
+
+/// A name that a table gives.
+fn name_in<'v>(table: &'v DeTable<'v>, key: &str) -> Option<&'v str> {
+    table.get(key)?.get_ref().as_str()
 }
 
 /// The entries of a table, if it is one.

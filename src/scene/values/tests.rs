@@ -87,6 +87,98 @@ fn a_value_is_changed_wherever_and_however_it_is_written() {
     }
 }
 
+/// Loads with knots, several of a kind, springs and a motor, on a link that is called like one.
+const LOADED: &str = "[ground]\nA = [0, 0]\n[driver]\nlink = \"motor\"\nangle = 0\n\
+    [links]\nmotor = { from = \"A\", to = \"B\", length = 1, com = [0, 0] }\n\
+    rod = { from = \"B\", to = \"C\", length = 3 }\n\
+    [slides]\nram = { point = \"C\", on = \"ground\", through = [0, 0] }\n[start]\nC = [4, 0]\n\
+    [[loads]]\npoint = \"C\"\nforce = [1, 2]\n\
+    [[loads]]\npoint = \"C\"\nforce = [3, 4]\nframe = \"rod\"\nover = [[0, 5], [90, 6]]\n\
+    [[loads]]\nlink = \"motor\"\ntorque = 7\nover = [[0, 8], [90, 9]]\n\
+    [[loads]]\nslide = \"ram\"\nend = \"least\"\npress = [[2, 0], [0.0, 10]]\n\
+    [[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 11\n\
+    [[springs]]\nfrom = \"A\"\nto = \"C\"\nlength = 0\ndamping = 12\n\
+    [motor]\ntorque = 13\npeak = 14\nspeed = '15 rpm'\nflywheel = 16\nfluctuation = 0.17\ntolerance = 18\n";
+
+#[test]
+fn what_acts_has_values() {
+    let found = names(LOADED);
+    let first = found.iter().position(|n| n == "C force x = 1 N").unwrap();
+    assert_eq!(
+        found[first..],
+        [
+            "C force x = 1 N",
+            "C force y = 2 N",
+            "C force x (2) = 3 N",
+            "C force y (2) = 4 N",
+            "C force knot 1 at (2) = 0 deg",
+            "C force knot 1 factor (2) = 5 ",
+            "C force knot 2 at (2) = 90 deg",
+            "C force knot 2 factor (2) = 6 ",
+            "motor torque = 7 N m",
+            "motor torque knot 1 at = 0 deg",
+            "motor torque knot 1 factor = 8 ",
+            "motor torque knot 2 at = 90 deg",
+            "motor torque knot 2 factor = 9 ",
+            "ram press knot 1 at = 2 mm",
+            "ram press knot 1 size = 0 N",
+            "ram press knot 2 at = 0.0 mm",
+            "ram press knot 2 size = 10 N",
+            "spring A-C stiffness = 11 N/m",
+            "spring A-C length (2) = 0 mm",
+            "spring A-C damping (2) = 12 N s/m",
+            // A link is called so too.
+            "motor torque (2) = 13 N m",
+            "motor peak = 14 N m",
+            "motor speed = 15 rpm",
+            "motor flywheel = 16 kg m^2",
+            "motor fluctuation = 0.17 ",
+            "motor tolerance = 18 mm",
+        ]
+    );
+}
+
+#[test]
+fn what_acts_is_changed_where_it_stands() {
+    let scene = Scene::parse(LOADED, "test").unwrap();
+    let mut read_again = 0;
+    for value in scene.values() {
+        assert_eq!(
+            scene.with_value(&value, &value.text()),
+            LOADED,
+            "{}",
+            value.name
+        );
+        let other = value.moved(0.25);
+        let changed = scene.with_value(&value, &other);
+        let Ok(again) = Scene::parse(&changed, "test") else {
+            // Two knots at one place, or a point that left its guide.
+            continue;
+        };
+        let found = again.values().into_iter().find(|v| v.name == value.name);
+        assert_eq!(found.unwrap().text(), other);
+        read_again += 1;
+    }
+    assert!(read_again >= 26, "{read_again}");
+    let pushed = LOADED
+        .replace(
+            "link = \"motor\"\nangle = 0\n",
+            "slide = \"ram\"\nposition = 3\n",
+        )
+        .replace("torque = 13", "force = 13")
+        .replace("15 rpm", "15 mm/s")
+        .replace("flywheel = 16\nfluctuation = 0.17\n", "");
+    let found = names(&pushed);
+    for line in [
+        "C force knot 2 at (2) = 90 mm",
+        "motor force = 13 N",
+        "motor peak = 14 N",
+        "motor speed = 15 mm/s",
+    ] {
+        assert!(found.iter().any(|n| n == line), "{line} in {found:?}");
+    }
+}
+
 #[test]
 fn slides_have_values_too() {
     let text = presets::find("slider-crank").unwrap().text;

@@ -81,7 +81,10 @@ impl App {
             | Measure::Inertia
             | Measure::Force
             | Measure::Torque
-            | Measure::Gravity => edited::keeping(&self.stage, &whole),
+            | Measure::Gravity
+            | Measure::Stiffness
+            | Measure::Damping
+            | Measure::Factor => edited::keeping(&self.stage, &whole),
         };
         match edited {
             Ok(edited) => {

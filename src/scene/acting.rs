@@ -1,0 +1,185 @@
+//! Joins the names of loads and springs.
+
+use super::draft::{Link, Load as Drafted, Slide, Spring};
+use super::names::Sort;
+use super::reader::Name;
+use super::resolve::Resolver;
+use crate::document::Diagnostic;
+use crate::{Body, LinkId, Load, Profile, SlideId, StrokeEnd, angle};
+
+impl<'t> Resolver<'_, '_, 't> {
+    /// All loads, the weight, and the size of the unit, which only forces need.
+    pub(super) fn loads(&mut self) {
+        let draft = self.draft;
+        for load in &draft.loads {
+            if let Some(load) = self.load(load) {
+                self.builder.load(load);
+            }
+        }
+        self.builder.gravity(draft.gravity);
+        self.builder.metres(draft.unit.metres());
+    }
+
+    fn load(&mut self, load: &Drafted<'t>) -> Option<Load> {
+        match load {
+            Drafted::Force {
+                point,
+                force,
+                frame,
+                over,
+            } => {
+                let point = self.point("`point` of the load", point);
+                let frame = match frame {
+                    Some(name) => self.frame(name),
+                    None => Some(Body::Ground),
+                };
+                Some(Load::Force {
+                    point: point?,
+                    force: *force,
+                    frame: frame?,
+                    over: over.clone(),
+                })
+            }
+            Drafted::Torque { link, torque, over } => {
+                let what = "`link` of the load";
+                let link = self.names.find(self.reader, what, link, Sort::Link)?;
+                Some(Load::Torque {
+                    link: LinkId::new(link),
+                    torque: *torque,
+                    over: over.clone(),
+                })
+            }
+            Drafted::Press { slide, curve, end } => self.press(slide, curve, *end),
+        }
+    }
+
+    /// The body in whose frame a force is given.
+    fn frame(&mut self, name: &Name<'t>) -> Option<Body> {
+        if name.text == "ground" {
+            return Some(Body::Ground);
+        }
+        let what = "`frame` of the load";
+        let link = self.names.find(self.reader, what, name, Sort::Link);
+        if link.is_none() {
+            self.reader
+                .help("a force that keeps its direction needs no `frame`");
+        }
+        link.map(|link| Body::Link(LinkId::new(link)))
+    }
+
+    fn press(&mut self, name: &Name<'t>, curve: &Profile, end: Option<StrokeEnd>) -> Option<Load> {
+        let what = "`slide` of the load";
+        let index = self.names.find(self.reader, what, name, Sort::Slide)?;
+        let slide = &self.draft.slides[index];
+        self.on_ground(name, slide)?;
+        let end = match end {
+            Some(end) => end,
+            None => self.lower_end(name, slide)?,
+        };
+        Some(Load::Press {
+            slide: self.built(slide)?,
+            end,
+            curve: curve.clone(),
+        })
+    }
+
+    /// The slide, unless something about it was reported.
+    fn built(&self, slide: &Slide<'t>) -> Option<SlideId> {
+        self.slides.get(slide.name.text).copied()
+    }
+
+    /// Reports a press whose guide moves: its stroke would have no ends in the frame.
+    fn on_ground(&mut self, name: &Name<'t>, slide: &Slide<'t>) -> Option<()> {
+        let on = slide.on.as_ref()?;
+        if on.text == "ground" {
+            return Some(());
+        }
+        self.reader.report(
+            Diagnostic::new(format!(
+                "the press on slide {name}: its guide is on the moving link {on}"
+            ))
+            .at(name.span.clone(), "the press acts on this")
+            .and(on.span.clone(), "the guide is fixed to this")
+            .help("a press works against the frame: name a slide with on = \"ground\"")
+            .help("what acts between two links is a spring: [[springs]]"),
+        );
+        None
+    }
+
+    /// The end at which the guide is lower, in the direction of y.
+    fn lower_end(&mut self, name: &Name<'t>, slide: &Slide<'t>) -> Option<StrokeEnd> {
+        let up = angle::unit(slide.angle).y;
+        if up > 0.0 {
+            return Some(StrokeEnd::Least);
+        }
+        if up < 0.0 {
+            return Some(StrokeEnd::Greatest);
+        }
+        self.reader.report(
+            Diagnostic::new(format!(
+                "the press on slide {name} has no `end`, and the guide is horizontal"
+            ))
+            .at(name.span.clone(), "at which end does it work?")
+            .and(slide.name.span.clone(), "neither end of this guide is the lower one")
+            .help("end = \"least\" is where the position along the guide is least, counted from `through`")
+            .help("end = \"greatest\" is where it is greatest"),
+        );
+        None
+    }
+
+    /// All springs.
+    pub(super) fn springs(&mut self) {
+        let draft = self.draft;
+        for spring in &draft.springs {
+            let from = self.point("`from` of the spring", &spring.from);
+            let to = self.point("`to` of the spring", &spring.to);
+            let (Some(from), Some(to)) = (from, to) else {
+                continue;
+            };
+            if let Some(fault) = self.idle(spring) {
+                self.reader.report(fault);
+                continue;
+            }
+            self.builder.load(Load::Spring {
+                from,
+                to,
+                stiffness: spring.stiffness,
+                length: spring.length,
+                damping: spring.damping,
+            });
+        }
+    }
+
+    /// The fault of a spring whose length never changes.
+    fn idle(&self, spring: &Spring<'t>) -> Option<Diagnostic> {
+        let Spring { from, to, .. } = spring;
+        if from.text == to.text {
+            return Some(
+                Diagnostic::new(format!("the spring runs from {from} to itself"))
+                    .at(to.span.clone(), "its end is its beginning")
+                    .and(from.span.clone(), "begins here")
+                    .help("name two different points"),
+            );
+        }
+        let grounded = |name: &Name<'_>| self.ground.contains_key(name.text);
+        let carried = |link: &&Link<'_>| [from, to].iter().all(|name| carries(link, name));
+        let body = if grounded(from) && grounded(to) {
+            "the ground".to_owned()
+        } else {
+            let link = self.draft.links.iter().find(carried)?;
+            format!("link {}", link.name)
+        };
+        Some(
+            Diagnostic::new(format!("the spring has both its ends on {body}"))
+                .at(to.span.clone(), "its length never changes")
+                .and(from.span.clone(), "begins here")
+                .help("a spring acts between points of two bodies that move against each other"),
+        )
+    }
+}
+
+/// Whether a point, or a centre of mass, is one of the link's.
+fn carries(link: &Link<'_>, name: &Name<'_>) -> bool {
+    let centre = name.text.strip_suffix(".com");
+    centre == Some(link.name.text) || link.point_names().any(|point| point.text == name.text)
+}
