@@ -46,10 +46,9 @@ impl<const P: usize, const L: usize> General<P, L> {
         };
         let (points, links) = (points.map(point), links.map(link));
         let demand = Demand {
-            forces: false,
             points: points.to_vec(),
             links: links.to_vec(),
-            slides: Vec::new(),
+            ..Demand::default()
         };
         General {
             solver: Solver::new(mechanism)

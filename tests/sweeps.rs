@@ -40,7 +40,7 @@ fn agree(scene: &Scene, steps: &Steps) {
     assert_eq!(rows.len() as u64, steps.count());
     let mut state = solver.state();
     for (at, row) in steps.iter().zip(rows) {
-        let condition = solver.solve(at, Order::Acceleration, &mut state);
+        let condition = solver.solve(at, Order::Force, &mut state);
         assert_eq!(
             row.last().unwrap(),
             state_word(condition),

@@ -103,7 +103,7 @@ proptest! {
         let mut positions = solver.state();
         prop_assert_eq!(solver.solve(at, Order::Position, &mut positions), condition);
         prop_assert_eq!(full.position(joint), positions.position(joint));
-        let demand = Demand { points: vec![joint], links: vec![rocker], slides: Vec::new() };
+        let demand = Demand { points: vec![joint], links: vec![rocker], ..Demand::default() };
         let pruned = solver.only(&demand);
         let mut wanted = pruned.state();
         prop_assert_eq!(pruned.solve(at, Order::Acceleration, &mut wanted), condition);

@@ -4,12 +4,12 @@
 //! Inside, lengths are the solver's and forces newtons, so that couples are in newtons times the
 //! solver's length; a factor turns these into N m where they are read.
 
-use super::profile;
+use super::profile::Curve;
 use super::{Forces, Part};
 use crate::solver::frame::Frame;
 use crate::solver::state::State;
 use crate::{
-    Body, Constant, LinkId, Load, Mechanism, Number, PointId, Profile, SlideId, StrokeEnd, Vec2,
+    Body, Constant, Input, LinkId, Load, Mechanism, Number, PointId, SlideId, StrokeEnd, Vec2,
 };
 
 /// Everything that acts, ready to be asked at a state.
@@ -30,12 +30,12 @@ enum Act {
         point: PointId,
         force: Vec2<Constant>,
         frame: Option<LinkId>,
-        over: Profile,
+        over: Curve,
     },
     Torque {
         link: LinkId,
         torque: Constant,
-        over: Profile,
+        over: Curve,
     },
     Press {
         slide: SlideId,
@@ -43,7 +43,7 @@ enum Act {
         end: StrokeEnd,
         /// Where the stroke ends, in the scene's unit along the guide.
         bottom: Constant,
-        curve: Profile,
+        curve: Curve,
     },
     Spring {
         from: PointId,
@@ -144,7 +144,12 @@ impl Acting {
                 frame,
                 over,
             } => {
-                let force = Vec2::of(*force) * self.factor(over, state);
+                let force = Vec2::of(*force);
+                let force = if over.is_one() {
+                    force
+                } else {
+                    force * over.value(state.at)
+                };
                 let force = match frame {
                     Some(link) => force.turned(state.links[link.index()].d),
                     None => force,
@@ -152,7 +157,7 @@ impl Acting {
                 forces.push(Part::Load, *point, force, state);
             }
             Act::Torque { link, torque, over } => {
-                let torque = T::of(*torque) * self.factor(over, state) / T::of(self.unit);
+                let torque = T::of(*torque) * over.value(state.at) / T::of(self.unit);
                 forces.twist(Part::Load, *link, torque, state);
             }
             Act::Press {
@@ -168,7 +173,7 @@ impl Acting {
                     StrokeEnd::Least => (travel.position - T::of(*bottom), -travel.rate),
                     StrokeEnd::Greatest => (T::of(*bottom) - travel.position, travel.rate),
                 };
-                let size = profile::press(curve, distance, towards);
+                let size = curve.press(distance, towards);
                 let against = match end {
                     StrokeEnd::Least => travel.guide,
                     StrokeEnd::Greatest => -travel.guide,
@@ -195,15 +200,6 @@ impl Acting {
             }
         }
     }
-
-    #[inline(always)]
-    fn factor<T: Number>(&self, over: &Profile, state: &State<T>) -> T {
-        if over.is_one() {
-            T::exactly(1.0)
-        } else {
-            profile::repeated(over, state.at, state.driven.is_some())
-        }
-    }
 }
 
 fn act(
@@ -212,6 +208,7 @@ fn act(
     load: &Load,
     bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
 ) -> Act {
+    let turns = matches!(mechanism.driver().input, Input::Turn(_));
     match load {
         Load::Force {
             point,
@@ -225,19 +222,19 @@ fn act(
                 Body::Ground => None,
                 Body::Link(link) => Some(*link),
             },
-            over: over.clone(),
+            over: Curve::new(over, turns),
         },
         Load::Torque { link, torque, over } => Act::Torque {
             link: *link,
             torque: Constant::given(*torque),
-            over: over.clone(),
+            over: Curve::new(over, turns),
         },
         Load::Press { slide, end, curve } => Act::Press {
             slide: *slide,
             point: mechanism.slide(*slide).slider.point(),
             end: *end,
             bottom: bottom(*slide, *end),
-            curve: curve.clone(),
+            curve: Curve::new(curve, false),
         },
         Load::Spring {
             from,
