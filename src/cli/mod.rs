@@ -8,6 +8,7 @@ mod config;
 #[cfg(feature = "tui")]
 mod diagnose;
 mod draw;
+mod explain;
 mod failure;
 mod misuse;
 mod output;
@@ -86,6 +87,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::List) => commands::list(screen),
         Some(Command::Check(args)) => commands::check(args, screen),
         Some(Command::Table(args)) => commands::table(args, screen),
+        Some(Command::Explain(args)) => explain::explain(args, screen),
         Some(Command::Draw(args)) => draw::draw(args, screen),
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Plot(args)) => plot::plot(args, screen),

@@ -24,6 +24,7 @@ mod tables;
 mod tables_data;
 mod tables_text;
 mod text;
+mod working;
 
 pub use accuracy::{
     Accuracy, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text, unfit_text,
@@ -42,5 +43,8 @@ pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TableStyle;
+pub use working::{
+    Agreement, Block, Document, Equation, LineKind, Table, TextStyle, Worked, Working,
+};
 #[cfg(feature = "tui")]
 pub(crate) use {number::shortest, number::upwards, text::wrapped};

@@ -431,7 +431,11 @@ fn between_entries(
 }
 
 /// The body that carries both points, and the vector between them in its frame.
-fn shared_body(mechanism: &Mechanism, tail: PointId, head: PointId) -> Option<(Body, Vec2)> {
+pub(super) fn shared_body(
+    mechanism: &Mechanism,
+    tail: PointId,
+    head: PointId,
+) -> Option<(Body, Vec2)> {
     let (from, to) = (mechanism.point(tail), mechanism.point(head));
     if let (Some(from), Some(to)) = (from.ground, to.ground) {
         return Some((Body::Ground, to - from));

@@ -47,8 +47,9 @@ mod zero;
 
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};
+pub use coupled::{Newton, NewtonRow, NewtonUnknown};
 pub use fault::Fault;
-pub use forces::{Indeterminate, Residual};
+pub use forces::{Acted, Indeterminate, Residual};
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};

@@ -50,6 +50,33 @@ pub(in crate::cli) struct TableArgs {
     pub(in crate::cli) output: OutputArgs,
 }
 
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum TextFormat {
+    /// Plain text of 80 columns
+    Text,
+    /// Markdown
+    Markdown,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ExplainArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(in crate::cli) scene: PathBuf,
+    #[command(flatten)]
+    pub(in crate::cli) assembly: AssemblyArgs,
+    /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    pub(in crate::cli) at: Option<Decimal>,
+    /// How to write it
+    #[arg(long, value_enum, default_value_t = TextFormat::Text)]
+    pub(in crate::cli) format: TextFormat,
+    /// Significant digits
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(in crate::cli) digits: u8,
+    #[command(flatten)]
+    pub(in crate::cli) output: OutputArgs,
+}
+
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SweepArgs {
     #[arg(help = SCENE_HELP)]

@@ -4,7 +4,7 @@ mod figures;
 mod pictures;
 mod workbench;
 
-pub(super) use figures::{AccuracyArgs, Format, SweepArgs, TableArgs};
+pub(super) use figures::{AccuracyArgs, ExplainArgs, Format, SweepArgs, TableArgs, TextFormat};
 pub(super) use pictures::{DrawArgs, Glyphs, Names, PictureFormat, PlotArgs, Size};
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, Theme, View};
@@ -98,6 +98,21 @@ Examples:
   krank table four-bar --format json
   krank table four-bar --at 240 --assembly C=-")]
     Table(TableArgs),
+    /// Show the working: loops, equations and every figure on the way to the tables of one angle
+    #[command(after_help = "\
+Examples:
+  krank explain four-bar --at 60
+  krank explain slider-crank --at 30 --digits 9
+  krank explain press --format markdown -o press.md
+
+Vector polygons, position table, loop equations in components and projected,
+the solution of every group, velocities and accelerations by the differentiated
+equations, joints and centres of mass by their tangential and normal parts, and
+the check. A figure that is sought is worked out by the formula in its line, from
+figures that the lines before it have. At a dead point positions alone exist;
+outside the range the loops and what is given are told, and the exit code is 1.
+Greek letters are spelled where the terminal or the locale has none.")]
+    Explain(ExplainArgs),
     /// Draw the linkage at one angle: in characters, or as SVG
     #[command(after_help = "\
 Examples:

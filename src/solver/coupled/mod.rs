@@ -12,11 +12,13 @@ mod equations;
 mod maker;
 mod relatives;
 mod series;
+mod shown;
 mod singular;
 mod textbook;
 mod twice;
 
 pub(super) use relatives::is_same;
+pub use shown::{Newton, NewtonRow, NewtonUnknown};
 pub(super) use textbook::Closing;
 
 use super::frame::Frame;
@@ -38,7 +40,7 @@ const FINEST: f64 = 4.0 * 0.5 * f64::EPSILON;
 const REACH: f64 = 0.5;
 
 /// Where a joint's base is.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Base {
     /// A point that earlier groups have placed.
     Known(PointId),
@@ -47,7 +49,7 @@ enum Base {
 }
 
 /// Which link turns the joint's arm.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Turning {
     /// A link that earlier groups have placed.
     Known(LinkId),

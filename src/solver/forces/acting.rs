@@ -4,6 +4,10 @@
 //! Inside, lengths are the solver's and forces newtons, so that couples are in newtons times the
 //! solver's length; a factor turns these into N m where they are read.
 
+mod shown;
+
+pub use shown::Acted;
+
 use super::profile::Curve;
 use super::{Forces, Part};
 use crate::solver::frame::Frame;

@@ -25,6 +25,7 @@ use super::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver};
 use crate::{Body, Constant, Input, LinkId, Mechanism, Number, PointId, SlideId, StrokeEnd, Vec2};
+pub use acting::Acted;
 use acting::Acting;
 use locked::Locked;
 pub use open::Indeterminate;

@@ -1,0 +1,37 @@
+//! `krank explain`: the working of one state.
+
+use super::args::{ExplainArgs, TextFormat};
+use super::commands::{out_of_reach, tell_of_near_misses};
+use super::failure::Failure;
+use super::output::write_text;
+use super::screen::Screen;
+use super::source::{Opened, open};
+use crate::report::{TextStyle, Working};
+use crate::solver::{Condition, Order};
+
+/// Columns of plain text.
+const WIDTH: usize = 80;
+
+/// Writes the working; where there is no assembly, what can still be said, and why there is none.
+pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure> {
+    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let start = scene.mechanism.driver().start;
+    let at = args.at.map_or(start, |at| at.value());
+    let mut state = solver.state();
+    let condition = solver.solve(at, Order::Force, &mut state);
+    let working = Working::new(&scene, &solver);
+    let worked = working.of(&scene, &solver, &state, usize::from(args.digits));
+    let text = match args.format {
+        TextFormat::Text => worked.document.to_text(TextStyle {
+            ascii: screen.ascii,
+            width: WIDTH,
+        }),
+        TextFormat::Markdown => worked.document.to_markdown(screen.ascii),
+    };
+    write_text(args.output.output.as_deref(), &text)?;
+    if condition == Condition::NoAssembly {
+        return Err(out_of_reach(&scene, &solver, at));
+    }
+    tell_of_near_misses(&scene, &solver, screen);
+    Ok(())
+}

@@ -1,0 +1,76 @@
+//! The check: how well the loops close, and how far the working is from the solver's state.
+
+use super::equations::{Axis, Member, Piece};
+use super::figures::Sum;
+use super::page::{Context, Page};
+use crate::solver::Order;
+
+/// Every loop with all numbers in place, and the largest difference between the working and the state.
+pub(super) fn check(context: &Context<'_>, page: &mut Page) {
+    page.document.part("Check");
+    if !context.has_positions() {
+        page.document
+            .text("Without an assembly there is nothing to check.");
+        return;
+    }
+    closure(context, page);
+    super::forces::check(context, page);
+    if let Some(worst) = page
+        .agreements
+        .iter()
+        .max_by(|a, b| a.part().total_cmp(&b.part()))
+    {
+        let text = format!(
+            "The figures worked out above and those of the solver differ by {} of their size at the most \
+             (at {}).",
+            crate::report::number::upwards(worst.part(), 2),
+            worst.symbol
+        );
+        page.document.text(text);
+    }
+}
+
+fn closure(context: &Context<'_>, page: &mut Page) {
+    let f = context.figures;
+    if context.polygon.loops.is_empty() {
+        return;
+    }
+    page.document
+        .text("What is left of the loop equations with all numbers in place:");
+    for stage in context.stages {
+        for &number in &stage.loops {
+            let of = &context.polygon.loops[number];
+            let name = if context.polygon.loops.len() > 1 {
+                format!("loop {} ", number + 1)
+            } else {
+                String::new()
+            };
+            for (axis, label) in [(Axis::X, "x"), (Axis::Y, "y")] {
+                let members = of.terms.iter().map(|&term| Member {
+                    sought: [false; 2],
+                    ..context.member(term, stage)
+                });
+                let pieces: Vec<Piece> = members
+                    .flat_map(|m| m.pieces(Order::Position, &axis, f))
+                    .collect();
+                let size = pieces
+                    .iter()
+                    .fold(0.0_f64, |most, p| most.max(p.value.abs()));
+                let mut sum = Sum::default();
+                pieces
+                    .iter()
+                    .for_each(|p| sum.push_figure(&f.beside(p.value, size)));
+                let left: f64 = pieces.iter().map(|p| p.value).sum();
+                page.document.equation([
+                    format!("{name}{label}"),
+                    sum.text(),
+                    if left == 0.0 {
+                        "0".into()
+                    } else {
+                        format!("{left:.1e} {}", f.unit)
+                    },
+                ]);
+            }
+        }
+    }
+}

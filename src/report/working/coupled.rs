@@ -1,0 +1,159 @@
+//! A coupled group: its unknowns, and what the last step of Newton's method had before it.
+
+use super::page::{Context, Page};
+use super::stages::Stage;
+use super::symbols;
+use crate::PointId;
+use crate::solver::{Newton, NewtonRow, NewtonUnknown};
+
+/// More unknowns than this make a matrix that nobody reads.
+const MOST_COLUMNS: usize = 12;
+
+/// Positions of a group that is solved at once.
+pub(super) fn position(context: &Context<'_>, page: &mut Page, stage: &Stage) {
+    let newton = context.solver.newton(context.state);
+    let own = newton
+        .into_iter()
+        .find(|newton| Some(newton.group) == stage.group);
+    match own {
+        Some(newton) => last_step(context, page, &newton),
+        None if context.has_positions() => solved(context, page, stage),
+        None => page
+            .document
+            .text("It is solved at once, by Newton's method, where it can be assembled."),
+    }
+}
+
+/// What is sought, where it stands and what is left of every equation, then the matrix.
+fn last_step(context: &Context<'_>, page: &mut Page, newton: &Newton) {
+    let f = context.figures;
+    page.document.text(
+        "No part of it can be solved alone: all equations f(z) = 0 are solved at once, by Newton's method, \
+         z - dz with J dz = f, J the derivatives of f by z. Where it stopped:",
+    );
+    let names: Vec<String> = newton
+        .unknowns
+        .iter()
+        .map(|&u| unknown_name(context, u))
+        .collect();
+    for ((unknown, name), value) in newton.unknowns.iter().zip(&names).zip(&newton.values) {
+        let figure = f.number(*value);
+        page.document.equation([
+            name.clone(),
+            match unknown {
+                NewtonUnknown::X(_) | NewtonUnknown::Y(_) => format!("{figure} {}", f.unit),
+                NewtonUnknown::Angle(_) => {
+                    format!("{figure} rad = {} deg", f.direction(value.to_degrees()))
+                }
+            },
+        ]);
+    }
+    page.document
+        .text("The equations, and what is left of them:");
+    for (i, (row, left)) in newton.rows.iter().zip(&newton.residuals).enumerate() {
+        let (text, unit) = row_text(context, row);
+        let left = if *left == 0.0 {
+            "0".into()
+        } else {
+            format!("{left:.1e}")
+        };
+        page.document
+            .equation([format!("f{}", i + 1), text, format!("{left} {unit}")]);
+    }
+    matrix(context, page, newton, &names);
+}
+
+fn matrix(context: &Context<'_>, page: &mut Page, newton: &Newton, names: &[String]) {
+    let n = names.len();
+    if n > MOST_COLUMNS {
+        page.document
+            .text(format!("J has {n} x {n} entries, which nobody would read."));
+        return;
+    }
+    page.document.text("J, a row for every equation:");
+    let head = std::iter::once("J".to_owned()).chain(names.iter().cloned());
+    let rows = newton
+        .jacobian
+        .chunks(n.max(1))
+        .enumerate()
+        .map(|(i, row)| {
+            let largest = row.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+            let cells = row.iter().map(|&v| context.figures.beside(v, largest));
+            std::iter::once(format!("f{}", i + 1))
+                .chain(cells)
+                .collect()
+        });
+    page.document.wide_table(head.collect(), rows.collect());
+}
+
+fn unknown_name(context: &Context<'_>, unknown: NewtonUnknown) -> String {
+    match unknown {
+        NewtonUnknown::X(point) => format!("x({})", point_name(context, Some(point))),
+        NewtonUnknown::Y(point) => format!("y({})", point_name(context, Some(point))),
+        NewtonUnknown::Angle(link) => symbols::theta(context.scene.link_name(link)),
+    }
+}
+
+/// A joint's name; points that are not the scene's have none.
+fn point_name<'a>(context: &'a Context<'_>, point: Option<PointId>) -> &'a str {
+    let named = |point: &PointId| point.index() < context.scene.mechanism.points().len();
+    let name = point
+        .filter(named)
+        .and_then(|point| context.scene.point_name(point));
+    name.unwrap_or("joint")
+}
+
+/// An equation, and the unit in which it is off.
+fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
+    let unit = context.figures.unit;
+    match *row {
+        NewtonRow::Distance(ends, length) => {
+            let [a, b] = ends.map(|end| point_name(context, end));
+            let length = context.figures.given(length);
+            (
+                format!("(|{a} - {b}|^2 - {length}^2)/2"),
+                format!("{unit}^2"),
+            )
+        }
+        NewtonRow::MeetingX(point) => (
+            format!("x of {} two ways", point_name(context, point)),
+            unit.into(),
+        ),
+        NewtonRow::MeetingY(point) => (
+            format!("y of {} two ways", point_name(context, point)),
+            unit.into(),
+        ),
+        NewtonRow::Guide(point) => (
+            format!("distance of {} from its guide", point_name(context, point)),
+            unit.into(),
+        ),
+    }
+}
+
+/// A form without a name that is no coupled group: what was found.
+fn solved(context: &Context<'_>, page: &mut Page, stage: &Stage) {
+    page.document.text("Found together:");
+    let terms = stage
+        .loops
+        .iter()
+        .flat_map(|&l| &context.polygon.loops[l].terms);
+    let mut seen = Vec::new();
+    for term in terms.filter(|term| {
+        let is_new = !seen.contains(&term.side);
+        seen.push(term.side);
+        is_new
+    }) {
+        let member = context.member(*term, stage);
+        let f = context.figures;
+        if member.sought[0] {
+            let r = f.number(member.reading.r);
+            page.document
+                .equation([member.side.name.clone(), format!("{r} {}", f.unit)]);
+        }
+        if member.sought[1] {
+            let theta = f.direction(member.reading.theta);
+            page.document
+                .equation([member.side.theta(), format!("{theta} deg")]);
+        }
+    }
+}

@@ -1,0 +1,409 @@
+//! The loop equations and their derivatives, term by term: in symbols, with numbers in place, and as
+//! figures beside what is sought.
+//!
+//! With u at theta and n = k x u, a side r u has the derivatives
+//!
+//! ```text
+//! d/dt     r' u + r omega n
+//! d2/dt2   (r'' - r omega^2) u + (r alpha + 2 r' omega) n
+//! ```
+//!
+//! Multiplied by the unit vector u_j or n_j of another side, u gives cos(theta - theta_j) or
+//! sin(theta - theta_j), and n gives sin(theta_j - theta) or cos(theta - theta_j).
+
+use super::figures::{Figures, Sum, factor};
+use super::sides::{Reading, Side, Turns};
+use super::symbols;
+use crate::Vec2;
+use crate::solver::Order;
+
+/// What a loop equation is multiplied by.
+#[derive(Clone, Debug)]
+pub(super) enum Axis {
+    /// The unit vector along x.
+    X,
+    /// The unit vector along y.
+    Y,
+    /// The unit vector at this angle: what turns there drops out of the rates.
+    Along(Heading),
+    /// The unit vector at right angles to it: what stretches there drops out.
+    Across(Heading),
+}
+
+/// A direction with its symbol.
+#[derive(Clone, Debug)]
+pub(super) struct Heading {
+    pub symbol: String,
+    pub degrees: f64,
+    pub u: Vec2,
+    /// Whether the angle is itself sought: then its symbol stands for it.
+    pub open: bool,
+}
+
+/// A side of a loop in a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Member<'a> {
+    pub side: &'a Side,
+    pub reversed: bool,
+    pub reading: Reading,
+    /// The name that its turning bears.
+    pub turner: &'a str,
+    /// Which of its figures are sought: length, angle.
+    pub sought: [bool; 2],
+    /// Whether its rates are the driver's.
+    pub driven: bool,
+}
+
+/// A term of an equation.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    pub negative: bool,
+    /// Without its sign: in symbols, and with numbers in place of what is known.
+    pub symbols: String,
+    pub numbers: String,
+    /// Its value, or of what is sought the factor, sign included.
+    pub value: f64,
+    /// How large it could be at any angle: its rounding is that of this.
+    pub size: f64,
+    /// What is sought in it.
+    pub unknown: Option<String>,
+    /// Whether what is sought stands in it as a factor, not as an angle.
+    linear: bool,
+    /// Whether all of it is given: it has no more digits than it needs.
+    given: bool,
+}
+
+impl Heading {
+    pub(super) fn of(member: &Member<'_>) -> Heading {
+        Heading {
+            symbol: member.side.theta(),
+            degrees: member.reading.theta,
+            u: member.reading.u,
+            open: member.sought[1],
+        }
+    }
+}
+
+impl Axis {
+    /// The parts of u and of n = k x u along the axis.
+    fn parts(&self, u: Vec2) -> [f64; 2] {
+        match self {
+            Axis::X => [u.x, -u.y],
+            Axis::Y => [u.y, u.x],
+            Axis::Along(h) => [h.u.dot(u), u.cross(h.u)],
+            Axis::Across(h) => [h.u.cross(u), h.u.dot(u)],
+        }
+    }
+
+    /// The function of the part of u, or of n, behind its sign; `None` where it is 1, or 0.
+    fn function(&self, turning: bool, theta: &str, heading: &str) -> (bool, String) {
+        match (self, turning) {
+            (Axis::X, false) => (false, format!("cos({theta})")),
+            (Axis::X, true) => (true, format!("sin({theta})")),
+            (Axis::Y, false) => (false, format!("sin({theta})")),
+            (Axis::Y, true) => (false, format!("cos({theta})")),
+            (Axis::Along(_), false) | (Axis::Across(_), true) => {
+                (false, format!("cos({theta} - {heading})"))
+            }
+            (Axis::Along(_), true) => (false, format!("sin({heading} - {theta})")),
+            (Axis::Across(_), false) => (false, format!("sin({theta} - {heading})")),
+        }
+    }
+
+    /// The unit vector in words.
+    pub(super) fn name(&self) -> String {
+        match self {
+            Axis::X => "x".into(),
+            Axis::Y => "y".into(),
+            Axis::Along(h) => format!("u({})", h.symbol),
+            Axis::Across(h) => format!("n({})", h.symbol),
+        }
+    }
+
+    fn heading(&self) -> Option<&Heading> {
+        match self {
+            Axis::X | Axis::Y => None,
+            Axis::Along(h) | Axis::Across(h) => Some(h),
+        }
+    }
+
+    /// Whether u, or n, of a side lies at right angles to the axis by its very symbol.
+    fn removes(&self, turning: bool, theta: &str) -> bool {
+        match self {
+            Axis::X | Axis::Y => false,
+            Axis::Along(h) => turning && h.symbol == theta,
+            Axis::Across(h) => !turning && h.symbol == theta,
+        }
+    }
+
+    /// Whether it lies along the axis by its very symbol.
+    fn keeps(&self, turning: bool, theta: &str) -> bool {
+        match self {
+            Axis::X | Axis::Y => false,
+            Axis::Along(h) => !turning && h.symbol == theta,
+            Axis::Across(h) => turning && h.symbol == theta,
+        }
+    }
+}
+
+/// A product of named factors, some of them sought, times a function of the angle.
+struct Product {
+    negative: bool,
+    /// A number in front: 2 of Coriolis' term, or 1.
+    count: f64,
+    factors: Vec<Factor>,
+    turning: bool,
+}
+
+struct Factor {
+    symbol: String,
+    value: f64,
+    square: bool,
+    sought: bool,
+    given: bool,
+}
+
+impl<'a> Member<'a> {
+    /// The terms that the side adds to an equation of this order.
+    pub(super) fn pieces(&self, order: Order, axis: &Axis, figures: Figures) -> Vec<Piece> {
+        let products = match order {
+            Order::Position => vec![self.product(false, 1.0, false, vec![self.length()])],
+            Order::Velocity => self.velocity(),
+            // Forces ask for nothing more of a loop.
+            Order::Acceleration | Order::Force => self.acceleration(),
+        };
+        let theta = self.side.theta();
+        let left = products
+            .into_iter()
+            .filter(|p| !axis.removes(p.turning, &theta));
+        left.map(|product| self.piece(&product, order, axis, figures))
+            .collect()
+    }
+
+    fn velocity(&self) -> Vec<Product> {
+        let mut products = Vec::new();
+        if self.side.stretches() {
+            products.push(self.product(false, 1.0, false, vec![self.rate(true)]));
+        }
+        if self.turns() {
+            let factors = vec![self.length_known(), self.omega(true, false)];
+            products.push(self.product(false, 1.0, true, factors));
+        }
+        products
+    }
+
+    fn acceleration(&self) -> Vec<Product> {
+        let mut products = Vec::new();
+        if self.side.stretches() {
+            products.push(self.product(false, 1.0, false, vec![self.accel()]));
+        }
+        if self.side.stretches() && self.turns() {
+            let factors = vec![self.rate(false), self.omega(false, false)];
+            products.push(self.product(false, 2.0, true, factors));
+        }
+        if self.turns() {
+            let turning = vec![self.length_known(), self.alpha()];
+            products.push(self.product(false, 1.0, true, turning));
+            let centripetal = vec![self.length_known(), self.omega(false, true)];
+            products.push(self.product(true, 1.0, false, centripetal));
+        }
+        products
+    }
+
+    fn turns(&self) -> bool {
+        self.side.turns != Turns::Never
+    }
+
+    fn product(&self, negative: bool, count: f64, turning: bool, factors: Vec<Factor>) -> Product {
+        Product {
+            negative: negative != self.reversed,
+            count,
+            factors,
+            turning,
+        }
+    }
+
+    fn length(&self) -> Factor {
+        Factor {
+            symbol: self.side.name.clone(),
+            value: self.reading.r,
+            square: false,
+            sought: self.sought[0],
+            given: !self.side.stretches(),
+        }
+    }
+
+    /// Of the rates the lengths are known.
+    fn length_known(&self) -> Factor {
+        Factor {
+            sought: false,
+            ..self.length()
+        }
+    }
+
+    fn rate(&self, unknown: bool) -> Factor {
+        Factor {
+            symbol: symbols::rate(&self.side.name),
+            value: self.reading.rate,
+            square: false,
+            sought: unknown && self.sought[0],
+            given: self.driven,
+        }
+    }
+
+    fn accel(&self) -> Factor {
+        Factor {
+            symbol: symbols::accel(&self.side.name),
+            value: self.reading.accel,
+            square: false,
+            sought: self.sought[0],
+            given: self.driven,
+        }
+    }
+
+    fn omega(&self, unknown: bool, square: bool) -> Factor {
+        Factor {
+            symbol: symbols::omega(self.turner),
+            value: self.reading.omega,
+            square,
+            sought: unknown && self.sought[1],
+            given: self.driven,
+        }
+    }
+
+    fn alpha(&self) -> Factor {
+        Factor {
+            symbol: symbols::alpha(self.turner),
+            value: self.reading.alpha,
+            square: false,
+            sought: self.sought[1],
+            given: self.driven,
+        }
+    }
+
+    fn piece(&self, product: &Product, order: Order, axis: &Axis, figures: Figures) -> Piece {
+        let theta = self.side.theta();
+        let is_position = order == Order::Position;
+        // In a position an angle that is sought stays in its function.
+        let open_angle = is_position && self.sought[1];
+        let angle = if open_angle {
+            theta.clone()
+        } else {
+            figures.direction(self.reading.theta)
+        };
+        let heading = axis.heading();
+        let is_open = is_position && heading.is_some_and(|h| h.open);
+        let (symbol, degrees) = heading.map_or_else(Default::default, |h| {
+            let figure = if is_open {
+                h.symbol.clone()
+            } else {
+                figures.direction(h.degrees)
+            };
+            (h.symbol.clone(), figure)
+        });
+        let keeps = axis.keeps(product.turning, &theta);
+        let (minus, function) = axis.function(product.turning, &theta, &symbol);
+        let (_, with_numbers) = axis.function(product.turning, &angle, &degrees);
+        let [along_u, along_n] = axis.parts(self.reading.u);
+        let part = if product.turning { along_n } else { along_u };
+        let mut size = product.count;
+        let mut unknown = None;
+        let (mut symbols, mut numbers) = (Vec::new(), Vec::new());
+        if product.count != 1.0 {
+            symbols.push(figures.given(product.count));
+            numbers.push(figures.given(product.count));
+        }
+        for f in &product.factors {
+            let square = if f.square { "^2" } else { "" };
+            symbols.push(format!("{}{square}", f.symbol));
+            if f.sought {
+                numbers.push(f.symbol.clone());
+                unknown = Some(f.symbol.clone());
+            } else {
+                let figure = if f.given {
+                    figures.given(f.value)
+                } else {
+                    figures.number(f.value)
+                };
+                numbers.push(format!("{}{square}", factor(&figure)));
+                size *= if f.square { f.value * f.value } else { f.value };
+            }
+        }
+        if !keeps {
+            symbols.push(function);
+            numbers.push(with_numbers);
+        }
+        let negative = product.negative != (minus && !keeps);
+        Piece {
+            negative,
+            symbols: symbols.join(" "),
+            numbers: numbers.join("·"),
+            // The part has the sign of the function in it already.
+            value: size * if product.negative { -part } else { part },
+            size: size.abs(),
+            unknown: unknown.or((open_angle || is_open).then_some(theta)),
+            given: self.side.turns == Turns::Never
+                && product.factors.iter().all(|f| f.given || f.sought),
+            linear: !open_angle && !is_open,
+        }
+    }
+}
+
+/// The sum in symbols.
+pub(super) fn in_symbols(pieces: &[Piece]) -> String {
+    let mut sum = Sum::default();
+    pieces.iter().for_each(|p| sum.push(p.negative, &p.symbols));
+    sum.text()
+}
+
+/// The sum with numbers in place of what is known.
+pub(super) fn in_numbers(pieces: &[Piece]) -> String {
+    let mut sum = Sum::default();
+    pieces.iter().for_each(|p| sum.push(p.negative, &p.numbers));
+    sum.text()
+}
+
+/// The sum with every known term as one figure: `-1299.04 - 147.173 ω3`. Of positions the terms with an
+/// angle that is sought stay as they are.
+pub(super) fn in_figures(pieces: &[Piece], figures: Figures) -> String {
+    let size = pieces.iter().fold(0.0_f64, |most, p| most.max(p.size));
+    let mut sum = Sum::default();
+    for piece in pieces {
+        let figure = if piece.given && piece.value.abs() > 1e-15 * size {
+            figures.given(piece.value)
+        } else {
+            figures.beside(piece.value, size)
+        };
+        match &piece.unknown {
+            Some(_) if !piece.linear => sum.push(piece.negative, &piece.numbers),
+            // What adds nothing is left out.
+            _ if figure == "0" => {}
+            Some(symbol) => sum.push_figure(&times(&figure, symbol)),
+            None => sum.push_figure(&figure),
+        }
+    }
+    sum.text()
+}
+
+/// A figure times a symbol; 1 is not written.
+fn times(figure: &str, symbol: &str) -> String {
+    match figure {
+        "1" => symbol.to_owned(),
+        "-1" => format!("-{symbol}"),
+        _ => format!("{figure} {symbol}"),
+    }
+}
+
+/// The known terms together.
+pub(super) fn known(pieces: &[Piece]) -> f64 {
+    let known = pieces.iter().filter(|p| p.unknown.is_none());
+    known.map(|p| p.value).sum()
+}
+
+/// The factor of what is sought.
+pub(super) fn coefficient(pieces: &[Piece], symbol: &str) -> f64 {
+    let of_it = pieces
+        .iter()
+        .filter(|p| p.unknown.as_deref() == Some(symbol));
+    of_it.map(|p| p.value).sum()
+}

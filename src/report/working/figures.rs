@@ -1,0 +1,150 @@
+//! How figures stand in formulas.
+
+use crate::report::number::{concise, direction, significant};
+
+/// Significant digits, and the scene's unit of length.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Figures {
+    pub digits: usize,
+    pub unit: &'static str,
+}
+
+/// Smaller than this is rounding, where figures of size 1 are meant.
+const NOUGHT: f64 = 1e-15;
+
+impl Figures {
+    /// A figure that was found.
+    pub(super) fn number(&self, value: f64) -> String {
+        if value.is_finite() {
+            significant(value, self.digits)
+        } else {
+            "-".into()
+        }
+    }
+
+    /// One that is small beside a figure of this size may be rounding alone.
+    pub(super) fn beside(&self, value: f64, size: f64) -> String {
+        if value.abs() <= NOUGHT * size {
+            "0".into()
+        } else {
+            self.number(value)
+        }
+    }
+
+    /// A figure that the scene gives: with no more digits than it has.
+    pub(super) fn given(&self, value: f64) -> String {
+        if value.is_finite() {
+            concise(value, self.digits)
+        } else {
+            "-".into()
+        }
+    }
+
+    /// A direction in degrees from 0 to below 360.
+    pub(super) fn direction(&self, degrees: f64) -> String {
+        if !degrees.is_finite() {
+            return "-".into();
+        }
+        let text = direction(crate::angle::wrapped(degrees), self.digits);
+        let plain = concise(crate::angle::wrapped(degrees), self.digits);
+        // A right angle is written as one.
+        if plain.len() < text.len() {
+            plain
+        } else {
+            text
+        }
+    }
+
+    /// An angle in degrees with its sign.
+    pub(super) fn angle(&self, degrees: f64) -> String {
+        if degrees.is_finite() {
+            concise(degrees, self.digits)
+        } else {
+            "-".into()
+        }
+    }
+
+    /// A unit behind a figure: `mm`, `mm/s`, `mm/s^2`.
+    pub(super) fn length_unit(&self, order: usize) -> String {
+        match order {
+            0 => self.unit.to_owned(),
+            1 => format!("{}/s", self.unit),
+            _ => format!("{}/s^2", self.unit),
+        }
+    }
+}
+
+/// A sum as it is written: each term behind its sign.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sum(String);
+
+impl Sum {
+    pub(super) fn push(&mut self, negative: bool, term: &str) {
+        self.0 += match (self.0.is_empty(), negative) {
+            (true, true) => "-",
+            (true, false) => "",
+            (false, true) => " - ",
+            (false, false) => " + ",
+        };
+        self.0 += term;
+    }
+
+    /// A figure, its own sign before it.
+    pub(super) fn push_figure(&mut self, text: &str) {
+        match text.strip_prefix('-') {
+            Some(size) if !size.is_empty() => self.push(true, size),
+            _ => self.push(false, text),
+        }
+    }
+
+    /// The sum; 0 where it has no term.
+    pub(super) fn text(self) -> String {
+        if self.0.is_empty() {
+            "0".into()
+        } else {
+            self.0
+        }
+    }
+}
+
+/// A figure as a factor: in brackets where it is negative.
+pub(super) fn factor(text: &str) -> String {
+    if text.starts_with('-') && text.len() > 1 {
+        format!("({text})")
+    } else {
+        text.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIX: Figures = Figures {
+        digits: 6,
+        unit: "mm",
+    };
+
+    #[test]
+    fn a_sum_writes_signs_between_its_terms() {
+        let mut sum = Sum::default();
+        sum.push(true, "r1");
+        sum.push(false, "r2");
+        sum.push_figure("-3.5");
+        sum.push_figure("2");
+        assert_eq!(sum.text(), "-r1 + r2 - 3.5 + 2");
+        assert_eq!(Sum::default().text(), "0");
+        assert_eq!(factor("-2"), "(-2)");
+    }
+
+    #[test]
+    fn figures_are_as_long_as_they_need_to_be() {
+        assert_eq!(SIX.given(300.0), "300");
+        assert_eq!(SIX.number(300.0), "300.000");
+        assert_eq!(SIX.direction(180.0), "180");
+        assert_eq!(SIX.direction(-69.247_478_774), "290.753");
+        assert_eq!(SIX.direction(359.999_999_9), "0");
+        assert_eq!(SIX.number(f64::NAN), "-");
+        assert_eq!(SIX.beside(1e-14, 100.0), "0");
+    }
+}

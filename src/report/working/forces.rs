@@ -1,0 +1,422 @@
+//! Forces: what acts, the free body of every link with its equations of motion, and the driver.
+
+use super::figures::{Sum, factor};
+use super::page::{Context, Page};
+use crate::solver::{Acted, Condition};
+use crate::{Body, Input, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
+
+/// A force on a link, or a couple alone.
+struct Row {
+    name: String,
+    force: Vec2,
+    /// Where it acts; a couple acts nowhere in particular.
+    at: Option<Vec2>,
+    /// In N m.
+    couple: f64,
+}
+
+/// Everything about forces; nothing where nothing acts.
+pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
+    if !context.solver.has_forces() {
+        return;
+    }
+    page.document.part("Forces");
+    let Some(torque) = context.state.drive() else {
+        page.document.text(absent(context.state.condition()));
+        return;
+    };
+    let acted = context.solver.acted(context.state);
+    loads(context, page, &acted);
+    if context.state.residual().is_none() {
+        page.document.text(
+            "The reactions need not exist at this place; the driver's torque follows from the virtual work.",
+        );
+    } else {
+        for link in context.scene.mechanism.link_ids() {
+            free_body(context, page, link, &acted);
+        }
+    }
+    driver(context, page, torque);
+}
+
+/// Why there are no forces.
+fn absent(condition: Condition) -> &'static str {
+    match condition {
+        Condition::DeadPoint => {
+            "At a dead point the mechanical advantage is infinite: no torque of the driver balances the loads, \
+             and the reactions do not exist."
+        }
+        Condition::NoAssembly => "Without an assembly there are none.",
+        Condition::Ok | Condition::ChangePoint => "They do not exist here.",
+    }
+}
+
+/// What the loads are at this state.
+fn loads(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
+    let mechanism = &context.scene.mechanism;
+    let mut rows = Vec::new();
+    for (load, acted) in mechanism.loads().iter().zip(acted) {
+        let what = match load {
+            Load::Force { .. } => "force",
+            Load::Torque { .. } => "torque",
+            Load::Press { .. } => "press",
+            Load::Spring { .. } => "spring",
+        };
+        for (point, force) in &acted.forces {
+            let [x, y] = components(context, *force);
+            rows.push([
+                format!("{what} at {}", point_name(context, *point)),
+                x,
+                y,
+                "-".into(),
+            ]);
+        }
+        if let Some((link, couple)) = acted.couple {
+            let name = format!("{what} on {}", context.scene.link_name(link));
+            rows.push([name, "-".into(), "-".into(), context.figures.number(couple)]);
+        }
+    }
+    if !rows.is_empty() {
+        page.document.text("The loads here:");
+        page.document
+            .table(["load", "fx [N]", "fy [N]", "torque [N m]"], rows);
+    }
+}
+
+fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
+    let size = force.norm();
+    [force.x, force.y].map(|v| context.figures.beside(v, size))
+}
+
+fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
+    context.scene.point_name(point).unwrap_or("a point")
+}
+
+/// The forces on a link, and its three equations with numbers.
+fn free_body(context: &Context<'_>, page: &mut Page, id: LinkId, acted: &[Acted]) {
+    let (scene, state, f) = (context.scene, context.state, context.figures);
+    let mechanism = &scene.mechanism;
+    let link = mechanism.link(id);
+    let name = scene.link_name(id);
+    page.document.section(format!("Link {name}"));
+    let body = FreeBody { context, id, acted };
+    let Some(rows) = body.rows() else {
+        page.document.text(
+            "A redundant linkage leaves reactions of this link open: equilibrium alone does not tell them.",
+        );
+        return;
+    };
+    // Moments about the centre of mass; without one, about the first point of the link.
+    let about = link.com.or_else(|| link.members.first().map(|m| m.point));
+    let Some(about) = about else { return };
+    let (centre, metres) = (state.position(about), mechanism.metres());
+    let moment = |row: &Row| {
+        let arm = row.at.map_or(Vec2::ZERO, |at| (at - centre) * metres);
+        arm.cross(row.force) + row.couple
+    };
+    let largest = rows
+        .iter()
+        .fold(0.0_f64, |most, r| most.max(r.force.norm()));
+    let reach = rows.iter().fold(0.0_f64, |most, r| {
+        most.max(moment(r).abs())
+            .max(r.at.map_or(0.0, |at| (at - centre).norm() * metres * r.force.norm()))
+    });
+    let cells = rows.iter().map(|row| {
+        let arm = row.at.map(|at| at - centre);
+        let arm_cell =
+            |v: Option<f64>| v.map_or("-".into(), |v| f.beside(v, arm.map_or(0.0, Vec2::norm)));
+        [
+            row.name.clone(),
+            f.beside(row.force.x, largest),
+            f.beside(row.force.y, largest),
+            arm_cell(arm.map(|a| a.x)),
+            arm_cell(arm.map(|a| a.y)),
+            f.beside(moment(row), reach),
+        ]
+    });
+    let unit = f.unit;
+    page.document.table(
+        [
+            "on it",
+            "fx [N]",
+            "fy [N]",
+            &format!("x [{unit}]"),
+            &format!("y [{unit}]"),
+            "moment [N m]",
+        ],
+        cells.collect(),
+    );
+    let point = point_name(context, about);
+    page.document.text(format!(
+        "x and y from {point}, moments about it. The equations of motion:"
+    ));
+    let acceleration = state.acceleration(about) * metres;
+    let (mass, inertia, alpha) = (link.mass, link.inertia, state.alpha(id));
+    let sides = |page: &mut Page,
+                 values: Vec<f64>,
+                 size: f64,
+                 right: [String; 2],
+                 value: f64,
+                 unit: &str| {
+        let mut sum = Sum::default();
+        values
+            .iter()
+            .filter(|v| v.abs() > 1e-15 * size)
+            .for_each(|v| sum.push_figure(&f.beside(*v, size)));
+        let left: f64 = values.iter().sum();
+        page.agree(
+            &format!("{} of {name}", right[0]),
+            left,
+            value,
+            size.max(value.abs()),
+        );
+        let [symbol, numbers] = right;
+        let value = f.beside(value, size);
+        let mut sides = vec![sum.text(), symbol, numbers, format!("{value} {unit}")];
+        // Without mass the right side is 0 at once.
+        if mass == 0.0 && inertia == 0.0 {
+            sides.drain(1..3);
+        }
+        page.document.equation(sides);
+    };
+    for (axis, a, pick) in [
+        ("x", acceleration.x, (|v: Vec2| v.x) as fn(Vec2) -> f64),
+        ("y", acceleration.y, |v: Vec2| v.y),
+    ] {
+        let values = rows.iter().map(|row| pick(row.force)).collect();
+        let numbers = format!(
+            "{}·{}",
+            f.given(mass),
+            factor(&f.beside(a, acceleration.norm()))
+        );
+        sides(
+            page,
+            values,
+            largest,
+            [format!("m a{axis}"), numbers],
+            mass * a,
+            "N",
+        );
+    }
+    let values = rows.iter().map(moment).collect();
+    let numbers = format!("{}·{}", f.given(inertia), factor(&f.number(alpha)));
+    sides(
+        page,
+        values,
+        reach,
+        ["I α".into(), numbers],
+        inertia * alpha,
+        "N m",
+    );
+}
+
+/// What acts on one link.
+struct FreeBody<'a> {
+    context: &'a Context<'a>,
+    id: LinkId,
+    acted: &'a [Acted],
+}
+
+impl FreeBody<'_> {
+    /// All of it; `None` where something of it is left open.
+    fn rows(&self) -> Option<Vec<Row>> {
+        let mut rows = Vec::new();
+        self.members(&mut rows)?;
+        self.slides(&mut rows)?;
+        self.couples(&mut rows);
+        Some(rows)
+    }
+
+    fn mechanism(&self) -> &Mechanism {
+        &self.context.scene.mechanism
+    }
+
+    /// Pins, loads between them, and the weight.
+    fn members(&self, rows: &mut Vec<Row>) -> Option<()> {
+        let (context, state) = (self.context, self.context.state);
+        let mechanism = self.mechanism();
+        let link = mechanism.link(self.id);
+        let name = context.scene.link_name(self.id);
+        for member in &link.members {
+            let point = member.point;
+            let label = point_name(context, point);
+            let at = Some(state.position(point));
+            if is_joint(mechanism, point) {
+                let force = state.joint_force(self.id, point)?;
+                let name = format!("{name}.{label}");
+                rows.push(Row {
+                    name,
+                    force,
+                    at,
+                    couple: 0.0,
+                });
+                continue;
+            }
+            for (_, force) in self
+                .acted
+                .iter()
+                .flat_map(|a| &a.forces)
+                .filter(|(p, _)| *p == point)
+            {
+                let name = format!("load at {label}");
+                rows.push(Row {
+                    name,
+                    force: *force,
+                    at,
+                    couple: 0.0,
+                });
+            }
+        }
+        let weight = mechanism.gravity() * link.mass;
+        if let (Some(com), true) = (link.com, weight != Vec2::ZERO) {
+            rows.push(Row {
+                name: "weight".into(),
+                force: weight,
+                at: Some(state.position(com)),
+                couple: 0.0,
+            });
+        }
+        Some(())
+    }
+
+    /// The guides on which it slides, and those that it carries.
+    fn slides(&self, rows: &mut Vec<Row>) -> Option<()> {
+        let mechanism = self.mechanism();
+        for slide in mechanism.slide_ids() {
+            let given = mechanism.slide(slide);
+            let slides = matches!(given.slider, Slider::Link { link, .. } if link == self.id);
+            let carries = given.on == Body::Link(self.id);
+            if slides {
+                rows.push(self.guided(slide, 1.0)?);
+            }
+            if carries {
+                rows.push(self.guided(slide, -1.0)?);
+            }
+        }
+        Some(())
+    }
+
+    /// The force of a guide on what slides, or the other way round.
+    fn guided(&self, slide: SlideId, sign: f64) -> Option<Row> {
+        let (context, state) = (self.context, self.context.state);
+        let given = self.mechanism().slide(slide);
+        let t = state.travel(slide).guide;
+        let mut force = t.perp() * state.normal(slide)?;
+        if self.mechanism().driver().input == Input::Push(slide) {
+            force += t * state.drive()?;
+        }
+        let couple = match given.slider {
+            Slider::Pin(_) => 0.0,
+            Slider::Link { .. } => state.moment(slide)?,
+        };
+        let whose = if sign > 0.0 { "guide" } else { "slider" };
+        Some(Row {
+            name: format!("{whose} of {}", context.scene.slide_name(slide)),
+            force: force * sign,
+            at: Some(state.position(given.slider.point())),
+            couple: couple * sign,
+        })
+    }
+
+    /// Torques, the driver's among them.
+    fn couples(&self, rows: &mut Vec<Row>) {
+        let couples = self.acted.iter().filter_map(|a| a.couple);
+        let own = couples.filter(|(link, _)| *link == self.id);
+        let mut add = |name: &str, couple: f64| {
+            rows.push(Row {
+                name: name.into(),
+                force: Vec2::ZERO,
+                at: None,
+                couple,
+            });
+        };
+        own.for_each(|(_, couple)| add("torque", couple));
+        if self.mechanism().driver().input == Input::Turn(self.id)
+            && let Some(torque) = self.context.state.drive()
+        {
+            add("driver", torque);
+        }
+    }
+}
+
+/// Whether something is joined to a link there.
+fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
+    let point = mechanism.point(id);
+    let slides = mechanism
+        .slides()
+        .iter()
+        .filter(|s| s.slider.point() == id)
+        .count();
+    point.links.len() + usize::from(point.ground.is_some()) + slides >= 2
+}
+
+/// What the driver must do, and against what.
+fn driver(context: &Context<'_>, page: &mut Page, drive: f64) {
+    let (f, state) = (context.figures, context.state);
+    let (what, unit) = match context.scene.mechanism.driver().input {
+        Input::Turn(_) => ("torque", "N m"),
+        Input::Push(_) => ("force", "N"),
+    };
+    page.document.section(format!("The driver's {what}"));
+    if let Some(parts) = state.drive_parts() {
+        let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+        let mut sum = Sum::default();
+        parts
+            .iter()
+            .for_each(|v| sum.push_figure(&f.beside(*v, size)));
+        page.agree(&format!("driver.{what}"), parts.iter().sum(), drive, size);
+        page.document
+            .text("By the virtual work of the loads, of gravity and of inertia:");
+        page.document.equation([
+            format!("driver.{what}"),
+            "load + gravity + inertia".into(),
+            sum.text(),
+            format!("{} {unit}", f.beside(drive, size)),
+        ]);
+    }
+    if let Some(power) = state.power() {
+        let speed = f.given(state.driver_speed());
+        page.document.equation([
+            "driver.power".to_owned(),
+            format!("{}·{}", factor(&f.number(drive)), factor(&speed)),
+            format!("{} W", f.number(power)),
+        ]);
+    }
+}
+
+/// The two independent checks: power, and the equilibrium of the whole.
+pub(super) fn check(context: &Context<'_>, page: &mut Page) {
+    let state = context.state;
+    let (Some(left), Some(force), Some(moment)) =
+        (state.residual(), state.frame_force(), state.frame_moment())
+    else {
+        return;
+    };
+    let f = context.figures;
+    let [x, y] = components(context, force);
+    page.document.text(format!(
+        "The frame feels {x} N along x, {y} N along y and a moment of {} N m about the origin. What is left of \
+         the balance of power and of the equilibrium of the whole, each found by a way of its own:",
+        f.number(moment)
+    ));
+    let unit = match context.scene.mechanism.driver().input {
+        Input::Turn(_) => "N m",
+        Input::Push(_) => "N",
+    };
+    let small = |v: f64| {
+        if v == 0.0 {
+            "0".to_owned()
+        } else {
+            format!("{v:.1e}")
+        }
+    };
+    for (name, value, unit) in [
+        ("virtual work", left.drive, unit),
+        ("forces, x", left.force.x, "N"),
+        ("forces, y", left.force.y, "N"),
+        ("moments", left.moment, "N m"),
+    ] {
+        page.document
+            .equation([name.to_owned(), format!("{} {unit}", small(value))]);
+    }
+}

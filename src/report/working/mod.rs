@@ -1,0 +1,103 @@
+//! The working shown: how the figures of one state come about, so that a table can be checked by hand.
+//!
+//! Vector polygons, position table, loop equations in components and projected, the solution of each group
+//! with every figure on the way, velocities and accelerations from the differentiated equations, the
+//! points by their parts, and the check. What is known at a step is read from the solver's state; what is
+//! worked out is worked out by the formula that is printed, and noted beside the solver's figure.
+
+mod check;
+mod coupled;
+mod document;
+mod equations;
+mod figures;
+mod forces;
+mod markdown;
+mod opening;
+mod page;
+mod place;
+mod points;
+mod polygon;
+mod rates;
+mod sides;
+mod stages;
+mod symbols;
+mod text;
+
+pub use document::{Block, Document, Equation, Table};
+pub use page::Agreement;
+pub use text::{LineKind, TextStyle};
+
+use crate::scene::Scene;
+use crate::solver::{Order, Solver, State};
+use figures::Figures;
+use page::{Context, Page};
+use polygon::Polygon;
+use stages::{Schedule, Stage};
+
+/// What a scene's working is written from, found once: its loops, and what each group seeks in them.
+#[derive(Clone, Debug)]
+pub struct Working {
+    polygon: Polygon,
+    schedule: Schedule,
+    stages: Vec<Stage>,
+}
+
+/// The working of one state.
+#[derive(Clone, Debug)]
+pub struct Worked {
+    /// What is to be read.
+    pub document: Document,
+    /// Every figure that was worked out by a printed formula, beside the solver's.
+    pub agreements: Vec<Agreement>,
+}
+
+impl Working {
+    /// Finds the loops of a scene.
+    #[must_use]
+    pub fn new(scene: &Scene, solver: &Solver) -> Working {
+        let plan = solver.plan();
+        let polygon = Polygon::of(scene, plan);
+        let schedule = Schedule::of(scene, plan, &polygon);
+        let stages = stages::stages(plan, &polygon, &schedule);
+        Working {
+            polygon,
+            schedule,
+            stages,
+        }
+    }
+
+    /// The working of a state of the same scene, solved as far as there is anything, to so many
+    /// significant digits.
+    #[must_use]
+    pub fn of(&self, scene: &Scene, solver: &Solver, state: &State, digits: usize) -> Worked {
+        let mut context = Context {
+            scene,
+            solver,
+            state,
+            polygon: &self.polygon,
+            schedule: &self.schedule,
+            stages: &self.stages,
+            figures: Figures {
+                digits,
+                unit: scene.unit.symbol(),
+            },
+            readings: Vec::new(),
+        };
+        context.read_sides();
+        let mut page = Page::default();
+        opening::heading(&context, &mut page);
+        opening::polygons(&context, &mut page);
+        opening::position_table(&context, &mut page);
+        place::equations(&context, &mut page);
+        place::solutions(&context, &mut page);
+        rates::rates(&context, &mut page, Order::Velocity);
+        rates::rates(&context, &mut page, Order::Acceleration);
+        points::points(&context, &mut page);
+        forces::forces(&context, &mut page);
+        check::check(&context, &mut page);
+        Worked {
+            document: page.document,
+            agreements: page.agreements,
+        }
+    }
+}

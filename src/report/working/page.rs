@@ -1,0 +1,189 @@
+//! What every part of the working is written from, and onto.
+
+use super::document::Document;
+use super::equations::Member;
+use super::figures::Figures;
+use super::polygon::{Loop, Polygon, Term};
+use super::sides::{Reading, Shape, Turns};
+use super::stages::{Schedule, Stage};
+use crate::scene::Scene;
+use crate::solver::{Condition, Group, GroupKind, Solver, State};
+use crate::{Mechanism, angle};
+
+/// What the working is written from.
+pub(super) struct Context<'a> {
+    pub scene: &'a Scene,
+    pub solver: &'a Solver,
+    pub state: &'a State,
+    pub polygon: &'a Polygon,
+    pub schedule: &'a Schedule,
+    pub stages: &'a [Stage],
+    pub figures: Figures,
+    /// Every side in this state.
+    pub readings: Vec<Reading>,
+}
+
+/// The document as it grows, and how far what it works out is from the solver's state.
+#[derive(Debug, Default)]
+pub(super) struct Page {
+    pub document: Document,
+    pub agreements: Vec<Agreement>,
+}
+
+/// A figure that was worked out by the formula above it, and the solver's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Agreement {
+    /// Its symbol.
+    pub symbol: String,
+    /// By the printed formula.
+    pub worked: f64,
+    /// The solver's.
+    pub solved: f64,
+    /// The size by which their difference is judged, in the same unit: that of the terms of the formula,
+    /// divided by what the formula divides by.
+    pub size: f64,
+}
+
+impl Agreement {
+    /// The difference in parts of the size.
+    #[must_use]
+    pub fn part(&self) -> f64 {
+        (self.worked - self.solved).abs() / self.size.max(f64::MIN_POSITIVE)
+    }
+}
+
+impl<'a> Context<'a> {
+    /// Whether there is an assembly here.
+    pub(super) fn has_positions(&self) -> bool {
+        self.state.condition() != Condition::NoAssembly
+    }
+
+    /// Whether velocities and accelerations exist.
+    pub(super) fn has_rates(&self) -> bool {
+        matches!(
+            self.state.condition(),
+            Condition::Ok | Condition::ChangePoint
+        )
+    }
+
+    /// Reads every side; without an assembly what the scene and the driver give.
+    pub(super) fn read_sides(&mut self) {
+        let mechanism = &self.scene.mechanism;
+        let sides = self.polygon.sides.iter();
+        self.readings = if self.has_positions() {
+            sides.map(|side| side.read(mechanism, self.state)).collect()
+        } else {
+            sides
+                .map(|side| side.given(mechanism, self.state.at()))
+                .collect()
+        };
+    }
+
+    /// A term of a loop as a group sees it: what it and later groups find is sought.
+    pub(super) fn member(&self, term: Term, stage: &Stage) -> Member<'_> {
+        let side = &self.polygon.sides[term.side];
+        let is_sought = |group: Option<usize>| match (group, stage.group) {
+            (None, _) => false,
+            (Some(_), _) if !self.has_positions() => true,
+            (Some(group), Some(own)) => group >= own,
+            (Some(group), None) => group == usize::MAX,
+        };
+        Member {
+            side,
+            reversed: term.reversed,
+            reading: self.readings[term.side],
+            turner: side.turner(self.scene),
+            driven: self.schedule.is_driven(side) || self.schedule.is_pushed(side),
+            sought: [
+                is_sought(self.schedule.length_group(side)),
+                is_sought(self.schedule.angle_group(side)),
+            ],
+        }
+    }
+
+    pub(super) fn members(&self, of: &Loop, stage: &Stage) -> Vec<Member<'_>> {
+        of.terms
+            .iter()
+            .map(|&term| self.member(term, stage))
+            .collect()
+    }
+
+    /// A group in words: `group 2, dyad RRR at C: links r3, r4`.
+    pub(super) fn group_text(&self, number: usize) -> String {
+        let Some(group) = self.solver.plan().groups.get(number) else {
+            return String::new();
+        };
+        let what = self.kind_text(group);
+        let links: Vec<&str> = group
+            .links
+            .iter()
+            .map(|&l| self.scene.link_name(l))
+            .collect();
+        let links = match links.len() {
+            0 => String::new(),
+            1 => format!(": link {}", links[0]),
+            _ => format!(": links {}", links.join(", ")),
+        };
+        format!("Group {}, {what}{links}", number + 1)
+    }
+
+    fn kind_text(&self, group: &Group) -> String {
+        let at = group.point.and_then(|point| self.scene.point_name(point));
+        let at = at.map_or_else(String::new, |name| format!(" at {name}"));
+        match group.kind {
+            GroupKind::Driver => "driver".into(),
+            GroupKind::Rrr => format!("dyad RRR{at}"),
+            GroupKind::Rrp => format!("dyad RRP{at}"),
+            GroupKind::Rpr => format!("dyad RPR{at}"),
+            GroupKind::Prp => format!("dyad PRP{at}"),
+            GroupKind::Rpp => format!("dyad RPP{at}"),
+            GroupKind::Coupled { unknowns } => format!("coupled group of {unknowns} unknowns"),
+        }
+    }
+}
+
+impl super::sides::Side {
+    /// What the scene and the driver give of a side, where nothing else is known.
+    fn given(&self, mechanism: &Mechanism, at: f64) -> Reading {
+        let theta = match (self.turns, self.shape) {
+            // Of what turns, the driver's angle alone is given.
+            (Turns::With(_, offset), _) => angle::wrapped(at + offset),
+            (Turns::Never, Shape::Slide(slide)) => {
+                angle::wrapped(mechanism.slide(slide).angle + angle::TURN / 2.0)
+            }
+            (Turns::Never, Shape::Rigid(_, local)) => angle::degrees(local),
+            (Turns::Never, Shape::Link(_) | Shape::Free(..)) | (Turns::Freely, _) => 0.0,
+        };
+        let r = match self.shape {
+            Shape::Link(link) => super::sides::length(mechanism, link),
+            Shape::Rigid(_, local) => local.norm(),
+            Shape::Slide(_) => at,
+            Shape::Free(..) => 0.0,
+        };
+        Reading {
+            r,
+            theta,
+            u: angle::unit(theta),
+            ..Reading::default()
+        }
+    }
+}
+
+impl Page {
+    /// Notes a figure that was worked out beside the solver's.
+    pub(super) fn agree(&mut self, symbol: &str, worked: f64, solved: f64, size: f64) {
+        self.agreements.push(Agreement {
+            symbol: symbol.to_owned(),
+            worked,
+            solved,
+            size,
+        });
+    }
+
+    /// The same for angles in degrees, which count modulo a turn; `slack` is what the formula loses, in
+    /// radians.
+    pub(super) fn agree_angle(&mut self, symbol: &str, worked: f64, solved: f64, loss: f64) {
+        let away = angle::wrapped(worked - solved + angle::TURN / 2.0) - angle::TURN / 2.0;
+        self.agree(symbol, solved + away, solved, loss.to_degrees());
+    }
+}

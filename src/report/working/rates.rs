@@ -1,0 +1,342 @@
+//! Velocities and accelerations: the loop equations differentiated, multiplied by the unit vector that
+//! removes one unknown, and solved with the numbers in place.
+
+use super::equations::{
+    Axis, Heading, Member, Piece, coefficient, in_figures, in_numbers, in_symbols, known,
+};
+use super::page::{Context, Page};
+use super::place::loop_heading;
+use super::sides::{Shape, Turns};
+use super::stages::{Form, Stage, Unknown};
+use super::symbols;
+use crate::report::Entry;
+use crate::solver::{Condition, Order};
+use crate::{LinkId, Vec2, angle};
+
+/// Velocities, or accelerations.
+pub(super) fn rates(context: &Context<'_>, page: &mut Page, order: Order) {
+    let title = if order == Order::Velocity {
+        "Velocities"
+    } else {
+        "Accelerations"
+    };
+    page.document.part(title);
+    if let Some(text) = opening_text(context, order) {
+        page.document.text(text);
+    }
+    for stage in context.stages {
+        for &number in &stage.loops {
+            let of = &context.polygon.loops[number];
+            loop_heading(context, page, number, of);
+            let members = context.members(of, stage);
+            components(context, page, &members, order);
+        }
+        if !stage.loops.is_empty() && context.has_rates() {
+            solve(context, page, stage, order);
+        }
+    }
+    if context.has_rates() {
+        table(context, page, order);
+    }
+}
+
+fn opening_text(context: &Context<'_>, order: Order) -> Option<&'static str> {
+    let is_first = order == Order::Velocity;
+    match context.state.condition() {
+        Condition::Ok if is_first => Some("The loop equations, differentiated by time:"),
+        Condition::Ok => Some("Differentiated once more:"),
+        Condition::ChangePoint => {
+            Some("The equations are singular here; the values are limits along the motion.")
+        }
+        Condition::DeadPoint if is_first => {
+            Some("They do not exist at a dead point. The equations, which nothing solves here:")
+        }
+        Condition::DeadPoint => Some("They do not exist either."),
+        Condition::NoAssembly if is_first => {
+            Some("Without an assembly there are none. The equations:")
+        }
+        Condition::NoAssembly => Some("Differentiated once more:"),
+    }
+}
+
+fn pieces(context: &Context<'_>, members: &[Member<'_>], order: Order, axis: &Axis) -> Vec<Piece> {
+    let of = |member: &Member<'_>| member.pieces(order, axis, context.figures);
+    members.iter().flat_map(of).collect()
+}
+
+/// Both components, in symbols and as figures.
+fn components(context: &Context<'_>, page: &mut Page, members: &[Member<'_>], order: Order) {
+    let axes = [Axis::X, Axis::Y];
+    for axis in &axes {
+        let pieces = pieces(context, members, order, axis);
+        page.document.equation([in_symbols(&pieces), "0".into()]);
+    }
+    if !context.has_rates() {
+        return;
+    }
+    for axis in &axes {
+        let pieces = pieces(context, members, order, axis);
+        page.document
+            .equation([in_figures(&pieces, context.figures), "0".into()]);
+    }
+}
+
+fn solve(context: &Context<'_>, page: &mut Page, stage: &Stage, order: Order) {
+    match stage.form {
+        Form::Nothing => page.document.text("Nothing is sought in it."),
+        Form::System => together(context, page, stage, order),
+        Form::Triangle(..)
+        | Form::Quadratic(..)
+        | Form::Swing(..)
+        | Form::Guides(..)
+        | Form::Sum(_) => {
+            if let [first, second] = stage.unknowns[..] {
+                removed(context, page, stage, order, first, second);
+                removed(context, page, stage, order, second, first);
+            }
+        }
+    }
+}
+
+/// Finds one unknown from the equation in which the other does not stand.
+fn removed(
+    context: &Context<'_>,
+    page: &mut Page,
+    stage: &Stage,
+    order: Order,
+    sought: Unknown,
+    other: Unknown,
+) {
+    let Some(&number) = stage.loops.first() else {
+        return;
+    };
+    let of = &context.polygon.loops[number];
+    let members = context.members(of, stage);
+    let symbol = rate_symbol(context, sought, order);
+    let other_symbol = rate_symbol(context, other, order);
+    let Some(axis) = removing(context, &members, other) else {
+        return;
+    };
+    let mut pieces = pieces(context, &members, order, &axis);
+    // Several sides that turn together lie along the axis only as a whole.
+    pieces.retain(|piece| piece.unknown.as_deref() != Some(&other_symbol));
+    let (sum, factor) = (known(&pieces), coefficient(&pieces, &symbol));
+    let solved = rate_value(context, sought, order);
+    let unit = rate_unit(context, sought, order);
+    let f = context.figures;
+    page.document.text(format!(
+        "Multiplied by {}, which removes {other_symbol}:",
+        axis.name()
+    ));
+    page.document.equation([in_symbols(&pieces), "0".into()]);
+    page.document.equation([in_numbers(&pieces), "0".into()]);
+    page.document.equation([in_figures(&pieces, f), "0".into()]);
+    let worked = -sum / factor;
+    let size = pieces.iter().fold(0.0_f64, |most, p| match p.unknown {
+        Some(_) => most,
+        None => most.max(p.size),
+    });
+    let longest = members
+        .iter()
+        .fold(0.0_f64, |most, m| most.max(m.reading.r.abs()));
+    // At a singular place the quotient of two roundings says nothing.
+    let sine = match sought {
+        Unknown::Angle(_) | Unknown::Direction(_) => factor.abs() / longest,
+        Unknown::Travel(_) | Unknown::Length(_) => factor.abs(),
+    };
+    if context.state.condition() == Condition::ChangePoint || sine < SINGULAR {
+        let text = format!("The factor of {symbol} vanishes; along the motion the limit is:");
+        page.document.text(text);
+        page.document
+            .equation([symbol, format!("{} {unit}", f.number(solved))]);
+        return;
+    }
+    page.agree(
+        &symbol,
+        worked,
+        solved,
+        size / factor.abs() * (1.0 + 1.0 / sine),
+    );
+    let shown = f.beside(worked, size / factor.abs());
+    page.document.equation([symbol, format!("{shown} {unit}")]);
+}
+
+/// Below this sine between both directions the printed quotient has lost half its digits.
+const SINGULAR: f64 = 1e-7;
+
+/// What removes an unknown's rate from the equation.
+fn removing(context: &Context<'_>, members: &[Member<'_>], unknown: Unknown) -> Option<Axis> {
+    let is_of = |member: &&Member<'_>| match unknown {
+        Unknown::Angle(link) => member.side.turns_with() == Some(link),
+        Unknown::Travel(slide) => member.side.shape == Shape::Slide(slide),
+        Unknown::Length(_) | Unknown::Direction(_) => member.side.turns == Turns::Freely,
+    };
+    let own: Vec<&Member<'_>> = members.iter().filter(is_of).collect();
+    match unknown {
+        Unknown::Travel(_) | Unknown::Length(_) => {
+            own.first().map(|m| Axis::Across(Heading::of(m)))
+        }
+        Unknown::Angle(_) | Unknown::Direction(_) => match own[..] {
+            [one] => Some(Axis::Along(Heading::of(one))),
+            _ => Some(Axis::Along(together_heading(context, &own)?)),
+        },
+    }
+}
+
+/// The direction of several sides that turn together.
+fn together_heading(context: &Context<'_>, own: &[&Member<'_>]) -> Option<Heading> {
+    let sum = own.iter().fold(Vec2::ZERO, |sum, m| {
+        let r = m.reading.vector();
+        sum + if m.reversed { -r } else { r }
+    });
+    let size = sum.norm();
+    if !(size > 0.0) {
+        return None;
+    }
+    let name: Vec<&str> = own.iter().map(|m| m.side.name.as_str()).collect();
+    let _ = context;
+    Some(Heading {
+        symbol: format!("θ_{}", name.join("_")),
+        degrees: angle::degrees(sum),
+        u: sum / size,
+        open: false,
+    })
+}
+
+/// Several loops at once: the equations above together.
+fn together(context: &Context<'_>, page: &mut Page, stage: &Stage, order: Order) {
+    let count = stage.unknowns.len();
+    page.document.text(format!(
+        "{} equations for {count} unknowns; solved together:",
+        2 * stage.loops.len()
+    ));
+    for &unknown in &stage.unknowns {
+        let symbol = rate_symbol(context, unknown, order);
+        let value = rate_value(context, unknown, order);
+        let unit = rate_unit(context, unknown, order);
+        page.document
+            .equation([symbol, format!("{} {unit}", context.figures.number(value))]);
+    }
+}
+
+fn rate_symbol(context: &Context<'_>, unknown: Unknown, order: Order) -> String {
+    let turning = |name: &str| match order {
+        Order::Velocity => symbols::omega(name),
+        _ => symbols::alpha(name),
+    };
+    let stretching = |name: &str| match order {
+        Order::Velocity => symbols::rate(name),
+        _ => symbols::accel(name),
+    };
+    match unknown {
+        Unknown::Angle(link) => turning(context.scene.link_name(link)),
+        Unknown::Travel(slide) => stretching(context.scene.slide_name(slide)),
+        Unknown::Length(side) => stretching(&context.polygon.sides[side].name),
+        Unknown::Direction(side) => turning(&context.polygon.sides[side].name),
+    }
+}
+
+fn rate_value(context: &Context<'_>, unknown: Unknown, order: Order) -> f64 {
+    let first = order == Order::Velocity;
+    let state = context.state;
+    match unknown {
+        Unknown::Angle(link) if first => state.omega(link),
+        Unknown::Angle(link) => state.alpha(link),
+        Unknown::Travel(slide) if first => state.travel(slide).rate,
+        Unknown::Travel(slide) => state.travel(slide).accel,
+        Unknown::Length(side) if first => context.readings[side].rate,
+        Unknown::Length(side) => context.readings[side].accel,
+        Unknown::Direction(side) if first => context.readings[side].omega,
+        Unknown::Direction(side) => context.readings[side].alpha,
+    }
+}
+
+fn rate_unit(context: &Context<'_>, unknown: Unknown, order: Order) -> String {
+    let first = order == Order::Velocity;
+    match unknown {
+        Unknown::Angle(_) | Unknown::Direction(_) if first => "rad/s".into(),
+        Unknown::Angle(_) | Unknown::Direction(_) => "rad/s^2".into(),
+        Unknown::Travel(_) | Unknown::Length(_) => {
+            context.figures.length_unit(if first { 1 } else { 2 })
+        }
+    }
+}
+
+/// The velocity or acceleration table; with the accelerations it says what speeds up.
+fn table(context: &Context<'_>, page: &mut Page, order: Order) {
+    let f = context.figures;
+    let first = order == Order::Velocity;
+    let mut rows = Vec::new();
+    for (side, r) in context.polygon.sides.iter().zip(&context.readings) {
+        let length = if first {
+            (r.rate, 0.0)
+        } else {
+            (r.accel, r.rate)
+        };
+        let turning = if first {
+            (r.omega, 0.0)
+        } else {
+            (r.alpha, r.omega)
+        };
+        let [_, r, turning_text, word] =
+            table_row(context, &side.name, Some(length), turning, order);
+        let own = |is: bool, value: f64, text| if is { f.given(value) } else { text };
+        let r = own(context.schedule.is_pushed(side), length.0, r);
+        let turning_text = own(context.schedule.is_driven(side), turning.0, turning_text);
+        rows.push([side.name.clone(), r, turning_text, word]);
+    }
+    let mechanism = &context.scene.mechanism;
+    let without_ends = |link: &LinkId| mechanism.link(*link).ends.is_none();
+    for link in mechanism.link_ids().filter(without_ends) {
+        let (omega, alpha) = (context.state.omega(link), context.state.alpha(link));
+        let turning = if first { (omega, 0.0) } else { (alpha, omega) };
+        rows.push(table_row(
+            context,
+            context.scene.link_name(link),
+            None,
+            turning,
+            order,
+        ));
+    }
+    let length = f.length_unit(if first { 1 } else { 2 });
+    if first {
+        let rows = rows
+            .into_iter()
+            .map(|[name, length, turning, _]| [name, length, turning]);
+        let length = format!("dr/dt [{length}]");
+        page.document
+            .table(["vector", &length, "ω [rad/s]"], rows.collect());
+    } else {
+        let length = format!("d2r/dt2 [{length}]");
+        page.document
+            .table(["vector", &length, "α [rad/s^2]", "turning"], rows);
+    }
+}
+
+fn table_row(
+    context: &Context<'_>,
+    name: &str,
+    length: Option<(f64, f64)>,
+    (value, rate): (f64, f64),
+    order: Order,
+) -> [String; 4] {
+    let f = context.figures;
+    // Rounding is no motion: what is so small is 0 in the tables, too.
+    let shown = |value: f64| {
+        let entry = Entry {
+            value: Some(value),
+            given: false,
+            bound: None,
+        };
+        f.number(entry.seen().unwrap_or(0.0))
+    };
+    let length = length.map_or_else(|| "-".into(), |(value, _)| shown(value));
+    let turning = if order == Order::Velocity || shown(rate) == "0" || shown(value) == "0" {
+        ""
+    } else if (value < 0.0) == (rate < 0.0) {
+        "speeds up"
+    } else {
+        "slows down"
+    };
+    [name.to_owned(), length, shown(value), turning.to_owned()]
+}

@@ -1,0 +1,276 @@
+//! The sides of the vector polygons: the scene's vectors, and those between two joints of one body that
+//! a loop needs and the scene does not name.
+
+use super::symbols;
+use crate::quantity::{Aspect, Subject, value};
+use crate::report::tables::shared_body;
+use crate::scene::{Scene, Vector, VectorKind};
+use crate::solver::State;
+use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2, angle};
+
+/// What a side is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// A link from end to end.
+    Link(LinkId),
+    /// From a sliding point back to `through`.
+    Slide(SlideId),
+    /// Between two points of one body, by its components there.
+    Rigid(Body, Vec2),
+    /// Between two points of different bodies.
+    Free(PointId, PointId),
+}
+
+/// What a side's direction depends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Turns {
+    /// On nothing: it never turns.
+    Never,
+    /// It turns with a link, and lies at this angle to that, in degrees.
+    With(LinkId, f64),
+    /// On two bodies.
+    Freely,
+}
+
+/// A vector of the loop equations.
+#[derive(Clone, Debug)]
+pub(super) struct Side {
+    pub name: String,
+    pub tail: String,
+    pub head: String,
+    pub shape: Shape,
+    pub turns: Turns,
+    /// Whether the scene names it.
+    pub named: bool,
+}
+
+/// A side in a state: its length and direction with their rates, 0 where none exist.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Reading {
+    pub r: f64,
+    pub rate: f64,
+    pub accel: f64,
+    /// In degrees, from 0 to below 360.
+    pub theta: f64,
+    pub omega: f64,
+    pub alpha: f64,
+    /// The direction as a unit vector.
+    pub u: Vec2,
+}
+
+impl Reading {
+    /// The side itself, head minus tail.
+    pub(super) fn vector(&self) -> Vec2 {
+        self.u * self.r
+    }
+}
+
+/// For every link the link (or the ground) to which slides lock its direction, and at which angle.
+#[derive(Clone, Debug)]
+pub(super) struct Locks {
+    root: Vec<Body>,
+    offset: Vec<f64>,
+}
+
+impl Locks {
+    pub(super) fn of(mechanism: &Mechanism) -> Locks {
+        let links = mechanism.links().len();
+        let mut locks = Locks {
+            root: mechanism.link_ids().map(Body::Link).collect(),
+            offset: vec![0.0; links],
+        };
+        let mut seen = vec![false; links];
+        let driven = match mechanism.driver().input {
+            Input::Turn(link) => Some(Body::Link(link)),
+            Input::Push(_) => None,
+        };
+        let roots = [Body::Ground].into_iter().chain(driven);
+        for root in roots.chain(mechanism.link_ids().map(Body::Link)) {
+            if let Body::Link(link) = root
+                && std::mem::replace(&mut seen[link.index()], true)
+            {
+                continue;
+            }
+            locks.walk(mechanism, root, &mut seen);
+        }
+        locks
+    }
+
+    /// Follows the locks from a body on.
+    fn walk(&mut self, mechanism: &Mechanism, root: Body, seen: &mut [bool]) {
+        let mut waiting = vec![root];
+        while let Some(body) = waiting.pop() {
+            let here = match body {
+                Body::Ground => 0.0,
+                Body::Link(link) => self.offset[link.index()],
+            };
+            for slide in mechanism.slides() {
+                let Slider::Link { link, turn, .. } = slide.slider else {
+                    continue;
+                };
+                let by = slide.angle + turn;
+                let other = match (slide.on, Body::Link(link)) {
+                    (on, _) if on == body => Some((link, here + by)),
+                    (Body::Link(on), sliding) if sliding == body => Some((on, here - by)),
+                    _ => None,
+                };
+                if let Some((other, offset)) = other
+                    && !std::mem::replace(&mut seen[other.index()], true)
+                {
+                    self.root[other.index()] = root;
+                    self.offset[other.index()] = offset;
+                    waiting.push(Body::Link(other));
+                }
+            }
+        }
+    }
+
+    /// What a direction at `angle` to a body depends on.
+    pub(super) fn turns(&self, body: Body, angle: f64) -> Turns {
+        let Body::Link(link) = body else {
+            return Turns::Never;
+        };
+        match self.root[link.index()] {
+            Body::Ground => Turns::Never,
+            Body::Link(root) => {
+                Turns::With(root, angle::wrapped(self.offset[link.index()] + angle))
+            }
+        }
+    }
+}
+
+impl Side {
+    /// A vector of the scene.
+    pub(super) fn of(
+        scene: &Scene,
+        vector: &Vector,
+        locks: &Locks,
+        tail: String,
+        head: String,
+    ) -> Side {
+        let mechanism = &scene.mechanism;
+        let (shape, turns) = match vector.kind {
+            VectorKind::Link(link) => (Shape::Link(link), locks.turns(Body::Link(link), 0.0)),
+            VectorKind::Slide(slide) => {
+                let given = mechanism.slide(slide);
+                let turns = locks.turns(given.on, given.angle + angle::TURN / 2.0);
+                (Shape::Slide(slide), turns)
+            }
+            VectorKind::Between(tail, head) => match shared_body(mechanism, tail, head) {
+                Some((body, local)) => (
+                    Shape::Rigid(body, local),
+                    locks.turns(body, angle::degrees(local)),
+                ),
+                None => (Shape::Free(tail, head), Turns::Freely),
+            },
+        };
+        Side {
+            name: vector.name.clone(),
+            tail,
+            head,
+            shape,
+            turns,
+            named: true,
+        }
+    }
+
+    /// The link whose turning is its own: the one that its angular velocity is named after.
+    pub(super) fn turns_with(&self) -> Option<LinkId> {
+        match self.turns {
+            Turns::With(link, _) => Some(link),
+            Turns::Never | Turns::Freely => None,
+        }
+    }
+
+    /// Whether its length changes.
+    pub(super) fn stretches(&self) -> bool {
+        matches!(self.shape, Shape::Slide(_) | Shape::Free(..))
+    }
+
+    /// The symbol of its angle.
+    pub(super) fn theta(&self) -> String {
+        symbols::theta(&self.name)
+    }
+
+    /// The name that its angular velocity bears: that of the link with which it turns.
+    pub(super) fn turner<'a>(&'a self, scene: &'a Scene) -> &'a str {
+        self.turns_with()
+            .map_or(self.name.as_str(), |link| scene.link_name(link))
+    }
+
+    /// Its figures in a state that has an assembly; rates are 0 where none exist.
+    pub(super) fn read(&self, mechanism: &Mechanism, state: &State) -> Reading {
+        let figure = |subject, aspect| value(subject, aspect, state).unwrap_or(0.0);
+        let turning = |subject, reading: Reading| Reading {
+            omega: figure(subject, Aspect::Omega),
+            alpha: figure(subject, Aspect::Alpha),
+            ..reading
+        };
+        match self.shape {
+            Shape::Link(link) => {
+                let reading = Reading {
+                    r: length(mechanism, link),
+                    theta: state.angle(link),
+                    u: state.direction(link),
+                    ..Reading::default()
+                };
+                turning(Subject::Link(link), reading)
+            }
+            Shape::Rigid(body, local) => {
+                let r = local.norm();
+                let at_rest = |u: Vec2| Reading {
+                    r,
+                    theta: angle::degrees(u),
+                    u,
+                    ..Reading::default()
+                };
+                // Two points of a body may lie on each other.
+                let along = if r > 0.0 { local / r } else { Vec2::X };
+                match body {
+                    Body::Ground => at_rest(along),
+                    Body::Link(link) => {
+                        let u = along.turned(state.direction(link));
+                        turning(Subject::Link(link), at_rest(u))
+                    }
+                }
+            }
+            Shape::Slide(slide) => {
+                let u = -state.travel(slide).guide;
+                self.stretching(Subject::Slide(slide), u, &figure)
+            }
+            Shape::Free(tail, head) => {
+                let between = state.position(head) - state.position(tail);
+                let u = if between == Vec2::ZERO {
+                    Vec2::X
+                } else {
+                    between / between.norm()
+                };
+                self.stretching(Subject::Between(tail, head), u, &figure)
+            }
+        }
+    }
+
+    fn stretching(
+        &self,
+        subject: Subject,
+        u: Vec2,
+        figure: &dyn Fn(Subject, Aspect) -> f64,
+    ) -> Reading {
+        Reading {
+            r: figure(subject, Aspect::Length),
+            rate: figure(subject, Aspect::Rate),
+            accel: figure(subject, Aspect::Accel),
+            theta: angle::degrees(u),
+            omega: figure(subject, Aspect::Omega),
+            alpha: figure(subject, Aspect::Alpha),
+            u,
+        }
+    }
+}
+
+/// The distance of a link's ends.
+pub(super) fn length(mechanism: &Mechanism, link: LinkId) -> f64 {
+    let link = mechanism.link(link);
+    let to = link.ends.and_then(|(_, to)| link.local(to));
+    to.map_or(0.0, Vec2::norm)
+}

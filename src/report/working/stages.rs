@@ -1,0 +1,227 @@
+//! What each group of the plan finds from its loops: the unknowns, and the form of the problem.
+
+use super::polygon::{Polygon, Term};
+use super::sides::{Shape, Side, Turns};
+use crate::scene::Scene;
+use crate::solver::{GroupKind, Plan};
+use crate::{Body, Input, LinkId, SlideId};
+
+/// An unknown of a loop.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Unknown {
+    /// The angle of a link, and of everything that turns with it.
+    Angle(LinkId),
+    /// The position along a slide.
+    Travel(SlideId),
+    /// Length and angle of a vector between two bodies.
+    Length(usize),
+    /// As above.
+    Direction(usize),
+}
+
+/// The form of the problem that a group solves.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Form {
+    /// Nothing is sought: the driver's group, or a loop that repeats others.
+    Nothing,
+    /// Two angles: a triangle of three known sides.
+    Triangle(Vec<Term>, Vec<Term>),
+    /// An angle and a position along a guide of known direction: a quadratic.
+    Quadratic(Vec<Term>, Term),
+    /// An angle and the position along a guide that turns with it.
+    Swing(Vec<Term>, Term),
+    /// Two positions along guides of known directions.
+    Guides(Term, Term),
+    /// Length and direction of one vector.
+    Sum(Term),
+    /// Several loops at once, or a form without a name.
+    System,
+}
+
+/// A group of the plan with its loops.
+#[derive(Clone, Debug)]
+pub(super) struct Stage {
+    /// Its number in the plan; `None` for a vector that only closes a loop.
+    pub group: Option<usize>,
+    /// Its loops by their numbers.
+    pub loops: Vec<usize>,
+    pub unknowns: Vec<Unknown>,
+    pub form: Form,
+}
+
+/// When what the sides turn and slide with is found.
+#[derive(Clone, Debug)]
+pub(super) struct Schedule {
+    /// For every link the group that finds its angle.
+    links: Vec<usize>,
+    /// For every slide the group that finds its position.
+    slides: Vec<usize>,
+    driver: Input,
+    /// The link with which the driven one turns.
+    driven: Option<LinkId>,
+}
+
+impl Schedule {
+    pub(super) fn of(scene: &Scene, plan: &Plan, polygon: &Polygon) -> Schedule {
+        let mechanism = &scene.mechanism;
+        let last = plan.groups.len();
+        let (mut links, mut points) = (
+            vec![last; mechanism.links().len()],
+            vec![0; mechanism.points().len()],
+        );
+        for (number, group) in plan.groups.iter().enumerate() {
+            for &link in &group.links {
+                // Whatever turns with a link is known with it.
+                let root = polygon.locks.turns(Body::Link(link), 0.0);
+                if let Turns::With(root, _) = root {
+                    links[root.index()] = links[root.index()].min(number);
+                }
+                links[link.index()] = links[link.index()].min(number);
+            }
+            for &point in &group.points {
+                points[point.index()] = number;
+            }
+        }
+        let slide = |slide: SlideId| {
+            let given = mechanism.slide(slide);
+            let guide = match given.on {
+                Body::Ground => 0,
+                Body::Link(link) => links[link.index()],
+            };
+            guide.max(points[given.slider.point().index()])
+        };
+        let driver = mechanism.driver().input;
+        let driven = match driver {
+            Input::Turn(link) => match polygon.locks.turns(Body::Link(link), 0.0) {
+                Turns::With(root, _) => Some(root),
+                Turns::Never | Turns::Freely => None,
+            },
+            Input::Push(_) => None,
+        };
+        Schedule {
+            slides: mechanism.slide_ids().map(slide).collect(),
+            links,
+            driver,
+            driven,
+        }
+    }
+
+    /// Whether a side's direction is the driver's, or goes with it.
+    pub(super) fn is_driven(&self, side: &Side) -> bool {
+        side.turns_with()
+            .is_some_and(|link| Some(link) == self.driven)
+    }
+
+    /// Whether a side's length is the driver's.
+    pub(super) fn is_pushed(&self, side: &Side) -> bool {
+        matches!(side.shape, Shape::Slide(slide) if self.driver == Input::Push(slide))
+    }
+
+    /// The group that finds a side's angle; `None` where it is given.
+    pub(super) fn angle_group(&self, side: &Side) -> Option<usize> {
+        match side.turns {
+            Turns::Never => None,
+            Turns::With(link, _) if Some(link) == self.driven => None,
+            Turns::With(link, _) => self.links.get(link.index()).copied(),
+            Turns::Freely => Some(usize::MAX),
+        }
+    }
+
+    /// The group that finds a side's length; `None` where it is given.
+    pub(super) fn length_group(&self, side: &Side) -> Option<usize> {
+        match side.shape {
+            Shape::Link(_) | Shape::Rigid(..) => None,
+            Shape::Slide(slide) if self.driver == Input::Push(slide) => None,
+            Shape::Slide(slide) => self.slides.get(slide.index()).copied(),
+            Shape::Free(..) => Some(usize::MAX),
+        }
+    }
+}
+
+/// The groups in their order, then the vectors that only close a loop.
+pub(super) fn stages(plan: &Plan, polygon: &Polygon, schedule: &Schedule) -> Vec<Stage> {
+    let of_group = |number: usize| {
+        let loops = polygon.loops.iter().enumerate();
+        let own = loops.filter(|(_, l)| l.group == Some(number));
+        let loops: Vec<usize> = own.map(|(i, _)| i).collect();
+        let unknowns = unknowns(&loops, number, polygon, schedule);
+        let form = form(&plan.groups[number].kind, &loops, &unknowns, polygon);
+        Stage {
+            group: Some(number),
+            loops,
+            unknowns,
+            form,
+        }
+    };
+    let mut stages: Vec<Stage> = (0..plan.groups.len()).map(of_group).collect();
+    for (number, of) in polygon.loops.iter().enumerate() {
+        let (None, Some(&term)) = (of.group, of.terms.first()) else {
+            continue;
+        };
+        stages.push(Stage {
+            group: None,
+            loops: vec![number],
+            unknowns: vec![Unknown::Length(term.side), Unknown::Direction(term.side)],
+            form: Form::Sum(term),
+        });
+    }
+    stages
+}
+
+/// What the loops of a group have that no earlier group has found.
+fn unknowns(loops: &[usize], group: usize, polygon: &Polygon, schedule: &Schedule) -> Vec<Unknown> {
+    let mut unknowns = Vec::new();
+    let terms = loops.iter().flat_map(|&l| &polygon.loops[l].terms);
+    for term in terms {
+        let side = &polygon.sides[term.side];
+        let is_sought = |found: Option<usize>| found.is_some_and(|found| found >= group);
+        if let (true, Some(link)) = (is_sought(schedule.angle_group(side)), side.turns_with()) {
+            unknowns.push(Unknown::Angle(link));
+        }
+        if let (true, Shape::Slide(slide)) = (is_sought(schedule.length_group(side)), side.shape) {
+            unknowns.push(Unknown::Travel(slide));
+        }
+    }
+    let mut seen = Vec::new();
+    unknowns.retain(|unknown| {
+        let is_new = !seen.contains(unknown);
+        seen.push(*unknown);
+        is_new
+    });
+    unknowns
+}
+
+fn form(kind: &GroupKind, loops: &[usize], unknowns: &[Unknown], polygon: &Polygon) -> Form {
+    if unknowns.is_empty() {
+        return Form::Nothing;
+    }
+    let (&[number], false) = (loops, matches!(kind, GroupKind::Coupled { .. })) else {
+        return Form::System;
+    };
+    let terms = &polygon.loops[number].terms;
+    let of_link = |link: LinkId| -> Vec<Term> {
+        let turning = |term: &&Term| polygon.sides[term.side].turns_with() == Some(link);
+        terms.iter().filter(turning).copied().collect()
+    };
+    let of_slide = |slide: SlideId| {
+        let is_it = |term: &&Term| polygon.sides[term.side].shape == Shape::Slide(slide);
+        terms.iter().find(is_it).copied()
+    };
+    match *unknowns {
+        [Unknown::Angle(a), Unknown::Angle(b)] => Form::Triangle(of_link(a), of_link(b)),
+        [Unknown::Angle(link), Unknown::Travel(slide)]
+        | [Unknown::Travel(slide), Unknown::Angle(link)] => {
+            let arm = of_link(link);
+            match of_slide(slide) {
+                Some(term) if arm.contains(&term) => Form::Swing(arm, term),
+                Some(term) => Form::Quadratic(arm, term),
+                None => Form::System,
+            }
+        }
+        [Unknown::Travel(a), Unknown::Travel(b)] => match (of_slide(a), of_slide(b)) {
+            (Some(a), Some(b)) => Form::Guides(a, b),
+            _ => Form::System,
+        },
+        _ => Form::System,
+    }
+}

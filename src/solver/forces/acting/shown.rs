@@ -1,0 +1,50 @@
+//! What each load does at a state, one by one, to be read.
+
+use super::{Act, Acting};
+use crate::solver::Solver;
+use crate::solver::forces::Forces;
+use crate::solver::state::{Condition, State};
+use crate::{LinkId, PointId, Vec2};
+
+/// What one load does at a state.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Acted {
+    /// Its forces with the points where they act, in N in the ground's frame.
+    pub forces: Vec<(PointId, Vec2)>,
+    /// Its couple on a link, in N m.
+    pub couple: Option<(LinkId, f64)>,
+}
+
+impl Solver {
+    /// What the loads of the mechanism do at a state that is solved to its velocities, in their order;
+    /// nothing where there are no velocities.
+    #[must_use]
+    pub fn acted(&self, state: &State) -> Vec<Acted> {
+        let exists = matches!(state.condition(), Condition::Ok | Condition::ChangePoint);
+        let Some(balance) = self.balance.as_ref().filter(|_| exists) else {
+            return Vec::new();
+        };
+        let mut room = balance.forces(&self.engine, self.slides);
+        let loads = balance.acting.loads.iter();
+        loads
+            .map(|load| balance.acting.one(load, state, &mut room))
+            .collect()
+    }
+}
+
+impl Acting {
+    fn one(&self, load: &Act, state: &State, room: &mut Forces<f64>) -> Acted {
+        room.clear();
+        self.load(load, state, room);
+        let at = |point: PointId| (point, room.points[point.index()]);
+        let (forces, couple) = match load {
+            Act::Force { point, .. } | Act::Press { point, .. } => (vec![at(*point)], None),
+            Act::Spring { from, to, .. } => (vec![at(*from), at(*to)], None),
+            Act::Torque { link, .. } => {
+                let couple = room.links[link.index()] * self.unit.hi;
+                (Vec::new(), Some((*link, couple)))
+            }
+        };
+        Acted { forces, couple }
+    }
+}
