@@ -1,0 +1,121 @@
+//! A flywheel and a motor against a cycle.
+
+use super::Cycle;
+
+/// The moment of inertia in kg m^2 on the driver's shaft that keeps the coefficient of fluctuation
+/// C = (w_max - w_min) / w_mean, where the work of the driver goes `energy` (J) up and down at the speed
+/// w (rad/s): delta E = I w^2 C. What turns already is left out of account. `None` where nothing turns.
+///
+/// Of a pushed slide it is the mass in kg, with the speed in m/s.
+#[must_use]
+pub fn flywheel_for(energy: f64, speed: f64, fluctuation: f64) -> Option<f64> {
+    let inertia = energy / (speed * speed * fluctuation);
+    inertia.is_finite().then_some(inertia)
+}
+
+/// The coefficient of fluctuation with a flywheel.
+#[must_use]
+pub fn fluctuation_with(energy: f64, speed: f64, flywheel: f64) -> Option<f64> {
+    let fluctuation = energy / (speed * speed * flywheel);
+    fluctuation.is_finite().then_some(fluctuation)
+}
+
+/// A motor on the driver's shaft; what is not known of it is not asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Motor {
+    /// The torque in N m that it can keep up, or the force in N.
+    pub rated: Option<f64>,
+    /// The most that it can do for an instant.
+    pub peak: Option<f64>,
+    /// Its speed in rad/s, or m/s.
+    pub speed: Option<f64>,
+}
+
+/// What is asked of a motor, and what it has.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Asked {
+    /// What the cycle asks for.
+    pub asked: f64,
+    /// What the motor has.
+    pub has: f64,
+}
+
+/// A motor against a cycle; what one of both does not say is `None`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Fit {
+    /// The root of the mean square against the rated torque: they heat the motor alike.
+    pub rated: Option<Asked>,
+    /// The largest torque in size against the peak torque.
+    pub peak: Option<Asked>,
+    /// The driver's speed against the motor's.
+    pub speed: Option<Asked>,
+    /// The transmission that the motor's surplus of speed allows, and what it makes of both torques
+    /// without losses; where the motor is faster than the driver.
+    pub geared: Option<Geared>,
+}
+
+/// A motor behind a gear that brings it down to the driver's speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Geared {
+    /// Turns of the motor to one of the driver.
+    pub ratio: f64,
+    /// Whether it would be enough.
+    pub is_enough: bool,
+}
+
+impl Asked {
+    /// Whether there is enough.
+    #[must_use]
+    pub fn is_enough(&self) -> bool {
+        self.asked <= self.has
+    }
+
+    /// What is wanting; negative where something is left.
+    #[must_use]
+    pub fn lacks(&self) -> f64 {
+        self.asked - self.has
+    }
+}
+
+impl Fit {
+    /// Whether the motor on the driver's shaft is enough in everything that is known; `None` where
+    /// nothing is.
+    #[must_use]
+    pub fn is_enough(&self) -> Option<bool> {
+        let known = [self.rated, self.peak, self.speed].into_iter().flatten();
+        known.map(|asked| asked.is_enough()).reduce(|a, b| a && b)
+    }
+}
+
+impl Motor {
+    /// What it has against what the cycle asks for.
+    #[must_use]
+    pub fn fit(&self, cycle: &Cycle) -> Fit {
+        let both = |asked: Option<f64>, has: Option<f64>| {
+            let asked = Asked {
+                asked: asked?,
+                has: has?,
+            };
+            Some(asked)
+        };
+        let worst = [cycle.all.largest, cycle.all.least].into_iter().flatten();
+        let worst = worst.map(|peak| peak.value.abs()).reduce(f64::max);
+        let mut fit = Fit {
+            rated: both(cycle.all.rms, self.rated),
+            peak: both(worst, self.peak),
+            speed: both(Some(cycle.speed), self.speed),
+            geared: None,
+        };
+        let ratio = self.speed.map_or(0.0, |speed| speed / cycle.speed);
+        let torques = [fit.rated, fit.peak].into_iter().flatten();
+        if ratio > 1.0 && ratio.is_finite() {
+            let enough = |a: Asked| a.asked <= a.has * ratio;
+            fit.geared = Some(Geared {
+                ratio,
+                is_enough: torques.map(enough).reduce(|a, b| a && b).unwrap_or(false),
+            })
+            .filter(|_| fit.rated.is_some() || fit.peak.is_some());
+        }
+        fit
+    }
+}

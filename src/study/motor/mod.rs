@@ -1,0 +1,58 @@
+//! The motor over a cycle: what the driver must do at its worst instant, in the mean, and in all; what
+//! evens it out; what the ground feels; and, of a press, what its ram does.
+//!
+//! ```text
+//! course     the driver's way through one cycle: round, or there and back
+//! marks      where on it a load bends or jumps
+//! pieces     between these, what the driver must do as sums of Chebyshev polynomials (chebyshev)
+//! periodic   where nothing bends: the trapezoid rule over the whole cycle
+//! cycle      peaks, means, energies, fluctuation, shaking: read from these
+//! fitting    a flywheel and a motor against them
+//! ram        stroke, dead centres, speed and force of a slide
+//! ```
+//!
+//! Torque stands for what the driver does: N m where a link is turned, N where a slide is pushed.
+//! Nothing here solves a mechanism: what the driver must do at a coordinate comes from outside.
+
+mod chebyshev;
+mod course;
+mod cycle;
+mod fitting;
+mod marks;
+mod periodic;
+mod pieces;
+mod ram;
+
+pub use course::Course;
+pub use cycle::{Cycle, Effect, Fluctuation, Peak, Rule, Shaking};
+pub use fitting::{Asked, Fit, Geared, Motor, fluctuation_with, flywheel_for};
+pub use ram::{Centre, Dwell, NoRam, Passing, Ram, RamEnd, rams};
+
+use crate::Vec2;
+
+/// Torque, its three parts, the force on the ground and its moment.
+const CHANNELS: usize = 7;
+/// So many of them, the first, are torques; the last is the moment.
+const TORQUES: usize = 4;
+const MOMENT: usize = 6;
+
+/// What the driver must do in one state, and what the ground feels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Effort {
+    /// What the driver must do, in N m or N, positive along its coordinate.
+    pub torque: f64,
+    /// What of it goes into loads, gravity and inertia.
+    pub parts: [f64; 3],
+    /// The force of the mechanism on the ground in N.
+    pub force: Vec2,
+    /// Its moment about the scene's origin in N m.
+    pub moment: f64,
+}
+
+impl Effort {
+    fn channels(&self) -> [f64; CHANNELS] {
+        let [load, gravity, inertia] = self.parts;
+        let Vec2 { x, y } = self.force;
+        [self.torque, load, gravity, inertia, x, y, self.moment]
+    }
+}
