@@ -138,11 +138,7 @@ fn another_unit_is_converted() {
 #[test]
 fn rows_without_partner_say_so() {
     let mut session = beside("partners", Glyphs::Ascii, 100, 40);
-    let screen = session
-        .press("2 D")
-        .type_in("press")
-        .press("Enter")
-        .look();
+    let screen = session.press("2 D").type_in("press").press("Enter").look();
     assert_eq!(row(&screen, "r2.com")[1..], ["only", "here"]);
     assert!(screen.contains("only there: r5"), "{screen}");
     // Rates differ by the speeds of the drivers too, which is said.

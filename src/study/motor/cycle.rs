@@ -4,7 +4,7 @@ use super::chebyshev::{Basis, Sum, crossings};
 use super::course::Course;
 use super::periodic::{Means, Periodic, periodic};
 use super::pieces::{Piece, Pieces, Sampler};
-use super::{CHANNELS, Effort, MOMENT, TORQUES};
+use super::{CHANNELS, Effort, MOMENT, Measure, TORQUES};
 use crate::Vec2;
 
 /// The largest or the least value of something, and where.
@@ -38,6 +38,31 @@ pub struct Effect {
     pub put_in: Option<f64>,
     /// What comes back where it is negative, in J per cycle, not negative.
     pub given_back: Option<f64>,
+}
+
+impl Effect {
+    /// The largest torque in size, either way: the worst instant.
+    #[must_use]
+    pub fn worst(&self) -> Option<Peak> {
+        let (largest, least) = (self.largest?, self.least?);
+        Some(if largest.value >= -least.value {
+            largest
+        } else {
+            least
+        })
+    }
+
+    /// The work of a cycle in J: what is put in less what is given back.
+    #[must_use]
+    pub fn work(&self) -> Option<f64> {
+        Some(self.put_in? - self.given_back?)
+    }
+
+    /// Whether it is 0 throughout.
+    #[must_use]
+    pub fn is_nothing(&self) -> bool {
+        self.put_in == Some(0.0) && self.given_back == Some(0.0)
+    }
 }
 
 /// How far the work of the driver is from that of its mean, over the cycle.
@@ -108,18 +133,17 @@ const CONVERGED: f64 = 1e-10;
 impl Cycle {
     /// Goes through the cycle once. `effort` solves at a coordinate, on the way back where that is said;
     /// `marks` are the ways at which a load bends or jumps, 0 where the end does not go on at the
-    /// beginning; `joule` is the work in J of a torque of 1
-    /// over one unit of the driver's coordinate, and `speed` its speed in rad/s or m/s.
+    /// beginning.
     pub fn new(
         course: Course,
         marks: &[f64],
-        joule: f64,
-        speed: f64,
+        measure: Measure,
         effort: &mut dyn FnMut(f64, bool) -> Option<Effort>,
     ) -> Cycle {
         let mut sampler = Sampler {
             course,
             basis: Basis::new(),
+            measure,
             effort,
         };
         let pieces = Pieces::cut(&mut sampler, &sorted(marks, &course));
@@ -130,7 +154,7 @@ impl Cycle {
         let error = pieces.error.iter().fold(0.0, |most: f64, e| most.max(*e));
         let mut cycle = Cycle {
             course,
-            speed: speed.abs(),
+            speed: measure.speed.abs(),
             all: Effect::default(),
             parts: [Effect::default(); 3],
             fluctuation: None,
@@ -141,7 +165,7 @@ impl Cycle {
             error: means.map_or(error, |means| means.error),
             states: pieces.states + means.map_or(0, |means| 2 * means.places),
             pieces,
-            joule,
+            joule: measure.joule,
         };
         if !cycle.pieces.has_gap {
             cycle.read(means);
@@ -170,6 +194,11 @@ impl Cycle {
             moment,
         };
         channels.iter().all(|c| c.is_finite()).then_some(effort)
+    }
+
+    /// The work in J of a torque of 1 over one unit of the way.
+    pub(super) fn joule(&self) -> f64 {
+        self.joule
     }
 
     /// The driver's coordinate after this way.

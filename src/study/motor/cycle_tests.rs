@@ -9,6 +9,14 @@ const TURN: Range = Range::Full { period: 360.0 };
 /// One degree of a turn, in J for 1 N m.
 const DEGREE: f64 = PI / 180.0;
 
+fn degrees(speed: f64) -> Measure {
+    Measure {
+        joule: DEGREE,
+        speed,
+        ..Measure::default()
+    }
+}
+
 fn torque(torque: f64) -> Option<Effort> {
     let parts = [torque, 0.0, 0.0];
     Some(Effort {
@@ -20,7 +28,7 @@ fn torque(torque: f64) -> Option<Effort> {
 
 fn round(marks: &[f64], f: impl Fn(f64) -> f64) -> Cycle {
     let course = Course::new(TURN, 1, false, &[]);
-    Cycle::new(course, marks, DEGREE, 2.0, &mut |at, _| torque(f(at)))
+    Cycle::new(course, marks, degrees(2.0), &mut |at, _| torque(f(at)))
 }
 
 fn near(value: f64, exact: f64) {
@@ -59,7 +67,7 @@ fn a_wave_has_the_figures_of_the_textbooks() {
 fn a_driver_that_turns_backwards_does_the_work_of_the_opposite_torque() {
     let course = Course::new(TURN, 1, true, &[]);
     let f = |at: f64| torque(-3.0 + 5.0 * (at * DEGREE).cos());
-    let cycle = Cycle::new(course, &[], DEGREE, -2.0, &mut |at, _| f(at));
+    let cycle = Cycle::new(course, &[], degrees(-2.0), &mut |at, _| f(at));
     near(cycle.all.mean.unwrap(), -3.0);
     near(cycle.all.largest.unwrap().value, 2.0);
     near(cycle.all.least.unwrap().value, -8.0);
@@ -133,7 +141,7 @@ fn there_and_back_a_spring_gives_back_what_a_damper_does_not() {
     };
     let course = Course::new(range, 1, false, &[]);
     let mut spring = |at: f64, back: bool| torque(2.0 * at - 1.0 + if back { -0.5 } else { 0.5 });
-    let cycle = Cycle::new(course, &[], 1.0, 0.1, &mut spring);
+    let cycle = Cycle::new(course, &[], Measure::default(), &mut spring);
     // There 2 q - 1/2: -1/16 up to 1/4 and then 121/16; back the same of 2 q - 3/2: 9/16 and -81/16.
     near(cycle.all.put_in.unwrap(), 121.0 / 16.0 + 9.0 / 16.0);
     near(cycle.all.given_back.unwrap(), 1.0 / 16.0 + 81.0 / 16.0);
@@ -155,7 +163,7 @@ fn towards_dead_points_work_exists_and_peaks_do_not() {
         high: 1.0,
     };
     let course = Course::new(range, 1, false, &[-1.0, 1.0]);
-    let cycle = Cycle::new(course, &[], 1.0, 1.0, &mut |at, _| {
+    let cycle = Cycle::new(course, &[], Measure::default(), &mut |at, _| {
         torque(1.0 / (1.0 - at * at).sqrt())
     });
     near(cycle.all.put_in.unwrap(), PI);
@@ -168,7 +176,7 @@ fn towards_dead_points_work_exists_and_peaks_do_not() {
 #[test]
 fn the_ground_feels_the_largest_of_a_turning_force() {
     let course = Course::new(TURN, 1, false, &[]);
-    let cycle = Cycle::new(course, &[], DEGREE, 1.0, &mut |at, _| {
+    let cycle = Cycle::new(course, &[], degrees(1.0), &mut |at, _| {
         let (s, c) = (at * DEGREE).sin_cos();
         Some(Effort {
             force: Vec2::new(3.0 * c + 0.5, 2.0 * s),
@@ -188,7 +196,7 @@ fn the_ground_feels_the_largest_of_a_turning_force() {
 #[test]
 fn what_exists_nowhere_has_no_figures() {
     let course = Course::new(TURN, 1, false, &[]);
-    let cycle = Cycle::new(course, &[], DEGREE, 1.0, &mut |at, _| {
+    let cycle = Cycle::new(course, &[], degrees(1.0), &mut |at, _| {
         (at < 90.0).then_some(Effort::default())
     });
     assert_eq!(cycle.all, Effect::default());

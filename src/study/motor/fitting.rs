@@ -20,17 +20,6 @@ pub fn fluctuation_with(energy: f64, speed: f64, flywheel: f64) -> Option<f64> {
     fluctuation.is_finite().then_some(fluctuation)
 }
 
-/// A motor on the driver's shaft; what is not known of it is not asked.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Motor {
-    /// The torque in N m that it can keep up, or the force in N.
-    pub rated: Option<f64>,
-    /// The most that it can do for an instant.
-    pub peak: Option<f64>,
-    /// Its speed in rad/s, or m/s.
-    pub speed: Option<f64>,
-}
-
 /// What is asked of a motor, and what it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asked {
@@ -78,44 +67,40 @@ impl Asked {
 }
 
 impl Fit {
+    /// A motor on the driver's shaft against a cycle: what it can keep up, in N m or N, the most that it
+    /// can do for an instant, and its speed in rad/s or m/s; what is not known of it is not asked.
+    #[must_use]
+    pub fn new(cycle: &Cycle, rated: Option<f64>, peak: Option<f64>, speed: Option<f64>) -> Fit {
+        let both = |asked: Option<f64>, has: Option<f64>| {
+            let (asked, has) = (asked?, has?);
+            Some(Asked { asked, has })
+        };
+        let fit = Fit {
+            rated: both(cycle.all.rms, rated),
+            peak: both(cycle.all.worst().map(|peak| peak.value.abs()), peak),
+            speed: both(Some(cycle.speed), speed),
+            geared: None,
+        };
+        Fit {
+            geared: fit.geared(speed.map_or(0.0, |speed| speed / cycle.speed)),
+            ..fit
+        }
+    }
+
+    /// What becomes of it behind a gear, where the motor is the faster one and its torques are known.
+    fn geared(&self, ratio: f64) -> Option<Geared> {
+        let torques = [self.rated, self.peak].into_iter().flatten();
+        let enough = torques.map(|a| a.asked <= a.has * ratio);
+        let is_enough = enough.reduce(|a, b| a && b)?;
+        let is_faster = ratio > 1.0 && ratio.is_finite();
+        is_faster.then_some(Geared { ratio, is_enough })
+    }
+
     /// Whether the motor on the driver's shaft is enough in everything that is known; `None` where
     /// nothing is.
     #[must_use]
     pub fn is_enough(&self) -> Option<bool> {
         let known = [self.rated, self.peak, self.speed].into_iter().flatten();
         known.map(|asked| asked.is_enough()).reduce(|a, b| a && b)
-    }
-}
-
-impl Motor {
-    /// What it has against what the cycle asks for.
-    #[must_use]
-    pub fn fit(&self, cycle: &Cycle) -> Fit {
-        let both = |asked: Option<f64>, has: Option<f64>| {
-            let asked = Asked {
-                asked: asked?,
-                has: has?,
-            };
-            Some(asked)
-        };
-        let worst = [cycle.all.largest, cycle.all.least].into_iter().flatten();
-        let worst = worst.map(|peak| peak.value.abs()).reduce(f64::max);
-        let mut fit = Fit {
-            rated: both(cycle.all.rms, self.rated),
-            peak: both(worst, self.peak),
-            speed: both(Some(cycle.speed), self.speed),
-            geared: None,
-        };
-        let ratio = self.speed.map_or(0.0, |speed| speed / cycle.speed);
-        let torques = [fit.rated, fit.peak].into_iter().flatten();
-        if ratio > 1.0 && ratio.is_finite() {
-            let enough = |a: Asked| a.asked <= a.has * ratio;
-            fit.geared = Some(Geared {
-                ratio,
-                is_enough: torques.map(enough).reduce(|a, b| a && b).unwrap_or(false),
-            })
-            .filter(|_| fit.rated.is_some() || fit.peak.is_some());
-        }
-        fit
     }
 }

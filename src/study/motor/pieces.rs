@@ -6,7 +6,7 @@
 
 use super::chebyshev::{Basis, Sum, TERMS};
 use super::course::{Course, Place};
-use super::{CHANNELS, Effort};
+use super::{CHANNELS, Effort, Measure};
 
 /// A part of the way on which everything is smooth.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +28,7 @@ pub(super) struct Pieces {
     pub(super) has_gap: bool,
     /// States that were solved.
     pub(super) states: usize,
+    measure: Measure,
 }
 
 /// Pieces at the beginning: an eighth of a turn does for most linkages.
@@ -38,6 +39,8 @@ const FINE: f64 = 1e-13;
 /// is off by less than the second.
 const FAIR: f64 = 1e-9;
 const SHORT: f64 = 1e-13;
+/// No channel is measured by less than this part of all others.
+const LEAST: f64 = 1e-2;
 /// Towards a dead point figures lose digits, and the more of them the closer a place is: there, so much
 /// more of both is good enough.
 const DEAD: f64 = 100.0;
@@ -53,6 +56,7 @@ const MOST_PIECES: usize = 1000;
 pub(super) struct Sampler<'a> {
     pub(super) course: Course,
     pub(super) basis: Basis,
+    pub(super) measure: Measure,
     pub(super) effort: &'a mut dyn FnMut(f64, bool) -> Option<Effort>,
 }
 
@@ -84,7 +88,10 @@ impl Pieces {
     /// Cuts the way at `marks`, which are sorted and lie on it.
     pub(super) fn cut(sampler: &mut Sampler, marks: &[f64]) -> Pieces {
         let length = sampler.course.length();
-        let mut pieces = Pieces::default();
+        let mut pieces = Pieces {
+            measure: sampler.measure,
+            ..Pieces::default()
+        };
         let mut waiting: Vec<(Option<Piece>, f64, f64, u32, u32)> = Vec::new();
         let mut from = 0.0;
         for &to in marks.iter().chain(&[length]) {
@@ -146,17 +153,25 @@ impl Pieces {
         Some(piece)
     }
 
-    /// What a channel is measured by: rounding of one torque is a part of all torques.
+    /// What a channel is measured by. Where forces that are large cancel, rounding is what is left: no
+    /// channel is measured by less than a part of what all others come to, each over its arm.
     pub(super) fn size(&self, channel: usize) -> f64 {
-        let family = if channel < super::TORQUES {
-            &self.scale[..super::TORQUES]
-        } else if channel < super::MOMENT {
-            &self.scale[super::TORQUES..super::MOMENT]
-        } else {
-            &self.scale[super::MOMENT..]
-        };
-        let family = family.iter().fold(0.0, |most: f64, s| most.max(*s));
-        self.scale[channel].max(1e-2 * family)
+        let forces = self
+            .scale
+            .iter()
+            .enumerate()
+            .map(|(i, scale)| scale / self.arm(i));
+        let all = forces.fold(0.0, f64::max);
+        self.scale[channel].max(LEAST * all * self.arm(channel))
+    }
+
+    /// The arm in m by which a channel is a moment; 1 for a force.
+    fn arm(&self, channel: usize) -> f64 {
+        match channel {
+            super::MOMENT => self.measure.reach,
+            _ if channel < super::TORQUES => self.measure.arm,
+            _ => 1.0,
+        }
     }
 
     /// The sums that do not yet stand for their functions.
