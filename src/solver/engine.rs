@@ -63,6 +63,15 @@ impl Engine {
         engine
     }
 
+    /// The same at another speed and acceleration of the driver, in the scene's units.
+    pub(super) fn at_speed(&self, speed: f64, acceleration: f64) -> Engine {
+        let inner = |v: f64| if self.turns { v } else { self.frame.length(v) };
+        Engine {
+            driver_rates: [inner(speed), inner(acceleration)],
+            ..self.clone()
+        }
+    }
+
     /// An empty state, with the constants in it.
     pub(super) fn state<T: Number>(&self, slides: usize) -> State<T> {
         let coupled = &self.program.coupled;

@@ -39,6 +39,7 @@ mod network;
 mod order;
 mod passage;
 mod plan;
+mod speed;
 mod state;
 mod step;
 mod transmission;
@@ -57,6 +58,7 @@ pub use neighbour::Neighbour;
 pub use plan::{Group, GroupKind, Pick, Plan};
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
+pub(crate) use zero::zero;
 
 use crate::{Element, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
 use assemble::Request;

@@ -10,7 +10,7 @@ const DECIMALS: f64 = 1e9;
 ///
 /// Chandrupatla's method (Adv. Eng. Software 28, 1997): inverse quadratic interpolation where that
 /// is safe, halving elsewhere.
-pub(super) fn zero(
+pub(crate) fn zero(
     a: (f64, f64),
     b: (f64, f64),
     finest: f64,

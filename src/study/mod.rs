@@ -11,6 +11,7 @@
 mod cycle;
 mod findings;
 mod front;
+pub mod motor;
 mod rk4;
 mod spread;
 mod tally;

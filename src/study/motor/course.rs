@@ -1,0 +1,189 @@
+//! The driver's way through one cycle.
+//!
+//! A driver that turns goes on through whole turns; one that is stopped at limits goes there and back.
+//! The way w counts from 0 in the driver's own unit, always forwards. At a limit that is a dead point
+//! the torque can grow like 1 / sqrt(d) with the distance d from it, and its work stays finite all the
+//! same: there the way is laid so that q = low + (high - low) sin^2(phi / 2), and what is integrated over
+//! it is smooth.
+
+use crate::solver::Range;
+use std::f64::consts::PI;
+
+/// The way of the driver through a cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Course {
+    /// The least of its coordinates, in degrees or in the scene's length unit.
+    pub low: f64,
+    /// The greatest.
+    pub high: f64,
+    /// Whether it goes on where it began; otherwise it goes there and back.
+    pub goes_round: bool,
+    /// Whether it ends at dead points.
+    pub ends_dead: bool,
+    /// Whether the coordinate first becomes less: the driver's speed is negative.
+    pub falls: bool,
+}
+
+/// Where the driver is on its way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    /// Its coordinate.
+    pub(super) at: f64,
+    /// Whether it goes against its given speed: on the way back.
+    pub(super) back: bool,
+    /// By how much the coordinate changes with the way: 1 or -1, but between dead points.
+    pub(super) weight: f64,
+}
+
+impl Course {
+    /// The cycle of a motion: a turning driver's period, which may be repeated for loads that take
+    /// longer, or the range, or a part of it, there and back.
+    #[must_use]
+    pub fn new(range: Range, repeats: u32, falls: bool, dead_points: &[f64]) -> Course {
+        let (low, high, goes_round) = match range {
+            Range::Full { period } => (0.0, period * f64::from(repeats.max(1)), true),
+            Range::Limited { low, high } => (low, high, false),
+        };
+        let is_dead = |end: &f64| dead_points.contains(end);
+        Course {
+            low,
+            high,
+            goes_round,
+            ends_dead: !goes_round && (is_dead(&low) || is_dead(&high)),
+            falls,
+        }
+    }
+
+    /// A part of the motion, there and back.
+    #[must_use]
+    pub fn between(low: f64, high: f64, falls: bool, dead_points: &[f64]) -> Course {
+        Course::new(Range::Limited { low, high }, 1, falls, dead_points)
+    }
+
+    /// How long the way is, in the driver's unit.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        let once = self.high - self.low;
+        if self.goes_round { once } else { 2.0 * once }
+    }
+
+    /// Where the driver is after this way.
+    pub(super) fn place(&self, way: f64) -> Place {
+        let once = self.high - self.low;
+        let back = !self.goes_round && way > once;
+        let gone = if back { 2.0 * once - way } else { way };
+        let sense = if back == self.falls { 1.0 } else { -1.0 };
+        let (begin, end) = if self.falls {
+            (self.high, self.low)
+        } else {
+            (self.low, self.high)
+        };
+        if !self.ends_dead {
+            let at = if self.falls {
+                begin - gone
+            } else {
+                begin + gone
+            };
+            return Place {
+                at,
+                back,
+                weight: sense,
+            };
+        }
+        let phi = PI * gone / once;
+        // Each half counted from its own end, so that nothing is lost beside it.
+        let part = |phi: f64| (0.5 * phi).sin().powi(2);
+        let at = if 2.0 * gone < once {
+            begin + (end - begin) * part(phi)
+        } else {
+            end - (end - begin) * part(PI - phi)
+        };
+        Place {
+            at,
+            back,
+            weight: sense * 0.5 * PI * phi.sin(),
+        }
+    }
+
+    /// Adds the ways on which the driver comes by a coordinate; `every` is what it repeats after, or 0.
+    pub(super) fn ways(&self, at: f64, every: f64, to: &mut Vec<f64>) {
+        let first = if every > 0.0 {
+            self.low + (at - self.low).rem_euclid(every)
+        } else {
+            at
+        };
+        let mut at = first;
+        while self.low <= at && at <= self.high {
+            self.add_ways(at, to);
+            at += every;
+            if every <= 0.0 {
+                break;
+            }
+        }
+    }
+
+    fn add_ways(&self, at: f64, to: &mut Vec<f64>) {
+        let once = self.high - self.low;
+        let up = if self.falls {
+            self.high - at
+        } else {
+            at - self.low
+        };
+        let gone = if self.ends_dead {
+            once * 2.0 / PI * (up / once).sqrt().asin()
+        } else {
+            up
+        };
+        to.push(gone);
+        if !self.goes_round {
+            to.push(2.0 * once - gone);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITED: Range = Range::Limited {
+        low: -10.0,
+        high: 30.0,
+    };
+
+    #[test]
+    fn a_turning_driver_goes_round_either_way() {
+        let range = Range::Full { period: 360.0 };
+        let up = Course::new(range, 2, false, &[]);
+        assert_eq!((up.length(), up.place(400.0).at), (720.0, 400.0));
+        let down = Course::new(range, 1, true, &[]);
+        let place = down.place(90.0);
+        assert_eq!((place.at, place.back, place.weight), (270.0, false, -1.0));
+        let mut ways = Vec::new();
+        up.ways(-30.0, 360.0, &mut ways);
+        down.ways(90.0, 0.0, &mut ways);
+        assert_eq!(ways, [330.0, 690.0, 270.0]);
+    }
+
+    #[test]
+    fn a_limited_driver_goes_there_and_back() {
+        for dead in [&[][..], &[30.0]] {
+            for falls in [false, true] {
+                let course = Course::new(LIMITED, 1, falls, dead);
+                assert_eq!(course.length(), 80.0);
+                let mut ways = Vec::new();
+                course.ways(5.0, 0.0, &mut ways);
+                assert_eq!(ways.len(), 2);
+                let places = [course.place(ways[0]), course.place(ways[1])];
+                assert!(
+                    places.iter().all(|p| (p.at - 5.0).abs() < 1e-13),
+                    "{places:?}"
+                );
+                assert!(!places[0].back && places[1].back);
+                // The weight is the slope of the coordinate over the way.
+                let slope = course.place(ways[0] + 1e-4).at - course.place(ways[0] - 1e-4).at;
+                assert!((slope / 2e-4 - places[0].weight).abs() < 1e-7);
+                assert_eq!(places[0].weight < 0.0, falls);
+            }
+        }
+    }
+}

@@ -1,0 +1,404 @@
+//! The figures of a cycle.
+
+use super::chebyshev::{Basis, Sum, crossings};
+use super::course::Course;
+use super::periodic::{Means, Periodic, periodic};
+use super::pieces::{Piece, Pieces, Sampler};
+use super::{CHANNELS, Effort, MOMENT, Measure, TORQUES};
+use crate::Vec2;
+
+/// The largest or the least value of something, and where.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Peak {
+    /// The value.
+    pub value: f64,
+    /// The driver's coordinate, in degrees or in the scene's length unit.
+    pub at: f64,
+    /// Whether that is on the way back of a driver that goes there and back.
+    pub back: bool,
+}
+
+/// What the driver must do, or one part of that, over the cycle. A figure that does not exist there is
+/// `None`: the torque may grow beyond all bounds towards a dead point.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Effect {
+    /// The largest torque, in N m, or force in N.
+    pub largest: Option<Peak>,
+    /// The least: the largest the other way, where it is negative.
+    pub least: Option<Peak>,
+    /// The largest power in W.
+    pub largest_power: Option<Peak>,
+    /// The least power: where it is negative, what comes back to the driver.
+    pub least_power: Option<Peak>,
+    /// The mean torque over the cycle.
+    pub mean: Option<f64>,
+    /// The root of its mean square.
+    pub rms: Option<f64>,
+    /// The work of the driver where its power is positive, in J per cycle.
+    pub put_in: Option<f64>,
+    /// What comes back where it is negative, in J per cycle, not negative.
+    pub given_back: Option<f64>,
+}
+
+impl Effect {
+    /// The largest torque in size, either way: the worst instant.
+    #[must_use]
+    pub fn worst(&self) -> Option<Peak> {
+        let (largest, least) = (self.largest?, self.least?);
+        Some(if largest.value >= -least.value {
+            largest
+        } else {
+            least
+        })
+    }
+
+    /// The work of a cycle in J: what is put in less what is given back.
+    #[must_use]
+    pub fn work(&self) -> Option<f64> {
+        Some(self.put_in? - self.given_back?)
+    }
+
+    /// Whether it is 0 throughout.
+    #[must_use]
+    pub fn is_nothing(&self) -> bool {
+        self.put_in == Some(0.0) && self.given_back == Some(0.0)
+    }
+}
+
+/// How far the work of the driver is from that of its mean, over the cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fluctuation {
+    /// Between the largest excess and the largest want, in J.
+    pub energy: f64,
+    /// Where a driver of constant torque would be slowest: the mechanism has taken most.
+    pub slowest: f64,
+    /// Where it would be fastest.
+    pub fastest: f64,
+}
+
+/// What the ground feels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Shaking {
+    /// The largest force in N.
+    pub force: Option<Peak>,
+    /// That force.
+    pub vector: Option<Vec2>,
+    /// The root of the mean square of the force in N.
+    pub force_rms: Option<f64>,
+    /// The moment about the scene's origin that is largest in size, in N m.
+    pub moment: Option<Peak>,
+    /// The root of its mean square in N m.
+    pub moment_rms: Option<f64>,
+}
+
+/// How means were found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rule {
+    /// The trapezoid rule at so many places of a smooth periodic cycle.
+    Periodic(usize),
+    /// Sums of polynomials on so many pieces.
+    Pieces(usize),
+}
+
+/// What the driver must do over one cycle.
+#[derive(Clone, Debug)]
+pub struct Cycle {
+    /// The driver's way.
+    pub course: Course,
+    /// The driver's speed without its sign, in rad/s or m/s.
+    pub speed: f64,
+    /// All that the driver must do.
+    pub all: Effect,
+    /// What of it loads, gravity and inertia ask for.
+    pub parts: [Effect; 3],
+    /// `None` where the driver does not go round, or nothing is known.
+    pub fluctuation: Option<Fluctuation>,
+    /// What the ground feels.
+    pub shaking: Shaking,
+    /// How the means were found.
+    pub rule: Rule,
+    /// What the means can be off by, as a part of the largest torque: what the last two rules differ by,
+    /// or what the last terms of all sums contribute.
+    pub error: f64,
+    /// States that were solved.
+    pub states: usize,
+    pieces: Pieces,
+    /// The work in J of a torque of 1 over a way of 1.
+    joule: f64,
+}
+
+/// Means that agree no better than this are not believed.
+const CONVERGED: f64 = 1e-10;
+
+impl Cycle {
+    /// Goes through the cycle once. `effort` solves at a coordinate, on the way back where that is said;
+    /// `marks` are the ways at which a load bends or jumps, 0 where the end does not go on at the
+    /// beginning.
+    pub fn new(
+        course: Course,
+        marks: &[f64],
+        measure: Measure,
+        effort: &mut dyn FnMut(f64, bool) -> Option<Effort>,
+    ) -> Cycle {
+        let mut sampler = Sampler {
+            course,
+            basis: Basis::new(),
+            measure,
+            effort,
+        };
+        let pieces = Pieces::cut(&mut sampler, &sorted(marks, &course));
+        let smooth = course.goes_round && marks.is_empty() && !pieces.has_gap;
+        let means = smooth
+            .then(|| periodic(&mut sampler, |i| pieces.size(i), CONVERGED))
+            .flatten();
+        let error = pieces.error.iter().fold(0.0, |most: f64, e| most.max(*e));
+        let mut cycle = Cycle {
+            course,
+            speed: measure.speed.abs(),
+            all: Effect::default(),
+            parts: [Effect::default(); 3],
+            fluctuation: None,
+            shaking: Shaking::default(),
+            rule: means.map_or(Rule::Pieces(pieces.list.len()), |m| {
+                Rule::Periodic(m.places)
+            }),
+            error: means.map_or(error, |means| means.error),
+            states: pieces.states + means.map_or(0, |means| 2 * means.places),
+            pieces,
+            joule: measure.joule,
+        };
+        if !cycle.pieces.has_gap {
+            cycle.read(means);
+        }
+        cycle
+    }
+
+    /// Whether the means can be believed to 10 digits.
+    #[must_use]
+    pub fn has_converged(&self) -> bool {
+        !self.pieces.has_gap && self.error <= CONVERGED
+    }
+
+    /// Torque, its parts, the force on the ground and its moment after this way, as they were solved
+    /// for; `None` where there are none. Between dead points a torque is that over the way.
+    #[must_use]
+    pub fn at(&self, way: f64) -> Option<Effort> {
+        let mut channels = self.pieces.at(way)?;
+        let weight = self.course.place(way).weight;
+        channels[..TORQUES].iter_mut().for_each(|c| *c /= weight);
+        let [torque, load, gravity, inertia, x, y, moment] = channels;
+        let effort = Effort {
+            torque,
+            parts: [load, gravity, inertia],
+            force: Vec2::new(x, y),
+            moment,
+        };
+        channels.iter().all(|c| c.is_finite()).then_some(effort)
+    }
+
+    /// The work in J of a torque of 1 over one unit of the way.
+    pub(super) fn joule(&self) -> f64 {
+        self.joule
+    }
+
+    /// The driver's coordinate after this way.
+    #[must_use]
+    pub fn coordinate(&self, way: f64) -> f64 {
+        self.course.place(way).at
+    }
+
+    fn read(&mut self, means: Option<Periodic>) {
+        let means = means.map_or_else(|| self.means(), |periodic| periodic.means);
+        let mut scratch = Vec::new();
+        let mut effects = [Effect::default(); TORQUES];
+        for (channel, effect) in effects.iter_mut().enumerate() {
+            *effect = self.effect(channel, &means, &mut scratch);
+        }
+        let [all, load, gravity, inertia] = effects;
+        self.all = all;
+        self.parts = [load, gravity, inertia];
+        if self.course.goes_round {
+            self.fluctuation = self.fluctuate(means.mean[0], &mut scratch);
+        }
+        if !self.course.ends_dead {
+            self.shaking = self.shake(&means, &mut scratch);
+        }
+    }
+
+    /// The means of the sums.
+    fn means(&self) -> Means {
+        let mut means = Means::default();
+        let length = self.course.length();
+        for piece in &self.pieces.list {
+            let share = piece.half() / length;
+            for (i, sum) in piece.sums.iter().enumerate() {
+                means.mean[i] += share * sum.integral().at(1.0);
+                means.square[i] += share * sum.product(sum);
+            }
+        }
+        means
+    }
+
+    fn effect(&self, channel: usize, means: &Means, turns: &mut Vec<f64>) -> Effect {
+        let (mut put_in, mut given_back, mut signed) = (0.0, 0.0, 0.0);
+        let mut largest: [Option<Peak>; 4] = [None; 4];
+        let mut zeros = Vec::new();
+        for piece in &self.pieces.list {
+            let sum = &piece.sums[channel];
+            turns.clear();
+            zeros.clear();
+            sum.turns(turns);
+            sum.zeros(turns, &mut zeros);
+            let integral = sum.integral();
+            let mut before = 0.0;
+            for &t in zeros.iter().chain(&[1.0]) {
+                let here = integral.at(t);
+                let gain = (here - before) * piece.half();
+                put_in += gain.max(0.0);
+                given_back -= gain.min(0.0);
+                before = here;
+            }
+            let sense = self.course.place(piece.way(0.0)).weight.signum();
+            signed += sense * before * piece.half();
+            for &t in turns.iter().chain(&[-1.0, 1.0]) {
+                let value = sum.at(t);
+                let [high, low, high_power, low_power] = &mut largest;
+                self.raise(high, sense * value, piece, t);
+                self.raise(low, -sense * value, piece, t);
+                self.raise(high_power, value, piece, t);
+                self.raise(low_power, -value, piece, t);
+            }
+        }
+        let regular = !self.course.ends_dead;
+        let [high, low, high_power, low_power] = largest.map(|peak| peak.filter(|_| regular));
+        let times = |peak: Option<Peak>, factor: f64| {
+            peak.map(|peak| Peak {
+                value: peak.value * factor,
+                ..peak
+            })
+        };
+        let mean = if self.course.goes_round {
+            means.mean[channel] * if self.course.falls { -1.0 } else { 1.0 }
+        } else {
+            signed / self.course.length()
+        };
+        Effect {
+            largest: high,
+            least: times(low, -1.0),
+            largest_power: times(high_power, self.speed),
+            least_power: times(low_power, -self.speed),
+            mean: Some(mean),
+            rms: regular.then(|| means.root(channel)),
+            put_in: Some(put_in * self.joule),
+            given_back: Some(given_back * self.joule),
+        }
+    }
+
+    /// Takes a value that is larger than what is known.
+    fn raise(&self, peak: &mut Option<Peak>, value: f64, piece: &Piece, t: f64) {
+        if peak.is_none_or(|peak| value > peak.value) {
+            let place = self.course.place(piece.way(t));
+            *peak = Some(Peak {
+                value,
+                at: place.at,
+                back: place.back,
+            });
+        }
+    }
+
+    /// The extremes of the work of the torque less its mean: they lie where the two are equal.
+    fn fluctuate(&self, mean: f64, turns: &mut Vec<f64>) -> Option<Fluctuation> {
+        let mut zeros = Vec::new();
+        let (mut least, mut most) = ((0.0, 0.0), (0.0, 0.0));
+        let mut before = 0.0;
+        for piece in &self.pieces.list {
+            let excess = piece.sums[0].less(mean);
+            turns.clear();
+            zeros.clear();
+            excess.turns(turns);
+            excess.zeros(turns, &mut zeros);
+            let integral = excess.integral();
+            for &t in zeros.iter().chain(&[1.0]) {
+                let work = before + integral.at(t) * piece.half();
+                if work < least.0 {
+                    least = (work, piece.way(t));
+                }
+                if work > most.0 {
+                    most = (work, piece.way(t));
+                }
+            }
+            before += integral.at(1.0) * piece.half();
+        }
+        Some(Fluctuation {
+            energy: (most.0 - least.0) * self.joule,
+            slowest: self.coordinate(most.1),
+            fastest: self.coordinate(least.1),
+        })
+    }
+
+    fn shake(&self, means: &Means, turns: &mut Vec<f64>) -> Shaking {
+        let (mut force, mut vector, mut moment): (Option<Peak>, _, Option<Peak>) =
+            (None, None, None);
+        for piece in &self.pieces.list {
+            let [x, y] = [&piece.sums[TORQUES], &piece.sums[TORQUES + 1]];
+            let (dx, dy) = (x.slope(), y.slope());
+            turns.clear();
+            // Where the square of the force turns.
+            crossings(|t| x.at(t) * dx.at(t) + y.at(t) * dy.at(t), turns);
+            for &t in turns.iter().chain(&[-1.0, 1.0]) {
+                let here = Vec2::new(x.at(t), y.at(t));
+                let before = force;
+                self.raise(&mut force, here.norm(), piece, t);
+                if force != before {
+                    vector = Some(here);
+                }
+            }
+            turns.clear();
+            let sum: &Sum = &piece.sums[MOMENT];
+            sum.turns(turns);
+            for &t in turns.iter().chain(&[-1.0, 1.0]) {
+                let value = sum.at(t);
+                let mut larger = moment.map(|peak| Peak {
+                    value: peak.value.abs(),
+                    ..peak
+                });
+                let before = larger;
+                self.raise(&mut larger, value.abs(), piece, t);
+                if larger != before {
+                    moment = larger.map(|peak| Peak { value, ..peak });
+                }
+            }
+        }
+        Shaking {
+            force,
+            vector,
+            force_rms: Some(means.force()),
+            moment,
+            moment_rms: Some(means.root(MOMENT)),
+        }
+    }
+}
+
+/// The marks on the way, in its order; without its ends and without those that rounding tells apart.
+fn sorted(marks: &[f64], course: &Course) -> Vec<f64> {
+    let length = course.length();
+    let mut marks = marks.to_vec();
+    if !course.goes_round {
+        marks.push(0.5 * length);
+    }
+    marks.sort_by(f64::total_cmp);
+    let apart = SAME * length;
+    marks.dedup_by(|later, earlier| *later - *earlier <= apart);
+    marks.retain(|way| (apart..=length - apart).contains(way));
+    marks
+}
+
+/// Marks that are closer, as a part of the way, are one.
+const SAME: f64 = 1e-14;
+
+/// All channels there are.
+const _: () = assert!(MOMENT + 1 == CHANNELS);
+
+#[cfg(test)]
+#[path = "cycle_tests.rs"]
+mod tests;

@@ -1,0 +1,106 @@
+//! Where on the way a load bends or jumps, and after how many turns all loads repeat.
+
+use super::course::Course;
+use super::ram::{Ram, RamEnd};
+use crate::angle::TURN;
+use crate::solver::{Range, Solver};
+use crate::{Input, Load, Mechanism, Profile};
+
+/// A cycle of more turns is not waited for.
+const MOST_TURNS: u64 = 64;
+
+/// After how many turns a profile over the driver's coordinate repeats, if it does: where its knots span
+/// whole turns.
+fn turns_of(profile: &Profile) -> Option<u64> {
+    let (first, last) = (profile.knots().first()?, profile.knots().last()?);
+    let turns = (last[0] - first[0]) / TURN;
+    let is_whole = turns >= 1.0 && turns.fract() == 0.0 && turns <= MOST_TURNS as f64;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a few turns"
+    )]
+    is_whole.then_some(turns as u64)
+}
+
+fn profiles(mechanism: &Mechanism) -> impl Iterator<Item = &Profile> {
+    let over =
+        |load: &'_ Load| -> bool { matches!(load, Load::Force { .. } | Load::Torque { .. }) };
+    let loads = mechanism.loads().iter().filter(move |load| over(load));
+    loads.filter_map(|load| match load {
+        Load::Force { over, .. } | Load::Torque { over, .. } => Some(over),
+        Load::Press { .. } | Load::Spring { .. } => None,
+    })
+}
+
+/// How often the motion's period is gone through until the loads have repeated, too; `None` where that is
+/// too often to wait for.
+pub(super) fn repeats(mechanism: &Mechanism, range: Range) -> Option<u32> {
+    let Range::Full { period } = range else {
+        return Some(1);
+    };
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a few turns"
+    )]
+    let motion = (period / TURN).round().max(1.0) as u64;
+    let mut all = motion;
+    for turns in profiles(mechanism).filter_map(turns_of) {
+        all = all / common(all, turns) * turns;
+        if all > MOST_TURNS {
+            return None;
+        }
+    }
+    u32::try_from(all / motion).ok()
+}
+
+fn common(a: u64, b: u64) -> u64 {
+    if b == 0 { a } else { common(b, a % b) }
+}
+
+/// The ways on which a load bends or jumps, in no order: knots over the driver's coordinate, the places
+/// where a press begins, bends and ends, and change points, where forces in the joints have no limit.
+pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> Vec<f64> {
+    let mut ways = Vec::new();
+    let motion = solver.motion();
+    let period = match motion.range {
+        Range::Full { period } => period,
+        Range::Limited { .. } => 0.0,
+    };
+    let turns = matches!(mechanism.driver().input, Input::Turn(_));
+    for profile in profiles(mechanism) {
+        let every = match turns_of(profile) {
+            Some(whole) if turns && course.goes_round => TURN * whole as f64,
+            Some(_) | None => 0.0,
+        };
+        for knot in profile.knots() {
+            course.ways(knot[0], every, &mut ways);
+        }
+        if every == 0.0 && !profile.is_one() {
+            // It begins anew with the cycle, where it may jump.
+            ways.push(0.0);
+        }
+    }
+    let mut at = motion.change_points.clone();
+    for load in mechanism.loads() {
+        let Load::Press { slide, end, curve } = load else {
+            continue;
+        };
+        let end = RamEnd {
+            end: *end,
+            is_known: true,
+        };
+        let Ok(mut ram) = Ram::new(mechanism, solver, *slide, end) else {
+            continue;
+        };
+        ram.turns(&mut at);
+        for knot in curve.knots() {
+            ram.coordinates(knot[0], &mut at);
+        }
+    }
+    for at in at {
+        course.ways(at, period, &mut ways);
+    }
+    ways
+}

@@ -1,0 +1,225 @@
+//! What the driver must do over a cycle, piece by piece.
+//!
+//! The cycle is cut where a load bends or jumps, and then in halves until on every piece a sum of
+//! Chebyshev polynomials stands for what was solved there. Everything else - integrals, zeros, peaks -
+//! is read from the sums.
+
+use super::chebyshev::{Basis, Sum, TERMS};
+use super::course::{Course, Place};
+use super::{CHANNELS, Effort, Measure};
+
+/// A part of the way on which everything is smooth.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) sums: [Sum; CHANNELS],
+}
+
+/// All pieces of a cycle, in the order of the way.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Pieces {
+    pub(super) list: Vec<Piece>,
+    /// The size of each channel: its largest term anywhere.
+    pub(super) scale: [f64; CHANNELS],
+    /// What each integral is off by, as a part of size times way.
+    pub(super) error: [f64; CHANNELS],
+    /// Whether there is a place where nothing could be solved: then none of the figures exist.
+    pub(super) has_gap: bool,
+    /// States that were solved.
+    pub(super) states: usize,
+    measure: Measure,
+}
+
+/// Pieces at the beginning: an eighth of a turn does for most linkages.
+const PARTS: f64 = 8.0;
+/// A sum whose last terms are less than this part of its channel is as good as its function.
+const FINE: f64 = 1e-13;
+/// One with last terms below the first part is good enough where the piece is so short that the integral
+/// is off by less than the second.
+const FAIR: f64 = 1e-9;
+const SHORT: f64 = 1e-13;
+/// No channel is measured by less than this part of all others.
+const LEAST: f64 = 1e-2;
+/// Towards a dead point figures lose digits, and the more of them the closer a place is: there, so much
+/// more of both is good enough.
+const DEAD: f64 = 100.0;
+/// Halvings towards a place where nothing can be solved, before it is believed that there is none.
+const MOST_SEARCHES: u32 = 12;
+/// Halvings of a piece, and of one whose last terms are rounding: waves 16 times shorter would be met.
+const MOST_HALVINGS: u32 = 30;
+const FLAT_HALVINGS: u32 = 4;
+/// All pieces of a cycle: a bound on the work where nothing is smooth.
+const MOST_PIECES: usize = 1000;
+
+/// Solves at places of the way.
+pub(super) struct Sampler<'a> {
+    pub(super) course: Course,
+    pub(super) basis: Basis,
+    pub(super) measure: Measure,
+    pub(super) effort: &'a mut dyn FnMut(f64, bool) -> Option<Effort>,
+}
+
+impl Sampler<'_> {
+    /// What is integrated at this way: torques times the change of the coordinate, and the ground's.
+    pub(super) fn channels(&mut self, way: f64) -> Option<[f64; CHANNELS]> {
+        let Place { at, back, weight } = self.course.place(way);
+        let mut channels = (self.effort)(at, back)?.channels();
+        channels[..super::TORQUES]
+            .iter_mut()
+            .for_each(|c| *c *= weight);
+        channels.iter().all(|c| c.is_finite()).then_some(channels)
+    }
+
+    fn piece(&mut self, from: f64, to: f64) -> Option<Piece> {
+        let mut values = [[0.0; TERMS]; CHANNELS];
+        for j in 0..TERMS {
+            let way = from + (to - from) * 0.5 * (1.0 + self.basis.places[j]);
+            for (values, value) in values.iter_mut().zip(self.channels(way)?) {
+                values[j] = value;
+            }
+        }
+        let sums = values.map(|values| self.basis.through(&values));
+        Some(Piece { from, to, sums })
+    }
+}
+
+impl Pieces {
+    /// Cuts the way at `marks`, which are sorted and lie on it.
+    pub(super) fn cut(sampler: &mut Sampler, marks: &[f64]) -> Pieces {
+        let length = sampler.course.length();
+        let mut pieces = Pieces {
+            measure: sampler.measure,
+            ..Pieces::default()
+        };
+        let mut waiting: Vec<(Option<Piece>, f64, f64, u32, u32)> = Vec::new();
+        let mut from = 0.0;
+        for &to in marks.iter().chain(&[length]) {
+            let parts = ((to - from) / length * PARTS).ceil().max(1.0);
+            let mut part = from;
+            let mut k = 0.0;
+            while k < parts && to > from {
+                k += 1.0;
+                let end = if k < parts {
+                    from + (to - from) * k / parts
+                } else {
+                    to
+                };
+                let piece = pieces.solve(sampler, part, end);
+                waiting.push((piece, part, end, 0, 0));
+                part = end;
+            }
+            from = from.max(to);
+        }
+        // From the first to the last: the next one is on top.
+        waiting.reverse();
+        while let Some((piece, from, to, halvings, flat)) = waiting.pop() {
+            let middle = 0.5 * (from + to);
+            let spent = halvings >= MOST_HALVINGS
+                || pieces.list.len() + waiting.len() >= MOST_PIECES
+                || !(from < middle && middle < to);
+            let allowance = if sampler.course.ends_dead { DEAD } else { 1.0 };
+            let is_good = |piece: Piece| pieces.is_good(&piece, length, flat, allowance);
+            let good = piece.is_some_and(is_good);
+            match piece {
+                Some(piece) if good || spent => pieces.keep(piece, length),
+                None if spent || halvings >= MOST_SEARCHES => {
+                    pieces.has_gap = true;
+                    break;
+                }
+                _ => {
+                    let is_flat = |p: Piece| pieces.rough(&p).all(|(_, sum)| sum.is_flat());
+                    let flat = if piece.is_some_and(is_flat) {
+                        flat + 1
+                    } else {
+                        0
+                    };
+                    let halves = [(from, middle), (middle, to)];
+                    let halves = halves
+                        .map(|(a, b)| (pieces.solve(sampler, a, b), a, b, halvings + 1, flat));
+                    waiting.extend(halves.into_iter().rev());
+                }
+            }
+        }
+        pieces
+    }
+
+    fn solve(&mut self, sampler: &mut Sampler, from: f64, to: f64) -> Option<Piece> {
+        self.states += TERMS;
+        let piece = sampler.piece(from, to)?;
+        for (scale, sum) in self.scale.iter_mut().zip(&piece.sums) {
+            *scale = scale.max(sum.size());
+        }
+        Some(piece)
+    }
+
+    /// What a channel is measured by. Where forces that are large cancel, rounding is what is left: no
+    /// channel is measured by less than a part of what all others come to, each over its arm.
+    pub(super) fn size(&self, channel: usize) -> f64 {
+        let forces = self
+            .scale
+            .iter()
+            .enumerate()
+            .map(|(i, scale)| scale / self.arm(i));
+        let all = forces.fold(0.0, f64::max);
+        self.scale[channel].max(LEAST * all * self.arm(channel))
+    }
+
+    /// The arm in m by which a channel is a moment; 1 for a force.
+    fn arm(&self, channel: usize) -> f64 {
+        match channel {
+            super::MOMENT => self.measure.reach,
+            _ if channel < super::TORQUES => self.measure.arm,
+            _ => 1.0,
+        }
+    }
+
+    /// The sums that do not yet stand for their functions.
+    fn rough<'a>(&'a self, piece: &'a Piece) -> impl Iterator<Item = (usize, &'a Sum)> {
+        let sums = piece.sums.iter().enumerate();
+        sums.filter(|(channel, sum)| sum.tail() > FINE * self.size(*channel))
+    }
+
+    fn is_good(&self, piece: &Piece, length: f64, flat: u32, allowance: f64) -> bool {
+        let share = (piece.to - piece.from) / length;
+        self.rough(piece).all(|(channel, sum)| {
+            let (tail, size) = (sum.tail(), allowance * self.size(channel));
+            let is_short = tail <= FAIR * size && tail * share <= SHORT * size;
+            is_short || (flat >= FLAT_HALVINGS && sum.is_flat())
+        })
+    }
+
+    fn keep(&mut self, piece: Piece, length: f64) {
+        let share = (piece.to - piece.from) / length;
+        for channel in 0..CHANNELS {
+            let size = self.size(channel);
+            if size > 0.0 {
+                self.error[channel] += piece.sums[channel].tail() * share / size;
+            }
+        }
+        self.list.push(piece);
+    }
+
+    /// The channels after this way, from the sums.
+    pub(super) fn at(&self, way: f64) -> Option<[f64; CHANNELS]> {
+        let behind = self.list.partition_point(|piece| piece.to < way);
+        let piece = self.list.get(behind).filter(|piece| piece.from <= way)?;
+        Some(piece.sums.map(|sum| sum.at(piece.t(way))))
+    }
+}
+
+impl Piece {
+    /// The way after t.
+    pub(super) fn way(&self, t: f64) -> f64 {
+        self.from + (self.to - self.from) * 0.5 * (1.0 + t)
+    }
+
+    fn t(&self, way: f64) -> f64 {
+        2.0 * (way - self.from) / (self.to - self.from) - 1.0
+    }
+
+    /// By how much an integral over t is to be multiplied for one over the way.
+    pub(super) fn half(&self) -> f64 {
+        0.5 * (self.to - self.from)
+    }
+}

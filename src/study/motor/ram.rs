@@ -1,0 +1,502 @@
+//! What a ram does: a slide whose guide is on the ground, in the words of presses.
+//!
+//! Position s, derivative s' and second derivative s'' by the driver's coordinate q come from the solver
+//! at a speed of 1. The dead centres are the zeros of s', solved for to the last digits; between two of
+//! them the ram goes one way, so that every place of it has one q.
+
+use crate::angle::radians;
+use crate::solver::{Condition, Demand, Order, Range, Solver, State, zero};
+use crate::{Body, Input, Mechanism, SlideId, StrokeEnd};
+use thiserror::Error;
+
+/// Samples over the motion between which dead centres are sought.
+const SAMPLES: u32 = 720;
+/// Dead centres that differ by less than this part of the stroke are as deep as each other.
+const SAME: f64 = 1e-9;
+
+/// Why there is no ram.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub enum NoRam {
+    /// No slide has its guide on the ground.
+    #[error("no slide has its guide on the ground")]
+    None,
+    /// The guide of this one moves.
+    #[error("its guide is not on the ground")]
+    Moves,
+    /// It stays where it is.
+    #[error("it does not move")]
+    Stands,
+}
+
+/// The end at which a ram works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RamEnd {
+    /// Which.
+    pub end: StrokeEnd,
+    /// Whether it follows from a load or from the guide; otherwise it is a mere convention.
+    pub is_known: bool,
+}
+
+/// A dead centre of the ram: it turns there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Centre {
+    /// The driver's coordinate, in degrees or in the scene's length unit.
+    pub at: f64,
+    /// The position along the guide.
+    pub position: f64,
+}
+
+/// The ram where it passes a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Passing {
+    /// The driver's coordinate.
+    pub at: f64,
+    /// The position along the guide.
+    pub position: f64,
+    /// Its velocity along the guide, in the scene's length unit per s.
+    pub velocity: f64,
+    /// Its acceleration along the guide.
+    pub acceleration: f64,
+    /// |dq/ds| in rad/m, or without a unit where a slide is driven: what a torque or force of the driver
+    /// is multiplied by for the force of the ram that holds it in balance. Infinite at a dead centre.
+    pub leverage: f64,
+}
+
+/// How long the ram stays near the bottom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dwell {
+    /// From which coordinate of the driver,
+    pub from: f64,
+    /// to which: the way round the bottom, as the driver goes.
+    pub to: f64,
+    /// The way of the driver between, in degrees or in the scene's length unit.
+    pub way: f64,
+    /// The same in s; `None` where the driver stands still.
+    pub seconds: Option<f64>,
+}
+
+/// A ram over its motion.
+#[derive(Clone, Debug)]
+pub struct Ram {
+    /// The slide.
+    pub slide: SlideId,
+    /// Where it works.
+    pub end: RamEnd,
+    /// Bottom dead centre: the deepest.
+    pub bottom: Centre,
+    /// Top dead centre.
+    pub top: Centre,
+    /// Other places where it turns, in the order of the coordinate.
+    pub others: Vec<Centre>,
+    /// From the top to the bottom, in the scene's length unit.
+    pub stroke: f64,
+    /// The way of the driver over one period while the ram closes, and while it opens.
+    pub ways: [f64; 2],
+    /// How often the ram comes to the bottom in one period.
+    pub strokes: u32,
+    /// How long a period takes, in s; `None` where the driver stands still.
+    pub seconds: Option<f64>,
+    legs: Vec<Leg>,
+    /// Which of the places where it turns is the bottom, in the order of the legs.
+    deepest: usize,
+    guide: Guide,
+}
+
+/// A stretch of the driver's coordinate on which the ram goes one way.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Leg {
+    from: Centre,
+    to: Centre,
+}
+
+/// Solves for a slide.
+#[derive(Clone, Debug)]
+struct Guide {
+    solver: Solver,
+    state: State,
+    slide: SlideId,
+    range: Range,
+    /// The driver's speed and acceleration in the units of its derivatives.
+    rates: [f64; 2],
+    turns: bool,
+    /// Lengths of the scene in m.
+    metres: f64,
+}
+
+/// The slides that can be rams: on the ground, and not driven.
+pub fn rams(mechanism: &Mechanism) -> impl Iterator<Item = SlideId> {
+    let pushed = |slide| mechanism.driver().input == Input::Push(slide);
+    let is_ram = move |&id: &SlideId| mechanism.slide(id).on == Body::Ground && !pushed(id);
+    mechanism.slide_ids().filter(is_ram)
+}
+
+impl RamEnd {
+    /// The end that a press load names; without one the lower end, and where the guide is horizontal the
+    /// far end along its direction.
+    #[must_use]
+    pub fn of(mechanism: &Mechanism, slide: SlideId) -> RamEnd {
+        let pressed = mechanism.loads().iter().find_map(|load| match load {
+            crate::Load::Press { slide: s, end, .. } if *s == slide => Some(*end),
+            _ => None,
+        });
+        let up = mechanism.slide(slide).direction().y;
+        let end = match pressed {
+            Some(end) => end,
+            None if up > 0.0 => StrokeEnd::Least,
+            None => StrokeEnd::Greatest,
+        };
+        RamEnd {
+            end,
+            is_known: pressed.is_some() || up != 0.0,
+        }
+    }
+}
+
+impl Ram {
+    /// Follows a slide over the motion.
+    ///
+    /// # Errors
+    /// Where it cannot be a ram.
+    pub fn new(
+        mechanism: &Mechanism,
+        solver: &Solver,
+        slide: SlideId,
+        end: RamEnd,
+    ) -> Result<Ram, NoRam> {
+        if mechanism.slide(slide).on != Body::Ground {
+            return Err(NoRam::Moves);
+        }
+        let mut guide = Guide::new(mechanism, solver, slide);
+        let legs = guide.legs();
+        // Deeper is less.
+        let depth = |centre: &Centre| match end.end {
+            StrokeEnd::Least => centre.position,
+            StrokeEnd::Greatest => -centre.position,
+        };
+        // Round the period the last leg ends where the first begins.
+        let last = match guide.range {
+            Range::Full { .. } => None,
+            Range::Limited { .. } => legs.last().map(|leg| leg.to),
+        };
+        let mut turns: Vec<Centre> = legs.iter().map(|leg| leg.from).chain(last).collect();
+        let by_depth = |a: &usize, b: &usize| depth(&turns[*a]).total_cmp(&depth(&turns[*b]));
+        let deepest = (0..turns.len()).min_by(by_depth);
+        let highest = (0..turns.len()).max_by(by_depth);
+        let (Some(deepest), Some(highest)) = (deepest, highest) else {
+            return Err(NoRam::Stands);
+        };
+        let (bottom, top) = (turns[deepest], turns[highest]);
+        let stroke = depth(&top) - depth(&bottom);
+        if !(stroke > 0.0) {
+            return Err(NoRam::Stands);
+        }
+        let (mut closing, mut opening) = (0.0, 0.0);
+        for leg in &legs {
+            let falls = depth(&leg.to) < depth(&leg.from);
+            let way = leg.to.at - leg.from.at;
+            *(if falls != guide.backwards() {
+                &mut closing
+            } else {
+                &mut opening
+            }) += way;
+        }
+        if let Range::Limited { .. } = guide.range {
+            // There and back: what closes one way opens the other.
+            let both = closing + opening;
+            (closing, opening) = (both, both);
+        }
+        let deep = |c: &&Centre| depth(c) - depth(&bottom) <= SAME * stroke;
+        let bottoms = turns.iter().filter(deep).count();
+        let [bottom, top] = [bottom, top].map(|centre| guide.reduced(centre));
+        turns
+            .iter_mut()
+            .for_each(|centre| *centre = guide.reduced(*centre));
+        turns.retain(|centre| *centre != bottom && *centre != top);
+        turns.sort_by(|a, b| a.at.total_cmp(&b.at));
+        Ok(Ram {
+            slide,
+            end,
+            bottom: guide.reduced(bottom),
+            top: guide.reduced(top),
+            others: turns,
+            stroke,
+            ways: [closing, opening],
+            strokes: u32::try_from(bottoms).unwrap_or(u32::MAX),
+            seconds: guide.seconds(closing + opening),
+            legs,
+            deepest,
+            guide,
+        })
+    }
+
+    /// How often the ram comes to the bottom in a minute; `None` where the driver stands still.
+    #[must_use]
+    pub fn strokes_per_minute(&self) -> Option<f64> {
+        Some(60.0 * f64::from(self.strokes) / self.seconds?)
+    }
+
+    /// The time of closing by that of opening.
+    #[must_use]
+    pub fn time_ratio(&self) -> f64 {
+        self.ways[0] / self.ways[1]
+    }
+
+    /// The ram at a height above the bottom (in the scene's length unit), where it last closes to it
+    /// before the bottom, and where it first opens to it behind. `None` where it does not come so high
+    /// there.
+    pub fn at_height(&mut self, height: f64) -> Option<[Passing; 2]> {
+        if !(0.0..=self.stroke).contains(&height) {
+            return None;
+        }
+        // At a limit the driver turns, and the ram comes back the way it went.
+        let (closing, opening) = match self.beside_bottom() {
+            [Some(before), Some(behind)] => ((before, false), (behind, false)),
+            [Some(before), None] => ((before, false), (before, true)),
+            [None, Some(behind)] => ((behind, true), (behind, false)),
+            [None, None] => return None,
+        };
+        let mut passing = |(leg, back)| {
+            let at = self.crossing(leg, height)?;
+            self.guide.passing(at, back)
+        };
+        let (down, up) = (passing(closing)?, passing(opening)?);
+        Some([down, up])
+    }
+
+    /// How long the ram stays within a tolerance of the bottom (in the scene's length unit), without a
+    /// pause round the deepest place.
+    pub fn dwell(&mut self, tolerance: f64) -> Option<Dwell> {
+        if !(tolerance > 0.0) {
+            return None;
+        }
+        let [before, behind] = self.beside_bottom_index();
+        let count = self.legs.len();
+        let goes_round = matches!(self.guide.range, Range::Full { .. });
+        let reach = |ram: &mut Ram, first: Option<usize>, forwards: bool| {
+            let mut way = 0.0;
+            let mut next = first;
+            for _ in 0..count {
+                let Some(index) = next else { break };
+                let leg = ram.legs[index];
+                let (near, far) = if forwards {
+                    (leg.from, leg.to)
+                } else {
+                    (leg.to, leg.from)
+                };
+                let is_within = ram.height(&far) <= tolerance;
+                let end = if is_within {
+                    far.at
+                } else {
+                    ram.crossing(leg, tolerance)?
+                };
+                way += (end - near.at).abs();
+                next = match (forwards, goes_round) {
+                    _ if !is_within => None,
+                    (true, true) => Some((index + 1) % count),
+                    (false, true) => Some((index + count - 1) % count),
+                    (true, false) => Some(index + 1).filter(|i| *i < count),
+                    (false, false) => index.checked_sub(1),
+                };
+            }
+            Some(way)
+        };
+        let low = reach(self, before, false)?;
+        let high = reach(self, behind, true)?;
+        let most = self.ways[0] + self.ways[1];
+        let (mut from, mut to) = (self.bottom.at - low, self.bottom.at + high);
+        if self.guide.backwards() {
+            (from, to) = (to, from);
+        }
+        // At a limit the ram goes and comes by the same way.
+        let there_and_back = !goes_round && (before.is_none() || behind.is_none());
+        let way = if there_and_back { 2.0 } else { 1.0 } * (low + high);
+        Some(Dwell {
+            from: self.guide.wrapped(from),
+            to: self.guide.wrapped(to),
+            way: way.min(most),
+            seconds: self.guide.seconds(way.min(most)),
+        })
+    }
+
+    /// The driver's coordinates over one period at which the ram is at this distance from the bottom.
+    pub(super) fn coordinates(&mut self, height: f64, to: &mut Vec<f64>) {
+        for leg in self.legs.clone() {
+            to.extend(self.crossing(leg, height));
+        }
+    }
+
+    /// Those at which it turns.
+    pub(super) fn turns(&self, to: &mut Vec<f64>) {
+        to.extend(self.legs.iter().flat_map(|leg| [leg.from.at, leg.to.at]));
+    }
+
+    fn height(&self, centre: &Centre) -> f64 {
+        (centre.position - self.bottom.position).abs()
+    }
+
+    /// The legs that end and begin at the bottom, by the driver's coordinate.
+    fn beside_bottom_index(&self) -> [Option<usize>; 2] {
+        let (deepest, count) = (self.deepest, self.legs.len());
+        match self.guide.range {
+            Range::Full { .. } => [Some((deepest + count - 1) % count), Some(deepest)],
+            Range::Limited { .. } => [deepest.checked_sub(1), Some(deepest).filter(|i| *i < count)],
+        }
+    }
+
+    /// The same as the driver goes.
+    fn beside_bottom(&self) -> [Option<Leg>; 2] {
+        let mut legs = self.beside_bottom_index().map(|i| Some(self.legs[i?]));
+        if self.guide.backwards() {
+            legs.reverse();
+        }
+        legs
+    }
+
+    /// Where on a leg the ram is at this height above the bottom.
+    fn crossing(&mut self, leg: Leg, height: f64) -> Option<f64> {
+        let off = |centre: &Centre| self.height(centre) - height;
+        let ends = [leg.from, leg.to].map(|centre| (centre.at, off(&centre)));
+        let bottom = self.bottom.position;
+        let guide = &mut self.guide;
+        zero(ends[0], ends[1], f64::EPSILON, |at| {
+            Some((guide.look(at)?.0 - bottom).abs() - height)
+        })
+    }
+}
+
+impl Guide {
+    fn new(mechanism: &Mechanism, solver: &Solver, slide: SlideId) -> Guide {
+        let demand = Demand {
+            slides: vec![slide],
+            ..Demand::default()
+        };
+        let solver = solver.only(&demand).at_speed(1.0, 0.0);
+        let driver = mechanism.driver();
+        Guide {
+            state: solver.state(),
+            range: solver.motion().range,
+            solver,
+            slide,
+            rates: [driver.speed, driver.acceleration],
+            turns: matches!(driver.input, Input::Turn(_)),
+            metres: mechanism.metres(),
+        }
+    }
+
+    /// Position, and where they exist the first and second derivative by the driver's coordinate in
+    /// radians or in the scene's length unit.
+    fn look(&mut self, at: f64) -> Option<(f64, Option<[f64; 2]>)> {
+        let condition = self.solver.solve(at, Order::Acceleration, &mut self.state);
+        let travel = self.state.travel(self.slide);
+        let rates = Some([travel.rate, travel.accel]);
+        match condition {
+            Condition::Ok | Condition::ChangePoint => Some((travel.position, rates)),
+            Condition::DeadPoint => Some((travel.position, None)),
+            Condition::NoAssembly => None,
+        }
+    }
+
+    fn slope(&mut self, at: f64) -> Option<f64> {
+        self.look(at)?.1.map(|[slope, _]| slope)
+    }
+
+    fn backwards(&self) -> bool {
+        self.rates[0] < 0.0
+    }
+
+    /// How long the driver takes for a way, in s.
+    fn seconds(&self, way: f64) -> Option<f64> {
+        let way = if self.turns { radians(way) } else { way };
+        let seconds = way / self.rates[0].abs();
+        seconds.is_finite().then_some(seconds)
+    }
+
+    fn wrapped(&self, at: f64) -> f64 {
+        match self.range {
+            Range::Full { period } => at.rem_euclid(period),
+            Range::Limited { .. } => at,
+        }
+    }
+
+    fn reduced(&self, centre: Centre) -> Centre {
+        Centre {
+            at: self.wrapped(centre.at),
+            ..centre
+        }
+    }
+
+    /// The stretches between the places where the slide turns, over one period or over the range.
+    fn legs(&mut self) -> Vec<Leg> {
+        let (low, high) = match self.range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        let place = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(SAMPLES);
+        let mut centres = Vec::new();
+        let mut before: Option<(f64, f64)> = None;
+        // One sample more: round the end of the period.
+        let last = if matches!(self.range, Range::Full { .. }) {
+            SAMPLES
+        } else {
+            SAMPLES - 1
+        };
+        for k in 0..=last {
+            let at = place(k);
+            let here = self.slope(at).map(|slope| (at, slope));
+            if let (Some(a), Some(b)) = (before, here)
+                && (a.1 < 0.0) != (b.1 < 0.0)
+            {
+                let turn = zero(a, b, f64::EPSILON, |at| self.slope(at));
+                centres.extend(turn.and_then(|at| self.centre(at)));
+            }
+            before = here;
+        }
+        match self.range {
+            Range::Limited { .. } => {
+                let mut all: Vec<Centre> = self.centre(low).into_iter().collect();
+                all.extend(centres);
+                all.extend(self.centre(high));
+                centres = all;
+            }
+            Range::Full { period } => {
+                let first = centres.first().map(|first| Centre {
+                    at: first.at + period,
+                    ..*first
+                });
+                centres.extend(first);
+            }
+        }
+        let legs = centres.windows(2).map(|pair| Leg {
+            from: pair[0],
+            to: pair[1],
+        });
+        legs.collect()
+    }
+
+    fn centre(&mut self, at: f64) -> Option<Centre> {
+        let (position, _) = self.look(at)?;
+        Some(Centre { at, position })
+    }
+
+    /// The slide at a coordinate, with the driver's speed or on the way back.
+    fn passing(&mut self, at: f64, back: bool) -> Option<Passing> {
+        let (position, rates) = self.look(at)?;
+        let [first, second] = rates?;
+        let [speed, acceleration] = self.rates;
+        let speed = if back { -speed } else { speed };
+        Some(Passing {
+            at: self.wrapped(at),
+            position,
+            velocity: first * speed,
+            acceleration: second * speed * speed + first * acceleration,
+            leverage: match self.turns {
+                true => 1.0 / (first * self.metres).abs(),
+                false => 1.0 / first.abs(),
+            },
+        })
+    }
+}
+
+#[cfg(test)]
+#[path = "ram_tests.rs"]
+mod tests;
