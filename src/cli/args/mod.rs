@@ -135,9 +135,12 @@ Examples:
   krank sweep press-ram --step 0.1 -o press.csv
 
 Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
-krank sweep SCENE | head -n 1 shows all of a scene's. The driver's coordinate
-always comes first and the state last: ok, change-point, dead-point or
-no-assembly. A value that does not exist is an empty cell (null in JSON).
+krank sweep SCENE | head -n 1 shows all of a scene's. Where anything acts there
+are driver.torque, driver.power, r3.B.fx (the force on link r3 at pin B),
+r4.normal, r6.moment, ground.fx, and the residuals of two checks, which would be
+zero but for rounding. The driver's coordinate always comes first and the state
+last: ok, change-point, dead-point or no-assembly. A value that does not exist
+is an empty cell (null in JSON).
 --bounds puts C.x.bound behind each C.x, in the same unit: what the error of
 solving the scene as it is given does not exceed. --sensitivity puts
 C.x.sensitivity there: the change of C.x where every given length is off by one

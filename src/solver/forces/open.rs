@@ -5,7 +5,7 @@
 //! steps hand down; what has to hold against it, besides the constraint itself where the steps stand on
 //! it, is open.
 
-use super::{Balance, Extent, Forces, Slots};
+use super::{Balance, Extent, Forces, Slots, pass};
 use crate::solver::engine::Engine;
 use crate::solver::network::Network;
 use crate::solver::plan::{Gauge, Watch};
@@ -54,6 +54,7 @@ impl Open {
         state: &mut State,
     ) -> Open {
         let mut open = Open::none(network.mechanism, &balance.slots);
+        open.leave(network, engine, &balance.slots);
         if engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
             return open;
         }
@@ -75,6 +76,21 @@ impl Open {
             });
         }
         open
+    }
+
+    /// Marks what passes between links that are locked to each other and share a pin.
+    fn leave(&mut self, network: &Network<'_>, engine: &Engine, slots: &Slots) {
+        let links = pass::spanned(network, &engine.program);
+        for &link in &links {
+            for member in network.link(link).map_or(&[][..], |body| &body.members) {
+                self.joints[slots.of(link, member.point)] = true;
+            }
+        }
+        for (id, slide) in network.mechanism.slides().iter().enumerate() {
+            if let Slider::Link { link, .. } = slide.slider {
+                self.moments[id] |= links.contains(&link);
+            }
+        }
     }
 
     /// Presses, hands down, and marks what holds against it.

@@ -113,6 +113,39 @@ pub(super) fn passes(network: &Network<'_>, program: &Program, slots: &Slots) ->
     steps.filter_map(|(i, step)| maker.pass(i, step)).collect()
 }
 
+/// Links of a class whose arm begins on one and ends on another: they are locked to each other and share a
+/// pin as well, and what passes there is not followed.
+pub(super) fn spanned(network: &Network<'_>, program: &Program) -> Vec<LinkId> {
+    let arms = program.steps.iter().enumerate().flat_map(|(at, step)| {
+        let swung = program.holds.iter().filter(move |(i, _)| *i == at);
+        let carrier = swung.filter_map(|(_, hold)| hold.carrier).next();
+        let arm = |arm: &Arm| Some((arm.link, arm.pivot));
+        match step {
+            Step::Circles(c) => [arm(&c.near), arm(&c.far)],
+            Step::Cylinder(c) => [Some((c.link, c.pivot)), arm(&c.far)],
+            Step::CircleRail(c) => [arm(&c.arm), None],
+            Step::CircleLine(c) => [arm(&c.arm), None],
+            Step::Swing(s) => [Some((s.link, s.pivot)), carrier.map(|link| (link, s.pin))],
+            Step::Crank { .. }
+            | Step::Spin { .. }
+            | Step::Ride { .. }
+            | Step::Push { .. }
+            | Step::Aim { .. }
+            | Step::Lock { .. }
+            | Step::Lines { .. }
+            | Step::Coupled { .. }
+            | Step::Travel { .. } => [None, None],
+        }
+    });
+    let is_spanned = |link: LinkId, pivot| {
+        let body = network.link(link);
+        body.is_some_and(|body| body.local(pivot).is_none())
+    };
+    let spanned = arms.flatten().filter(|&(link, p)| is_spanned(link, p));
+    let classes = spanned.map(|(link, _)| &network.members[network.class(link).0]);
+    classes.flatten().copied().collect()
+}
+
 struct Maker<'a> {
     network: &'a Network<'a>,
     program: &'a Program,
