@@ -8,7 +8,7 @@ mod screen;
 use krank::drawing::Glyphs;
 use krank::report::Forces;
 use krank::solver::Order;
-use krank::tui::Origin;
+use krank::tui::{Colours, Origin, Workbench};
 use screen::{Session, open, preset, text};
 
 fn session(name: &str, cols: u16, rows: u16) -> Session {
@@ -49,6 +49,26 @@ fn forces_stand_in_blocks_of_one_width() {
     insta::assert_snapshot!("forces-press-ram-end-ascii-40x12", masked(&screen));
     let screen = session("excavator-boom", 80, 24).press("5").look();
     insta::assert_snapshot!("forces-excavator-boom-ascii-80x24", masked(&screen));
+}
+
+/// The screen in the README is the one that is seen.
+#[test]
+fn the_screen_of_the_readme_is_real() {
+    let readme = include_str!("../README.md");
+    let mut workbench = Workbench::new(
+        preset("four-bar-load"),
+        Glyphs::Ascii,
+        Colours::None,
+        80,
+        17,
+    );
+    workbench.press("5");
+    let screen = workbench.text();
+    let block = format!("```txt\n{}\n```", screen.trim_end());
+    assert!(
+        masked(readme).contains(&masked(&block)),
+        "the README should show\n{screen}"
+    );
 }
 
 /// Everything is seen once at every size, and nothing is cut.
