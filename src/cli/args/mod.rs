@@ -89,12 +89,13 @@ Examples:
   krank check my-press.toml --format json
   krank check - < my-press.toml")]
     Check(CheckArgs),
-    /// Print the position, velocity and acceleration tables at one angle
+    /// Print the position, velocity and acceleration tables at one angle, and the forces where anything acts
     #[command(after_help = "\
 Examples:
   krank table four-bar --at 60
   krank table slider-crank --at 30 --digits 10
   krank table press --bounds --sensitivity
+  krank table four-bar-load --bounds
   krank table four-bar --format json
   krank table four-bar --at 240 --assembly C=-")]
     Table(TableArgs),
