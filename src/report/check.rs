@@ -1,12 +1,13 @@
 //! What krank understood of a scene: its parts, its mobility, its groups and its range.
 
 use super::choice_facts::ChoiceList;
+use super::forces::indeterminate;
 use super::loop_facts::LoopFacts;
 use super::number::concise;
 use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
-use crate::{Body, Element, Input, LinkId, PointId, Slider};
+use crate::{Body, Element, Input, Link, LinkId, Load, Mechanism, PointId, Slider, Vec2};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
@@ -172,9 +173,50 @@ pub struct Check {
     /// The loop of the driven link, a dyad and the ground, where there is one.
     #[serde(rename = "loop")]
     pub first_loop: Option<LoopFacts>,
+    /// What acts: how many loads of each kind, springs, masses; whether there is gravity.
+    pub acting: Acting,
+    /// Reactions that the redundant constraints leave open, as their columns are named.
+    pub indeterminate: Vec<String>,
     /// The range in words.
     #[serde(skip)]
     pub range_text: String,
+}
+
+/// What acts on a mechanism, counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Acting {
+    /// Forces at points.
+    pub forces: usize,
+    /// Torques on links.
+    pub torques: usize,
+    /// Presses.
+    pub presses: usize,
+    /// Springs and dampers.
+    pub springs: usize,
+    /// Links with a mass or an inertia.
+    pub masses: usize,
+    /// Whether these have a weight.
+    pub gravity: bool,
+}
+
+impl Acting {
+    fn on(mechanism: &Mechanism) -> Acting {
+        let has_mass = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
+        let mut acting = Acting {
+            masses: mechanism.links().iter().filter(has_mass).count(),
+            gravity: mechanism.gravity() != Vec2::ZERO,
+            ..Acting::default()
+        };
+        for load in mechanism.loads() {
+            match load {
+                Load::Force { .. } => acting.forces += 1,
+                Load::Torque { .. } => acting.torques += 1,
+                Load::Press { .. } => acting.presses += 1,
+                Load::Spring { .. } => acting.springs += 1,
+            }
+        }
+        acting
+    }
 }
 
 /// The range that the driver can cover, in words: limits with 12 decimals and their unit. `driver`
@@ -272,6 +314,8 @@ impl Check {
             near_misses: near_misses(scene, solver),
             transmission: names.transmission(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),
+            acting: Acting::on(mechanism),
+            indeterminate: indeterminate(scene, solver),
             range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),
         }
     }

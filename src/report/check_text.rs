@@ -55,7 +55,40 @@ impl Check {
         out.facts("near miss", self.near_misses.iter().map(|m| m.text(unit)));
         let mu = self.transmission.iter().map(|t| mu_text(t, unit));
         out.facts("mu", mu);
+        out.facts("forces", self.acting_text());
+        if !self.indeterminate.is_empty() {
+            out.facts("open", [self.open_text()]);
+        }
         out.text
+    }
+
+    /// What acts, where anything does.
+    fn acting_text(&self) -> Option<String> {
+        let acting = &self.acting;
+        let kinds = [
+            (acting.forces, "force"),
+            (acting.torques, "torque"),
+            (acting.presses, "press"),
+            (acting.springs, "spring"),
+        ];
+        let kinds = kinds.into_iter().filter(|(count, _)| *count > 0);
+        let mut told: Vec<String> = kinds.map(|(count, what)| counted(count, what)).collect();
+        match acting.masses {
+            0 => {}
+            1 => told.push("1 link with a mass".into()),
+            n => told.push(format!("{n} links with a mass")),
+        }
+        if acting.gravity && acting.masses > 0 {
+            told.push("gravity".into());
+        }
+        (!told.is_empty()).then(|| told.join(", "))
+    }
+
+    fn open_text(&self) -> String {
+        format!(
+            "reactions that equilibrium does not settle: {}",
+            self.indeterminate.join(", ")
+        )
     }
 
     fn change_points_text(&self) -> String {
@@ -159,6 +192,7 @@ fn counted(count: usize, what: &str) -> String {
     match count {
         0 => format!("no {what}"),
         1 => format!("1 {what}"),
+        n if what.ends_with('s') => format!("{n} {what}es"),
         n => format!("{n} {what}s"),
     }
 }

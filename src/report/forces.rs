@@ -357,7 +357,7 @@ fn arm(moment: &Entry, normal: &Entry, metres: f64) -> Entry {
     }
 }
 
-fn indeterminate(scene: &Scene, solver: &Solver) -> Vec<String> {
+pub(super) fn indeterminate(scene: &Scene, solver: &Solver) -> Vec<String> {
     let name = |open: &Indeterminate| match *open {
         Indeterminate::Joint(link, point) => {
             let point = scene.point_name(point)?;

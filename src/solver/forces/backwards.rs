@@ -6,6 +6,7 @@
 
 use super::Forces;
 use super::pass::{Held, Pass, Reach};
+use super::slots::Slot;
 use crate::solver::state::{PointState, State};
 use crate::solver::step::Line;
 use crate::{LinkId, Number, PointId, SlideId, Vec2};
@@ -30,7 +31,7 @@ impl<T: Number> Forces<T> {
     }
 
     #[inline(always)]
-    pub(in crate::solver) fn note(&mut self, slot: usize, force: Vec2<T>) {
+    pub(in crate::solver) fn note(&mut self, slot: Slot, force: Vec2<T>) {
         self.joints[slot] += force;
     }
 
@@ -230,7 +231,7 @@ fn across<T: Number>(
 #[inline(always)]
 fn swung<T: Number>(
     slide: Option<SlideId>,
-    carrier: Option<&(LinkId, PointId, usize)>,
+    carrier: Option<&(LinkId, PointId, [Slot; 2])>,
     pin: Vec2<T>,
     across: T,
     force: Vec2<T>,
@@ -239,8 +240,9 @@ fn swung<T: Number>(
 ) {
     let Some(slide) = slide else { return };
     forces.normals[slide.index()] = across;
-    if let Some((link, slider, slot)) = carrier {
-        forces.note(*slot, -force);
+    if let Some((link, slider, [at_pin, at_slider])) = carrier {
+        forces.note(*at_pin, -force);
+        forces.note(*at_slider, force);
         let arm = state.points[slider.index()].p - pin;
         forces.couples[link.index()] += arm.cross(force);
     }

@@ -14,65 +14,33 @@
 
 mod acting;
 mod backwards;
+mod frame;
 mod locked;
 mod open;
 mod pass;
 mod profile;
+mod read;
+mod slots;
 mod stroke;
+#[cfg(test)]
+mod tests;
+
+pub use acting::Acted;
+pub use open::Indeterminate;
+pub use read::Residual;
+pub(super) use slots::Slots;
 
 use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver};
-use crate::{Body, Constant, Input, LinkId, Mechanism, Number, PointId, SlideId, StrokeEnd, Vec2};
-pub use acting::Acted;
+use crate::{Constant, LinkId, Number, PointId, SlideId, StrokeEnd, Vec2};
 use acting::Acting;
+use frame::Framed;
 use locked::Locked;
-pub use open::Indeterminate;
 use open::Open;
 use pass::Pass;
 use std::sync::Arc;
-
-/// Where the force on a link at one of its points is noted: a place for every member of every link, and
-/// one more for what nobody asks about.
-#[derive(Clone, Debug)]
-pub(super) struct Slots {
-    starts: Vec<usize>,
-    members: Vec<PointId>,
-}
-
-type Slot = usize;
-
-impl Slots {
-    fn new(mechanism: &Mechanism) -> Slots {
-        let mut slots = Slots {
-            starts: Vec::new(),
-            members: Vec::new(),
-        };
-        for link in mechanism.links() {
-            slots.starts.push(slots.members.len());
-            slots.members.extend(link.members.iter().map(|m| m.point));
-        }
-        slots.starts.push(slots.members.len());
-        slots
-    }
-
-    /// The place that nobody reads.
-    fn nowhere(&self) -> Slot {
-        self.members.len()
-    }
-
-    fn find(&self, link: LinkId, point: PointId) -> Option<Slot> {
-        let range = *self.starts.get(link.index())?..*self.starts.get(link.index() + 1)?;
-        let members = &self.members[range.clone()];
-        let place = members.iter().position(|&p| p == point)?;
-        Some(range.start + place)
-    }
-
-    pub(super) fn of(&self, link: LinkId, point: PointId) -> Slot {
-        self.find(link, point).unwrap_or(self.nowhere())
-    }
-}
 
 /// How the torque is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,18 +101,6 @@ struct Scale<T> {
     origin: Vec2<T>,
 }
 
-/// How far the two checks miss; zero but for rounding.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Residual<T = f64> {
-    /// Between the driver's torque (N m), or force (N), and what the virtual work of all that acts asks
-    /// for.
-    pub drive: T,
-    /// Between the force on the frame and the sum of all that acts, in N.
-    pub force: Vec2<T>,
-    /// The same of the moments about the scene's origin, in N m.
-    pub moment: T,
-}
-
 impl<T: Number> Forces<T> {
     /// A force at a point.
     #[inline(always)]
@@ -198,44 +154,6 @@ pub(super) struct Balance {
     indeterminate: Vec<Indeterminate>,
     frame: Framed,
     driven: Option<LinkId>,
-}
-
-/// What stands on the ground.
-#[derive(Clone, Debug)]
-struct Framed {
-    /// The members of links that are ground points.
-    pins: Vec<(Slot, PointId)>,
-    /// All points of the ground.
-    points: Vec<PointId>,
-    /// The slides whose guide is on the ground, with the point that slides; and whether it is driven.
-    guides: Vec<(SlideId, PointId, bool)>,
-    /// The slides of links, with the place of the origin's force; the guide's own is none of it.
-    origins: Vec<(SlideId, Slot, bool)>,
-}
-
-impl Framed {
-    fn new(mechanism: &Mechanism, slots: &Slots) -> Framed {
-        let is_ground = |p: PointId| mechanism.point(p).ground.is_some();
-        let pins = slots.members.iter().enumerate();
-        let pins = pins.filter(|(_, p)| is_ground(**p)).map(|(s, &p)| (s, p));
-        let is_driven = |slide| mechanism.driver().input == Input::Push(slide);
-        let slides = || mechanism.slide_ids().map(|id| (id, mechanism.slide(id)));
-        let guides = slides().filter(|(_, slide)| slide.on == Body::Ground);
-        let origins = slides().filter_map(|(id, slide)| match slide.slider {
-            crate::Slider::Pin(_) => None,
-            crate::Slider::Link { link, origin, .. } => {
-                Some((id, slots.of(link, origin), is_driven(id)))
-            }
-        });
-        Framed {
-            pins: pins.collect(),
-            points: mechanism.point_ids().filter(|&p| is_ground(p)).collect(),
-            guides: guides
-                .map(|(id, slide)| (id, slide.slider.point(), is_driven(id)))
-                .collect(),
-            origins: origins.collect(),
-        }
-    }
 }
 
 impl Balance {
@@ -345,23 +263,18 @@ impl Balance {
             self.acting.act(state, &mut forces);
         }
         if forces.extent == Extent::All {
-            self.note_ground(&mut forces, state);
+            self.frame.note_ground(&mut forces, state);
             if self.run_back(engine, state, &mut forces) {
-                self.finish(state, &mut forces);
+                if let Some(link) = self.driven {
+                    forces.drive = forces.links[link.index()];
+                }
+                self.locked.finish(&mut forces);
+                self.frame.finish(state, &mut forces);
             } else {
                 forces.extent = Extent::Drive;
             }
         }
         state.forces = Some(forces);
-    }
-
-    /// What acts on the ground itself goes into the frame at once.
-    fn note_ground<T: Number>(&self, forces: &mut Forces<T>, state: &State<T>) {
-        for &point in &self.frame.points {
-            let force = forces.points[point.index()];
-            forces.frame += force;
-            forces.frame_moment += state.points[point.index()].p.cross(force);
-        }
     }
 
     /// Every step backwards; whether all could be.
@@ -384,153 +297,4 @@ impl Balance {
             }
         })
     }
-
-    /// What follows from the forces at the joints: couples of the locks, and the frame.
-    fn finish<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
-        if let Some(link) = self.driven {
-            forces.drive = forces.links[link.index()];
-        }
-        self.locked.finish(forces);
-        let drive = -forces.drive;
-        let guided = |slide: SlideId, is_driven: bool, forces: &Forces<T>| {
-            let t = state.travels[slide.index()].guide.d;
-            let across = t.perp() * forces.normals[slide.index()];
-            if is_driven {
-                across + t * drive
-            } else {
-                across
-            }
-        };
-        for &(slide, slot, is_driven) in &self.frame.origins {
-            let force = guided(slide, is_driven, forces);
-            forces.joints[slot] = forces.joints[slot] - force;
-        }
-        let feel = |point: PointId, force: Vec2<T>, forces: &mut Forces<T>| {
-            forces.frame = forces.frame - force;
-            let moment = state.points[point.index()].p.cross(force);
-            forces.frame_moment = forces.frame_moment - moment;
-        };
-        for &(slot, point) in &self.frame.pins {
-            feel(point, forces.joints[slot], forces);
-        }
-        for &(slide, point, is_driven) in &self.frame.guides {
-            feel(point, guided(slide, is_driven, forces), forces);
-            forces.frame_moment = forces.frame_moment - forces.moments[slide.index()];
-        }
-        if self.driven.is_some() {
-            // The motor stands on the frame.
-            forces.frame_moment = forces.frame_moment - drive;
-        }
-    }
 }
-
-impl<T: Number> State<T> {
-    /// The state has been solved without its forces.
-    #[inline]
-    pub(super) fn forget_forces(&mut self) {
-        if let Some(forces) = &mut self.forces {
-            forces.extent = Extent::Nothing;
-        }
-    }
-
-    fn balanced(&self) -> Option<&Forces<T>> {
-        self.forces.as_deref()?.all()
-    }
-
-    /// What the driver must do: its torque in N m, or the force of a driven slide in N. `None` where it
-    /// does not exist, or nothing acts, or it was not asked for ([`Order::Force`](super::Order::Force)).
-    #[must_use]
-    pub fn drive(&self) -> Option<T> {
-        let forces = self.forces.as_deref()?;
-        match forces.extent {
-            Extent::Nothing => None,
-            Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
-            Extent::All => Some(-(forces.drive * forces.scale.drive)),
-        }
-    }
-
-    /// What it does against loads (springs among them), against gravity and against inertia.
-    #[must_use]
-    pub fn drive_parts(&self) -> Option<[T; 3]> {
-        let forces = self.forces.as_deref()?;
-        let parts = [Part::Load, Part::Gravity, Part::Inertia];
-        (forces.extent != Extent::Nothing).then(|| parts.map(|part| forces.against(part)))
-    }
-
-    /// The power of the driver in W: positive where it gives energy to the linkage.
-    #[must_use]
-    pub fn power(&self) -> Option<T> {
-        let forces = self.forces.as_deref()?;
-        let metres = forces.scale.couple.scaled(1.0 / self.frame.scale);
-        let speed = self.driver_speed();
-        let speed = if self.driven.is_some() {
-            speed
-        } else {
-            speed * metres
-        };
-        Some(self.drive()? * speed)
-    }
-
-    /// The force on a link at one of its joints, in N, in the ground's frame: that of the pin, or, at
-    /// the origin of a link that slides, what does not come from the guide.
-    #[must_use]
-    pub fn joint_force(&self, link: LinkId, point: PointId) -> Option<Vec2<T>> {
-        let forces = self.balanced()?;
-        let slot = forces.slots.find(link, point)?;
-        (!forces.open.joints[slot]).then(|| forces.joints[slot])
-    }
-
-    /// The force of a guide on what slides along it, in N, positive along the guide's direction turned
-    /// by +90 degrees.
-    #[must_use]
-    pub fn normal(&self, slide: SlideId) -> Option<T> {
-        let forces = self.balanced()?;
-        let is_open = forces.open.normals[slide.index()];
-        (!is_open).then(|| forces.normals[slide.index()])
-    }
-
-    /// The moment of a guide on a link that slides without turning, in N m, counter-clockwise, about the
-    /// link's origin.
-    #[must_use]
-    pub fn moment(&self, slide: SlideId) -> Option<T> {
-        let forces = self.balanced()?;
-        let is_open = forces.open.moments[slide.index()];
-        (!is_open).then(|| forces.moments[slide.index()] * forces.scale.couple)
-    }
-
-    /// The shaking force: of the whole on the frame, in N.
-    #[must_use]
-    pub fn frame_force(&self) -> Option<Vec2<T>> {
-        Some(self.balanced()?.frame)
-    }
-
-    /// The shaking moment: of the whole on the frame, motor included, in N m about the scene's origin.
-    #[must_use]
-    pub fn frame_moment(&self) -> Option<T> {
-        let forces = self.balanced()?;
-        let Scale { couple, origin, .. } = forces.scale;
-        Some(forces.frame_moment * couple + origin.cross(forces.frame))
-    }
-
-    /// How far the two checks miss.
-    #[must_use]
-    pub fn residual(&self) -> Option<Residual<T>> {
-        let forces = self.balanced()?;
-        let Scale {
-            couple,
-            drive,
-            origin,
-        } = forces.scale;
-        let [load, gravity, inertia] = forces.work;
-        let force = forces.frame - forces.sum;
-        let moment = forces.frame_moment - forces.sum_moment;
-        Some(Residual {
-            drive: -((forces.drive - (load + gravity + inertia)) * drive),
-            force,
-            moment: moment * couple + origin.cross(force),
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests;

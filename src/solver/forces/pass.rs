@@ -1,7 +1,7 @@
 //! The steps of a plan as they are run backwards: each with the places where the forces that pass it are
 //! noted.
 
-use super::{Slot, Slots};
+use super::slots::{Slot, Slots};
 use crate::solver::network::Network;
 use crate::solver::plan::{Hold, Program};
 use crate::solver::step::{Arm, Line, Step};
@@ -67,9 +67,9 @@ pub(super) enum Pass {
         along: Vec2<Constant>,
         slot: Slot,
         slide: Option<SlideId>,
-        /// The link between the pin and the slide, with its sliding point and the place of the pin's
-        /// force.
-        carrier: Option<(LinkId, PointId, Slot)>,
+        /// The link between the pin and the slide, its sliding point, and the places of the forces at the
+        /// pin and there.
+        carrier: Option<(LinkId, PointId, [Slot; 2])>,
     },
     /// PRP and RPP.
     Lines {
@@ -217,7 +217,8 @@ impl Maker<'_> {
                 let carrier = hold.and_then(|hold| {
                     let slider = self.slider(hold.slide);
                     let carrier = hold.carrier?;
-                    Some((carrier, slider, self.slots.of(carrier, s.pin)))
+                    let slots = [s.pin, slider].map(|point| self.slots.of(carrier, point));
+                    Some((carrier, slider, slots))
                 });
                 Pass::Swing {
                     pivot: s.pivot,

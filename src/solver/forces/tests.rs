@@ -6,7 +6,7 @@ use crate::quantity::{Catalogue, Quantity};
 use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Order, Range};
 use crate::tests::Chance;
-use crate::{Slider, Vec2};
+use crate::{Body, Input, Mechanism, Slider, Vec2};
 
 /// A preset with a mass for every link, weights, a force, a torque, a spring and a damper.
 fn loaded(text: &str, chance: &mut Chance) -> String {

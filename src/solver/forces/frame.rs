@@ -1,0 +1,99 @@
+//! What the whole does to the frame, from what its joints and guides carry.
+
+use super::Forces;
+use super::slots::{Slot, Slots};
+use crate::solver::state::State;
+use crate::{Body, Input, Mechanism, Number, PointId, SlideId, Slider, Vec2};
+
+/// What stands on the ground.
+#[derive(Clone, Debug)]
+pub(super) struct Framed {
+    /// The members of links that are ground points.
+    pins: Vec<(Slot, PointId)>,
+    /// All points of the ground.
+    points: Vec<PointId>,
+    /// The slides whose guide is on the ground, with the point that slides; and whether it is driven.
+    guides: Vec<(SlideId, PointId, bool)>,
+    /// The slides of links, with the place of the origin's force; the guide's own is none of it.
+    origins: Vec<(SlideId, Slot, bool)>,
+}
+
+impl Framed {
+    pub(super) fn new(mechanism: &Mechanism, slots: &Slots) -> Framed {
+        let is_ground = |p: PointId| mechanism.point(p).ground.is_some();
+        let pins = slots.members.iter().enumerate();
+        let pins = pins.filter(|(_, p)| is_ground(**p)).map(|(s, &p)| (s, p));
+        let is_driven = |slide| mechanism.driver().input == Input::Push(slide);
+        let slides = || mechanism.slide_ids().map(|id| (id, mechanism.slide(id)));
+        let guides = slides().filter(|(_, slide)| slide.on == Body::Ground);
+        let origins = slides().filter_map(|(id, slide)| match slide.slider {
+            Slider::Pin(_) => None,
+            Slider::Link { link, origin, .. } => Some((id, slots.of(link, origin), is_driven(id))),
+        });
+        Framed {
+            pins: pins.collect(),
+            points: mechanism.point_ids().filter(|&p| is_ground(p)).collect(),
+            guides: guides
+                .map(|(id, slide)| (id, slide.slider.point(), is_driven(id)))
+                .collect(),
+            origins: origins.collect(),
+        }
+    }
+
+    /// What acts on the ground itself goes into the frame at once.
+    pub(super) fn note_ground<T: Number>(&self, forces: &mut Forces<T>, state: &State<T>) {
+        for &point in &self.points {
+            let force = forces.points[point.index()];
+            forces.frame += force;
+            forces.frame_moment += state.points[point.index()].p.cross(force);
+        }
+    }
+
+    /// Once every joint and guide has its force: the guides' own is taken from the origins of what
+    /// slides, and the frame feels all that stands on it.
+    pub(super) fn finish<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        for &(slide, slot, is_driven) in &self.origins {
+            let force = guided(slide, is_driven, state, forces);
+            forces.joints[slot] = forces.joints[slot] - force;
+        }
+        for &(slot, point) in &self.pins {
+            feel(point, forces.joints[slot], state, forces);
+        }
+        for &(slide, point, is_driven) in &self.guides {
+            feel(
+                point,
+                guided(slide, is_driven, state, forces),
+                state,
+                forces,
+            );
+            forces.frame_moment = forces.frame_moment - forces.moments[slide.index()];
+        }
+        if state.turns() {
+            // The motor stands on the frame.
+            forces.frame_moment += forces.drive;
+        }
+    }
+}
+
+/// What a guide does to what slides; where it is driven, the driver's force with it.
+fn guided<T: Number>(
+    slide: SlideId,
+    is_driven: bool,
+    state: &State<T>,
+    forces: &Forces<T>,
+) -> Vec2<T> {
+    let t = state.travels[slide.index()].guide.d;
+    let across = t.perp() * forces.normals[slide.index()];
+    if is_driven {
+        across - t * forces.drive
+    } else {
+        across
+    }
+}
+
+/// A force on the mechanism at a point of the ground; the frame feels the opposite.
+fn feel<T: Number>(point: PointId, force: Vec2<T>, state: &State<T>, forces: &mut Forces<T>) {
+    forces.frame = forces.frame - force;
+    let moment = state.points[point.index()].p.cross(force);
+    forces.frame_moment = forces.frame_moment - moment;
+}

@@ -1,0 +1,125 @@
+//! The forces of a state, as they are read.
+
+use super::{Extent, Forces, Part, Scale};
+use crate::solver::state::State;
+use crate::{LinkId, Number, PointId, SlideId, Vec2};
+
+/// How far the two checks miss; zero but for rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Residual<T = f64> {
+    /// Between the driver's torque (N m), or force (N), and what the virtual work of all that acts asks
+    /// for.
+    pub drive: T,
+    /// Between the force on the frame and the sum of all that acts, in N.
+    pub force: Vec2<T>,
+    /// The same of the moments about the scene's origin, in N m.
+    pub moment: T,
+}
+
+impl<T: Number> State<T> {
+    /// The state has been solved without its forces.
+    #[inline]
+    pub(in crate::solver) fn forget_forces(&mut self) {
+        if let Some(forces) = &mut self.forces {
+            forces.extent = Extent::Nothing;
+        }
+    }
+
+    fn balanced(&self) -> Option<&Forces<T>> {
+        self.forces.as_deref()?.all()
+    }
+
+    /// What the driver must do: its torque in N m, or the force of a driven slide in N. `None` where it
+    /// does not exist, or nothing acts, or it was not asked for ([`Order::Force`](super::Order::Force)).
+    #[must_use]
+    pub fn drive(&self) -> Option<T> {
+        let forces = self.forces.as_deref()?;
+        match forces.extent {
+            Extent::Nothing => None,
+            Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
+            Extent::All => Some(-(forces.drive * forces.scale.drive)),
+        }
+    }
+
+    /// What it does against loads (springs among them), against gravity and against inertia.
+    #[must_use]
+    pub fn drive_parts(&self) -> Option<[T; 3]> {
+        let forces = self.forces.as_deref()?;
+        let parts = [Part::Load, Part::Gravity, Part::Inertia];
+        (forces.extent != Extent::Nothing).then(|| parts.map(|part| forces.against(part)))
+    }
+
+    /// The power of the driver in W: positive where it gives energy to the linkage.
+    #[must_use]
+    pub fn power(&self) -> Option<T> {
+        let forces = self.forces.as_deref()?;
+        let metres = forces.scale.couple.scaled(1.0 / self.frame.scale);
+        let speed = self.driver_speed();
+        let speed = if self.driven.is_some() {
+            speed
+        } else {
+            speed * metres
+        };
+        Some(self.drive()? * speed)
+    }
+
+    /// The force on a link at one of its joints, in N, in the ground's frame: that of the pin, or, at
+    /// the origin of a link that slides, what does not come from the guide.
+    #[must_use]
+    pub fn joint_force(&self, link: LinkId, point: PointId) -> Option<Vec2<T>> {
+        let forces = self.balanced()?;
+        let slot = forces.slots.find(link, point)?;
+        (!forces.open.joints[slot]).then(|| forces.joints[slot])
+    }
+
+    /// The force of a guide on what slides along it, in N, positive along the guide's direction turned
+    /// by +90 degrees.
+    #[must_use]
+    pub fn normal(&self, slide: SlideId) -> Option<T> {
+        let forces = self.balanced()?;
+        let is_open = forces.open.normals[slide.index()];
+        (!is_open).then(|| forces.normals[slide.index()])
+    }
+
+    /// The moment of a guide on a link that slides without turning, in N m, counter-clockwise, about the
+    /// link's origin.
+    #[must_use]
+    pub fn moment(&self, slide: SlideId) -> Option<T> {
+        let forces = self.balanced()?;
+        let is_open = forces.open.moments[slide.index()];
+        (!is_open).then(|| forces.moments[slide.index()] * forces.scale.couple)
+    }
+
+    /// The shaking force: of the whole on the frame, in N.
+    #[must_use]
+    pub fn frame_force(&self) -> Option<Vec2<T>> {
+        Some(self.balanced()?.frame)
+    }
+
+    /// The shaking moment: of the whole on the frame, motor included, in N m about the scene's origin.
+    #[must_use]
+    pub fn frame_moment(&self) -> Option<T> {
+        let forces = self.balanced()?;
+        let Scale { couple, origin, .. } = forces.scale;
+        Some(forces.frame_moment * couple + origin.cross(forces.frame))
+    }
+
+    /// How far the two checks miss.
+    #[must_use]
+    pub fn residual(&self) -> Option<Residual<T>> {
+        let forces = self.balanced()?;
+        let Scale {
+            couple,
+            drive,
+            origin,
+        } = forces.scale;
+        let [load, gravity, inertia] = forces.work;
+        let force = forces.frame - forces.sum;
+        let moment = forces.frame_moment - forces.sum_moment;
+        Some(Residual {
+            drive: -((forces.drive - (load + gravity + inertia)) * drive),
+            force,
+            moment: moment * couple + origin.cross(force),
+        })
+    }
+}

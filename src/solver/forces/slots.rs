@@ -1,0 +1,45 @@
+//! Where forces at joints are noted.
+
+use crate::{LinkId, Mechanism, PointId};
+
+/// Where the force on a link at one of its points is noted: a place for every member of every link, and
+/// one more for what nobody asks about.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct Slots {
+    starts: Vec<usize>,
+    pub(super) members: Vec<PointId>,
+}
+
+/// A place in the list of forces at joints.
+pub(super) type Slot = usize;
+
+impl Slots {
+    pub(super) fn new(mechanism: &Mechanism) -> Slots {
+        let mut slots = Slots {
+            starts: Vec::new(),
+            members: Vec::new(),
+        };
+        for link in mechanism.links() {
+            slots.starts.push(slots.members.len());
+            slots.members.extend(link.members.iter().map(|m| m.point));
+        }
+        slots.starts.push(slots.members.len());
+        slots
+    }
+
+    /// The place that nobody reads.
+    pub(super) fn nowhere(&self) -> Slot {
+        self.members.len()
+    }
+
+    pub(super) fn find(&self, link: LinkId, point: PointId) -> Option<Slot> {
+        let range = *self.starts.get(link.index())?..*self.starts.get(link.index() + 1)?;
+        let members = &self.members[range.clone()];
+        let place = members.iter().position(|&p| p == point)?;
+        Some(range.start + place)
+    }
+
+    pub(in crate::solver) fn of(&self, link: LinkId, point: PointId) -> Slot {
+        self.find(link, point).unwrap_or(self.nowhere())
+    }
+}
