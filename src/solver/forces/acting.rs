@@ -193,6 +193,14 @@ impl Acting {
             } => {
                 let (a, b) = (state.points[from.index()], state.points[to.index()]);
                 let e = b.p - a.p;
+                let none = Constant::default();
+                if (*length, *damping) == (none, none) {
+                    // It pulls by k e: also where its ends meet.
+                    let pull = e * (T::of(*stiffness) * T::of(self.unit));
+                    forces.push(Part::Load, *from, pull, state);
+                    forces.push(Part::Load, *to, -pull, state);
+                    return;
+                }
                 let size = e.norm2().sqrt();
                 let along = e / size;
                 let rate = along.dot(b.v - a.v) * state.rates.speed;

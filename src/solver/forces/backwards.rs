@@ -23,10 +23,27 @@ impl<T: Number> Forces<T> {
 
     /// A force on a link at the end of an arm; its pivot holds against it.
     #[inline(always)]
-    fn hold(&mut self, reach: &Reach, force: Vec2<T>) {
+    fn hold(&mut self, reach: &Reach, force: Vec2<T>, state: &State<T>) {
+        self.points[reach.pivot.index()] += force;
+        if !reach.legs.is_empty() {
+            self.hold_over(reach, force, state);
+            return;
+        }
         self.note(reach.slots[0], force);
         self.note(reach.slots[1], -force);
-        self.points[reach.pivot.index()] += force;
+    }
+
+    /// The same where the arm goes over several links: the locks hold each against turning.
+    #[cold]
+    fn hold_over(&mut self, reach: &Reach, force: Vec2<T>, state: &State<T>) {
+        for leg in &reach.legs {
+            self.note(leg.slots[0], force);
+            self.note(leg.slots[1], -force);
+            let [out, near] = leg.joints.map(|joint| state.points[joint.index()].p);
+            if leg.link != reach.link {
+                self.couples[leg.link.index()] += (out - near).cross(force);
+            }
+        }
     }
 
     #[inline(always)]
@@ -90,7 +107,7 @@ impl Pass {
             Pass::Aim { arm, end } => {
                 let e = at(end) - at(&arm.pivot);
                 let force = -(e.perp() * (forces.couple(arm.link) / e.norm2()));
-                forces.hold(arm, force);
+                forces.hold(arm, force, state);
                 let back = forces.at(*end) - force;
                 forces.points[end.index()] = back;
             }
@@ -126,7 +143,7 @@ impl Pass {
                 let across = across(at(point) - at(&arm.pivot), t, *point, arm.link, forces);
                 let n = t.perp();
                 let force = forces.at(*point) - n * across;
-                forces.hold(arm, force);
+                forces.hold(arm, force, state);
                 forces.press(hold, None, n, across);
             }
             Pass::CircleLine {
@@ -139,7 +156,7 @@ impl Pass {
                 let x = at(point);
                 let across = across(x - at(&arm.pivot), guide.t, *point, arm.link, forces);
                 let force = forces.at(*point) - guide.n * across;
-                forces.hold(arm, force);
+                forces.hold(arm, force, state);
                 let s = guide.t.dot(x - guide.q.p);
                 forces.press(hold, Some((line, s)), guide.n, across);
             }
@@ -207,8 +224,8 @@ fn circles<T: Number>(
     let force = forces.at(point);
     let one = forces.couple(near.link) + e.cross(force);
     let g = (f * one + e * forces.couple(far.link)) / e.cross(f);
-    forces.hold(far, g);
-    forces.hold(near, force - g);
+    forces.hold(far, g, state);
+    forces.hold(near, force - g, state);
     force - g
 }
 

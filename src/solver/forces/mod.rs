@@ -280,12 +280,11 @@ impl Balance {
         })
     }
 
-    /// Finds what a redundant linkage leaves open, where the scene opens.
+    /// Finds what a redundant linkage leaves open, at several places of its motion.
     fn leave_open(&mut self, network: &Network<'_>, solver: &Solver) {
         let mut state = solver.state();
-        solver.solve(solver.opening, Order::Velocity, &mut state);
         state.forces = Some(Box::new(self.forces(&solver.engine, solver.slides)));
-        let open = Open::find(self, network, &solver.engine, &mut state);
+        let open = Open::find(self, network, solver, &mut state);
         self.indeterminate = open.list(network.mechanism, &self.slots);
         self.open = Arc::new(open);
     }
@@ -390,21 +389,8 @@ impl Balance {
         if let Some(link) = self.driven {
             forces.drive = forces.links[link.index()];
         }
-        self.locked.finish(forces);
+        self.finish_links(state, forces);
         let drive = -forces.drive;
-        let guided = |slide: SlideId, is_driven: bool, forces: &Forces<T>| {
-            let t = state.travels[slide.index()].guide.d;
-            let across = t.perp() * forces.normals[slide.index()];
-            if is_driven {
-                across + t * drive
-            } else {
-                across
-            }
-        };
-        for &(slide, slot, is_driven) in &self.frame.origins {
-            let force = guided(slide, is_driven, forces);
-            forces.joints[slot] = forces.joints[slot] - force;
-        }
         let feel = |point: PointId, force: Vec2<T>, forces: &mut Forces<T>| {
             forces.frame = forces.frame - force;
             let moment = state.points[point.index()].p.cross(force);
@@ -414,13 +400,38 @@ impl Balance {
             feel(point, forces.joints[slot], forces);
         }
         for &(slide, point, is_driven) in &self.frame.guides {
-            feel(point, guided(slide, is_driven, forces), forces);
+            feel(point, guided(slide, is_driven, state, forces), forces);
             forces.frame_moment = forces.frame_moment - forces.moments[slide.index()];
         }
         if self.driven.is_some() {
             // The motor stands on the frame.
             forces.frame_moment = forces.frame_moment - drive;
         }
+    }
+
+    /// The couples of the locks, and what pins alone do to the origins of sliding links.
+    fn finish_links<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        self.locked.finish(forces);
+        for &(slide, slot, is_driven) in &self.frame.origins {
+            let force = guided(slide, is_driven, state, forces);
+            forces.joints[slot] = forces.joints[slot] - force;
+        }
+    }
+}
+
+/// The force of a guide on what slides along it, that of the driver included.
+fn guided<T: Number>(
+    slide: SlideId,
+    is_driven: bool,
+    state: &State<T>,
+    forces: &Forces<T>,
+) -> Vec2<T> {
+    let t = state.travels[slide.index()].guide.d;
+    let across = t.perp() * forces.normals[slide.index()];
+    if is_driven {
+        across + t * -forces.drive
+    } else {
+        across
     }
 }
 

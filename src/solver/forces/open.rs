@@ -6,14 +6,17 @@
 //! it, is open.
 
 use super::{Balance, Extent, Forces, Slots};
-use crate::solver::engine::Engine;
 use crate::solver::network::Network;
 use crate::solver::plan::{Gauge, Watch};
 use crate::solver::state::{Condition, State};
+use crate::solver::{Order, Range, Solver};
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// Below this part of a unit force, what is felt is rounding.
 const FELT: f64 = 1e-9;
+/// Where in the motion constraints are tried, besides where the scene opens: what is open need not be
+/// felt at each place, and scenes open at special ones.
+const PLACES: [f64; 4] = [0.137, 0.382, 0.618, 0.861];
 
 /// What cannot be told.
 #[derive(Clone, Debug)]
@@ -46,19 +49,40 @@ impl Open {
         }
     }
 
-    /// Tries every constraint at an assembled state.
+    /// Tries every constraint at ordinary states of the motion.
     pub(super) fn find(
         balance: &Balance,
         network: &Network<'_>,
-        engine: &Engine,
+        solver: &Solver,
         state: &mut State,
     ) -> Open {
         let mut open = Open::none(network.mechanism, &balance.slots);
-        if engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
+        if solver.engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
             return open;
         }
-        for watch in &engine.program.watches {
-            open.probe(balance, engine, state, |state, forces, felt| {
+        let (low, high) = match solver.motion.range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        let places = PLACES.map(|part| low + part * (high - low));
+        for at in places.into_iter().chain([solver.opening]) {
+            if solver.solve(at, Order::Position, state) == Condition::Ok {
+                open.find_at(balance, network, solver, state);
+            }
+        }
+        open
+    }
+
+    /// Tries every constraint at a state.
+    fn find_at(
+        &mut self,
+        balance: &Balance,
+        network: &Network<'_>,
+        solver: &Solver,
+        state: &mut State,
+    ) {
+        for watch in &solver.engine.program.watches {
+            self.probe(balance, solver, state, |state, forces, felt| {
                 press(watch, &balance.slots, network, state, forces, felt);
             });
         }
@@ -68,20 +92,19 @@ impl Open {
                 continue;
             };
             let on = network.body(given.on);
-            open.probe(balance, engine, state, |_, forces, felt| {
+            self.probe(balance, solver, state, |_, forces, felt| {
                 forces.links[link.index()] += 1.0;
                 forces.links[on.index()] += -1.0;
                 felt.moments[slide.index()] = 1.0;
             });
         }
-        open
     }
 
     /// Presses, hands down, and marks what holds against it.
     fn probe(
         &mut self,
         balance: &Balance,
-        engine: &Engine,
+        solver: &Solver,
         state: &mut State,
         press: impl Fn(&State, &mut Forces<f64>, &mut Felt),
     ) {
@@ -91,13 +114,10 @@ impl Open {
         forces.clear();
         let mut felt = Felt::new(self);
         press(state, &mut forces, &mut felt);
-        let before = state.condition;
-        state.condition = Condition::Ok;
-        if balance.run_back(engine, state, &mut forces) {
-            balance.locked.finish(&mut forces);
+        if balance.run_back(&solver.engine, state, &mut forces) {
+            balance.finish_links(state, &mut forces);
             self.mark(&forces, &felt);
         }
-        state.condition = before;
         forces.extent = Extent::Nothing;
         state.forces = Some(forces);
     }
@@ -192,7 +212,12 @@ fn press(
             forces.links[line.link.index()] += -s;
             if let crate::Element::Slide(slide) = watch.element {
                 felt.normals[slide.index()] += 1.0;
-                if let Body::Link(on) = network.mechanism.slide(slide).on {
+                let given = network.mechanism.slide(slide);
+                // On the link itself, and not by its pin.
+                if let Slider::Link { link, origin, .. } = given.slider {
+                    felt.joints[slots.of(link, origin)] += -guide.n;
+                }
+                if let Body::Link(on) = given.on {
                     felt.joints[slots.of(on, line.through)] += guide.n;
                 }
             }

@@ -82,11 +82,22 @@ pub(super) enum Pass {
 }
 
 /// An arm of a link from a known pivot.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Reach {
     pub pivot: PointId,
     pub link: LinkId,
     /// The force on the link at the arm's end, and at its pivot.
+    pub slots: [Slot; 2],
+    /// Where the arm goes over several links that are locked to each other, all of them.
+    pub legs: Vec<Leg>,
+}
+
+/// A link on the way of an arm, between two of its joints.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    pub link: LinkId,
+    /// The joint further out, and the one nearer to the pivot; and the places of the forces there.
+    pub joints: [PointId; 2],
     pub slots: [Slot; 2],
 }
 
@@ -147,14 +158,14 @@ impl Maker<'_> {
                 slide: self.driven_slide()?,
             },
             Step::Aim { arm, end } => Pass::Aim {
-                arm: self.reach(&arm, end),
+                arm: self.reach(at, &arm, end),
                 end,
             },
             Step::Lock { link, to, .. } => Pass::Lock { link, to },
             Step::Circles(c) => Pass::Circles {
                 point: c.point,
-                near: self.reach(&c.near, c.point),
-                far: self.reach(&c.far, c.point),
+                near: self.reach(at, &c.near, c.point),
+                far: self.reach(at, &c.far, c.point),
             },
             Step::Cylinder(c) => Pass::Cylinder {
                 point: c.point,
@@ -162,20 +173,21 @@ impl Maker<'_> {
                     pivot: c.pivot,
                     link: c.link,
                     slots: [self.slots.nowhere(), self.slots.of(c.link, c.pivot)],
+                    legs: Vec::new(),
                 },
                 along: c.along,
-                far: self.reach(&c.far, c.point),
+                far: self.reach(at, &c.far, c.point),
                 slide: self.driven_slide(),
             },
             Step::CircleRail(c) => Pass::CircleRail {
                 point: c.point,
-                arm: self.reach(&c.arm, c.point),
+                arm: self.reach(at, &c.arm, c.point),
                 along: c.along,
                 hold: self.hold(at, 0, c.point)?,
             },
             Step::CircleLine(c) => Pass::CircleLine {
                 point: c.point,
-                arm: self.reach(&c.arm, c.point),
+                arm: self.reach(at, &c.arm, c.point),
                 line: c.line,
                 hold: self.hold(at, 0, c.point)?,
             },
@@ -219,9 +231,17 @@ impl Maker<'_> {
         }
     }
 
-    fn reach(&self, arm: &Arm, end: PointId) -> Reach {
+    fn reach(&self, at: usize, arm: &Arm, end: PointId) -> Reach {
         let Arm { pivot, link, .. } = *arm;
+        let legs = self.program.legs.iter();
+        let legs = legs.filter(|(step, leg)| *step == at && leg.arm == link);
+        let legs = legs.map(|(_, leg)| Leg {
+            link: leg.link,
+            joints: [leg.to, leg.from],
+            slots: [leg.to, leg.from].map(|joint| self.slots.of(leg.link, joint)),
+        });
         Reach {
+            legs: legs.collect(),
             pivot,
             link,
             slots: [self.slots.of(link, end), self.slots.of(link, pivot)],
