@@ -12,7 +12,8 @@
 //!   -> scene      text, units and names; a fault points at its line and column
 //!   -> mechanism  points, links, slides and the driver, by typed ids: no text, no I/O
 //!   -> solver     once: which groups, in which order, over which range
-//!                 then: the driver's coordinate -> a state, without a history and without allocating
+//!                 then: the driver's coordinate -> a state, without a history and without allocating;
+//!                 where anything acts, the forces in it
 //!   -> quantity   everything that has a name, a unit and a value
 //!   -> study      every method that could solve it, timed and held against a reference
 //!   -> report     tables, CSV, JSON      -> drawing, tui   the linkage in characters, live tables
@@ -81,6 +82,12 @@
 //! | q | `driver.angle`, `driver.position` | the driver's coordinate | deg, or length |
 //! | e | | in the solver: from a known point P to the point X that is sought, e = X - P | length |
 //! | t, n | | direction of a guide, and its normal: t turned by +90 degrees | 1 |
+//! | T | `driver.torque` | what the driver must do: its torque, or the force of a pushed slide (`driver.force`); counter-clockwise, or along the guide | N m, or N |
+//! | P | `driver.power` | its power, positive where it gives energy to the linkage | W |
+//! | F | `r3.B.fx`, `r3.B.fy` | force on link r3 at its pin B | N |
+//! | N | `r4.normal` | force of a guide on what slides, along the guide's direction turned by +90 degrees | N |
+//! | M | `r6.moment` | moment of a guide on a link that slides without turning, about the link's origin | N m |
+//! | | `ground.fx`, `ground.moment` | shaking force and moment: of the whole on the frame, about the scene's origin | N, N m |
 //! | mu | | transmission angle of a dyad: between its two links, at the inner joint | deg |
 //!
 //! A link from B to C has its origin at B and its x axis towards C; `com`, further points and the

@@ -405,3 +405,214 @@ fn a_scene_on_which_nothing_acts_has_no_forces() {
     solver.solve(60.0, Order::Force, &mut state);
     assert_eq!(state.drive(), None);
 }
+
+/// A scene, its solver and a state.
+fn opened(text: &str) -> (Scene, Solver) {
+    let scene = Scene::parse(text, "test.toml").unwrap_or_else(|e| panic!("{e}"));
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    (scene, solver)
+}
+
+/// The text of a preset with what acts on it.
+fn with(preset: &str, replace: &[(&str, &str)], acts: &str) -> String {
+    let mut text = presets::find(preset).unwrap().text.to_owned();
+    for (from, to) in replace {
+        assert!(text.contains(from), "{preset} has no {from}");
+        text = text.replace(from, to);
+    }
+    text + acts
+}
+
+/// Kinetic energy, potential energy and what a force at a point has, in J and W.
+struct Energy {
+    stored: f64,
+    given: f64,
+}
+
+/// Of a mechanism with masses under its gravity, and one force at a point.
+fn energy(scene: &Scene, solver: &Solver, at: f64, point: &str, force: V) -> Energy {
+    let mechanism = &scene.mechanism;
+    let mut state = solver.state();
+    solver.solve(at, Order::Velocity, &mut state);
+    let metres = mechanism.metres();
+    let mut stored = 0.0;
+    for id in mechanism.link_ids() {
+        let link = mechanism.link(id);
+        let Some(com) = link.com else { continue };
+        let (p, v) = (state.position(com), state.velocity(com));
+        let omega = state.omega(id);
+        stored += 0.5 * link.mass * (v.x * v.x + v.y * v.y) * metres * metres;
+        stored += 0.5 * link.inertia * omega * omega;
+        let g = mechanism.gravity();
+        stored -= link.mass * (g.x * p.x + g.y * p.y) * metres;
+    }
+    let named = |id: &krank::PointId| scene.point_name(*id) == Some(point);
+    let loaded = mechanism.point_ids().find(named).unwrap();
+    let v = state.velocity(loaded);
+    Energy {
+        stored,
+        given: (force[0] * v.x + force[1] * v.y) * metres,
+    }
+}
+
+/// The motor's power is what the energy grows by, less what the load gives: by differences of energies,
+/// which know positions and velocities alone. A six-bar of dyads, and one whose four links are one group.
+#[test]
+fn the_motors_power_is_what_the_energy_grows_by() {
+    let masses = |link: &str, length: f64| {
+        let [half, mass, inertia] = [0.4 * length, 0.01 * length, 1e-6 * length * length];
+        format!("length = {length}, com = [{half}, 7], mass = {mass}, inertia = {inertia}{link}")
+    };
+    let mut tried = 0;
+    for name in ["stephenson-six-bar", "watt-six-bar", "klann-leg"] {
+        let preset = presets::find(name).unwrap().text;
+        let mut text = String::from("gravity = [0, -9.81]\n");
+        let mut last_point = String::new();
+        for line in preset.lines() {
+            let is_plain = line.contains("length = ") && !line.contains("com =");
+            match line.split_once("length = ").filter(|_| is_plain) {
+                Some((head, tail)) => {
+                    let digits = tail.split([',', ' ', '}']).next().unwrap();
+                    let length: f64 = digits.parse().unwrap();
+                    let rest = &tail[digits.len()..];
+                    text += &format!("{head}{}\n", masses(rest, length));
+                    let to = line.split_once("to = \"").unwrap().1;
+                    last_point = to.split('"').next().unwrap().to_owned();
+                }
+                None => text += &format!("{line}\n"),
+            }
+        }
+        text += &format!("[[loads]]\npoint = \"{last_point}\"\nforce = [30, -40]\n");
+        let (scene, solver) = opened(&text);
+        let mut state = solver.state();
+        let speed = scene.mechanism.driver().speed;
+        for at in (0..360).step_by(15).map(f64::from) {
+            if solver.solve(at, Order::Force, &mut state) != Condition::Ok {
+                continue;
+            }
+            // Degrees that take so many seconds.
+            let step = 0.05_f64;
+            let seconds = step.to_radians() / speed;
+            let of = |k: f64| energy(&scene, &solver, at + k * step, &last_point, [30.0, -40.0]);
+            let slope = |k: f64| (of(k).stored - of(-k).stored) / (2.0 * k * seconds);
+            // Richardson's extrapolation: right to the fourth order.
+            let grown = (4.0 * slope(1.0) - slope(2.0)) / 3.0;
+            let want = grown - of(0.0).given;
+            let got = state.power().unwrap();
+            let size = want.abs().max(of(0.0).given.abs()).max(0.1);
+            assert!(
+                (got - want).abs() < 1e-6 * size,
+                "{name} at {at}: {got} W and not {want}"
+            );
+            tried += 1;
+        }
+    }
+    assert!(tried > 60, "only {tried} places");
+}
+
+#[test]
+fn at_a_dead_point_there_is_no_force_and_just_before_it_a_large_one() {
+    // Driven at its rocker, the four-bar comes to a limit where crank and coupler are in line.
+    let text = with(
+        "double-rocker",
+        &[],
+        "[[loads]]\npoint = \"C\"\nforce = [0, -100]\n",
+    );
+    let (_, solver) = opened(&text);
+    let krank::solver::Range::Limited { high, .. } = solver.motion().range else {
+        panic!("a double rocker has limits");
+    };
+    let mut state = solver.state();
+    let drive = |at: f64, state: &mut krank::solver::State| {
+        let condition = solver.solve(at, Order::Force, state);
+        (condition, state.drive())
+    };
+    assert_eq!(drive(high, &mut state), (Condition::DeadPoint, None));
+    let (_, near) = drive(high - 1e-3, &mut state);
+    let (_, nearer) = drive(high - 1e-5, &mut state);
+    // The mechanical advantage falls off as the root of the distance.
+    let ratio = nearer.unwrap() / near.unwrap();
+    assert!((ratio.abs() - 10.0).abs() < 0.1, "{ratio}");
+}
+
+/// At a change point the reactions are those of either assembly, or of none; what the driver must do
+/// follows from the virtual work, and from both sides it is the same.
+#[test]
+fn at_a_change_point_the_torque_exists_and_the_reactions_do_not() {
+    let text = with(
+        "parallelogram",
+        &[],
+        "[[loads]]\npoint = \"C\"\nforce = [20, -100]\n",
+    );
+    let (scene, solver) = opened(&text);
+    let at = solver.motion().change_points[0];
+    let mut state = solver.state();
+    assert_eq!(
+        solver.solve(at, Order::Force, &mut state),
+        Condition::ChangePoint
+    );
+    let there = state.drive().unwrap();
+    let link = scene.mechanism.link_ids().next().unwrap();
+    let pin = scene.mechanism.pins(link).next().unwrap();
+    assert_eq!(state.joint_force(link, pin), None);
+    assert_eq!(state.frame_force(), None);
+    for beside in [at - 1.0, at + 1.0] {
+        solver.solve(beside, Order::Force, &mut state);
+        let beside = state.drive().unwrap();
+        assert!(
+            (beside - there).abs() < 0.2 * there.abs().max(1.0),
+            "{beside} {there}"
+        );
+    }
+}
+
+/// A load that a link's frame holds gives the same as one that turns with it in a table; and one that is
+/// taken away leaves nothing.
+#[test]
+fn loads_turn_with_their_link_and_come_and_go() {
+    let fixed = |acts: &str| Figures::of(&with("four-bar", &[], acts));
+    let turned = fixed("[[loads]]\npoint = \"C\"\nforce = [100, 0]\nframe = \"r2\"\n");
+    for degrees in [0.0_f64, 30.0, 75.0, 200.0] {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let [x, y] = [100.0 * cos, 100.0 * sin];
+        let fixed = fixed(&format!("[[loads]]\npoint = \"C\"\nforce = [{x}, {y}]\n"));
+        let names = ["driver.torque", "r3.B.fx", "r4.D.fy"];
+        agree(
+            degrees,
+            names,
+            turned.at(degrees, names),
+            fixed.at(degrees, names),
+        );
+    }
+    let over = fixed(
+        "[[loads]]\nlink = \"r4\"\ntorque = 10\nover = [[0, 0], [90, 1], [180, 0], [360, 0]]\n",
+    );
+    let all = fixed("[[loads]]\nlink = \"r4\"\ntorque = 10\n");
+    for (degrees, part) in [(45.0, 0.5), (90.0, 1.0), (360.0 + 45.0, 0.5), (250.0, 0.0)] {
+        let [got] = over.at(degrees, ["driver.torque"]);
+        let [whole] = all.at(degrees, ["driver.torque"]);
+        assert!(
+            (got - part * whole).abs() < 1e-12,
+            "{degrees}: {got} {whole}"
+        );
+    }
+}
+
+/// A spring between a ground point and the slider: its energy is what the crank puts in.
+#[test]
+fn a_spring_pulls_as_it_is_stretched_and_a_damper_as_it_moves() {
+    let acts =
+        "[[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 500\nlength = 15\ndamping = 40\n";
+    let figures = Figures::of(&with("slider-crank", &[], acts));
+    for degrees in [10.0, 100.0, 170.0, 300.0] {
+        let names = ["driver.power", "C.x", "C.vx"];
+        let [power, x, v] = figures.at(degrees, names);
+        // In cm; the slider moves along the line to A.
+        let pull = 500.0 * (x - 15.0) / 100.0 + 40.0 * v / 100.0;
+        let want = pull * v / 100.0;
+        assert!(
+            (power - want).abs() < 1e-10 * want.abs(),
+            "{degrees}: {power} {want}"
+        );
+    }
+}

@@ -642,8 +642,12 @@ fn a_state_depends_on_the_coordinate_alone() {
 fn solving_and_bounding_allocate_nothing() {
     let coupled = solver(stephenson(true).0).1;
     let dyads = Solver::new(&long_chain(12)).unwrap();
-    for s in [coupled, dyads] {
-        let (mut state, order) = (s.state(), Order::Acceleration);
+    let preset = krank::scene::presets::find("engine").unwrap();
+    let loaded = krank::scene::Scene::parse(preset.text, preset.name).unwrap();
+    let loaded = Solver::new(&loaded.mechanism).unwrap();
+    assert!(loaded.has_forces());
+    for s in [coupled, dyads, loaded] {
+        let (mut state, order) = (s.state(), Order::Force);
         let (mut enclosure, mut twice) = (s.enclosure(), s.twice());
         let info = allocation_counter::measure(|| {
             for q in 0..100 {

@@ -6,7 +6,9 @@ use super::output::{replace, write_text, write_to};
 use super::screen::Screen;
 use super::source::{Opened, open};
 use crate::quantity::{Catalogue, MOST_DERIVATIVES, Sensitivity};
-use crate::report::{Answers, Check, NO_ANSWER, TableStyle, Tables, limits_text, near_misses};
+use crate::report::{
+    Answers, Check, Forces, NO_ANSWER, TableStyle, Tables, limits_text, near_misses,
+};
 use crate::scene::{Scene, harmless, presets};
 use crate::solver::{Condition, Order, Solver};
 use clap::{Command, CommandFactory};
@@ -36,19 +38,20 @@ pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
     write_text(args.output.output.as_deref(), &text)
 }
 
-/// `krank table`: position, velocity and acceleration at one coordinate of the driver.
+/// `krank table`: position, velocity and acceleration, and what acts, at one coordinate of the driver.
 pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
     let start = scene.mechanism.driver().start;
     let at = args.at.map_or(start, |at| at.value());
     let mut state = solver.state();
-    if solver.solve(at, Order::Acceleration, &mut state) == Condition::NoAssembly {
+    if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
     }
     tell_of_near_misses(&scene, &solver, screen);
     let mut enclosure = solver.enclosure();
-    solver.enclose(&state, Order::Acceleration, &mut enclosure);
+    solver.enclose(&state, Order::Force, &mut enclosure);
     let mut tables = Tables::bounded(&scene, &state, &enclosure);
+    tables.forces = Forces::new(&scene, &solver, &state, Some(&enclosure));
     if args.figures.bounds {
         let (figures, unproved) = tables.unproved();
         note_unproved(unproved, figures, screen);

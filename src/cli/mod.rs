@@ -11,6 +11,7 @@ mod draw;
 mod explain;
 mod failure;
 mod misuse;
+mod motor;
 mod output;
 mod picture;
 mod plot;
@@ -92,6 +93,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Sweep(args)) => sweep::sweep(args, screen),
         Some(Command::Plot(args)) => plot::plot(args, screen),
         Some(Command::Start(args)) => commands::start(args),
+        Some(Command::Motor(args)) => motor::motor(args, screen),
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         #[cfg(feature = "tui")]
         Some(Command::Config) => config::config(),

@@ -72,6 +72,7 @@ impl Pairing {
                 })
                 .collect(),
             answers: None,
+            forces: None,
         }
     }
 }

@@ -15,7 +15,11 @@ mod columns;
 mod curves;
 mod difference;
 mod errors;
+mod forces;
+mod forces_text;
 mod loop_facts;
+mod motor;
+mod motor_text;
 mod number;
 mod rows;
 mod steps;
@@ -39,6 +43,9 @@ pub use columns::{Beside, Columns};
 pub use curves::curves_csv;
 pub use difference::Pairing;
 pub use errors::Missing;
+pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
+pub use motor::{MotorReport, MotorWishes, RamReport};
+pub use motor_text::MotorLine;
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
@@ -47,4 +54,4 @@ pub use working::{
     Agreement, Block, Document, Equation, LineKind, Table, TextStyle, Worked, Working,
 };
 #[cfg(feature = "tui")]
-pub(crate) use {number::shortest, number::upwards, text::wrapped};
+pub(crate) use {forces_text::missed, number::shortest, number::upwards, text::wrapped};

@@ -1,6 +1,7 @@
 //! The position, velocity and acceleration tables of one state, laid out as in the lectures.
 
 use super::answers::Answers;
+use super::forces::Forces;
 use crate::quantity::{Aspect, Subject, bound, value};
 use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Order, State};
@@ -78,7 +79,7 @@ pub struct VectorColumn {
 /// A plane vector in the ground frame, by components and by magnitude and direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
-    /// Both components, in the scene's unit (per s, per s^2).
+    /// Both components, in the scene's unit (per s, per s^2), or in N.
     pub components: Vec2,
     /// Its length.
     pub magnitude: f64,
@@ -89,7 +90,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    fn new(components: Vec2, bounds: [Option<f64>; 2]) -> Plane {
+    pub(super) fn new(components: Vec2, bounds: [Option<f64>; 2]) -> Plane {
         let magnitude = components.norm();
         let [x, y] = bounds;
         let error = x.zip(y).map(|(x, y)| Vec2::new(x, y).norm());
@@ -185,6 +186,8 @@ pub struct Tables {
     pub points: Vec<PointRow>,
     /// What the given lengths do to the figures, where that was asked for.
     pub answers: Option<Answers>,
+    /// The forces, where anything acts and they were asked for.
+    pub forces: Option<Forces>,
 }
 
 impl Tables {
@@ -212,7 +215,10 @@ impl Tables {
             let planes = point.motion.iter().flatten();
             planes.flat_map(|plane| plane.entries(point.fixed))
         });
-        let exist = vectors.chain(planes).filter(|entry| entry.value.is_some());
+        let forces = self.forces.iter().flat_map(Forces::figures);
+        let forces = forces.map(|(_, _, entry)| entry);
+        let all = vectors.chain(planes).chain(forces);
+        let exist = all.filter(|entry| entry.value.is_some());
         exist.fold((0, 0), |(all, unproved), entry| {
             (all + 1, unproved + u64::from(entry.bound.is_none()))
         })
@@ -239,14 +245,15 @@ impl Tables {
             vectors: vectors.chain(without_ends).collect(),
             points: point_rows(scene, &reading),
             answers: None,
+            forces: None,
         }
     }
 }
 
 /// A state, and what is proved of its figures.
-struct Reading<'a> {
-    state: &'a State,
-    enclosure: Option<&'a State<Ball>>,
+pub(super) struct Reading<'a> {
+    pub(super) state: &'a State,
+    pub(super) enclosure: Option<&'a State<Ball>>,
 }
 
 impl Reading<'_> {
@@ -258,7 +265,7 @@ impl Reading<'_> {
         Some((bound + (solved - distance).abs()) * ROUNDED_UP)
     }
 
-    fn bound(&self, subject: Subject, aspect: Aspect) -> Option<f64> {
+    pub(super) fn bound(&self, subject: Subject, aspect: Aspect) -> Option<f64> {
         bound(subject, aspect, self.state, self.enclosure?)
     }
 }

@@ -1,6 +1,7 @@
 //! The tables for other programs: CSV, a line per figure, and JSON.
 
 use super::answers::Answers;
+use super::forces::Forces;
 use super::number::shortest;
 use super::rows::plain;
 use super::tables::{Entry, ORDERS, PointRow, Tables, VectorColumn};
@@ -83,6 +84,9 @@ impl Tables {
                 }
             }
         }
+        for (name, unit, entry) in self.forces.iter().flat_map(Forces::figures) {
+            lines.figure(&name, unit, entry)?;
+        }
         let state = ["state", state_word(self.condition), "", ""];
         lines.record(state, "", [""; 3])?;
         lines.csv.flush()
@@ -121,6 +125,9 @@ impl Tables {
         object.insert("vectors".into(), vectors.collect());
         let points = self.points.iter().map(|p| point_json(p, style.bounds));
         object.insert("points".into(), points.collect());
+        if let Some(forces) = &self.forces {
+            object.insert("forces".into(), forces.to_json(style.bounds));
+        }
         if let Some(answers) = &self.answers {
             object.insert("sensitivity".into(), answers.to_json(style.units));
         }
@@ -129,14 +136,20 @@ impl Tables {
 
     fn units(&self) -> Value {
         let unit = |aspect: Aspect| aspect.unit(self.unit);
-        json!({
+        let mut units = json!({
             "length": unit(Aspect::Length),
             "velocity": unit(Aspect::Rate),
             "acceleration": unit(Aspect::Accel),
             "angle": unit(Aspect::Angle),
             "omega": unit(Aspect::Omega),
             "alpha": unit(Aspect::Alpha),
-        })
+        });
+        if let (Some(units), Some(_)) = (units.as_object_mut(), &self.forces) {
+            units.insert("force".into(), unit(Aspect::Force).into());
+            units.insert("torque".into(), unit(Aspect::Torque).into());
+            units.insert("power".into(), unit(Aspect::Power).into());
+        }
+        units
     }
 }
 

@@ -32,6 +32,8 @@ impl Tables {
         parts.extend(ORDERS.map(|order| writer.vector_table(order)));
         parts.push(writer.legend());
         parts.extend(ORDERS.map(|order| writer.point_table(order)));
+        let forces = self.forces.iter();
+        parts.extend(forces.flat_map(|forces| writer.force_parts(forces)));
         parts.extend(self.answers.iter().map(|answers| answers.to_text(style)));
         parts.retain(|part| !part.is_empty());
         parts.join("\n")
@@ -39,11 +41,11 @@ impl Tables {
 }
 
 /// Widths of the labels, so that the tables below one another line up.
-const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
-const POINT_LABELS: usize = "acceleration of points".len();
+pub(super) const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
+pub(super) const POINT_LABELS: usize = "acceleration of points".len();
 
 /// Stands in front of a line of bounds, each with so many digits.
-const BOUND: &str = "  +-";
+pub(super) const BOUND: &str = "  +-";
 const BOUND_DIGITS: usize = 2;
 
 /// The title of a table.
@@ -55,9 +57,9 @@ fn title(order: Order) -> &'static str {
     }
 }
 
-struct Writer<'a> {
+pub(super) struct Writer<'a> {
     tables: &'a Tables,
-    style: TableStyle,
+    pub(super) style: TableStyle,
 }
 
 impl Writer<'_> {
@@ -79,7 +81,7 @@ impl Writer<'_> {
     }
 
     /// `name [unit]`.
-    fn label(&self, name: &str, aspect: Aspect) -> String {
+    pub(super) fn label(&self, name: &str, aspect: Aspect) -> String {
         if self.style.units {
             format!("{name} [{}]", aspect.unit(self.tables.unit))
         } else {
@@ -129,7 +131,7 @@ impl Writer<'_> {
         format!("{}{mark}", self.figure(entry, aspect))
     }
 
-    fn figure(&self, entry: Entry, aspect: Aspect) -> String {
+    pub(super) fn figure(&self, entry: Entry, aspect: Aspect) -> String {
         match (entry.seen(), aspect) {
             (None, _) => "-".into(),
             (Some(value), Aspect::Angle) => direction(value, self.style.digits),
@@ -138,7 +140,7 @@ impl Writer<'_> {
     }
 
     /// What the error of a figure does not exceed; nothing of a figure that does not exist.
-    fn bound(&self, entry: Entry) -> String {
+    pub(super) fn bound(&self, entry: Entry) -> String {
         match (entry.value, entry.bound) {
             (None, _) => String::new(),
             (Some(_), None) => "?".into(),

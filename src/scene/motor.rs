@@ -1,10 +1,10 @@
 //! The motor that a scene is to be driven by.
 
-use super::Unit;
 use super::draft::Input;
 use super::input::{self, PUSHED, TURNED};
 use super::rate::{Degree, Kind};
 use super::reader::{Reader, Value};
+use super::{Scene, Unit, rate};
 use crate::document::Diagnostic;
 use toml::de::DeTable;
 
@@ -26,6 +26,24 @@ pub struct Motor {
     pub fluctuation: Option<f64>,
     /// How far from the end of its stroke a ram still counts as at rest, in the scene's unit.
     pub tolerance: Option<f64>,
+}
+
+impl Scene {
+    /// Reads a speed of the driver or of its motor from a text, as a scene writes it: `1500 rpm`,
+    /// `15 rad/s`, `0.2 m/s`.
+    ///
+    /// # Errors
+    /// What would be read.
+    pub fn speed(&self, text: &str) -> Result<f64, String> {
+        let kind = match self.mechanism.driver().input {
+            crate::Input::Turn(_) => Kind::Turn,
+            crate::Input::Push(_) => Kind::Push(self.unit),
+        };
+        rate::parse(text, kind, Degree::Speed).map_err(|_| {
+            let units = rate::units(kind, Degree::Speed).join(", ");
+            format!("`{text}` is no speed of this driver: a number with one of {units}")
+        })
+    }
 }
 
 const EXAMPLE: &str = r#"{ torque = 20, peak = 60, speed = "1500 rpm" }"#;

@@ -14,6 +14,7 @@
 //! each time  engine    runs the steps: step (closed forms), coupled (Newton's method with lu)
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
+//!            forces    the steps backwards: what joints carry and the driver must do
 //! besides    transmission, classify, neighbour (other lengths), methods (other ways to solve, to compare)
 //! ```
 //!

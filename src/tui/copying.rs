@@ -4,7 +4,7 @@
 use super::cursor::Cursor;
 use super::sheet::{Part, Sheet};
 use crate::quantity::{Abscissa, Curves};
-use crate::report::{Entry, Tables, shortest};
+use crate::report::{Entry, Forces, Tables, shortest};
 use crate::solver::State;
 
 /// Full digits; nothing where no value exists.
@@ -33,6 +33,16 @@ pub(crate) fn plotted(curves: &Curves, state: &State) -> String {
     let columns = std::iter::once(driver).chain(along);
     let (names, values): (Vec<_>, Vec<_>) = columns.chain(figures.zip(here.values)).unzip();
     line(names.into_iter()) + &line(values.into_iter().map(number))
+}
+
+/// All forces: a line per figure.
+pub(crate) fn balanced(forces: &Forces) -> String {
+    let figures = forces.figures().into_iter();
+    figures
+        .map(|(name, unit, entry)| {
+            line([format!("{name} [{unit}]"), number(entry.value)].into_iter())
+        })
+        .collect()
 }
 
 /// Tables as they are seen.

@@ -25,6 +25,7 @@
 mod action;
 mod ahead;
 mod app;
+mod balance;
 mod chosen;
 mod clipboard;
 mod config;
@@ -41,6 +42,7 @@ mod help;
 mod history;
 mod key;
 mod keymap;
+mod ledger;
 mod lens;
 mod line;
 mod opening;

@@ -8,7 +8,7 @@ use super::stage::{Stage, solved};
 use crate::drawing::{self, Figure, Reach};
 use crate::report::{Pairing, Tables};
 use crate::scene::Scene;
-use crate::solver::{Condition, Solver, State};
+use crate::solver::{Condition, Order, Solver, State};
 use crate::{Ball, Input};
 
 /// Of the places that figures are fitted to, differences are fitted to one of so many.
@@ -165,7 +165,13 @@ impl Other {
             Input::Turn(_) => at,
             Input::Push(_) => at / self.scale,
         };
-        solved(&self.opened, at, &mut self.state, &mut self.enclosure)
+        solved(
+            &self.opened,
+            at,
+            Order::Acceleration,
+            &mut self.state,
+            &mut self.enclosure,
+        )
     }
 }
 

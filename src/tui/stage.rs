@@ -1,5 +1,6 @@
 //! A scene on the stage: what is found once when it opens, and what follows from the driver's coordinate.
 
+use super::balance::Balance;
 use super::cost::Cost;
 use super::course::Course;
 use super::opening::first_words;
@@ -9,7 +10,7 @@ use super::{Opened, Origin};
 use crate::Ball;
 use crate::drawing::Reach;
 use crate::quantity::{Catalogue, Sensitivity};
-use crate::report::{Answers, Tables};
+use crate::report::{Answers, Forces, Tables};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, harmless};
 use crate::solver::{Condition, Order, Pick, Solver, State};
@@ -34,6 +35,8 @@ pub(crate) struct Stage {
     cost: Cost,
     /// What the given lengths do, while that is looked at.
     answers: Option<Asked>,
+    /// The forces, while they are looked at and anything acts.
+    balance: Option<Balance>,
     /// The assemblies of the groups, while they are looked at.
     panel: Option<Panel>,
 }
@@ -59,8 +62,9 @@ impl Stage {
         let mut enclosure = opened.solver.enclosure();
         Stage {
             sheet: Sheet::new(&samples),
-            tables: solved(&opened, at, &mut state, &mut enclosure),
+            tables: solved(&opened, at, Order::Acceleration, &mut state, &mut enclosure),
             answers: None,
+            balance: None,
             cost: Cost::default(),
             enclosure,
             opened,
@@ -126,11 +130,46 @@ impl Stage {
     pub(crate) fn go(&mut self, at: f64) {
         self.at = at;
         self.panel = None;
-        self.tables = solved(&self.opened, at, &mut self.state, &mut self.enclosure);
+        let order = match self.balance {
+            Some(_) => Order::Force,
+            None => Order::Acceleration,
+        };
+        let (state, enclosure) = (&mut self.state, &mut self.enclosure);
+        self.tables = solved(&self.opened, at, order, state, enclosure);
         if let Some(asked) = &mut self.answers {
             let unit = self.opened.scene.unit.symbol();
             asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
         }
+        if let Some(balance) = &mut self.balance {
+            let Opened { scene, solver, .. } = &self.opened;
+            let forces = Forces::new(scene, solver, &self.state, Some(&self.enclosure));
+            balance.follow(forces);
+        }
+    }
+
+    /// Finds the forces, here and from now on, or ceases to.
+    pub(crate) fn balance_forces(&mut self, wanted: bool) {
+        self.balance = None;
+        if !(wanted && self.opened.solver.has_forces()) {
+            return;
+        }
+        let Opened { scene, solver, .. } = &self.opened;
+        let mut state = solver.state();
+        let samples = self.places().into_iter().filter_map(|at| {
+            solver.solve(at, Order::Force, &mut state);
+            Forces::new(scene, solver, &state, None)
+        });
+        let samples: Vec<Forces> = samples.collect();
+        let (state, enclosure) = (&mut self.state, &mut self.enclosure);
+        solver.solve(self.at, Order::Force, state);
+        solver.enclose(state, Order::Force, enclosure);
+        let forces = Forces::new(scene, solver, state, Some(enclosure));
+        self.balance = forces.map(|forces| Balance::new(forces, &samples));
+    }
+
+    /// The forces, if they are looked at and anything acts.
+    pub(crate) fn balance(&self) -> Option<&Balance> {
+        self.balance.as_ref()
     }
 
     /// Measures what the state costs, without its bounds.
@@ -224,7 +263,7 @@ impl Stage {
         state: &mut State,
         enclosure: &mut State<Ball>,
     ) -> Tables {
-        solved(&self.opened, at, state, enclosure)
+        solved(&self.opened, at, Order::Acceleration, state, enclosure)
     }
 
     /// Coordinates spread over the whole motion, the opening first.
@@ -258,15 +297,16 @@ impl Stage {
     }
 }
 
-/// The tables at a coordinate, with their bounds.
+/// The tables at a coordinate, with their bounds, of a state that is solved as far as that.
 pub(crate) fn solved(
     opened: &Opened,
     at: f64,
+    order: Order,
     state: &mut State,
     enclosure: &mut State<Ball>,
 ) -> Tables {
-    opened.solver.solve(at, Order::Acceleration, state);
-    opened.solver.enclose(state, Order::Acceleration, enclosure);
+    opened.solver.solve(at, order, state);
+    opened.solver.enclose(state, order, enclosure);
     Tables::bounded(&opened.scene, state, enclosure)
 }
 

@@ -6,6 +6,7 @@ mod assembly;
 #[cfg(feature = "tui")]
 mod config;
 mod draw;
+mod forces;
 mod plot;
 mod readme;
 mod scenes;

@@ -108,5 +108,5 @@ fn the_commands_of_the_readme_run() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 11);
+    assert_eq!(ran, 12);
 }

@@ -1,10 +1,12 @@
 //! The command line as its users write it.
 
 mod figures;
+mod motor;
 mod pictures;
 mod workbench;
 
 pub(super) use figures::{AccuracyArgs, ExplainArgs, Format, SweepArgs, TableArgs, TextFormat};
+pub(super) use motor::MotorArgs;
 pub(super) use pictures::{DrawArgs, Glyphs, Names, PictureFormat, PlotArgs, Size};
 #[cfg(feature = "tui")]
 pub(super) use workbench::{Colour, Theme, View};
@@ -89,12 +91,13 @@ Examples:
   krank check my-press.toml --format json
   krank check - < my-press.toml")]
     Check(CheckArgs),
-    /// Print the position, velocity and acceleration tables at one angle
+    /// Print the position, velocity and acceleration tables at one angle, and the forces where anything acts
     #[command(after_help = "\
 Examples:
   krank table four-bar --at 60
   krank table slider-crank --at 30 --digits 10
   krank table press --bounds --sensitivity
+  krank table four-bar-load --bounds
   krank table four-bar --format json
   krank table four-bar --at 240 --assembly C=-")]
     Table(TableArgs),
@@ -135,9 +138,12 @@ Examples:
   krank sweep press-ram --step 0.1 -o press.csv
 
 Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
-krank sweep SCENE | head -n 1 shows all of a scene's. The driver's coordinate
-always comes first and the state last: ok, change-point, dead-point or
-no-assembly. A value that does not exist is an empty cell (null in JSON).
+krank sweep SCENE | head -n 1 shows all of a scene's. Where anything acts there
+are driver.torque, driver.power, r3.B.fx (the force on link r3 at pin B),
+r4.normal, r6.moment, ground.fx, and the residuals of two checks, which would be
+zero but for rounding. The driver's coordinate always comes first and the state
+last: ok, change-point, dead-point or no-assembly. A value that does not exist
+is an empty cell (null in JSON).
 --bounds puts C.x.bound behind each C.x, in the same unit: what the error of
 solving the scene as it is given does not exceed. --sensitivity puts
 C.x.sensitivity there: the change of C.x where every given length is off by one
@@ -159,6 +165,23 @@ speed and acceleration. Maxima and minima are marked with their value and place,
 which are solved for, not read from the picture: the value to rounding, the
 place to about 1e-5 deg. Where no value exists there is a gap.")]
     Plot(PlotArgs),
+    /// What a scene asks of its motor over one cycle, and what a ram does
+    #[command(after_help = "\
+Examples:
+  krank motor four-bar-load
+  krank motor four-bar-load --rated 30 --peak 75 --fluctuation 0.02
+  krank motor press-ram --height 6 --torque 500 --tolerance 0.5
+  krank motor excavator-boom --from 1.8 --to 2.8
+  krank motor engine --format csv -o engine.csv
+
+Torque and power with their peaks, which are solved for, means, and the energy put
+in and given back, split into loads, gravity and inertia; how uneven the speed is
+and the flywheel against it; what shakes the frame; what a motor lacks; and of a
+ram stroke, dead centres, time ratio, dwell, and speed and force at a height above
+the bottom. A cycle is the period of the motion, or of loads that take longer; a
+limited range is gone through there and back. Options stand for what the scene's
+[motor] has. Friction is not modelled.")]
+    Motor(MotorArgs),
     /// Print a scene with the [start] of another assembly
     #[command(after_help = "\
 Examples:

@@ -70,7 +70,7 @@ pub(in crate::cli) enum View {
     Plots,
     /// Speed against error
     Accuracy,
-    /// Forces
+    /// What the driver must do, and what joints and guides bear
     Forces,
     /// What the scene gives
     Scene,

@@ -375,7 +375,11 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64) {
         ]);
     }
     if let Some(power) = state.power() {
-        let speed = f.given(state.driver_speed());
+        let speed = match context.scene.mechanism.driver().input {
+            Input::Turn(_) => state.driver_speed(),
+            Input::Push(_) => state.driver_speed() * context.scene.mechanism.metres(),
+        };
+        let speed = f.given(speed);
         page.document.equation([
             "driver.power".to_owned(),
             format!("{}·{}", factor(&f.number(drive)), factor(&speed)),

@@ -6,6 +6,7 @@ use super::figures::{Figures, Sum, factor};
 use super::opening::sum_text;
 use super::page::{Context, Page};
 use super::polygon::{Loop, Term};
+use super::sides::{Shape, Side, Turns};
 use super::stages::{Form, Stage};
 use crate::solver::Order;
 use crate::{Vec2, angle};
@@ -250,11 +251,12 @@ impl<'a> Solution<'a> {
     }
 
     /// The length of an arm and how far its direction lies ahead of the angle that is named after it.
-    fn arm(&self, arm: &[Term]) -> Arm {
+    fn arm(&self, arm: &[Term]) -> Arm<'a> {
         match single(arm) {
             Some(term) => {
                 let member = self.member(term);
                 Arm {
+                    side: self.context.polygon.sides.get(term.side),
                     length: member.side.name.clone(),
                     value: member.reading.r,
                     given: !member.side.stretches(),
@@ -272,7 +274,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Several sides that turn together, as one.
-    fn composed(&self, arm: &[Term]) -> Arm {
+    fn composed(&self, arm: &[Term]) -> Arm<'a> {
         let members: Vec<Member<'_>> = arm.iter().map(|&term| self.member(term)).collect();
         let sum = members.iter().fold(Vec2::ZERO, |sum, m| {
             let r = m.reading.vector();
@@ -286,6 +288,7 @@ impl<'a> Solution<'a> {
             .for_each(|m| text.push(m.reversed, &m.side.name));
         let name = link.map_or("", |link| self.context.scene.link_name(link));
         Arm {
+            side: None,
             length: format!("|{}|", text.text()),
             value: sum.norm(),
             given: false,
@@ -358,7 +361,7 @@ impl<'a> Solution<'a> {
         let alpha = (-m.y).atan2(m.x).to_degrees();
         page.document
             .equation(["α".to_owned(), "atan2(-my, mx)".into(), degrees(f, alpha)]);
-        let corner = |near: &Arm, far: &Arm| {
+        let corner = |near: &Arm<'_>, far: &Arm<'_>| {
             let cosine = (size * size + near.value * near.value - far.value * far.value)
                 / (2.0 * size * near.value);
             // At a dead point rounding may carry it beyond 1.
@@ -400,7 +403,7 @@ impl<'a> Solution<'a> {
     }
 
     /// Where the pivots of a dyad lie on each other no triangle tells its angles.
-    fn coincident(&self, page: &mut Page, [p, q]: [&str; 2], arms: [&Arm; 2]) {
+    fn coincident(&self, page: &mut Page, [p, q]: [&str; 2], arms: [&Arm<'_>; 2]) {
         page.document.text(format!(
             "{p} and {q} lie on each other: there is no triangle, and the angles are the limits along the motion:"
         ));
@@ -414,7 +417,7 @@ impl<'a> Solution<'a> {
     fn write_angle(
         &self,
         page: &mut Page,
-        arm: &Arm,
+        arm: &Arm<'_>,
         parts: [f64; 2],
         names: [&str; 2],
         loss: f64,
@@ -439,6 +442,27 @@ impl<'a> Solution<'a> {
             arm.theta.clone(),
             symbols.text(),
             numbers.text(),
+            turn(f, worked),
+        ]);
+        if let Some(side) = arm.side {
+            self.write_link_angle(page, side, worked, loss);
+        }
+    }
+
+    /// The angle of the link with which a side turns, where it is not the side's own.
+    fn write_link_angle(&self, page: &mut Page, side: &Side, theta: f64, loss: f64) {
+        let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
+            return;
+        };
+        if side.shape == Shape::Link(link) {
+            return;
+        }
+        let symbol = super::symbols::theta(self.context.scene.link_name(link));
+        let worked = theta - ahead;
+        page.agree_angle(&symbol, worked, self.context.state.angle(link), loss);
+        page.document.equation([
+            symbol,
+            format!("{} - {}", side.theta(), f.direction(ahead)),
             turn(f, worked),
         ]);
     }
@@ -537,7 +561,7 @@ impl<'a> Solution<'a> {
     fn write_direction(
         &self,
         page: &mut Page,
-        arm: &Arm,
+        arm: &Arm<'_>,
         along: Vec2,
         what: &str,
         size: f64,
@@ -569,6 +593,9 @@ impl<'a> Solution<'a> {
             numbers.text(),
             turn(f, worked),
         ]);
+        if let Some(side) = arm.side {
+            self.write_link_angle(page, side, worked, loss);
+        }
     }
 
     /// The sides that turn with the guide, among them the one along it, must be minus the known ones.
@@ -648,6 +675,7 @@ impl<'a> Solution<'a> {
             atan
         };
         page.document.equation([theta, second, turn(f, value)]);
+        self.write_link_angle(page, member.side, value, loss);
     }
 
     // ---- two positions
@@ -710,7 +738,9 @@ impl<'a> Solution<'a> {
 const MEETING: f64 = 1e-12;
 
 /// One arm of a dyad.
-struct Arm {
+struct Arm<'a> {
+    /// The side, if it is one alone.
+    side: Option<&'a Side>,
     /// The symbol of its length.
     length: String,
     value: f64,
@@ -723,7 +753,7 @@ struct Arm {
     solved: f64,
 }
 
-impl Arm {
+impl Arm<'_> {
     fn figure(&self, figures: Figures) -> String {
         if self.given {
             figures.given(self.value)
@@ -755,7 +785,7 @@ fn turn(figures: Figures, value: f64) -> String {
 }
 
 /// Why two arms do not meet, or that they would.
-fn reach(page: &mut Page, figures: Figures, size: f64, [one, two]: [&Arm; 2]) {
+fn reach(page: &mut Page, figures: Figures, size: f64, [one, two]: [&Arm<'_>; 2]) {
     let (sum, difference) = (one.value + two.value, (one.value - two.value).abs());
     let text = if size > sum {
         format!(
@@ -780,7 +810,7 @@ fn reach(page: &mut Page, figures: Figures, size: f64, [one, two]: [&Arm; 2]) {
 }
 
 /// Why a quadratic has no root, or that it would have.
-fn no_root(page: &mut Page, figures: Figures, under: f64, arm: &Arm) {
+fn no_root(page: &mut Page, figures: Figures, under: f64, arm: &Arm<'_>) {
     page.document
         .equation(["p^2 - q".to_owned(), figures.number(under)]);
     let text = if under < 0.0 {

@@ -3,6 +3,7 @@
 
 use super::figures::factor;
 use super::page::{Context, Page};
+use super::sides::Turns;
 use super::symbols::{self, of_point};
 use crate::solver::State;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
@@ -128,6 +129,12 @@ fn on_link(
     if r == 0.0 {
         page.document
             .text(format!("It lies on {base_name} and moves as that does."));
+        return;
+    }
+    if context.polygon.locks.turns(Body::Link(link), 0.0) == Turns::Never {
+        page.document.text(format!(
+            "{link_name} does not turn: all of it moves as {base_name} does."
+        ));
         return;
     }
     page.document.equation([

@@ -154,6 +154,13 @@ fn parts(formula: &str) -> Vec<String> {
         let open = word.matches('(').count();
         depth = (depth + open).saturating_sub(word.matches(')').count());
     }
+    // That a sum is 0 does not stand on a line of its own.
+    if let [.., last, end] = &mut parts[..]
+        && end == "= 0"
+    {
+        last.push_str(" = 0");
+        parts.pop();
+    }
     parts
 }
 

@@ -209,7 +209,7 @@ impl Chain<'_> {
             {
                 let turn = self.network.turn[link.index()];
                 let arm = anchor.arm.turned(turn.conj());
-                (anchor.pivot, arm, Some(anchor.link))
+                (anchor.pivot, arm, Some(*anchor))
             } else {
                 continue;
             };
@@ -218,9 +218,12 @@ impl Chain<'_> {
             let group = self.open_group(GroupKind::Rpr, Some(pin));
             self.note_hold(Hold {
                 slide,
-                carrier,
+                carrier: carrier.map(|anchor| anchor.link),
                 is_yoke: false,
             });
+            if let Some(anchor) = carrier {
+                self.note_legs(&anchor, &anchors);
+            }
             self.push(Step::Swing(Swing {
                 pivot,
                 pin,

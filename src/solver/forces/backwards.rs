@@ -5,7 +5,7 @@
 //! come to a link. "On" a link means: from the pin, or the guide, on it.
 
 use super::Forces;
-use super::pass::{Held, Pass, Reach};
+use super::pass::{Held, Leg, Pass, Reach};
 use crate::solver::state::{PointState, State};
 use crate::solver::step::Line;
 use crate::{LinkId, Number, PointId, SlideId, Vec2};
@@ -168,6 +168,7 @@ impl Pass {
                 slot,
                 slide,
                 carrier,
+                legs,
             } => {
                 let t = Vec2::of(*along).turned(state.links[link.index()].d);
                 let s = t.dot(at(pin) - at(pivot));
@@ -179,6 +180,7 @@ impl Pass {
                 swung(
                     *slide,
                     carrier.as_ref(),
+                    legs,
                     at(pin),
                     across,
                     force,
@@ -248,6 +250,7 @@ fn across<T: Number>(
 fn swung<T: Number>(
     slide: Option<SlideId>,
     carrier: Option<&(LinkId, PointId, usize)>,
+    legs: &[Leg],
     pin: Vec2<T>,
     across: T,
     force: Vec2<T>,
@@ -256,7 +259,16 @@ fn swung<T: Number>(
 ) {
     let Some(slide) = slide else { return };
     forces.normals[slide.index()] = across;
-    if let Some((link, slider, slot)) = carrier {
+    for (i, leg) in legs.iter().enumerate() {
+        // What is furthest out feels the guide itself there.
+        if i > 0 {
+            forces.note(leg.slots[0], force);
+        }
+        forces.note(leg.slots[1], -force);
+        let [out, near] = leg.joints.map(|joint| state.points[joint.index()].p);
+        forces.couples[leg.link.index()] += (out - near).cross(force);
+    }
+    if let Some((link, slider, slot)) = carrier.filter(|_| legs.is_empty()) {
         forces.note(*slot, -force);
         let arm = state.points[slider.index()].p - pin;
         forces.couples[link.index()] += arm.cross(force);

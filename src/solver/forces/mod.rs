@@ -23,7 +23,7 @@ mod stroke;
 use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
-use super::{Order, Solver};
+use super::Solver;
 use crate::{Body, Constant, Input, LinkId, Mechanism, Number, PointId, SlideId, StrokeEnd, Vec2};
 pub use acting::Acted;
 use acting::Acting;

@@ -70,6 +70,8 @@ pub(super) enum Pass {
         /// The link between the pin and the slide, with its sliding point and the place of the pin's
         /// force.
         carrier: Option<(LinkId, PointId, Slot)>,
+        /// The links between, where these are several.
+        legs: Vec<Leg>,
     },
     /// PRP and RPP.
     Lines {
@@ -205,6 +207,7 @@ impl Maker<'_> {
                     along: s.along,
                     slot: self.slots.of(s.link, s.pivot),
                     slide: hold.map(|hold| hold.slide),
+                    legs: carrier.map_or_else(Vec::new, |(link, ..)| self.legs(at, link)),
                     carrier,
                 }
             }
@@ -233,19 +236,24 @@ impl Maker<'_> {
 
     fn reach(&self, at: usize, arm: &Arm, end: PointId) -> Reach {
         let Arm { pivot, link, .. } = *arm;
+        Reach {
+            legs: self.legs(at, link),
+            pivot,
+            link,
+            slots: [self.slots.of(link, end), self.slots.of(link, pivot)],
+        }
+    }
+
+    /// The links on the way of the arm of a step that is known by this one.
+    fn legs(&self, at: usize, arm: LinkId) -> Vec<Leg> {
         let legs = self.program.legs.iter();
-        let legs = legs.filter(|(step, leg)| *step == at && leg.arm == link);
+        let legs = legs.filter(|(step, leg)| *step == at && leg.arm == arm);
         let legs = legs.map(|(_, leg)| Leg {
             link: leg.link,
             joints: [leg.to, leg.from],
             slots: [leg.to, leg.from].map(|joint| self.slots.of(leg.link, joint)),
         });
-        Reach {
-            legs: legs.collect(),
-            pivot,
-            link,
-            slots: [self.slots.of(link, end), self.slots.of(link, pivot)],
-        }
+        legs.collect()
     }
 
     fn driven_slide(&self) -> Option<SlideId> {

@@ -201,6 +201,30 @@ impl Cycle {
         self.joule
     }
 
+    /// The work of the driver in J since the beginning, after this way.
+    #[must_use]
+    pub fn work(&self, way: f64) -> Option<f64> {
+        if self.pieces.has_gap {
+            return None;
+        }
+        let mut work = 0.0;
+        for piece in &self.pieces.list {
+            let integral = piece.sums[0].integral();
+            if way <= piece.to {
+                return Some((work + integral.at(piece.t(way)) * piece.half()) * self.joule);
+            }
+            work += integral.at(1.0) * piece.half();
+        }
+        Some(work * self.joule)
+    }
+
+    /// 1 where the driver's coordinate grows with the way, -1 where it becomes less: the sign of the
+    /// speed, by which torque becomes power.
+    #[must_use]
+    pub fn sense(&self, way: f64) -> f64 {
+        self.course.place(way).weight.signum()
+    }
+
     /// The driver's coordinate after this way.
     #[must_use]
     pub fn coordinate(&self, way: f64) -> f64 {

@@ -214,7 +214,7 @@ impl Piece {
         self.from + (self.to - self.from) * 0.5 * (1.0 + t)
     }
 
-    fn t(&self, way: f64) -> f64 {
+    pub(super) fn t(&self, way: f64) -> f64 {
         2.0 * (way - self.from) / (self.to - self.from) - 1.0
     }
 

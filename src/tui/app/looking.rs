@@ -17,11 +17,12 @@ impl App {
         self.look(*next.unwrap_or(&View::Motion));
     }
 
-    /// Looks at a view. What the lengths do is found only while it is looked at; a study begins when it
-    /// is looked at for the first time.
+    /// Looks at a view. What the lengths do, and the forces, are found only while they are looked at; a
+    /// study begins when it is looked at for the first time.
     pub(crate) fn look(&mut self, view: View) {
         self.view = view;
         self.stage.answer(view == View::Lengths);
+        self.stage.balance_forces(view == View::Forces);
         self.relist();
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
             self.study();

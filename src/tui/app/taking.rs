@@ -47,6 +47,10 @@ impl App {
                 let text = copying::plotted(curves, self.stage.state());
                 self.send(&text)
             }
+            View::Forces if let Some(balance) = self.stage.balance() => {
+                let text = copying::balanced(balance.forces());
+                self.send(&text)
+            }
             View::Plots | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
                 self.message = Some("nothing to copy here; the tables have all".into());
                 Effect::Show

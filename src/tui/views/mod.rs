@@ -153,7 +153,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (_, View::Lengths) => lengths::extent(app, inset(body)),
         (_, View::Scene) => scene::extent(app, body),
         (_, View::Plots) => plots::extent(app, body),
-        (_, View::Forces) => (0, 0),
+        (_, View::Forces) => forces::extent(app, inset(body)),
     }
 }
 

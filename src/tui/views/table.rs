@@ -114,7 +114,7 @@ pub(super) fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffe
 
 /// Dims the digits of a cell that nothing proves. Without colours, where dim text may look like any
 /// other, points stand in their place; a figure without any bound is left to the last line to tell.
-fn doubt(colours: Colours, cell: &Shown, left: u16, y: u16, buffer: &mut Buffer) {
+pub(super) fn doubt(colours: Colours, cell: &Shown, left: u16, y: u16, buffer: &mut Buffer) {
     let digits = match &cell.unsure {
         Unsure::Nothing => return,
         Unsure::Last(digits) => digits.clone(),

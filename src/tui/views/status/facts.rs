@@ -136,11 +136,8 @@ pub(super) fn near(app: &App) -> Option<String> {
 pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     let stage = app.stage();
     let shows_figures = match (app.mode(), app.view()) {
-        (Mode::Normal, View::Motion | View::Tables) => true,
-        (
-            Mode::Normal,
-            View::Plots | View::Accuracy | View::Forces | View::Scene | View::Lengths,
-        )
+        (Mode::Normal, View::Motion | View::Tables | View::Forces) => true,
+        (Mode::Normal, View::Plots | View::Accuracy | View::Scene | View::Lengths)
         | (
             Mode::Help(_)
             | Mode::Tour(_)
@@ -160,8 +157,10 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     if !shows_figures || app.condition() != Condition::Ok {
         return None;
     }
-    if app.view() == View::Tables {
-        return of_cursor(app);
+    match app.view() {
+        View::Tables => return of_cursor(app),
+        View::Forces => return of_drive(app),
+        View::Motion | View::Plots | View::Accuracy | View::Scene | View::Lengths => {}
     }
     let bound = match stage.largest_bound() {
         Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
@@ -169,6 +168,17 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     };
     let both = stage.cost().map(|cost| format!("{cost}, {bound}"));
     Some(both.filter(|both| columns(both) <= room).unwrap_or(bound))
+}
+
+/// How far what the driver must do can be from the truth.
+fn of_drive(app: &App) -> Option<String> {
+    let drive = &app.stage().balance()?.forces().drive;
+    drive.total.value?;
+    let unit = drive.aspect.unit(app.stage().scene().unit.symbol());
+    Some(match drive.total.bound {
+        Some(bound) => format!("{} +-{} {unit}", drive.aspect.name(), upwards(bound, 1)),
+        None => format!("{}: no bound", drive.aspect.name()),
+    })
 }
 
 /// How far the figure under the cursor can be from the truth.

@@ -1,0 +1,370 @@
+//! The forces of one state: what the driver must do, what joints and guides carry, what the frame feels,
+//! and how far the two checks miss.
+
+use super::tables::{Entry, Plane, Reading};
+use crate::quantity::{Aspect, Share, Subject, value};
+use crate::scene::Scene;
+use crate::solver::{Condition, Indeterminate, Solver, State};
+use crate::{Ball, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
+
+/// What the driver must do: figures in N m, or in N where a slide is driven.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    /// The driven link or slide.
+    pub name: String,
+    /// [`Aspect::Torque`], or [`Aspect::Force`] of a driven slide.
+    pub aspect: Aspect,
+    /// All of it.
+    pub total: Entry,
+    /// Against loads and springs, against weights, against inertia: together the total.
+    pub parts: [Entry; 3],
+    /// Its power in W, positive where it gives energy to the linkage.
+    pub power: Entry,
+}
+
+/// The force on a link at a joint.
+#[derive(Clone, Debug)]
+pub struct JointRow {
+    /// The link.
+    pub link: String,
+    /// The joint.
+    pub point: String,
+    /// The body that the force comes from, where the pin joins just two and nothing acts on it.
+    pub by: Option<String>,
+    /// Whether a row before it has the same force with the other sign.
+    pub repeats: bool,
+    /// In N, in the ground's frame; `None` where it does not exist or is left open.
+    pub force: Option<Plane>,
+}
+
+/// The force of a guide on what slides along it.
+#[derive(Clone, Debug)]
+pub struct GuideRow {
+    /// The slide.
+    pub name: String,
+    /// The point or the link that slides.
+    pub slider: String,
+    /// In N, along the guide's direction turned by +90 degrees.
+    pub normal: Entry,
+    /// The moment on a link that does not turn, in N m about its origin; `None` for a pin, which bears
+    /// none.
+    pub moment: Option<Entry>,
+    /// Where the line of action of the normal force crosses the guide: from the link's origin in the
+    /// guide's direction, in the scene's unit. A couple without a force has no such line.
+    pub at: Option<Entry>,
+}
+
+/// What the whole does to the frame: the shaking force and moment.
+#[derive(Clone, Debug)]
+pub struct Shaking {
+    /// In N.
+    pub force: Option<Plane>,
+    /// In N m about the scene's origin, the driver's included.
+    pub moment: Entry,
+}
+
+/// How far the checks miss: nothing but rounding.
+#[derive(Clone, Copy, Debug)]
+pub struct Checks {
+    /// What the driver does against the virtual work of all that acts, in N m or N.
+    pub drive: Entry,
+    /// The force on the frame against the sum of all that acts, in N; and the moments, in N m.
+    pub frame: [Entry; 3],
+}
+
+/// The forces of one state.
+#[derive(Clone, Debug)]
+pub struct Forces {
+    /// What the state is.
+    pub condition: Condition,
+    /// The symbol of the scene's length unit.
+    pub unit: &'static str,
+    /// What the driver must do.
+    pub drive: Drive,
+    /// The joints of every link, in the order of the file.
+    pub joints: Vec<JointRow>,
+    /// The guides.
+    pub guides: Vec<GuideRow>,
+    /// The frame.
+    pub frame: Shaking,
+    /// The two checks.
+    pub checks: Checks,
+    /// Reactions that a redundant linkage leaves open, as columns are named: `r5.D`, `r6.normal`.
+    pub indeterminate: Vec<String>,
+}
+
+/// How much of the forces exists.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Existence {
+    /// Everything.
+    Everything,
+    /// What the driver must do, and no reaction.
+    DriveAlone,
+    /// Nothing.
+    Nothing,
+}
+
+impl Forces {
+    /// Reads the forces of a state that was solved to [`Order::Force`](crate::solver::Order::Force);
+    /// `None` where nothing acts on the linkage.
+    #[must_use]
+    pub fn new(
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+        enclosure: Option<&State<Ball>>,
+    ) -> Option<Forces> {
+        if !scene.mechanism.has_forces() {
+            return None;
+        }
+        let reading = Reading { state, enclosure };
+        Some(Forces {
+            condition: state.condition(),
+            unit: scene.unit.symbol(),
+            drive: drive(scene, &reading),
+            joints: joints(scene, &reading),
+            guides: guides(scene, &reading),
+            frame: Shaking {
+                force: plane(Subject::Frame, &reading),
+                moment: found(Subject::Frame, Aspect::Moment, &reading),
+            },
+            checks: checks(scene, &reading),
+            indeterminate: indeterminate(scene, solver),
+        })
+    }
+
+    /// How much of them exists.
+    #[must_use]
+    pub fn existence(&self) -> Existence {
+        match (self.drive.total.value, self.frame.force) {
+            (None, _) => Existence::Nothing,
+            (Some(_), None) => Existence::DriveAlone,
+            (Some(_), Some(_)) => Existence::Everything,
+        }
+    }
+
+    /// What is to be said about figures that are missing, in whole sentences.
+    #[must_use]
+    pub fn remarks(&self) -> Vec<String> {
+        let mut remarks = Vec::new();
+        match (self.existence(), self.condition) {
+            (Existence::Everything, _) => {}
+            (Existence::DriveAlone, _) => remarks.push(format!(
+                "Of the forces only the driver's {} has a value here: at a change point the links lie \
+                 so that any force can run round among them.",
+                self.drive.aspect.name()
+            )),
+            (Existence::Nothing, Condition::NoAssembly) => {
+                remarks.push("The mechanism cannot be here: there is nothing to balance.".to_owned());
+            }
+            (Existence::Nothing, _) => remarks.push(format!(
+                "No {} of the driver exists here: at a dead point it cannot move the linkage, and \
+                 what would hold that, in the joints too, grows beyond all bounds.",
+                self.drive.aspect.name()
+            )),
+        }
+        if !self.indeterminate.is_empty() {
+            remarks.push(format!(
+                "Indeterminate: {}. The linkage has more constraints than it needs, and those can \
+                 press against each other with any force; all other figures stand.",
+                self.indeterminate.join(", ")
+            ));
+        }
+        remarks
+    }
+
+    /// Every figure with its name and its unit, in the order of the catalogue.
+    pub(crate) fn figures(&self) -> Vec<(String, &'static str, Entry)> {
+        let Forces { drive, frame, .. } = self;
+        let effort = drive.aspect.name();
+        let unit = match drive.aspect {
+            Aspect::Force => "N",
+            _ => "N m",
+        };
+        let mut all = vec![
+            (format!("driver.{effort}"), unit, drive.total),
+            ("driver.power".to_owned(), "W", drive.power),
+        ];
+        let residual = [(RESIDUAL, self.checks.drive)];
+        for (part, entry) in PARTS.into_iter().zip(drive.parts).chain(residual) {
+            all.push((format!("driver.{effort}.{part}"), unit, entry));
+        }
+        for joint in &self.joints {
+            let name = format!("{}.{}", joint.link, joint.point);
+            all.extend(plane_figures(&name, joint.force));
+        }
+        for guide in &self.guides {
+            let name = &guide.name;
+            all.push((format!("{name}.normal"), "N", guide.normal));
+            let moment = guide.moment.map(|m| (format!("{name}.moment"), "N m", m));
+            all.extend(moment);
+            all.extend(guide.at.map(|at| (format!("{name}.at"), self.unit, at)));
+        }
+        all.extend(plane_figures("ground", frame.force));
+        all.push(("ground.moment".to_owned(), "N m", frame.moment));
+        let frame = ["fx", "fy", "moment"].into_iter().zip(["N", "N", "N m"]);
+        for ((figure, unit), entry) in frame.zip(self.checks.frame) {
+            all.push((format!("ground.{figure}.{RESIDUAL}"), unit, entry));
+        }
+        all
+    }
+}
+
+/// The parts of what the driver must do, and what the checks miss, as columns name them.
+pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
+const RESIDUAL: &str = "residual";
+
+/// A force by components, size and direction.
+fn plane_figures(name: &str, force: Option<Plane>) -> [(String, &'static str, Entry); 4] {
+    let entries = force.map_or([Entry::NONE; 4], |force| force.entries(false));
+    let named = [("fx", "N"), ("fy", "N"), ("f", "N"), ("f.angle", "deg")];
+    std::array::from_fn(|i| {
+        let (figure, unit) = named[i];
+        (format!("{name}.{figure}"), unit, entries[i])
+    })
+}
+
+/// One figure, which no scene gives.
+fn found(subject: Subject, aspect: Aspect, reading: &Reading<'_>) -> Entry {
+    Entry {
+        value: value(subject, aspect, reading.state),
+        given: false,
+        bound: reading.bound(subject, aspect),
+    }
+}
+
+fn plane(subject: Subject, reading: &Reading<'_>) -> Option<Plane> {
+    let [x, y] = [Aspect::Fx, Aspect::Fy].map(|aspect| found(subject, aspect, reading));
+    let force = Vec2::new(x.value?, y.value?);
+    Some(Plane::new(force, [x.bound, y.bound]))
+}
+
+fn drive(scene: &Scene, reading: &Reading<'_>) -> Drive {
+    let (name, aspect) = match scene.mechanism.driver().input {
+        crate::Input::Turn(link) => (scene.link_name(link), Aspect::Torque),
+        crate::Input::Push(slide) => (scene.slide_name(slide), Aspect::Force),
+    };
+    let share = |share, aspect| found(Subject::Drive(share), aspect, reading);
+    let parts = [Share::Load, Share::Gravity, Share::Inertia];
+    Drive {
+        name: name.to_owned(),
+        aspect,
+        total: share(Share::Total, aspect),
+        parts: parts.map(|part| share(part, aspect)),
+        power: share(Share::Total, Aspect::Power),
+    }
+}
+
+fn checks(scene: &Scene, reading: &Reading<'_>) -> Checks {
+    let aspect = match scene.mechanism.driver().input {
+        crate::Input::Turn(_) => Aspect::Torque,
+        crate::Input::Push(_) => Aspect::Force,
+    };
+    let frame = [Aspect::Fx, Aspect::Fy, Aspect::Moment];
+    Checks {
+        drive: found(Subject::Drive(Share::Residual), aspect, reading),
+        frame: frame.map(|aspect| found(Subject::FrameResidual, aspect, reading)),
+    }
+}
+
+fn joints(scene: &Scene, reading: &Reading<'_>) -> Vec<JointRow> {
+    let mechanism = &scene.mechanism;
+    let mut rows = Vec::new();
+    for link in mechanism.link_ids() {
+        for point in mechanism.pins(link) {
+            let Some(name) = scene.point_name(point) else {
+                continue;
+            };
+            let partner = partner(mechanism, link, point);
+            rows.push(JointRow {
+                link: scene.link_name(link).to_owned(),
+                point: name.to_owned(),
+                by: partner.map(|other| match other {
+                    Some(link) => scene.link_name(link).to_owned(),
+                    None => "ground".to_owned(),
+                }),
+                repeats: partner.flatten().is_some_and(|other| other < link),
+                force: plane(Subject::Joint(link, point), reading),
+            });
+        }
+    }
+    rows
+}
+
+/// The only other body at a pin (`None`: the ground), where nothing but the two acts on the pin.
+fn partner(mechanism: &Mechanism, link: LinkId, point: PointId) -> Option<Option<LinkId>> {
+    let given = mechanism.point(point);
+    let acts = |load: &Load| match *load {
+        Load::Force { point: at, .. } => at == point,
+        Load::Spring { from, to, .. } => from == point || to == point,
+        Load::Torque { .. } | Load::Press { .. } => false,
+    };
+    let slides = |slide: &crate::Slide| slide.slider.point() == point;
+    if mechanism.loads().iter().any(acts) || mechanism.slides().iter().any(slides) {
+        return None;
+    }
+    let others = given.links.iter().copied().filter(|&other| other != link);
+    let others: Vec<LinkId> = others.collect();
+    match (&others[..], given.ground) {
+        ([], Some(_)) => Some(None),
+        ([other], None) => Some(Some(*other)),
+        _ => None,
+    }
+}
+
+fn guides(scene: &Scene, reading: &Reading<'_>) -> Vec<GuideRow> {
+    let mechanism = &scene.mechanism;
+    let guide = |slide: SlideId| {
+        let subject = Subject::Slide(slide);
+        let normal = found(subject, Aspect::Normal, reading);
+        let (slider, moment) = match mechanism.slide(slide).slider {
+            Slider::Pin(point) => (scene.point_name(point).unwrap_or("?"), None),
+            Slider::Link { link, .. } => (
+                scene.link_name(link),
+                Some(found(subject, Aspect::Moment, reading)),
+            ),
+        };
+        GuideRow {
+            name: scene.slide_name(slide).to_owned(),
+            slider: slider.to_owned(),
+            normal,
+            moment,
+            at: moment.map(|moment| arm(&moment, &normal, mechanism.metres())),
+        }
+    };
+    mechanism.slide_ids().map(guide).collect()
+}
+
+/// A force N at the distance x along the guide turns by x N: x = M / N. Of a normal force that may be
+/// nothing there is no line.
+fn arm(moment: &Entry, normal: &Entry, metres: f64) -> Entry {
+    let (Some(turning), Some(force)) = (moment.value, normal.value) else {
+        return Entry::NONE;
+    };
+    if force.abs() <= normal.bound.unwrap_or(0.0) {
+        return Entry::NONE;
+    }
+    let arm = turning / force;
+    let bound = moment.bound.zip(normal.bound).map(|(of_moment, of_force)| {
+        let off = (of_moment + arm.abs() * of_force) / (force.abs() - of_force);
+        // The roundings of the two divisions, and of the bound itself.
+        (off + 4.0 * f64::EPSILON * arm.abs()) / metres * (1.0 + 16.0 * f64::EPSILON)
+    });
+    Entry {
+        value: Some(arm / metres).filter(|arm| arm.is_finite()),
+        given: false,
+        bound: bound.filter(|bound| bound.is_finite()),
+    }
+}
+
+fn indeterminate(scene: &Scene, solver: &Solver) -> Vec<String> {
+    let name = |open: &Indeterminate| match *open {
+        Indeterminate::Joint(link, point) => {
+            let point = scene.point_name(point)?;
+            Some(format!("{}.{point}", scene.link_name(link)))
+        }
+        Indeterminate::Normal(slide) => Some(format!("{}.normal", scene.slide_name(slide))),
+        Indeterminate::Moment(slide) => Some(format!("{}.moment", scene.slide_name(slide))),
+    };
+    solver.indeterminate().iter().filter_map(name).collect()
+}

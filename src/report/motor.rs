@@ -1,0 +1,400 @@
+//! The motor over a cycle: what a scene asks of its driver, what evens that out, and what a ram does.
+
+use super::number::shortest;
+use super::rows::plain;
+use crate::quantity::Catalogue;
+use crate::scene::{Motor, Scene};
+use crate::solver::Solver;
+use crate::study::motor::{
+    Centre, Course, Duty, Dwell, Effect, Fit, NoRam, Passing, Peak, Ram, RamEnd, Rule, Shaking,
+    fluctuation_with, flywheel_for, rams,
+};
+use crate::{Input, Load, SlideId, StrokeEnd};
+use serde_json::{Value, json};
+use std::io;
+
+/// What is asked of a study of the motor beside the scene.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MotorWishes {
+    /// The motor, the flywheel and the wished fluctuation; what the scene gives, where nobody wishes
+    /// otherwise.
+    pub motor: Motor,
+    /// The ram; the one that a press works at, or the only one, if left out.
+    pub ram: Option<SlideId>,
+    /// A height above the bottom in the scene's length unit.
+    pub height: Option<f64>,
+    /// The torque (N m) or force (N) of the driver for the force of the ram; the rated one if left out.
+    pub torque: Option<f64>,
+    /// A part of the motion that is gone through there and back.
+    pub between: Option<(f64, f64)>,
+}
+
+/// What was found of a scene.
+#[derive(Clone, Debug)]
+pub struct MotorReport {
+    /// What the driver must do; `None` where nothing acts.
+    pub duty: Option<Duty>,
+    /// The ram; the reason where there is none.
+    pub ram: Result<RamReport, String>,
+    pub(super) wishes: MotorWishes,
+    pub(super) fit: Fit,
+    pub(super) scene: String,
+    /// The length unit, and that of the driver's coordinate.
+    pub(super) unit: &'static str,
+    pub(super) driver_unit: String,
+    /// The link or slide that is driven.
+    pub(super) driver: String,
+    pub(super) turns: bool,
+    /// As given: rad/s, or the length unit per s.
+    pub(super) speed: f64,
+    columns: [String; 2],
+}
+
+/// A ram and what was asked about it.
+#[derive(Clone, Debug)]
+pub struct RamReport {
+    /// The slide.
+    pub name: String,
+    /// Its dead centres, stroke and times.
+    pub ram: Ram,
+    /// A height above the bottom and the ram there, closing and opening; `None` where it never is there.
+    pub height: Option<(f64, Option<[Passing; 2]>)>,
+    /// A tolerance and how long it is within that of the bottom.
+    pub dwell: Option<(f64, Option<Dwell>)>,
+    /// What the driver is taken to do for the force of the ram, in N m or N.
+    pub torque: Option<f64>,
+}
+
+/// Of a cycle so many steps are written, by the turn or by the way there and back.
+const STEPS: f64 = 360.0;
+/// Steps of a cycle of many turns, all together.
+const MOST_STEPS: f64 = 36_000.0;
+
+/// The parts of what the driver must do, as columns name them.
+pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
+
+impl MotorReport {
+    /// Studies a scene.
+    #[must_use]
+    pub fn new(scene: &Scene, solver: &Solver, wishes: MotorWishes) -> MotorReport {
+        let mechanism = &scene.mechanism;
+        let duty = Duty::new(mechanism, solver, wishes.between);
+        let catalogue = Catalogue::new(scene);
+        let coordinate = catalogue.driver();
+        let (driver, turns) = match mechanism.driver().input {
+            Input::Turn(link) => (scene.link_name(link), true),
+            Input::Push(slide) => (scene.slide_name(slide), false),
+        };
+        let effort = if turns {
+            "driver.torque"
+        } else {
+            "driver.force"
+        };
+        MotorReport {
+            fit: duty
+                .as_ref()
+                .map(|d| d.fit(&wishes.motor))
+                .unwrap_or_default(),
+            ram: ram(scene, solver, &wishes),
+            duty,
+            wishes,
+            scene: scene.name.clone(),
+            unit: scene.unit.symbol(),
+            driver_unit: coordinate.unit.clone(),
+            driver: driver.to_owned(),
+            turns,
+            speed: mechanism.driver().speed,
+            columns: [coordinate.header(), effort.to_owned()],
+        }
+    }
+
+    /// The unit of what the driver does.
+    pub(super) fn effort_unit(&self) -> &'static str {
+        if self.turns { "N m" } else { "N" }
+    }
+
+    /// What a flywheel makes of the fluctuation, and the flywheel that the wished one takes.
+    pub(super) fn evenness(&self) -> Option<Evenness> {
+        let cycle = &self.duty.as_ref()?.cycle;
+        let energy = cycle.fluctuation?.energy;
+        let Motor {
+            flywheel,
+            fluctuation,
+            ..
+        } = self.wishes.motor;
+        Some(Evenness {
+            with: flywheel.and_then(|i| Some((i, fluctuation_with(energy, cycle.speed, i)?))),
+            wished: fluctuation.and_then(|c| Some((c, flywheel_for(energy, cycle.speed, c)?))),
+        })
+    }
+
+    /// Everything as JSON; what does not exist is null.
+    #[must_use]
+    pub fn to_json(&self) -> Value {
+        let ram = self.ram.as_ref().ok();
+        json!({
+            "scene": self.scene,
+            "unit": self.unit,
+            "driver": {
+                "name": self.driver,
+                "kind": if self.turns { "link" } else { "slide" },
+                "speed": self.speed,
+            },
+            "cycle": self.duty.as_ref().map(cycle_json),
+            "torque": self.duty.as_ref().map(|duty| self.effects_json(duty)),
+            "evenness": self.evenness_json(),
+            "frame": self.duty.as_ref().map(|duty| shaking_json(&duty.cycle.shaking)),
+            "motor": self.duty.as_ref().map(|_| self.fit_json()),
+            "ram": ram.map(|ram| self.ram_json(ram)),
+        })
+    }
+
+    fn effects_json(&self, duty: &Duty) -> Value {
+        let mut all = effect_json(&duty.cycle.all);
+        for (name, part) in PARTS.iter().zip(&duty.cycle.parts) {
+            all[*name] = effect_json(part);
+        }
+        all["unit"] = json!(self.effort_unit());
+        all
+    }
+
+    fn evenness_json(&self) -> Value {
+        let fluctuation = self.duty.as_ref().and_then(|duty| duty.cycle.fluctuation);
+        let Some(fluctuation) = fluctuation else {
+            return Value::Null;
+        };
+        let evenness = self.evenness();
+        json!({
+            "energy": fluctuation.energy,
+            "slowest": fluctuation.slowest,
+            "fastest": fluctuation.fastest,
+            "flywheel": evenness.and_then(|e| e.with).map(|(i, c)| json!({"inertia": i, "fluctuation": c})),
+            "wished": evenness.and_then(|e| e.wished).map(|(c, i)| json!({"fluctuation": c, "inertia": i})),
+        })
+    }
+
+    fn fit_json(&self) -> Value {
+        let asked = |asked: Option<crate::study::motor::Asked>| {
+            asked.map(|a| json!({"asked": a.asked, "has": a.has, "enough": a.is_enough()}))
+        };
+        json!({
+            "rated": asked(self.fit.rated),
+            "peak": asked(self.fit.peak),
+            "speed": asked(self.fit.speed),
+            "enough": self.fit.is_enough(),
+            "gear": self.fit.geared.map(|g| json!({"ratio": g.ratio, "enough": g.is_enough})),
+        })
+    }
+
+    fn ram_json(&self, report: &RamReport) -> Value {
+        let ram = &report.ram;
+        let centre = |c: &Centre| json!({"at": c.at, "position": c.position});
+        let passing = |p: &Passing| {
+            json!({
+                "at": p.at,
+                "position": p.position,
+                "velocity": p.velocity,
+                "acceleration": p.acceleration,
+                "force": report.torque.map(|t| t * p.leverage).filter(|f| f.is_finite()),
+                "leverage": Some(p.leverage).filter(|l| l.is_finite()),
+            })
+        };
+        let height = report.height.as_ref().map(|(height, passings)| {
+            let both = passings.as_ref();
+            json!({
+                "height": height,
+                "torque": report.torque,
+                "closing": both.map(|p| passing(&p[0])),
+                "opening": both.map(|p| passing(&p[1])),
+            })
+        });
+        let dwell = report.dwell.as_ref().map(|(tolerance, dwell)| {
+            json!({
+                "tolerance": tolerance,
+                "from": dwell.map(|d| d.from),
+                "to": dwell.map(|d| d.to),
+                "way": dwell.map(|d| d.way),
+                "seconds": dwell.and_then(|d| d.seconds),
+            })
+        });
+        json!({
+            "name": report.name,
+            "end": end_word(ram.end.end),
+            "stroke": ram.stroke,
+            "bottom": centre(&ram.bottom),
+            "top": centre(&ram.top),
+            "others": ram.others.iter().map(centre).collect::<Vec<_>>(),
+            "closing": ram.ways[0],
+            "opening": ram.ways[1],
+            "time_ratio": ram.time_ratio(),
+            "seconds": ram.seconds,
+            "strokes_per_minute": ram.strokes_per_minute(),
+            "at_height": height,
+            "dwell": dwell,
+        })
+    }
+
+    /// The cycle step by step, as comma separated values: what the driver must do, its parts, its power,
+    /// the work done since the beginning, and what the ground feels.
+    ///
+    /// # Errors
+    /// Where it cannot be written.
+    pub fn write_csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
+        let Some(Duty { cycle, .. }) = &self.duty else {
+            return Ok(());
+        };
+        let mut csv = csv::Writer::from_writer(out);
+        let [coordinate, effort] = &self.columns;
+        let unit = self.effort_unit();
+        let parts = PARTS.map(|part| format!("{effort}.{part} [{unit}]"));
+        let mut header = vec![coordinate.clone(), format!("{effort} [{unit}]")];
+        header.extend(parts);
+        let rest = [
+            "driver.power [W]",
+            "driver.work [J]",
+            "ground.fx [N]",
+            "ground.fy [N]",
+            "ground.moment [N m]",
+        ];
+        header.extend(rest.map(str::to_owned));
+        csv.write_record(&header).map_err(plain)?;
+        let turns = self.duty.as_ref().map_or(1.0, Duty::turns);
+        let steps = (STEPS * turns).min(MOST_STEPS);
+        let length = cycle.course.length();
+        let mut k = 0.0;
+        while k <= steps {
+            let way = length * k / steps;
+            let mut row = vec![cell(Some(cycle.coordinate(way)))];
+            let effort = cycle.at(way);
+            row.push(cell(effort.map(|e| e.torque)));
+            row.extend((0..PARTS.len()).map(|i| cell(effort.map(|e| e.parts[i]))));
+            row.push(cell(
+                effort.map(|e| e.torque * cycle.sense(way) * cycle.speed),
+            ));
+            row.push(cell(cycle.work(way)));
+            let ground = effort.filter(|_| cycle.shaking.force.is_some());
+            row.push(cell(ground.map(|e| e.force.x)));
+            row.push(cell(ground.map(|e| e.force.y)));
+            row.push(cell(ground.map(|e| e.moment)));
+            csv.write_record(&row).map_err(plain)?;
+            k += 1.0;
+        }
+        csv.flush()
+    }
+}
+
+/// A flywheel and the fluctuation that it leaves; a fluctuation and the flywheel that it takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Evenness {
+    pub(super) with: Option<(f64, f64)>,
+    pub(super) wished: Option<(f64, f64)>,
+}
+
+fn cell(value: Option<f64>) -> String {
+    let mut text = String::new();
+    if let Some(value) = value.filter(|v| v.is_finite()) {
+        shortest(value, &mut text);
+    }
+    text
+}
+
+/// The end of a guide at which a ram works, as scenes name it.
+pub(super) fn end_word(end: StrokeEnd) -> &'static str {
+    match end {
+        StrokeEnd::Least => "least",
+        StrokeEnd::Greatest => "greatest",
+    }
+}
+
+/// The ram that is meant, followed over the motion.
+fn ram(scene: &Scene, solver: &Solver, wishes: &MotorWishes) -> Result<RamReport, String> {
+    let mechanism = &scene.mechanism;
+    let pressed = mechanism.loads().iter().find_map(|load| match load {
+        Load::Press { slide, .. } => Some(*slide),
+        Load::Force { .. } | Load::Torque { .. } | Load::Spring { .. } => None,
+    });
+    let slide = match wishes.ram.or(pressed) {
+        Some(slide) => slide,
+        None => {
+            let all: Vec<SlideId> = rams(mechanism).collect();
+            let names: Vec<&str> = all.iter().map(|&id| scene.slide_name(id)).collect();
+            match all[..] {
+                [one] => one,
+                [] => return Err(NoRam::None.to_string()),
+                _ => {
+                    return Err(format!(
+                        "several slides can be the ram: {}",
+                        names.join(", ")
+                    ));
+                }
+            }
+        }
+    };
+    let name = scene.slide_name(slide);
+    let end = RamEnd::of(mechanism, slide);
+    let mut ram =
+        Ram::new(mechanism, solver, slide, end).map_err(|why| format!("{name}: {why}"))?;
+    Ok(RamReport {
+        name: name.to_owned(),
+        height: wishes.height.map(|height| (height, ram.at_height(height))),
+        dwell: wishes.motor.tolerance.map(|most| (most, ram.dwell(most))),
+        torque: wishes.torque.or(wishes.motor.rated),
+        ram,
+    })
+}
+
+fn cycle_json(duty: &Duty) -> Value {
+    let cycle = &duty.cycle;
+    let Course {
+        low,
+        high,
+        goes_round,
+        ..
+    } = cycle.course;
+    let (rule, count) = match cycle.rule {
+        Rule::Periodic(places) => ("periodic-trapezoid", places),
+        Rule::Pieces(pieces) => ("chebyshev-pieces", pieces),
+    };
+    json!({
+        "from": low,
+        "to": high,
+        "goes_round": goes_round,
+        "turns": duty.turns(),
+        "seconds": duty.seconds(),
+        "dead_points": duty.dead_points,
+        "change_points": duty.change_points,
+        "rule": rule,
+        "count": count,
+        "error": cycle.error,
+        "converged": cycle.has_converged(),
+        "states": cycle.states,
+    })
+}
+
+fn peak_json(peak: Option<Peak>) -> Value {
+    json!(peak.map(|p| json!({"value": p.value, "at": p.at, "back": p.back})))
+}
+
+fn effect_json(effect: &Effect) -> Value {
+    json!({
+        "largest": peak_json(effect.largest),
+        "least": peak_json(effect.least),
+        "largest_power": peak_json(effect.largest_power),
+        "least_power": peak_json(effect.least_power),
+        "mean": effect.mean,
+        "rms": effect.rms,
+        "put_in": effect.put_in,
+        "given_back": effect.given_back,
+        "work": effect.work(),
+    })
+}
+
+fn shaking_json(shaking: &Shaking) -> Value {
+    json!({
+        "force": peak_json(shaking.force),
+        "vector": shaking.vector.map(|v| [v.x, v.y]),
+        "force_rms": shaking.force_rms,
+        "moment": peak_json(shaking.moment),
+        "moment_rms": shaking.moment_rms,
+    })
+}

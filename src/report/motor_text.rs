@@ -1,0 +1,536 @@
+//! The motor over a cycle in lines: for a page, and for a view of any width.
+
+use super::motor::{MotorReport, RamReport, end_word};
+use super::number::{concise, significant};
+use super::text::{WIDTH, wrapped};
+use crate::scene::harmless;
+use crate::study::motor::{Asked, Cycle, Duty, Effect, Peak, Rule};
+
+/// Digits of a figure, and decimals of where it is in degrees.
+const DIGITS: usize = 6;
+const DECIMALS: usize = 3;
+/// Decimals of a dead centre: as many as a double has at some hundred degrees.
+const ALL_DECIMALS: usize = 12;
+/// Columns of a label, and of a figure behind two blanks.
+const LABEL: usize = 18;
+const FIGURE: usize = 12;
+/// A figure that is less than this part of what it comes from is what rounding has left.
+const NOTHING: f64 = 1e-11;
+
+/// A line of what was found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotorLine {
+    /// The head of a part, and of its columns.
+    Head(String, Vec<String>),
+    /// A label and its figures, the most important first: a narrow screen shows no more than it can.
+    Figures(String, Vec<String>),
+    /// A label and what is told of it.
+    Fact(String, String),
+    /// Something to read.
+    Text(String),
+    /// Between two parts.
+    Blank,
+}
+
+impl MotorReport {
+    /// As text for a person; the title in ASCII alone if asked, everything else always is.
+    #[must_use]
+    pub fn to_text(&self, ascii: bool) -> String {
+        let mut text = harmless(&self.scene, ascii) + "\n";
+        for line in self.lines() {
+            for line in line.at_width(WIDTH) {
+                text.push_str(line.trim_end());
+                text.push('\n');
+            }
+        }
+        text
+    }
+
+    /// The lines of all parts.
+    #[must_use]
+    pub fn lines(&self) -> Vec<MotorLine> {
+        let mut lines = Vec::new();
+        match &self.duty {
+            Some(duty) => self.duty_lines(duty, &mut lines),
+            None => lines.push(MotorLine::Text(
+                "nothing acts: the scene has no load and no mass, so the driver does no work"
+                    .into(),
+            )),
+        }
+        if let Ok(ram) = &self.ram {
+            self.ram_lines(ram, &mut lines);
+        }
+        lines
+    }
+
+    fn duty_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {
+        let cycle = &duty.cycle;
+        lines.push(MotorLine::Text(self.asked_text(duty)));
+        lines.extend(self.singular_texts(duty).into_iter().map(MotorLine::Text));
+        lines.push(MotorLine::Blank);
+        self.effect_lines(cycle, lines);
+        lines.push(MotorLine::Blank);
+        self.fit_lines(lines);
+        self.evenness_lines(duty, lines);
+        self.frame_lines(cycle, lines);
+        lines.push(MotorLine::Fact("integrals".into(), rule_text(cycle)));
+    }
+
+    /// What is asked of a motor, in a sentence.
+    fn asked_text(&self, duty: &Duty) -> String {
+        let cycle = &duty.cycle;
+        let unit = self.effort_unit();
+        let course = self.course_text(duty);
+        let asked = match (cycle.all.worst(), cycle.all.rms) {
+            (Some(worst), Some(rms)) => format!(
+                "asks {} {unit} at {}, the worst instant; {} {unit} RMS",
+                significant(worst.value.abs(), DIGITS),
+                self.place(&worst),
+                significant(rms, DIGITS)
+            ),
+            _ => "asks for more than any motor has: there is no largest torque and no RMS".into(),
+        };
+        format!("{course}, {} {asked}", self.driver)
+    }
+
+    /// The cycle in words.
+    fn course_text(&self, duty: &Duty) -> String {
+        let course = &duty.cycle.course;
+        let way = match (course.goes_round, duty.turns()) {
+            (true, turns) if turns == 1.0 => "over a turn".to_owned(),
+            (true, turns) => format!("over {turns} turns"),
+            (false, _) => format!(
+                "from {} to {} {} and back",
+                concise(course.low, 9),
+                concise(course.high, 9),
+                self.driver_unit
+            ),
+        };
+        format!("{way} at {}", self.speed_text(self.speed.abs()))
+    }
+
+    /// A speed of the driver in the scene's unit, turns in rpm too.
+    fn speed_text(&self, speed: f64) -> String {
+        if self.turns {
+            let rpm = concise(speed * 30.0 / std::f64::consts::PI, DIGITS);
+            format!("{} rad/s ({rpm} rpm)", concise(speed, DIGITS))
+        } else {
+            format!("{} {}/s", concise(speed, DIGITS), self.unit)
+        }
+    }
+
+    fn singular_texts(&self, duty: &Duty) -> Vec<String> {
+        let listed = |places: &[f64]| {
+            let places: Vec<String> = places.iter().map(|&at| concise(at, 9)).collect();
+            format!("{} {}", places.join(" and "), self.driver_unit)
+        };
+        let mut texts = Vec::new();
+        if !duty.dead_points.is_empty() {
+            let what = if duty.runs_dead {
+                "accelerations grow beyond all bounds, and a driver that keeps its speed never gets \
+                 there: only what loads and gravity take exists"
+            } else {
+                "the torque can grow beyond all bounds: its work and its mean exist, a peak and an RMS \
+                 do not"
+            };
+            texts.push(format!(
+                "dead points at {}: towards them {what}; a part of the motion has all figures",
+                listed(&duty.dead_points)
+            ));
+        }
+        if !duty.change_points.is_empty() {
+            texts.push(format!(
+                "change points at {}: the torque passes smoothly, forces in the joints may not",
+                listed(&duty.change_points)
+            ));
+        }
+        if !duty.cycle.has_converged() {
+            let error = significant(duty.cycle.error, 2);
+            texts.push(format!(
+                "the integrals have not converged: they may be off by {error} of the largest"
+            ));
+        }
+        if duty.is_cut_short {
+            texts.push(
+                "the loads repeat only after more than 64 turns: this is one period of the motion"
+                    .into(),
+            );
+        }
+        if !duty.is_steady {
+            texts.push("the driver does not keep its speed: what its acceleration takes is part of inertia".into());
+        }
+        if self.speed == 0.0 {
+            texts.push("the driver stands still: no power, and no time passes".into());
+        }
+        texts
+    }
+
+    fn effect_lines(&self, cycle: &Cycle, lines: &mut Vec<MotorLine>) {
+        let [load, gravity, inertia] = &cycle.parts;
+        let parts = [("loads", load), ("gravity", gravity), ("inertia", inertia)];
+        let acting: Vec<_> = parts.into_iter().filter(|(_, e)| !e.is_nothing()).collect();
+        let columns: Vec<&Effect> = [&cycle.all]
+            .into_iter()
+            .chain(acting.iter().map(|(_, e)| *e))
+            .collect();
+        let names: Vec<String> = ["all"]
+            .into_iter()
+            .chain(acting.iter().map(|(n, _)| *n))
+            .map(str::to_owned)
+            .collect();
+        let what = if self.turns { "torque" } else { "force" };
+        let row = |label: &str, cell: &dyn Fn(&Effect) -> String| {
+            MotorLine::Figures(label.to_owned(), columns.iter().map(|e| cell(e)).collect())
+        };
+        let value = |peak: Option<Peak>| figure(peak.map(|p| p.value));
+        let place = |peak: Option<Peak>| peak.map_or_else(none, |p| self.short_place(&p));
+        lines.push(MotorLine::Head(
+            format!("{what} [{}]", self.effort_unit()),
+            names,
+        ));
+        lines.push(row("  largest", &|e| value(e.largest)));
+        lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
+            place(e.largest)
+        }));
+        lines.push(row("  least", &|e| value(e.least)));
+        lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
+            place(e.least)
+        }));
+        lines.push(row("  mean", &|e| figure(cleaned(e.mean, e.rms))));
+        lines.push(row("  RMS", &|e| figure(e.rms)));
+        lines.push(MotorLine::Head("power [W]".into(), Vec::new()));
+        lines.push(row("  largest", &|e| value(e.largest_power)));
+        lines.push(row("  least", &|e| value(e.least_power)));
+        lines.push(MotorLine::Head("energy [J]".into(), Vec::new()));
+        lines.push(row("  put in", &|e| figure(e.put_in)));
+        lines.push(row("  given back", &|e| figure(e.given_back)));
+        let size = |e: &Effect| Some(e.put_in? + e.given_back?);
+        lines.push(row("  work", &|e| figure(cleaned(e.work(), size(e)))));
+    }
+
+    fn fit_lines(&self, lines: &mut Vec<MotorLine>) {
+        let Some(is_enough) = self.fit.is_enough() else {
+            return;
+        };
+        let unit = self.effort_unit();
+        let torque =
+            |asked: &Asked| verdict(asked, |v| format!("{} {unit}", significant(v, DIGITS)));
+        let speed = |asked: &Asked| verdict(asked, |v| self.shaft_speed(v));
+        lines.push(MotorLine::Head(
+            format!("motor: {}", if is_enough { "enough" } else { "not enough" }),
+            Vec::new(),
+        ));
+        let facts = [
+            ("  rated for RMS", self.fit.rated.as_ref().map(torque)),
+            ("  peak", self.fit.peak.as_ref().map(torque)),
+            ("  speed", self.fit.speed.as_ref().map(speed)),
+        ];
+        let known = facts
+            .into_iter()
+            .filter_map(|(label, text)| Some((label, text?)));
+        lines.extend(known.map(|(label, text)| MotorLine::Fact(label.into(), text)));
+        if let (Some(gear), false) = (self.fit.geared, is_enough) {
+            let does = if gear.is_enough {
+                "would be enough"
+            } else {
+                "would not do either"
+            };
+            let ratio = concise(gear.ratio, 4);
+            let text = format!("{ratio} to 1 brings it down to the driver's speed: it {does}");
+            lines.push(MotorLine::Fact("  with a gear".into(), text));
+        }
+        lines.push(MotorLine::Blank);
+    }
+
+    /// A speed as a motor's plate has it.
+    fn shaft_speed(&self, speed: f64) -> String {
+        if self.turns {
+            format!(
+                "{} rpm",
+                concise(speed * 30.0 / std::f64::consts::PI, DIGITS)
+            )
+        } else {
+            format!("{} m/s", concise(speed, DIGITS))
+        }
+    }
+
+    fn evenness_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {
+        let Some(fluctuation) = duty.cycle.fluctuation else {
+            return;
+        };
+        let degrees = |at: f64| format!("{at:.DECIMALS$} {}", self.driver_unit);
+        lines.push(MotorLine::Head("evenness".into(), Vec::new()));
+        let text = format!(
+            "{} J up and down: slowest at {}, fastest at {}",
+            significant(fluctuation.energy, DIGITS),
+            degrees(fluctuation.slowest),
+            degrees(fluctuation.fastest)
+        );
+        lines.push(MotorLine::Fact("  energy".into(), text));
+        let evenness = self.evenness().unwrap_or_default();
+        if let Some((inertia, fluctuation)) = evenness.with {
+            let text = format!(
+                "of {} kg m^2 leaves a fluctuation of {}",
+                concise(inertia, DIGITS),
+                significant(fluctuation, 4)
+            );
+            lines.push(MotorLine::Fact("  flywheel".into(), text));
+        }
+        if let Some((fluctuation, inertia)) = evenness.wished {
+            let text = format!(
+                "of {} takes a flywheel of {} kg m^2",
+                concise(fluctuation, DIGITS),
+                significant(inertia, DIGITS)
+            );
+            lines.push(MotorLine::Fact("  fluctuation".into(), text));
+        }
+        lines.push(MotorLine::Blank);
+    }
+
+    fn frame_lines(&self, cycle: &Cycle, lines: &mut Vec<MotorLine>) {
+        let shaking = &cycle.shaking;
+        lines.push(MotorLine::Head("on the frame".into(), Vec::new()));
+        let none = "no figure: forces in the joints do not exist everywhere".to_owned();
+        let size = |v: f64| significant(v, DIGITS);
+        let force = shaking.force.zip(shaking.force_rms).zip(shaking.vector);
+        let force = force.map_or(none.clone(), |((peak, rms), v)| {
+            format!(
+                "{} N at {} ({}, {}); {} N RMS",
+                size(peak.value),
+                self.place(&peak),
+                significant(v.x, 4),
+                significant(v.y, 4),
+                size(rms)
+            )
+        });
+        let moment = shaking.moment.zip(shaking.moment_rms);
+        let moment = moment.map_or(none, |(peak, rms)| {
+            let at = self.place(&peak);
+            format!(
+                "{} N m at {at} about the origin; {} N m RMS",
+                size(peak.value),
+                size(rms)
+            )
+        });
+        lines.push(MotorLine::Fact("  force".into(), force));
+        lines.push(MotorLine::Fact("  moment".into(), moment));
+        lines.push(MotorLine::Blank);
+    }
+
+    fn ram_lines(&self, report: &RamReport, lines: &mut Vec<MotorLine>) {
+        let ram = &report.ram;
+        let (unit, way) = (self.unit, &self.driver_unit);
+        let fact = |label: &str, text: String| MotorLine::Fact(format!("  {label}"), text);
+        lines.push(MotorLine::Blank);
+        lines.push(MotorLine::Head(format!("ram {}", report.name), Vec::new()));
+        let convention = if ram.end.is_known {
+            ""
+        } else {
+            ", by convention"
+        };
+        let end = format!("at its {} position{convention}", end_word(ram.end.end));
+        lines.push(fact("works", end));
+        lines.push(fact(
+            "stroke",
+            format!("{} {unit}", significant(ram.stroke, 9)),
+        ));
+        for (label, centre) in [("bottom", &ram.bottom), ("top", &ram.top)] {
+            let position = significant(centre.position, 9);
+            let text = format!(
+                "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
+                centre.at
+            );
+            lines.push(fact(label, text));
+        }
+        for centre in &ram.others {
+            let position = significant(centre.position, 9);
+            let text = format!(
+                "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
+                centre.at
+            );
+            lines.push(fact("turns too", text));
+        }
+        let [closing, opening] = ram.ways;
+        let seconds = |share: f64| {
+            let seconds = ram.seconds.map(|s| s * share / (closing + opening));
+            seconds.map_or_else(String::new, |s| format!(", {} s", significant(s, DIGITS)))
+        };
+        let times = |gone: f64| format!("{} {way}{}", significant(gone, DIGITS), seconds(gone));
+        lines.push(fact("closes in", times(closing)));
+        lines.push(fact("opens in", times(opening)));
+        let ratio = significant(ram.time_ratio(), DIGITS);
+        lines.push(fact("time ratio", format!("{ratio}, closing to opening")));
+        if let Some(strokes) = ram.strokes_per_minute() {
+            lines.push(fact(
+                "strokes",
+                format!("{} a minute", significant(strokes, DIGITS)),
+            ));
+        }
+        self.height_lines(report, lines);
+        if let Some((tolerance, dwell)) = &report.dwell {
+            let within = format!("within {} {unit}", concise(*tolerance, DIGITS));
+            let text = dwell.map_or_else(none, |d| {
+                let seconds = d
+                    .seconds
+                    .map_or_else(String::new, |s| format!(", {} s", significant(s, DIGITS)));
+                let [from, to] = [d.from, d.to].map(|at| format!("{at:.DECIMALS$}"));
+                format!(
+                    "{} {way}{seconds}: from {from} to {to}; {within} of the bottom",
+                    significant(d.way, DIGITS)
+                )
+            });
+            lines.push(fact("dwells", text));
+        }
+    }
+
+    fn height_lines(&self, report: &RamReport, lines: &mut Vec<MotorLine>) {
+        let Some((height, passings)) = &report.height else {
+            return;
+        };
+        let unit = self.unit;
+        let label = format!("  at {} {unit}", concise(*height, DIGITS));
+        let Some(both) = passings else {
+            let stroke = significant(report.ram.stroke, DIGITS);
+            let text = format!("the ram is never there: its stroke is {stroke} {unit}");
+            lines.push(MotorLine::Fact(label, text));
+            return;
+        };
+        let row = |label: String, cell: &dyn Fn(usize) -> String| {
+            MotorLine::Figures(label, vec![cell(0), cell(1)])
+        };
+        let sized = |v: f64| figure(Some(v).filter(|v| v.is_finite()));
+        let names = ["closing", "opening"].map(str::to_owned).to_vec();
+        lines.push(MotorLine::Head(label, names));
+        lines.push(row(format!("    driver [{}]", self.driver_unit), &|i| {
+            format!("{:.DECIMALS$}", both[i].at)
+        }));
+        lines.push(row(format!("    place [{unit}]"), &|i| {
+            sized(both[i].position)
+        }));
+        lines.push(row(format!("    v [{unit}/s]"), &|i| {
+            sized(both[i].velocity)
+        }));
+        lines.push(row(format!("    a [{unit}/s^2]"), &|i| {
+            sized(both[i].acceleration)
+        }));
+        let by = self.effort_unit();
+        match report.torque {
+            Some(torque) => {
+                lines.push(row("    force [N]".into(), &|i| {
+                    sized(torque * both[i].leverage)
+                }));
+                let of = format!(
+                    "force: what {} {by} of the driver hold",
+                    concise(torque, DIGITS)
+                );
+                lines.push(MotorLine::Text(format!("    {of}, without friction")));
+            }
+            None => lines.push(row(format!("    N per {by}"), &|i| sized(both[i].leverage))),
+        }
+        if both.iter().any(|passing| !passing.leverage.is_finite()) {
+            lines.push(MotorLine::Text(
+                "    a dead centre: the force has no bound".into(),
+            ));
+        }
+    }
+
+    fn place(&self, peak: &Peak) -> String {
+        let back = if peak.back { " on the way back" } else { "" };
+        let at = if self.turns {
+            format!("{:.DECIMALS$}", peak.at)
+        } else {
+            significant(peak.at, DIGITS)
+        };
+        format!("{at} {}{back}", self.driver_unit)
+    }
+
+    fn short_place(&self, peak: &Peak) -> String {
+        let back = if peak.back { "<" } else { "" };
+        if self.turns {
+            format!("{back}{:.DECIMALS$}", peak.at)
+        } else {
+            format!("{back}{}", significant(peak.at, DIGITS))
+        }
+    }
+}
+
+impl MotorLine {
+    /// The line at a width: figures that have no room are left out, words go on below.
+    #[must_use]
+    pub fn at_width(&self, width: usize) -> Vec<String> {
+        match self {
+            MotorLine::Blank => vec![String::new()],
+            MotorLine::Text(text) => {
+                let indent = text.len() - text.trim_start().len();
+                let lines = wrapped(text, width.saturating_sub(indent).max(1)).into_iter();
+                lines.map(|line| format!("{:indent$}{line}", "")).collect()
+            }
+            MotorLine::Head(label, cells) | MotorLine::Figures(label, cells) => {
+                let room = width.saturating_sub(LABEL) / FIGURE;
+                let mut line = format!("{label:LABEL$}");
+                for cell in cells.iter().take(room.max(1)) {
+                    line.push_str(&format!("{cell:>FIGURE$}"));
+                }
+                vec![line]
+            }
+            MotorLine::Fact(label, text) => {
+                let room = width.saturating_sub(LABEL + 1).max(1);
+                let lines = wrapped(text, room).into_iter().enumerate();
+                let label = |i| if i == 0 { label.as_str() } else { "" };
+                lines
+                    .map(|(i, line)| format!("{:LABEL$} {line}", label(i)))
+                    .collect()
+            }
+        }
+    }
+
+    /// Whether it heads a part.
+    #[must_use]
+    pub fn is_head(&self) -> bool {
+        matches!(self, MotorLine::Head(..))
+    }
+}
+
+/// What stands for a figure that does not exist.
+fn none() -> String {
+    "-".into()
+}
+
+fn figure(value: Option<f64>) -> String {
+    value.map_or_else(none, |v| significant(v, DIGITS))
+}
+
+/// 0 for what rounding has left of figures of a size.
+fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
+    let size = size.unwrap_or(0.0);
+    value.map(|v| if v.abs() <= NOTHING * size { 0.0 } else { v })
+}
+
+/// Whether a motor has what is asked, and by how much it has not.
+fn verdict(asked: &Asked, text: impl Fn(f64) -> String) -> String {
+    let (wants, has) = (text(asked.asked), text(asked.has));
+    let share = |part: f64| significant(100.0 * part / asked.asked, 3);
+    if asked.is_enough() {
+        let left = -asked.lacks();
+        format!("{has} for {wants}: {} left, {} %", text(left), share(left))
+    } else {
+        let lacks = asked.lacks();
+        format!(
+            "{has} for {wants}: lacks {}, {} %",
+            text(lacks),
+            share(lacks)
+        )
+    }
+}
+
+fn rule_text(cycle: &Cycle) -> String {
+    let error = significant(cycle.error, 2);
+    match cycle.rule {
+        Rule::Periodic(places) => {
+            format!("trapezoids at {places} places, good to {error} of the largest")
+        }
+        Rule::Pieces(pieces) => {
+            format!("polynomials on {pieces} pieces, good to {error} of the largest")
+        }
+    }
+}

@@ -1,0 +1,219 @@
+//! `table` where something acts: what the driver must do, what joints and guides bear, and the checks.
+
+use super::{PARALLEL_CRANKS, command, done, json, rows, run};
+use std::collections::BTreeMap;
+
+/// The tables of a scene given on standard input.
+fn table(scene: &str, args: &[&str]) -> String {
+    let mut command = command(&[&["table", "-"], args].concat());
+    let heard = run(command.write_stdin(scene));
+    assert_eq!(heard.code, 0, "{}", heard.err);
+    heard.out
+}
+
+/// What is behind the kinematics.
+fn forces(text: &str) -> &str {
+    let at = text.find("\ndriver ").map(|first| first + 1).unwrap();
+    let at = text[at + 1..].find("\ndriver ").map(|next| at + 2 + next);
+    at.map_or("", |at| &text[at..])
+}
+
+#[test]
+fn forces_stand_below_the_motion() {
+    let text = done(&["table", "four-bar-load", "--at", "60"]);
+    let expected = "\
+driver r2            in all      loads     gravity    inertia
+torque [N m]       -6.44714   -7.30178   0.0577280   0.796909
+power [W]          -96.7071
+
+force at joints           fx [N]    fy [N]     f [N]  direction [deg]
+r2 at A, by ground       110.758   87.4215   141.103          38.2840
+r2 at B, by r3          -110.758  -62.8965   127.371          209.591
+r3 at C, by r4          -122.378  -66.6450   139.348          208.572
+r4 at D, by ground      -128.715   435.988   454.591          106.448
+
+on the frame          fx [N]    fy [N]     f [N]  direction [deg]  moment [N m]
+shaking              17.9560  -523.410   523.718          271.965      -167.948
+
+checks miss by      torque [N m]    fx [N]    fy [N]  moment [N m]
+";
+    assert!(forces(&text).starts_with(expected), "{text}");
+    assert!(text.lines().all(|line| line.len() <= 80), "{text}");
+}
+
+/// The load hangs on a rope, so its power is that of its fall: an oracle with a pencil. The gravity of the
+/// links is left out, and the driver's torque is the power by its speed.
+#[test]
+fn the_driver_does_what_the_load_takes() {
+    let scene = include_str!("../../presets/four-bar-load.toml");
+    let scene = scene.replace("gravity = [0, -9.81]\n", "");
+    let scene: String = scene
+        .lines()
+        .map(|line| line.split(", mass").next().unwrap().to_owned())
+        .map(|line| {
+            let opens = line.contains('{') && !line.contains('}');
+            line + if opens { " }\n" } else { "\n" }
+        })
+        .collect();
+    let scene = scene.replace("com = [125, 0] }", "points = { E = [50, 0] } }");
+    let found = figures(&table(&scene, &["--at", "60", "--format", "csv"]));
+    let speed = 15.0;
+    let power = 500.0 * found["E.vy"] / 1000.0;
+    assert!((found["driver.torque"] * speed - power).abs() < 1e-12 * power.abs());
+    let rest = found["driver.torque"] - found["driver.torque.load"];
+    assert!(rest.abs() < 1e-13, "{rest}");
+    // All that the frame feels is the load.
+    assert!(found["ground.fx"].abs() < 1e-12, "{}", found["ground.fx"]);
+    assert!((found["ground.fy"] + 500.0).abs() < 1e-10);
+}
+
+/// The values of a table in CSV by their names.
+fn figures(csv: &str) -> BTreeMap<String, f64> {
+    let values = rows(csv).into_iter();
+    values
+        .filter_map(|row| Some((row[0].clone(), row[1].parse().ok()?)))
+        .collect()
+}
+
+#[test]
+fn the_table_and_a_sweep_agree_to_the_bit() {
+    for preset in [
+        "four-bar-load",
+        "engine",
+        "press-ram",
+        "toggle-press",
+        "excavator-boom",
+    ] {
+        let csv = done(&["table", preset, "--format", "csv"]);
+        let found = figures(&csv);
+        let at = found.get("driver.angle").or(found.get("driver.position"));
+        let at = at.unwrap().to_string();
+        let columns = "*";
+        let sweep = [
+            "sweep",
+            preset,
+            "--from",
+            &at,
+            "--to",
+            &at,
+            "--no-units",
+            "--columns",
+        ];
+        let sweep = done(&[&sweep[..], &[columns]].concat());
+        let header: Vec<&str> = sweep.lines().next().unwrap().split(',').collect();
+        let row = rows(&sweep).remove(0);
+        let json = json(&done(&["table", preset, "--format", "json"]));
+        let forces = json["forces"].as_object().unwrap();
+        let mut agreed = 0;
+        for (name, value) in header.iter().zip(&row) {
+            if forces.contains_key(*name) {
+                let (found, value) = (&found[*name], value.parse::<f64>().unwrap());
+                assert_eq!(*found, value, "{preset}: {name}");
+                agreed += 1;
+            }
+        }
+        assert!(agreed >= 19, "{preset}: {agreed} of {header:?}");
+        for (name, value) in forces {
+            let value = value.as_f64();
+            assert_eq!(value, found.get(name).copied(), "{preset}: {name}");
+        }
+        assert_eq!(json["units"]["force"], "N");
+    }
+}
+
+#[test]
+fn a_scene_without_loads_and_masses_shows_no_force() {
+    for format in ["text", "csv", "json"] {
+        let shown = done(&["table", "four-bar", "--format", format]);
+        for word in ["N m", "torque", "force", "fx"] {
+            assert!(!shown.contains(word), "{word} in {shown}");
+        }
+    }
+}
+
+/// Unless something acts on the pin itself, what one link feels there the other feels the other way.
+#[test]
+fn both_links_at_a_joint_feel_the_same() {
+    let found = figures(&done(&[
+        "table",
+        "press-ram",
+        "--at",
+        "20",
+        "--format",
+        "csv",
+    ]));
+    for (one, other) in [("r2.B", "r3.B"), ("r3.C", "r4.C"), ("r4.E", "r5.E")] {
+        for axis in ["fx", "fy"] {
+            let [a, b] = [one, other].map(|name| found[&format!("{name}.{axis}")]);
+            assert!((a + b).abs() <= 1e-12 * a.abs(), "{one} {a}, {other} {b}");
+        }
+    }
+    let text = done(&["table", "press-ram", "--at", "20"]);
+    assert!(text.contains("r2 at B, by r3"), "{text}");
+    assert!(!text.contains("r3 at B"), "{text}");
+}
+
+/// A force beside the guide: the guide's moment is that of its normal force at the place that is told.
+#[test]
+fn the_line_of_action_of_a_guide_is_told() {
+    let scene = include_str!("../../presets/engine.toml");
+    let scene = scene.replace("crown = [30, 0]", "crown = [30, 7]");
+    let found = figures(&table(&scene, &["--format", "csv"]));
+    // 7 mm beside the pin, against +x: counter-clockwise, so the guide turns it back.
+    let gas = 32e3 * (0.664 + (0.466 - 0.664) * 0.5);
+    assert!((found["r4.moment"] + 0.007 * gas).abs() < 1e-9 * gas);
+    let by_hand = found["r4.moment"] / found["r4.normal"] * 1000.0;
+    assert!((found["r4.at"] - by_hand).abs() < 1e-9 * by_hand.abs());
+    let text = table(&scene, &["--bounds"]);
+    assert!(text.contains("r4 on piston"), "{text}");
+}
+
+#[test]
+fn at_a_dead_point_there_is_no_torque() {
+    let end = json(&done(&["check", "excavator-boom", "--format", "json"]));
+    let end = end["range"][1].as_f64().unwrap().to_string();
+    let args = ["table", "excavator-boom", "--at", &end];
+    let text = done(&args);
+    assert!(
+        text.contains("\nNo force of the driver exists here"),
+        "{text}"
+    );
+    assert!(!text.contains("N m"), "{text}");
+    let json = json(&done(&[&args[..], &["--format", "json"]].concat()));
+    let forces = json["forces"].as_object().unwrap();
+    assert!(forces["driver.force"].is_null() && forces["boom.Q.fx"].is_null());
+    let csv = done(&[&args[..], &["--format", "csv"]].concat());
+    assert!(csv.contains("\ndriver.force,,N,found\n"), "{csv}");
+}
+
+#[test]
+fn at_a_change_point_only_the_torque_has_a_value() {
+    let scene = include_str!("../../presets/parallelogram.toml");
+    let scene = format!("{scene}\n[[loads]]\npoint = \"C\"\nforce = [0, -10]\n");
+    let text = table(&scene, &["--at", "0"]);
+    assert!(text.contains("state change-point"), "{text}");
+    let shown = forces(&text);
+    assert!(
+        shown.contains("torque [N m]") && !shown.contains("fx [N]"),
+        "{shown}"
+    );
+    assert!(
+        shown.contains("only the driver's torque has a value"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn what_a_redundant_linkage_leaves_open_is_named() {
+    let scene = format!("{PARALLEL_CRANKS}\n[[loads]]\npoint = \"C\"\nforce = [0, -10]\n");
+    let text = table(&scene, &[]);
+    let text: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains("Indeterminate: a.A, "), "{text}");
+    let found = table(&scene, &["--format", "json"]);
+    let found = &json(&found)["forces"];
+    assert!(found["c.D.fx"].is_null(), "{found}");
+    assert!(found["indeterminate"].as_array().unwrap().len() > 4);
+    // The load falls as the cranks turn: 10 N over cos(60 deg) of 1 m.
+    let torque = found["driver.torque"].as_f64().unwrap();
+    assert!((torque - 5.0).abs() < 1e-12, "{torque}");
+}
