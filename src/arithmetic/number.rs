@@ -157,6 +157,8 @@ impl Number for f64 {
 }
 
 impl Number for Double {
+    const IS_CHEAP: bool = false;
+
     #[inline]
     fn of(constant: Constant) -> Double {
         constant.value()

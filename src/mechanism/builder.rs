@@ -201,7 +201,12 @@ impl Builder {
         self.check_slides(&mut found);
         self.check_driver(&mut found);
         let is_unit = self.metres > 0.0 && self.metres.is_finite();
-        if !(self.loads.iter().all(Load::is_sound) && self.gravity.is_finite() && is_unit) {
+        let on_ground = |load: &Load| match load {
+            Load::Press { slide, .. } => self.slides[slide.index()].on == Body::Ground,
+            Load::Force { .. } | Load::Torque { .. } | Load::Spring { .. } => true,
+        };
+        let are_sound = self.loads.iter().all(|l| l.is_sound() && on_ground(l));
+        if !(are_sound && self.gravity.is_finite() && is_unit) {
             found.push(Defect::Load);
         }
         found

@@ -68,7 +68,8 @@ pub enum Load {
         over: Profile,
     },
     /// What a press does before the end of its stroke: a force against what slides, along the guide,
-    /// while it moves towards that end. None on the way back.
+    /// while it moves towards that end. None on the way back; a driver of no speed is taken for one that
+    /// goes forward.
     Press {
         /// The slide that presses, its guide on the ground.
         slide: SlideId,
@@ -122,13 +123,14 @@ impl Load {
             Load::Torque { torque, .. } => torque.is_finite(),
             Load::Press { curve, .. } => curve.knots.first().is_some_and(|knot| knot[0] >= 0.0),
             Load::Spring {
+                from,
+                to,
                 stiffness,
                 length,
                 damping,
-                ..
             } => {
                 let numbers = [stiffness, length, damping];
-                numbers.iter().all(|v| v.is_finite() && **v >= 0.0)
+                from != to && numbers.iter().all(|v| v.is_finite() && **v >= 0.0)
             }
         }
     }

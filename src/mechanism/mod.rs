@@ -370,8 +370,11 @@ pub enum Defect {
         /// The link.
         link: LinkId,
     },
-    /// A load, the gravity or the unit that is not finite, or negative where it must not be.
-    #[error("loads and gravity must be finite; stiffness, damping and lengths not negative")]
+    /// A load, the gravity or the unit that is not finite, or negative where it must not be; a spring
+    /// from a point to itself; a press whose guide moves.
+    #[error(
+        "loads and gravity must be finite, springs join two points, presses work on the ground"
+    )]
     Load,
 }
 

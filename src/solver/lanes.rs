@@ -35,7 +35,9 @@ impl Solver {
         if solved {
             state.condition = Condition::Ok;
         }
-        self.balance_lanes(order, state);
+        if self.balance.is_some() {
+            self.balance_lanes(order, state);
+        }
         solved
     }
 

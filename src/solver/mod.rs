@@ -64,7 +64,7 @@ pub(crate) use zero::zero;
 use crate::{Element, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
 use assemble::Request;
 use engine::Engine;
-use forces::Balance;
+use forces::{Balance, Forces};
 use frame::Frame;
 use network::Network;
 use order::Ordering;
@@ -253,9 +253,13 @@ impl Solver {
     /// An empty state in any arithmetic.
     fn room<T: Number>(&self) -> State<T> {
         let mut state = self.engine.state(self.slides);
-        let balance = self.balance.as_ref();
-        state.forces = balance.map(|b| Box::new(b.forces(&self.engine, self.slides)));
+        state.forces = self.room_for_forces();
         state
+    }
+
+    fn room_for_forces<T: Number>(&self) -> Option<Box<Forces<T>>> {
+        let balance = self.balance.as_ref()?;
+        Some(Box::new(balance.forces(&self.engine, self.slides)))
     }
 
     /// Whether anything acts on the mechanism: a load, a weight or inertia.

@@ -161,6 +161,16 @@ pub(super) struct Hold {
     pub is_yoke: bool,
 }
 
+/// A link on the way of an arm that spans several links of one class: from joint to joint.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    /// The link at the arm's end, by which the arm is known.
+    pub arm: LinkId,
+    pub link: LinkId,
+    pub from: PointId,
+    pub to: PointId,
+}
+
 /// What the solver runs: the steps in order, and what they start from.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
@@ -174,4 +184,6 @@ pub(super) struct Program {
     pub watches: Vec<Watch>,
     /// By their places among the steps, in order: through what those with a guide hold their joint.
     pub holds: Vec<(usize, Hold)>,
+    /// Likewise: the links of their arms, the last one of each arm first, where these are several.
+    pub legs: Vec<(usize, Leg)>,
 }

@@ -24,6 +24,7 @@ impl Solver {
         twice.at = Double::exactly(state.at);
         twice.condition = state.condition;
         if state.condition != Condition::Ok {
+            twice.forget_forces();
             return false;
         }
         for (sign, &of) in twice.signs.iter_mut().zip(&state.signs) {

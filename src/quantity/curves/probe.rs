@@ -131,10 +131,13 @@ impl Probe {
         if !self.solver.solve_lanes(at, self.order, &mut self.lanes) {
             return false;
         }
-        for (quantity, values) in self.columns.iter().zip(columns) {
-            let lanes = quantity.value(&self.lanes);
-            let lane = |i: usize| lanes.map(|lanes| lanes.0[i]).filter(|v| v.is_finite());
-            values.extend((0..block.len()).map(lane));
+        // Where one lane has no value, none is told: then each is looked at alone.
+        let read = |quantity: &Quantity| quantity.value(&self.lanes);
+        let Some(read) = self.columns.iter().map(read).collect::<Option<Vec<_>>>() else {
+            return false;
+        };
+        for (lanes, values) in read.into_iter().zip(columns) {
+            values.extend(lanes.0[..block.len()].iter().map(|&v| Some(v)));
         }
         true
     }

@@ -71,7 +71,7 @@ impl Solver {
     #[must_use]
     pub fn enclosure(&self) -> State<Ball> {
         let mut enclosure = self.engine.enclosure(self.slides);
-        enclosure.forces = self.room().forces;
+        enclosure.forces = self.room_for_forces();
         let at_once = self.at_once.as_ref();
         enclosure.at_once = at_once.map(|engine| Box::new(engine.enclosure(self.slides)));
         enclosure

@@ -8,7 +8,7 @@
 
 use super::{Chain, Scope};
 use crate::solver::network::ClassId;
-use crate::solver::plan::{GroupKind, Hold};
+use crate::solver::plan::{GroupKind, Hold, Leg};
 use crate::solver::step::{Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Step, Swing};
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
@@ -22,6 +22,8 @@ struct Anchor {
     arm: Vec2<Constant>,
     /// A link of the class that ends at the point.
     link: LinkId,
+    /// Its joint where the way to the point comes from another link, itself anchored there.
+    by: Option<PointId>,
 }
 
 impl Chain<'_> {
@@ -32,7 +34,7 @@ impl Chain<'_> {
         let mut anchors: Vec<Anchor> = Vec::new();
         for &link in scope.links.iter().filter(|&&l| !self.knows(l)) {
             if let Some((pivot, at)) = self.footing(link) {
-                self.anchor_joints(link, pivot, at, Vec2::default(), &mut anchors);
+                self.anchor_joints(link, pivot, at, Vec2::default(), None, &mut anchors);
             }
         }
         let mut next = 0;
@@ -43,6 +45,7 @@ impl Chain<'_> {
                 pivot,
                 arm,
                 link,
+                ..
             } = anchors[next];
             let others = scope
                 .links
@@ -50,7 +53,7 @@ impl Chain<'_> {
                 .filter(|&&l| l != link && self.network.class(l) == class);
             for &other in others {
                 if let Some(at) = self.local(other, point) {
-                    self.anchor_joints(other, pivot, at, arm, &mut anchors);
+                    self.anchor_joints(other, pivot, at, arm, Some(point), &mut anchors);
                 }
             }
             next += 1;
@@ -65,6 +68,7 @@ impl Chain<'_> {
         pivot: PointId,
         at: Vec2<Constant>,
         arm: Vec2<Constant>,
+        by: Option<PointId>,
         anchors: &mut Vec<Anchor>,
     ) {
         let class = self.network.class(link);
@@ -81,6 +85,7 @@ impl Chain<'_> {
                 pivot,
                 arm,
                 link,
+                by,
             });
         }
     }
@@ -88,6 +93,33 @@ impl Chain<'_> {
     fn arm(&self, anchor: &Anchor) -> Arm {
         let turn = self.network.turn[anchor.link.index()];
         Arm::new(anchor.pivot, anchor.link, anchor.arm.turned(turn.conj()))
+    }
+
+    /// Notes over which links the arm of the step that comes next goes, where these are several.
+    fn note_legs(&mut self, anchor: &Anchor, anchors: &[Anchor]) {
+        let at = self.program.steps.len();
+        let mut here = *anchor;
+        while let Some(by) = here.by {
+            let Some(&before) = anchors
+                .iter()
+                .find(|a| a.point == by && a.class == anchor.class)
+            else {
+                return;
+            };
+            for (of, from) in [(here, by)]
+                .into_iter()
+                .chain(before.by.is_none().then_some((before, before.pivot)))
+            {
+                let leg = Leg {
+                    arm: anchor.link,
+                    link: of.link,
+                    from,
+                    to: of.point,
+                };
+                self.program.legs.push((at, leg));
+            }
+            here = before;
+        }
     }
 
     /// Notes through what the step that comes next holds its joint.
@@ -109,6 +141,8 @@ impl Chain<'_> {
         let Some((a, b)) = pair else { return false };
         let arms = [self.arm(&a), self.arm(&b)];
         let group = self.open_group(GroupKind::Rrr, Some(a.point));
+        self.note_legs(&a, &anchors);
+        self.note_legs(&b, &anchors);
         self.push(Step::Circles(Circles::new(a.point, arms, group)));
         self.learn_point(a.point);
         self.learn_class(a.link);
@@ -118,7 +152,8 @@ impl Chain<'_> {
 
     /// RRP: an anchored joint on a known line.
     pub(super) fn circle_line(&mut self, scope: &Scope) -> bool {
-        for anchor in self.anchors(scope) {
+        let anchors = self.anchors(scope);
+        for &anchor in &anchors {
             let point = anchor.point;
             let Some(&hold) = self.holds(point, scope).first() else {
                 continue;
@@ -132,6 +167,7 @@ impl Chain<'_> {
             self.program.group_starts[group] = helpers;
             let rail = self.rail(&line);
             self.note_hold(hold);
+            self.note_legs(&anchor, &anchors);
             self.push(match rail {
                 Some(rail) => Step::CircleRail(CircleRail::new(point, arm, rail, group)),
                 None => Step::CircleLine(CircleLine::new(point, arm, line, group)),
@@ -174,7 +210,7 @@ impl Chain<'_> {
             {
                 let turn = self.network.turn[link.index()];
                 let arm = anchor.arm.turned(turn.conj());
-                (anchor.pivot, arm, Some(anchor.link))
+                (anchor.pivot, arm, Some(*anchor))
             } else {
                 continue;
             };
@@ -183,9 +219,12 @@ impl Chain<'_> {
             let group = self.open_group(GroupKind::Rpr, Some(pin));
             self.note_hold(Hold {
                 slide,
-                carrier,
+                carrier: carrier.map(|anchor| anchor.link),
                 is_yoke: false,
             });
+            if let Some(anchor) = carrier {
+                self.note_legs(&anchor, &anchors);
+            }
             self.push(Step::Swing(Swing {
                 pivot,
                 pin,
@@ -218,14 +257,15 @@ impl Chain<'_> {
         }
         let anchors = self.anchors(scope);
         let class = self.network.class(link);
-        let Some(anchor) = anchors
+        let Some(&anchor) = anchors
             .iter()
             .find(|a| a.point == point && a.class != class)
         else {
             return false;
         };
-        let far = self.arm(anchor);
+        let far = self.arm(&anchor);
         let group = self.open_group(GroupKind::Rrr, Some(point));
+        self.note_legs(&anchor, &anchors);
         let through = self.frame.local(given.through) - at;
         let along = Constant::given_unit(given.angle);
         self.push(Step::Cylinder(Cylinder {

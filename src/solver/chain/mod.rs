@@ -113,6 +113,7 @@ impl<'n> Chain<'n> {
                 links,
                 watches: Vec::new(),
                 holds: Vec::new(),
+                legs: Vec::new(),
             },
             groups: Vec::new(),
             constants: Vec::new(),

@@ -172,10 +172,17 @@ impl Acting {
                 curve,
             } => {
                 let travel = state.travel(*slide);
+                // A driver that stands is taken for one that goes forward.
+                let stands = state.rates.speed.nearest() == 0.0;
+                let rate = if stands {
+                    state.travels[slide.index()].v
+                } else {
+                    travel.rate
+                };
                 // Towards the end, both are counted positive.
                 let (distance, towards) = match end {
-                    StrokeEnd::Least => (travel.position - T::of(*bottom), -travel.rate),
-                    StrokeEnd::Greatest => (T::of(*bottom) - travel.position, travel.rate),
+                    StrokeEnd::Least => (travel.position - T::of(*bottom), -rate),
+                    StrokeEnd::Greatest => (T::of(*bottom) - travel.position, rate),
                 };
                 let size = curve.press(distance, towards);
                 let against = match end {
@@ -193,6 +200,14 @@ impl Acting {
             } => {
                 let (a, b) = (state.points[from.index()], state.points[to.index()]);
                 let e = b.p - a.p;
+                let none = Constant::default();
+                if (*length, *damping) == (none, none) {
+                    // It pulls by k e: also where its ends meet.
+                    let pull = e * (T::of(*stiffness) * T::of(self.unit));
+                    forces.push(Part::Load, *from, pull, state);
+                    forces.push(Part::Load, *to, -pull, state);
+                    return;
+                }
                 let size = e.norm2().sqrt();
                 let along = e / size;
                 let rate = along.dot(b.v - a.v) * state.rates.speed;

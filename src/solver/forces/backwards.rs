@@ -5,7 +5,7 @@
 //! come to a link. "On" a link means: from the pin, or the guide, on it.
 
 use super::Forces;
-use super::pass::{Held, Pass, Reach};
+use super::pass::{Held, Leg, Pass, Reach};
 use super::slots::Slot;
 use crate::solver::state::{PointState, State};
 use crate::solver::step::Line;
@@ -24,10 +24,27 @@ impl<T: Number> Forces<T> {
 
     /// A force on a link at the end of an arm; its pivot holds against it.
     #[inline(always)]
-    fn hold(&mut self, reach: &Reach, force: Vec2<T>) {
+    fn hold(&mut self, reach: &Reach, force: Vec2<T>, state: &State<T>) {
+        self.points[reach.pivot.index()] += force;
+        if !reach.legs.is_empty() {
+            self.hold_over(reach, force, state);
+            return;
+        }
         self.note(reach.slots[0], force);
         self.note(reach.slots[1], -force);
-        self.points[reach.pivot.index()] += force;
+    }
+
+    /// The same where the arm goes over several links: the locks hold each against turning.
+    #[cold]
+    fn hold_over(&mut self, reach: &Reach, force: Vec2<T>, state: &State<T>) {
+        for leg in &reach.legs {
+            self.note(leg.slots[0], force);
+            self.note(leg.slots[1], -force);
+            let [out, near] = leg.joints.map(|joint| state.points[joint.index()].p);
+            if leg.link != reach.link {
+                self.couples[leg.link.index()] += (out - near).cross(force);
+            }
+        }
     }
 
     #[inline(always)]
@@ -91,7 +108,7 @@ impl Pass {
             Pass::Aim { arm, end } => {
                 let e = at(end) - at(&arm.pivot);
                 let force = -(e.perp() * (forces.couple(arm.link) / e.norm2()));
-                forces.hold(arm, force);
+                forces.hold(arm, force, state);
                 let back = forces.at(*end) - force;
                 forces.points[end.index()] = back;
             }
@@ -127,7 +144,7 @@ impl Pass {
                 let across = across(at(point) - at(&arm.pivot), t, *point, arm.link, forces);
                 let n = t.perp();
                 let force = forces.at(*point) - n * across;
-                forces.hold(arm, force);
+                forces.hold(arm, force, state);
                 forces.press(hold, None, n, across);
             }
             Pass::CircleLine {
@@ -140,7 +157,7 @@ impl Pass {
                 let x = at(point);
                 let across = across(x - at(&arm.pivot), guide.t, *point, arm.link, forces);
                 let force = forces.at(*point) - guide.n * across;
-                forces.hold(arm, force);
+                forces.hold(arm, force, state);
                 let s = guide.t.dot(x - guide.q.p);
                 forces.press(hold, Some((line, s)), guide.n, across);
             }
@@ -151,7 +168,7 @@ impl Pass {
                 along,
                 slot,
                 slide,
-                carrier,
+                legs,
             } => {
                 let t = Vec2::of(*along).turned(state.links[link.index()].d);
                 let s = t.dot(at(pin) - at(pivot));
@@ -160,15 +177,7 @@ impl Pass {
                 forces.points[pin.index()] += force;
                 forces.points[pivot.index()] += -force;
                 forces.note(*slot, force);
-                swung(
-                    *slide,
-                    carrier.as_ref(),
-                    at(pin),
-                    across,
-                    force,
-                    state,
-                    forces,
-                );
+                swung(*slide, legs, across, force, state, forces);
             }
             Pass::Lines {
                 point,
@@ -208,8 +217,8 @@ fn circles<T: Number>(
     let force = forces.at(point);
     let one = forces.couple(near.link) + e.cross(force);
     let g = (f * one + e * forces.couple(far.link)) / e.cross(f);
-    forces.hold(far, g);
-    forces.hold(near, force - g);
+    forces.hold(far, g, state);
+    forces.hold(near, force - g, state);
     force - g
 }
 
@@ -226,13 +235,12 @@ fn across<T: Number>(
     (forces.couple(link) + e.cross(forces.at(point))) / e.dot(t)
 }
 
-/// The guide of an arm that slides through a pin presses on it by `across`. Where a link lies between
-/// the pin and the sliding point, it feels both.
+/// The guide of an arm that slides through a pin presses on it by `across`. Where links lie between the
+/// pin and the sliding point, each feels it at both ends.
 #[inline(always)]
 fn swung<T: Number>(
     slide: Option<SlideId>,
-    carrier: Option<&(LinkId, PointId, [Slot; 2])>,
-    pin: Vec2<T>,
+    legs: &[Leg],
     across: T,
     force: Vec2<T>,
     state: &State<T>,
@@ -240,10 +248,10 @@ fn swung<T: Number>(
 ) {
     let Some(slide) = slide else { return };
     forces.normals[slide.index()] = across;
-    if let Some((link, slider, [at_pin, at_slider])) = carrier {
-        forces.note(*at_pin, -force);
-        forces.note(*at_slider, force);
-        let arm = state.points[slider.index()].p - pin;
-        forces.couples[link.index()] += arm.cross(force);
+    for leg in legs {
+        forces.note(leg.slots[0], force);
+        forces.note(leg.slots[1], -force);
+        let [out, near] = leg.joints.map(|joint| state.points[joint.index()].p);
+        forces.couples[leg.link.index()] += (out - near).cross(force);
     }
 }

@@ -49,13 +49,16 @@ impl Framed {
         }
     }
 
-    /// Once every joint and guide has its force: the guides' own is taken from the origins of what
-    /// slides, and the frame feels all that stands on it.
-    pub(super) fn finish<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    /// Takes from the origins of what slides what its guide does there: the rest is their pins'.
+    pub(super) fn free_origins<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
         for &(slide, slot, is_driven) in &self.origins {
             let force = guided(slide, is_driven, state, forces);
             forces.joints[slot] = forces.joints[slot] - force;
         }
+    }
+
+    /// The frame feels all that stands on it, once every joint and guide has its force.
+    pub(super) fn feel<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
         for &(slot, point) in &self.pins {
             feel(point, forces.joints[slot], state, forces);
         }

@@ -30,10 +30,10 @@ pub use open::Indeterminate;
 pub use read::Residual;
 pub(super) use slots::Slots;
 
+use super::Solver;
 use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
-use super::{Order, Solver};
 use crate::{Constant, LinkId, Number, PointId, SlideId, StrokeEnd, Vec2};
 use acting::Acting;
 use frame::Framed;
@@ -138,7 +138,8 @@ impl<T: Number> Forces<T> {
 
     /// What the driver does against the virtual work of a part.
     fn against(&self, part: Part) -> T {
-        -(self.work[part as usize] * self.scale.drive)
+        // Subtracted, so that nothing has no sign.
+        T::default() - self.work[part as usize] * self.scale.drive
     }
 }
 
@@ -198,12 +199,11 @@ impl Balance {
         })
     }
 
-    /// Finds what a redundant linkage leaves open, where the scene opens.
+    /// Finds what a redundant linkage leaves open, at several places of its motion.
     fn leave_open(&mut self, network: &Network<'_>, solver: &Solver) {
         let mut state = solver.state();
-        solver.solve(solver.opening, Order::Velocity, &mut state);
         state.forces = Some(Box::new(self.forces(&solver.engine, solver.slides)));
-        let open = Open::find(self, network, &solver.engine, &mut state);
+        let open = Open::find(self, network, solver, &mut state);
         self.indeterminate = open.list(network.mechanism, &self.slots);
         self.open = Arc::new(open);
     }
@@ -269,7 +269,8 @@ impl Balance {
                     forces.drive = forces.links[link.index()];
                 }
                 self.locked.finish(&mut forces);
-                self.frame.finish(state, &mut forces);
+                self.frame.free_origins(state, &mut forces);
+                self.frame.feel(state, &mut forces);
             } else {
                 forces.extent = Extent::Drive;
             }

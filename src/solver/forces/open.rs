@@ -5,15 +5,18 @@
 //! steps hand down; what has to hold against it, besides the constraint itself where the steps stand on
 //! it, is open.
 
-use super::{Balance, Extent, Forces, Slots, pass};
-use crate::solver::engine::Engine;
+use super::{Balance, Extent, Forces, Slots};
 use crate::solver::network::Network;
 use crate::solver::plan::{Gauge, Watch};
 use crate::solver::state::{Condition, State};
+use crate::solver::{Order, Range, Solver};
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// Below this part of a unit force, what is felt is rounding.
 const FELT: f64 = 1e-9;
+/// Where in the motion constraints are tried, besides where the scene opens: what is open need not be
+/// felt at each place, and scenes open at special ones.
+const PLACES: [f64; 4] = [0.137, 0.382, 0.618, 0.861];
 
 /// What cannot be told.
 #[derive(Clone, Debug)]
@@ -46,20 +49,40 @@ impl Open {
         }
     }
 
-    /// Tries every constraint at an assembled state.
+    /// Tries every constraint at ordinary states of the motion.
     pub(super) fn find(
         balance: &Balance,
         network: &Network<'_>,
-        engine: &Engine,
+        solver: &Solver,
         state: &mut State,
     ) -> Open {
         let mut open = Open::none(network.mechanism, &balance.slots);
-        open.leave(network, engine, &balance.slots);
-        if engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
+        if solver.engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
             return open;
         }
-        for watch in &engine.program.watches {
-            open.probe(balance, engine, state, |state, forces, felt| {
+        let (low, high) = match solver.motion.range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        let places = PLACES.map(|part| low + part * (high - low));
+        for at in places.into_iter().chain([solver.opening]) {
+            if solver.solve(at, Order::Position, state) == Condition::Ok {
+                open.find_at(balance, network, solver, state);
+            }
+        }
+        open
+    }
+
+    /// Tries every constraint at a state.
+    fn find_at(
+        &mut self,
+        balance: &Balance,
+        network: &Network<'_>,
+        solver: &Solver,
+        state: &mut State,
+    ) {
+        for watch in &solver.engine.program.watches {
+            self.probe(balance, solver, state, |state, forces, felt| {
                 press(watch, &balance.slots, network, state, forces, felt);
             });
         }
@@ -69,27 +92,11 @@ impl Open {
                 continue;
             };
             let on = network.body(given.on);
-            open.probe(balance, engine, state, |_, forces, felt| {
+            self.probe(balance, solver, state, |_, forces, felt| {
                 forces.links[link.index()] += 1.0;
                 forces.links[on.index()] += -1.0;
                 felt.moments[slide.index()] = 1.0;
             });
-        }
-        open
-    }
-
-    /// Marks what passes between links that are locked to each other and share a pin.
-    fn leave(&mut self, network: &Network<'_>, engine: &Engine, slots: &Slots) {
-        let links = pass::spanned(network, &engine.program);
-        for &link in &links {
-            for member in network.link(link).map_or(&[][..], |body| &body.members) {
-                self.joints[slots.of(link, member.point)] = true;
-            }
-        }
-        for (id, slide) in network.mechanism.slides().iter().enumerate() {
-            if let Slider::Link { link, .. } = slide.slider {
-                self.moments[id] |= links.contains(&link);
-            }
         }
     }
 
@@ -97,7 +104,7 @@ impl Open {
     fn probe(
         &mut self,
         balance: &Balance,
-        engine: &Engine,
+        solver: &Solver,
         state: &mut State,
         press: impl Fn(&State, &mut Forces<f64>, &mut Felt),
     ) {
@@ -107,13 +114,11 @@ impl Open {
         forces.clear();
         let mut felt = Felt::new(self);
         press(state, &mut forces, &mut felt);
-        let before = state.condition;
-        state.condition = Condition::Ok;
-        if balance.run_back(engine, state, &mut forces) {
+        if balance.run_back(&solver.engine, state, &mut forces) {
             balance.locked.finish(&mut forces);
+            balance.frame.free_origins(state, &mut forces);
             self.mark(&forces, &felt);
         }
-        state.condition = before;
         forces.extent = Extent::Nothing;
         state.forces = Some(forces);
     }
@@ -121,15 +126,15 @@ impl Open {
     fn mark(&mut self, forces: &Forces<f64>, felt: &Felt) {
         let joints = forces.joints.iter().zip(&felt.joints);
         for (open, (&a, &b)) in self.joints.iter_mut().zip(joints) {
-            *open |= (a + b).norm() > FELT;
+            *open |= is_felt((a + b).norm());
         }
         let normals = forces.normals.iter().zip(&felt.normals);
         for (open, (a, b)) in self.normals.iter_mut().zip(normals) {
-            *open |= (a + b).abs() > FELT;
+            *open |= is_felt((a + b).abs());
         }
         let moments = forces.moments.iter().zip(&felt.moments);
         for (open, (a, b)) in self.moments.iter_mut().zip(moments) {
-            *open |= (a + b).abs() > FELT;
+            *open |= is_felt((a + b).abs());
         }
     }
 
@@ -153,6 +158,11 @@ impl Open {
         }
         list
     }
+}
+
+/// Written so that what is no number counts.
+fn is_felt(size: f64) -> bool {
+    !(size <= FELT)
 }
 
 /// What a constraint itself does to links and slides while it presses.
@@ -208,7 +218,12 @@ fn press(
             forces.links[line.link.index()] += -s;
             if let crate::Element::Slide(slide) = watch.element {
                 felt.normals[slide.index()] += 1.0;
-                if let Body::Link(on) = network.mechanism.slide(slide).on {
+                let given = network.mechanism.slide(slide);
+                // On the link itself, and not by its pin.
+                if let Slider::Link { link, origin, .. } = given.slider {
+                    felt.joints[slots.of(link, origin)] += -guide.n;
+                }
+                if let Body::Link(on) = given.on {
                     felt.joints[slots.of(on, line.through)] += guide.n;
                 }
             }

@@ -67,9 +67,8 @@ pub(super) enum Pass {
         along: Vec2<Constant>,
         slot: Slot,
         slide: Option<SlideId>,
-        /// The link between the pin and the slide, its sliding point, and the places of the forces at the
-        /// pin and there.
-        carrier: Option<(LinkId, PointId, [Slot; 2])>,
+        /// The links between the pin and the slide.
+        legs: Vec<Leg>,
     },
     /// PRP and RPP.
     Lines {
@@ -82,11 +81,22 @@ pub(super) enum Pass {
 }
 
 /// An arm of a link from a known pivot.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Reach {
     pub pivot: PointId,
     pub link: LinkId,
     /// The force on the link at the arm's end, and at its pivot.
+    pub slots: [Slot; 2],
+    /// Where the arm goes over several links that are locked to each other, all of them.
+    pub legs: Vec<Leg>,
+}
+
+/// A link on the way of an arm, between two of its joints.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    pub link: LinkId,
+    /// The joint further out, and the one nearer to the pivot; and the places of the forces there.
+    pub joints: [PointId; 2],
     pub slots: [Slot; 2],
 }
 
@@ -111,39 +121,6 @@ pub(super) fn passes(network: &Network<'_>, program: &Program, slots: &Slots) ->
     };
     let steps = program.steps.iter().enumerate();
     steps.filter_map(|(i, step)| maker.pass(i, step)).collect()
-}
-
-/// Links of a class whose arm begins on one and ends on another: they are locked to each other and share a
-/// pin as well, and what passes there is not followed.
-pub(super) fn spanned(network: &Network<'_>, program: &Program) -> Vec<LinkId> {
-    let arms = program.steps.iter().enumerate().flat_map(|(at, step)| {
-        let swung = program.holds.iter().filter(move |(i, _)| *i == at);
-        let carrier = swung.filter_map(|(_, hold)| hold.carrier).next();
-        let arm = |arm: &Arm| Some((arm.link, arm.pivot));
-        match step {
-            Step::Circles(c) => [arm(&c.near), arm(&c.far)],
-            Step::Cylinder(c) => [Some((c.link, c.pivot)), arm(&c.far)],
-            Step::CircleRail(c) => [arm(&c.arm), None],
-            Step::CircleLine(c) => [arm(&c.arm), None],
-            Step::Swing(s) => [Some((s.link, s.pivot)), carrier.map(|link| (link, s.pin))],
-            Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Lines { .. }
-            | Step::Coupled { .. }
-            | Step::Travel { .. } => [None, None],
-        }
-    });
-    let is_spanned = |link: LinkId, pivot| {
-        let body = network.link(link);
-        body.is_some_and(|body| body.local(pivot).is_none())
-    };
-    let spanned = arms.flatten().filter(|&(link, p)| is_spanned(link, p));
-    let classes = spanned.map(|(link, _)| &network.members[network.class(link).0]);
-    classes.flatten().copied().collect()
 }
 
 struct Maker<'a> {
@@ -180,14 +157,14 @@ impl Maker<'_> {
                 slide: self.driven_slide()?,
             },
             Step::Aim { arm, end } => Pass::Aim {
-                arm: self.reach(&arm, end),
+                arm: self.reach(at, &arm, end),
                 end,
             },
             Step::Lock { link, to, .. } => Pass::Lock { link, to },
             Step::Circles(c) => Pass::Circles {
                 point: c.point,
-                near: self.reach(&c.near, c.point),
-                far: self.reach(&c.far, c.point),
+                near: self.reach(at, &c.near, c.point),
+                far: self.reach(at, &c.far, c.point),
             },
             Step::Cylinder(c) => Pass::Cylinder {
                 point: c.point,
@@ -195,31 +172,27 @@ impl Maker<'_> {
                     pivot: c.pivot,
                     link: c.link,
                     slots: [self.slots.nowhere(), self.slots.of(c.link, c.pivot)],
+                    legs: Vec::new(),
                 },
                 along: c.along,
-                far: self.reach(&c.far, c.point),
+                far: self.reach(at, &c.far, c.point),
                 slide: self.driven_slide(),
             },
             Step::CircleRail(c) => Pass::CircleRail {
                 point: c.point,
-                arm: self.reach(&c.arm, c.point),
+                arm: self.reach(at, &c.arm, c.point),
                 along: c.along,
                 hold: self.hold(at, 0, c.point)?,
             },
             Step::CircleLine(c) => Pass::CircleLine {
                 point: c.point,
-                arm: self.reach(&c.arm, c.point),
+                arm: self.reach(at, &c.arm, c.point),
                 line: c.line,
                 hold: self.hold(at, 0, c.point)?,
             },
             Step::Swing(s) => {
                 let hold = self.holds(at).next();
-                let carrier = hold.and_then(|hold| {
-                    let slider = self.slider(hold.slide);
-                    let carrier = hold.carrier?;
-                    let slots = [s.pin, slider].map(|point| self.slots.of(carrier, point));
-                    Some((carrier, slider, slots))
-                });
+                let legs = hold.map_or_else(Vec::new, |hold| self.swung(at, hold, s.pin));
                 Pass::Swing {
                     pivot: s.pivot,
                     pin: s.pin,
@@ -227,7 +200,7 @@ impl Maker<'_> {
                     along: s.along,
                     slot: self.slots.of(s.link, s.pivot),
                     slide: hold.map(|hold| hold.slide),
-                    carrier,
+                    legs,
                 }
             }
             Step::Lines {
@@ -253,13 +226,44 @@ impl Maker<'_> {
         }
     }
 
-    fn reach(&self, arm: &Arm, end: PointId) -> Reach {
+    fn reach(&self, at: usize, arm: &Arm, end: PointId) -> Reach {
         let Arm { pivot, link, .. } = *arm;
         Reach {
+            legs: self.legs(at, link),
             pivot,
             link,
             slots: [self.slots.of(link, end), self.slots.of(link, pivot)],
         }
+    }
+
+    /// The links on the way of the arm of a step that is known by this one.
+    fn legs(&self, at: usize, arm: LinkId) -> Vec<Leg> {
+        let legs = self.program.legs.iter();
+        let legs = legs.filter(|(step, leg)| *step == at && leg.arm == arm);
+        let legs = legs.map(|(_, leg)| Leg {
+            link: leg.link,
+            joints: [leg.to, leg.from],
+            slots: [leg.to, leg.from].map(|joint| self.slots.of(leg.link, joint)),
+        });
+        legs.collect()
+    }
+
+    /// The links between a pin and what slides on an arm.
+    fn swung(&self, at: usize, hold: Hold, pin: PointId) -> Vec<Leg> {
+        let Some(link) = hold.carrier else {
+            return Vec::new();
+        };
+        let legs = self.legs(at, link);
+        if !legs.is_empty() {
+            return legs;
+        }
+        let joints = [self.slider(hold.slide), pin];
+        let slots = joints.map(|joint| self.slots.of(link, joint));
+        vec![Leg {
+            link,
+            joints,
+            slots,
+        }]
     }
 
     fn driven_slide(&self) -> Option<SlideId> {

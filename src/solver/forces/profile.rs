@@ -2,13 +2,13 @@
 //! the coordinate is.
 
 use crate::angle::TURN;
-use crate::{Number, Profile};
+use crate::{Constant, Number, Profile};
 
 /// A profile made ready to be read: its knots, the slope behind each, and the period if it repeats.
 #[derive(Clone, Debug)]
 pub(super) struct Curve {
-    places: Vec<f64>,
-    values: Vec<f64>,
+    places: Vec<Constant>,
+    values: Vec<Constant>,
     slopes: Vec<f64>,
     period: Option<f64>,
 }
@@ -24,8 +24,8 @@ impl Curve {
         };
         let slopes = knots.windows(2);
         Curve {
-            places: knots.iter().map(|knot| knot[0]).collect(),
-            values: knots.iter().map(|knot| knot[1]).collect(),
+            places: knots.iter().map(|knot| Constant::given(knot[0])).collect(),
+            values: knots.iter().map(|knot| Constant::given(knot[1])).collect(),
             slopes: slopes
                 .map(|k| (k[1][1] - k[0][1]) / (k[1][0] - k[0][0]))
                 .collect(),
@@ -42,7 +42,7 @@ impl Curve {
     pub(super) fn value<T: Number>(&self, x: T) -> T {
         let x = match (self.period, self.places.first()) {
             (Some(period), Some(first)) => {
-                let turns = ((x.nearest() - first) / period).floor();
+                let turns = ((x.nearest() - first.hi) / period).floor();
                 x - T::exactly(turns * period)
             }
             _ => x,
@@ -56,24 +56,22 @@ impl Curve {
 
     /// On the line where the nearest double is.
     fn quick<T: Number>(&self, x: T) -> T {
-        let k = self.places.partition_point(|&place| place <= x.nearest());
+        let k = self.places.partition_point(|place| place.hi <= x.nearest());
         match k {
-            0 => T::exactly(self.values.first().copied().unwrap_or(1.0)),
+            0 => self.values.first().map_or(T::exactly(1.0), |&v| T::of(v)),
             k => self.line(k - 1, x),
         }
     }
 
     /// The line behind the knot k, or the constant behind the last one.
     fn line<T: Number>(&self, k: usize, x: T) -> T {
-        let value = T::exactly(self.values[k]);
+        let value = T::of(self.values[k]);
         match self.slopes.get(k) {
-            Some(&slope) if T::IS_CHEAP => {
-                value + T::exactly(slope) * (x - T::exactly(self.places[k]))
-            }
+            Some(&slope) if T::IS_CHEAP => value + T::exactly(slope) * (x - T::of(self.places[k])),
             Some(_) => {
-                let apart = |v: &[f64]| T::exactly(v[k + 1]) - T::exactly(v[k]);
+                let apart = |v: &[Constant]| T::of(v[k + 1]) - T::of(v[k]);
                 let slope = apart(&self.values) / apart(&self.places);
-                value + slope * (x - T::exactly(self.places[k]))
+                value + slope * (x - T::of(self.places[k]))
             }
             None => value,
         }
@@ -81,17 +79,13 @@ impl Curve {
 
     /// Whatever the value may be where it is not known on which of the lines x lies.
     fn around<T: Number>(&self, x: T) -> T {
-        let is_behind = |k: usize| T::exactly(self.places[k]).exceeds(x);
-        let is_before = |k: usize| {
-            self.places
-                .get(k + 1)
-                .is_some_and(|&p| x.exceeds(T::exactly(p)))
-        };
+        let is_behind = |k: usize| T::of(self.places[k]).exceeds(x);
+        let is_before = |k: usize| self.places.get(k + 1).is_some_and(|&p| x.exceeds(T::of(p)));
         let lines = (0..self.places.len()).filter(|&k| !is_behind(k) && !is_before(k));
         let lines = lines.map(|k| self.line(k, x));
         let first = self.places.first().zip(self.values.first());
-        let before = first.filter(|(place, _)| !x.exceeds(T::exactly(**place)));
-        let before = before.map(|(_, &value)| T::exactly(value));
+        let before = first.filter(|(place, _)| !x.exceeds(T::of(**place)));
+        let before = before.map(|(_, &value)| T::of(value));
         let all = before.into_iter().chain(lines);
         all.reduce(T::either).unwrap_or(T::exactly(1.0))
     }
@@ -103,7 +97,7 @@ impl Curve {
         let Some(&last) = self.places.last() else {
             return zero;
         };
-        let last = T::exactly(last);
+        let last = T::of(last);
         if distance.exceeds(last) || zero.exceeds(towards) {
             return zero;
         }

@@ -34,11 +34,13 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn drive(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
-        match forces.extent {
+        let drive = match forces.extent {
             Extent::Nothing => None,
             Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
-            Extent::All => Some(-(forces.drive * forces.scale.drive)),
-        }
+            // Subtracted, so that nothing has no sign.
+            Extent::All => Some(T::default() - forces.drive * forces.scale.drive),
+        };
+        drive.filter(|drive| drive.is_finite())
     }
 
     /// What it does against loads (springs among them), against gravity and against inertia.

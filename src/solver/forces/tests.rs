@@ -244,7 +244,78 @@ fn and_so_is_every_link_of_linkages_at_random() {
 }
 
 /// The ways in which guides, locks and coupled groups come together that no preset has.
-const RARE: [(&str, &str); 7] = [
+const RARE: [(&str, &str); 10] = [
+    (
+        "arms that go over locked links, to a rocker",
+        r#"
+[ground]
+A = [0, 0]
+D = [400, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "10 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { points = { B = [0, 0], X = [100, 0] } }
+u = { points = { W = [80, 30] } }
+v = { points = { X = [-40, -60], C = [160, -40] } }
+r4 = { from = "D", to = "C", length = 250 }
+[slides]
+s1 = { link = "u", on = "r3", through = [10, 30], angle = 20, turn = -20 }
+s2 = { link = "v", on = "u", through = [30, 15], angle = 70, turn = -70 }
+[start]
+C = [310, 230]
+"#,
+    ),
+    (
+        "and to a guide",
+        r#"
+[ground]
+A = [0, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "10 rad/s"
+acceleration = "5 rad/s^2"
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { points = { B = [0, 0], X = [100, 0] } }
+u = { points = { W = [80, 30] } }
+v = { points = { X = [-40, -60], C = [160, -40] } }
+[slides]
+s1 = { link = "u", on = "r3", through = [10, 30], angle = 20, turn = -20 }
+s2 = { link = "v", on = "u", through = [30, 15], angle = 70, turn = -70 }
+s3 = { point = "C", on = "ground", through = [0, 20], angle = 5 }
+[start]
+C = [310, 40]
+"#,
+    ),
+    (
+        "and to an arm that they slide on",
+        r#"
+[ground]
+A = [0, 0]
+O = [0, -150]
+[driver]
+link = "crank"
+angle = 40
+speed = "10 rad/s"
+acceleration = "3 rad/s^2"
+[links]
+crank = { from = "A", to = "B", length = 60 }
+arm = { points = { O = [0, 0], E = [260, 30] } }
+block = { points = { X = [12, 8] } }
+plate = { points = { X = [0, 0], B = [30, 10] } }
+w = { points = { W = [7, 9] } }
+[slides]
+s = { link = "block", on = "arm", through = [50, 17], angle = 7, turn = 33 }
+s2 = { link = "w", on = "block", through = [50, 17], angle = 17, turn = 13 }
+s3 = { link = "w", on = "plate", through = [5, 60], angle = 80, turn = -20 }
+[start]
+E = [94, 94]
+"#,
+    ),
     (
         "a coupled group with a slot",
         r#"
@@ -401,6 +472,109 @@ C = [180, 140]
 "#,
     ),
 ];
+
+/// Linkages with more constraints than they need, and the reactions that are therefore open.
+const REDUNDANT: [(&str, &str, &[&str]); 3] = [
+    (
+        "a trammel with a crank, which opens where one guide is not pressed",
+        r#"
+[ground]
+O = [0, 0]
+[driver]
+link = "crank"
+angle = 0
+speed = "10 rad/s"
+[links]
+crank = { from = "O", to = "M", length = 100 }
+rod = { points = { M = [0, 0], P = [100, 0], Q = [-100, 0], E = [150, 0] } }
+[slides]
+sx = { point = "P", on = "ground", through = "O", angle = 0 }
+sy = { point = "Q", on = "ground", through = "O", angle = 90 }
+[start]
+P = [200, 0]
+"#,
+        &[
+            "crank.O",
+            "crank.M",
+            "rod.M",
+            "rod.P",
+            "rod.Q",
+            "sx.normal",
+            "sy.normal",
+        ],
+    ),
+    (
+        "a ram with a pin in its own guide",
+        r#"
+[ground]
+A = [0, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "10 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 60 }
+r3 = { from = "B", to = "C", length = 250 }
+ram = { points = { C = [0, 0], F = [100, 0], G = [100, 30] } }
+[slides]
+s1 = { link = "ram", on = "ground", through = [0, 0], angle = 0, turn = 0 }
+s2 = { point = "F", on = "ground", through = [0, 0], angle = 0 }
+[start]
+C = [260, 0]
+F = [360, 0]
+"#,
+        &["ram.F", "s1.normal", "s1.moment", "s2.normal"],
+    ),
+    (
+        "three links locked to each other in a ring",
+        r#"
+[ground]
+A = [0, 0]
+D = [400, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "10 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { from = "B", to = "C", length = 300 }
+r4 = { from = "D", to = "C", length = 250 }
+u = { points = { U = [0, 0], W = [80, 30] } }
+v = { points = { V = [0, 0], Z = [16, -40] } }
+r5 = { from = "D", to = "Z", length = 270 }
+[slides]
+s1 = { link = "u", on = "r3", through = [10, 30], angle = 20, turn = -20 }
+s2 = { link = "v", on = "u", through = [30, 15], angle = 70, turn = -70 }
+s3 = { link = "v", on = "r3", through = [0, 115], angle = -12, turn = 12 }
+[start]
+C = [310, 230]
+Z = [200, 200]
+"#,
+        &["s1.moment", "s2.moment", "s3.moment"],
+    ),
+];
+
+/// As the self-stresses by hand have it.
+#[test]
+fn a_reaction_is_open_where_a_constraint_repeats_others_and_nowhere_else() {
+    let mut chance = Chance(11);
+    for (name, text, open) in REDUNDANT {
+        let text = loaded(text, &mut chance);
+        let scene = Scene::parse(&text, name).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let named = solver.indeterminate().iter().map(|open| match *open {
+            Indeterminate::Joint(link, point) => {
+                let point = scene.point_name(point).unwrap_or("?");
+                format!("{}.{point}", scene.link_name(link))
+            }
+            Indeterminate::Normal(slide) => format!("{}.normal", scene.slide_name(slide)),
+            Indeterminate::Moment(slide) => format!("{}.moment", scene.slide_name(slide)),
+        });
+        let named: Vec<String> = named.collect();
+        assert_eq!(named, open, "{name}");
+        check(name, &scene, &solver, &mut chance);
+    }
+}
 
 #[test]
 fn and_so_is_every_link_where_guides_and_locks_come_together() {
