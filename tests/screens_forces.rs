@@ -133,6 +133,21 @@ fn the_figures_are_those_of_the_state() {
     near(row(&screen, " r6 on ram")[0], forces.guides[0].normal.value);
 }
 
+#[test]
+fn the_forces_are_copied_with_all_their_digits() {
+    let mut session = session("press-ram", 80, 24);
+    let line = session.press("5 y").last_line();
+    assert!(
+        line.contains("sent to the terminal's clipboard: "),
+        "{line}"
+    );
+    assert!(session.workbench.take_sent().len() > 1000);
+    let line = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24)
+        .press("5 y")
+        .last_line();
+    assert!(line.contains("nothing to copy here"), "{line}");
+}
+
 /// Whatever the driver's coordinate, the last characters of a column stand below one another.
 #[test]
 fn numbers_do_not_dance() {

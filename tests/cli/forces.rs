@@ -217,3 +217,15 @@ fn what_a_redundant_linkage_leaves_open_is_named() {
     let torque = found["driver.torque"].as_f64().unwrap();
     assert!((torque - 5.0).abs() < 1e-12, "{torque}");
 }
+
+#[test]
+fn check_tells_what_acts() {
+    let text = done(&["check", "press-ram"]);
+    let line = "\nforces     1 press, 5 links with a mass, gravity\n";
+    assert!(text.contains(line), "{text}");
+    let engine = json(&done(&["check", "engine", "--format", "json"]));
+    assert_eq!(engine["acting"]["forces"], 1);
+    assert_eq!(engine["acting"]["masses"], 3);
+    let bare = done(&["check", "four-bar"]);
+    assert!(!bare.contains("\nforces"), "{bare}");
+}
