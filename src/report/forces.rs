@@ -229,14 +229,19 @@ fn found(subject: Subject, aspect: Aspect, reading: &Reading<'_>) -> Entry {
     Entry {
         value: value(subject, aspect, reading.state),
         given: false,
-        bound: reading.bound(subject, aspect),
+        bound: reading.bound(subject, aspect).filter(|b| b.is_finite()),
     }
 }
 
 fn plane(subject: Subject, reading: &Reading<'_>) -> Option<Plane> {
     let [x, y] = [Aspect::Fx, Aspect::Fy].map(|aspect| found(subject, aspect, reading));
     let force = Vec2::new(x.value?, y.value?);
-    Some(Plane::new(force, [x.bound, y.bound]))
+    let mut plane = Plane::new(force, [x.bound, y.bound]);
+    // Loads may be so large that the squares of forces overflow.
+    for bound in &mut plane.bounds {
+        *bound = bound.filter(|bound| bound.is_finite());
+    }
+    plane.magnitude.is_finite().then_some(plane)
 }
 
 fn drive(scene: &Scene, reading: &Reading<'_>) -> Drive {

@@ -2,6 +2,7 @@
 //! shown.
 
 use super::fuzz::{Fuzz, shape};
+use crate::report::Forces;
 use crate::scene::{Diagnostics, Scene, is_harmful};
 use crate::solver::{Condition, Order, Solver};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -120,7 +121,7 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
     };
     let (links, points) = (mechanism.links().len(), mechanism.points().len());
     (links.min(8), points.min(12), solver.plan().groups.len()).hash(outcome);
-    let mut state = solver.state();
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
     let start = mechanism.driver().start;
     for at in [start, start + 1.0, -1e3, 0.1] {
         let condition = solver.solve(at, Order::Force, &mut state);
@@ -134,6 +135,13 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
                 place.x.is_finite() && place.y.is_finite(),
                 "{place:?} at {at}"
             );
+        }
+        solver.enclose(&state, Order::Force, &mut enclosure);
+        let forces = Forces::new(scene, &solver, &state, Some(&enclosure));
+        let figures = forces.iter().flat_map(Forces::figures);
+        for (name, _, entry) in figures {
+            let mut numbers = entry.value.into_iter().chain(entry.bound);
+            assert!(numbers.all(f64::is_finite), "{name}: {entry:?} at {at}");
         }
     }
     if let Some(text) = scene.with_start_of(&solver, start) {
