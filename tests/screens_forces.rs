@@ -215,7 +215,7 @@ fn forces_follow_what_changes() {
     // The engine, and then a scene on which nothing acts.
     let screen = session.press("n").look();
     assert!(
-        screen.contains(" crown") || screen.contains("piston at C"),
+        screen.contains("r3 at C by piston") && !screen.contains("piston at C"),
         "{screen}"
     );
     let screen = session.press("n").look();

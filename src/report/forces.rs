@@ -302,9 +302,11 @@ fn partner(mechanism: &Mechanism, link: LinkId, point: PointId) -> Option<Option
     let acts = |load: &Load| match *load {
         Load::Force { point: at, .. } => at == point,
         Load::Spring { from, to, .. } => from == point || to == point,
-        Load::Torque { .. } | Load::Press { .. } => false,
+        Load::Press { slide, .. } => mechanism.slide(slide).slider.point() == point,
+        Load::Torque { .. } => false,
     };
-    let slides = |slide: &crate::Slide| slide.slider.point() == point;
+    // A guide presses on the pin in its slot; of a link that slides it holds the link.
+    let slides = |slide: &crate::Slide| slide.slider == Slider::Pin(point);
     if mechanism.loads().iter().any(acts) || mechanism.slides().iter().any(slides) {
         return None;
     }

@@ -148,7 +148,17 @@ fn both_links_at_a_joint_feel_the_same() {
             assert!((a + b).abs() <= 1e-12 * a.abs(), "{one} {a}, {other} {b}");
         }
     }
+    // The gas presses on the piston and not on its pin, the die on the pin of the ram.
+    let text = done(&["table", "engine"]);
+    assert!(
+        text.contains("r3 at C, by piston") && !text.contains("piston at C"),
+        "{text}"
+    );
     let text = done(&["table", "press-ram", "--at", "20"]);
+    assert!(
+        text.contains("r5 at F  ") && text.contains("ram at F  "),
+        "{text}"
+    );
     assert!(text.contains("r2 at B, by r3"), "{text}");
     assert!(!text.contains("r3 at B"), "{text}");
 }
