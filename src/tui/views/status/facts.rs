@@ -44,6 +44,7 @@ pub(super) fn mode(app: &App) -> &'static str {
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
         (Mode::Normal, View::Lengths) => "lengths",
+        (Mode::Normal, View::Motor) => "motor",
         (Mode::Normal, View::Plots) => "plots",
         (Mode::Normal, View::Forces) => "forces",
         (Mode::Normal, View::Scene) => "scene",
@@ -137,7 +138,10 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     let stage = app.stage();
     let shows_figures = match (app.mode(), app.view()) {
         (Mode::Normal, View::Motion | View::Tables | View::Forces) => true,
-        (Mode::Normal, View::Plots | View::Accuracy | View::Scene | View::Lengths)
+        (
+            Mode::Normal,
+            View::Plots | View::Accuracy | View::Scene | View::Lengths | View::Motor,
+        )
         | (
             Mode::Help(_)
             | Mode::Tour(_)
