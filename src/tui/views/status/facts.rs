@@ -164,7 +164,8 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     match app.view() {
         View::Tables => return of_cursor(app),
         View::Forces => return of_drive(app),
-        View::Motion | View::Plots | View::Accuracy | View::Scene | View::Lengths => {}
+        View::Motion | View::Plots | View::Accuracy | View::Scene | View::Lengths | View::Motor => {
+        }
     }
     let bound = match stage.largest_bound() {
         Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
