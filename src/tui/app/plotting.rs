@@ -46,10 +46,6 @@ impl App {
         }
         if self.view == View::Motor {
             self.motor.study(&self.stage, self.opened);
-            // Another scene may have fewer lines.
-            if self.mode == Mode::Normal {
-                self.scroll_by(0);
-            }
         }
     }
 
