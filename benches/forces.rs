@@ -6,6 +6,7 @@
 
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Range, Solver, State};
+use krank::study::motor::Duty;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -23,6 +24,14 @@ fn main() {
         let solver = Solver::new(&scene.mechanism).expect("a preset opens");
         if solver.has_forces() {
             sweep(preset.name, &solver);
+        }
+    }
+    println!("\nms a study of the motor, median         one cycle     states      error");
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).expect("a preset is a scene");
+        let solver = Solver::new(&scene.mechanism).expect("a preset opens");
+        if solver.has_forces() {
+            motor(preset.name, &scene, &solver);
         }
     }
 }
@@ -50,6 +59,24 @@ fn sweep(name: &str, solver: &Solver) {
         "{name:36} {kinematics:9.1} {forces:11.1} {:10.2} {bounds:15.1}",
         forces / kinematics
     );
+}
+
+/// A study of the motor over one cycle, in ms, with the states that it solves and its own error.
+fn motor(name: &str, scene: &Scene, solver: &Solver) {
+    let study = || Duty::new(black_box(&scene.mechanism), solver, None);
+    let mut samples = Vec::new();
+    for _ in 0..SAMPLES {
+        let begun = Instant::now();
+        black_box(study());
+        samples.push(begun.elapsed().as_secs_f64() * 1e3);
+    }
+    if let Some(Duty { cycle, .. }) = study() {
+        let (states, error) = (cycle.states, cycle.error);
+        println!(
+            "{name:36} {:9.3} {states:11} {error:10.1e}",
+            median(samples)
+        );
+    }
 }
 
 fn solve(solver: &Solver, at: f64, order: Order, state: &mut State) {

@@ -15,7 +15,8 @@
 //!                 then: the driver's coordinate -> a state, without a history and without allocating;
 //!                 where anything acts, the forces in it
 //!   -> quantity   everything that has a name, a unit and a value
-//!   -> study      every method that could solve it, timed and held against a reference
+//!   -> study      every method that could solve it, timed and held against a reference; the motor
+//!                 over a cycle
 //!   -> report     tables, CSV, JSON      -> drawing, tui   the linkage in characters, live tables
 //! ```
 //!

@@ -29,6 +29,7 @@
 
 mod arrow;
 mod chart;
+mod effort;
 mod figure;
 mod labels;
 mod legend;
@@ -51,6 +52,7 @@ mod trade_off;
 mod view;
 
 pub use chart::{Axis, Chart, Datum};
+pub use effort::effort;
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
 pub use legend::{LegendEntry, Piece, legend_lines};

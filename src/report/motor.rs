@@ -113,6 +113,12 @@ impl MotorReport {
         if self.turns { "N m" } else { "N" }
     }
 
+    /// What the driver does, as columns name it, and its unit.
+    #[must_use]
+    pub fn effort_name(&self) -> [&str; 2] {
+        [&self.columns[1], self.effort_unit()]
+    }
+
     /// What a flywheel makes of the fluctuation, and the flywheel that the wished one takes.
     pub(super) fn evenness(&self) -> Option<Evenness> {
         let cycle = &self.duty.as_ref()?.cycle;

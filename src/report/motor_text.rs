@@ -11,9 +11,13 @@ const DIGITS: usize = 6;
 const DECIMALS: usize = 3;
 /// Decimals of a dead centre: as many as a double has at some hundred degrees.
 const ALL_DECIMALS: usize = 12;
-/// Columns of a label, and of a figure behind two blanks.
+/// Columns of a label where there is room and where there is little, and of a figure.
 const LABEL: usize = 18;
+const SHORT_LABEL: usize = 15;
+const ROOMY: usize = 60;
 const FIGURE: usize = 12;
+/// Turns a minute in 1 rad/s.
+const RPM: f64 = 30.0 / std::f64::consts::PI;
 /// A figure that is less than this part of what it comes from is what rounding has left.
 const NOTHING: f64 = 1e-11;
 
@@ -84,7 +88,7 @@ impl MotorReport {
         let asked = match (cycle.all.worst(), cycle.all.rms) {
             (Some(worst), Some(rms)) => format!(
                 "asks {} {unit} at {}, the worst instant; {} {unit} RMS",
-                significant(worst.value.abs(), DIGITS),
+                significant(worst.value, DIGITS),
                 self.place(&worst),
                 significant(rms, DIGITS)
             ),
@@ -112,7 +116,7 @@ impl MotorReport {
     /// A speed of the driver in the scene's unit, turns in rpm too.
     fn speed_text(&self, speed: f64) -> String {
         if self.turns {
-            let rpm = concise(speed * 30.0 / std::f64::consts::PI, DIGITS);
+            let rpm = concise(speed * RPM, DIGITS);
             format!("{} rad/s ({rpm} rpm)", concise(speed, DIGITS))
         } else {
             format!("{} {}/s", concise(speed, DIGITS), self.unit)
@@ -168,7 +172,10 @@ impl MotorReport {
     fn effect_lines(&self, cycle: &Cycle, lines: &mut Vec<MotorLine>) {
         let [load, gravity, inertia] = &cycle.parts;
         let parts = [("loads", load), ("gravity", gravity), ("inertia", inertia)];
-        let acting: Vec<_> = parts.into_iter().filter(|(_, e)| !e.is_nothing()).collect();
+        let acting: Vec<_> = parts
+            .into_iter()
+            .filter(|(_, e)| !e.is_nothing_beside(&cycle.parts))
+            .collect();
         let columns: Vec<&Effect> = [&cycle.all]
             .into_iter()
             .chain(acting.iter().map(|(_, e)| *e))
@@ -182,30 +189,35 @@ impl MotorReport {
         let row = |label: &str, cell: &dyn Fn(&Effect) -> String| {
             MotorLine::Figures(label.to_owned(), columns.iter().map(|e| cell(e)).collect())
         };
-        let value = |peak: Option<Peak>| figure(peak.map(|p| p.value));
+        let larger = |a: Option<Peak>, b: Option<Peak>| Some(a?.value.abs().max(b?.value.abs()));
+        let torque = |e: &Effect| larger(e.largest, e.least);
+        let power = |e: &Effect| larger(e.largest_power, e.least_power);
+        let energy = |e: &Effect| Some(e.put_in? + e.given_back?);
+        let peak = |peak: Option<Peak>, size| figure(cleaned(peak.map(|p| p.value), size));
         let place = |peak: Option<Peak>| peak.map_or_else(none, |p| self.short_place(&p));
         lines.push(MotorLine::Head(
             format!("{what} [{}]", self.effort_unit()),
             names,
         ));
-        lines.push(row("  largest", &|e| value(e.largest)));
+        lines.push(row("  largest", &|e| peak(e.largest, torque(e))));
         lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
             place(e.largest)
         }));
-        lines.push(row("  least", &|e| value(e.least)));
+        lines.push(row("  least", &|e| peak(e.least, torque(e))));
         lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
             place(e.least)
         }));
         lines.push(row("  mean", &|e| figure(cleaned(e.mean, e.rms))));
         lines.push(row("  RMS", &|e| figure(e.rms)));
         lines.push(MotorLine::Head("power [W]".into(), Vec::new()));
-        lines.push(row("  largest", &|e| value(e.largest_power)));
-        lines.push(row("  least", &|e| value(e.least_power)));
+        lines.push(row("  largest", &|e| peak(e.largest_power, power(e))));
+        lines.push(row("  least", &|e| peak(e.least_power, power(e))));
         lines.push(MotorLine::Head("energy [J]".into(), Vec::new()));
-        lines.push(row("  put in", &|e| figure(e.put_in)));
-        lines.push(row("  given back", &|e| figure(e.given_back)));
-        let size = |e: &Effect| Some(e.put_in? + e.given_back?);
-        lines.push(row("  work", &|e| figure(cleaned(e.work(), size(e)))));
+        lines.push(row("  put in", &|e| figure(cleaned(e.put_in, energy(e)))));
+        lines.push(row("  given back", &|e| {
+            figure(cleaned(e.given_back, energy(e)))
+        }));
+        lines.push(row("  work", &|e| figure(cleaned(e.work(), energy(e)))));
     }
 
     fn fit_lines(&self, lines: &mut Vec<MotorLine>) {
@@ -213,9 +225,13 @@ impl MotorReport {
             return;
         };
         let unit = self.effort_unit();
-        let torque =
-            |asked: &Asked| verdict(asked, |v| format!("{} {unit}", significant(v, DIGITS)));
-        let speed = |asked: &Asked| verdict(asked, |v| self.shaft_speed(v));
+        let (scale, speeds) = if self.turns {
+            (RPM, "rpm")
+        } else {
+            (1.0, "m/s")
+        };
+        let torque = |asked: &Asked| verdict(asked, 1.0, unit);
+        let speed = |asked: &Asked| verdict(asked, scale, speeds);
         lines.push(MotorLine::Head(
             format!("motor: {}", if is_enough { "enough" } else { "not enough" }),
             Vec::new(),
@@ -240,18 +256,6 @@ impl MotorReport {
             lines.push(MotorLine::Fact("  with a gear".into(), text));
         }
         lines.push(MotorLine::Blank);
-    }
-
-    /// A speed as a motor's plate has it.
-    fn shaft_speed(&self, speed: f64) -> String {
-        if self.turns {
-            format!(
-                "{} rpm",
-                concise(speed * 30.0 / std::f64::consts::PI, DIGITS)
-            )
-        } else {
-            format!("{} m/s", concise(speed, DIGITS))
-        }
     }
 
     fn evenness_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {
@@ -330,12 +334,9 @@ impl MotorReport {
         };
         let end = format!("at its {} position{convention}", end_word(ram.end.end));
         lines.push(fact("works", end));
-        lines.push(fact(
-            "stroke",
-            format!("{} {unit}", significant(ram.stroke, 9)),
-        ));
+        lines.push(fact("stroke", format!("{} {unit}", concise(ram.stroke, 9))));
         for (label, centre) in [("bottom", &ram.bottom), ("top", &ram.top)] {
-            let position = significant(centre.position, 9);
+            let position = concise(centre.position, 9);
             let text = format!(
                 "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
                 centre.at
@@ -343,7 +344,7 @@ impl MotorReport {
             lines.push(fact(label, text));
         }
         for centre in &ram.others {
-            let position = significant(centre.position, 9);
+            let position = concise(centre.position, 9);
             let text = format!(
                 "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
                 centre.at
@@ -466,29 +467,37 @@ impl MotorLine {
                 lines.map(|line| format!("{:indent$}{line}", "")).collect()
             }
             MotorLine::Head(label, cells) | MotorLine::Figures(label, cells) => {
-                let room = width.saturating_sub(LABEL) / FIGURE;
-                let mut line = format!("{label:LABEL$}");
+                let first = label_width(width);
+                let room = width.saturating_sub(first) / FIGURE;
+                let mut line = format!("{label:first$}");
                 for cell in cells.iter().take(room.max(1)) {
                     line.push_str(&format!("{cell:>FIGURE$}"));
                 }
                 vec![line]
             }
             MotorLine::Fact(label, text) => {
-                let room = width.saturating_sub(LABEL + 1).max(1);
+                let first = label_width(width);
+                let room = width.saturating_sub(first + 1).max(1);
                 let lines = wrapped(text, room).into_iter().enumerate();
                 let label = |i| if i == 0 { label.as_str() } else { "" };
                 lines
-                    .map(|(i, line)| format!("{:LABEL$} {line}", label(i)))
+                    .map(|(i, line)| format!("{:first$} {line}", label(i)))
                     .collect()
             }
         }
     }
 
-    /// Whether it heads a part.
+    /// Where in a line of this width, as [`MotorLine::at_width`] gives it, the label ends.
     #[must_use]
-    pub fn is_head(&self) -> bool {
-        matches!(self, MotorLine::Head(..))
+    pub fn label_end(text: &str, width: usize) -> usize {
+        let end = label_width(width).min(text.len());
+        if text.is_char_boundary(end) { end } else { 0 }
     }
+}
+
+/// Columns of a label on a page of this width.
+fn label_width(width: usize) -> usize {
+    if width < ROOMY { SHORT_LABEL } else { LABEL }
 }
 
 /// What stands for a figure that does not exist.
@@ -506,20 +515,16 @@ fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
     value.map(|v| if v.abs() <= NOTHING * size { 0.0 } else { v })
 }
 
-/// Whether a motor has what is asked, and by how much it has not.
-fn verdict(asked: &Asked, text: impl Fn(f64) -> String) -> String {
-    let (wants, has) = (text(asked.asked), text(asked.has));
-    let share = |part: f64| significant(100.0 * part / asked.asked, 3);
+/// Whether a motor has what is asked, and by how much it has not; one of its own unit is so many of that
+/// which is told.
+fn verdict(asked: &Asked, scale: f64, unit: &str) -> String {
+    let [wants, has, lacks] =
+        [asked.asked, asked.has, asked.lacks().abs()].map(|v| concise(v * scale, DIGITS));
+    let share = significant(100.0 * (asked.lacks() / asked.asked).abs(), 3);
     if asked.is_enough() {
-        let left = -asked.lacks();
-        format!("{has} for {wants}: {} left, {} %", text(left), share(left))
+        format!("{has} {unit} for {wants}: {lacks} left, {share}%")
     } else {
-        let lacks = asked.lacks();
-        format!(
-            "{has} for {wants}: lacks {}, {} %",
-            text(lacks),
-            share(lacks)
-        )
+        format!("{has} {unit} for {wants}: lacks {lacks}, {share}%")
     }
 }
 

@@ -29,6 +29,7 @@ use super::editor::Editor;
 use super::keymap::Keymap;
 use super::lens::Lens;
 use super::line::Line;
+use super::motor::MotorStudy;
 use super::palette::{Palette, Theme};
 use super::playback::Playback;
 use super::plots::Plots;
@@ -97,6 +98,8 @@ pub(crate) struct App {
     sought: String,
     /// What is plotted.
     plots: Plots,
+    /// What the open scene asks of its motor.
+    motor: MotorStudy,
     /// The study of the open scene.
     survey: Survey,
     /// What was seen of the scenes in the list of presets and files.
@@ -152,6 +155,7 @@ impl App {
             cursor: Cursor::default(),
             sought: String::new(),
             plots: Plots::default(),
+            motor: MotorStudy::default(),
             survey: Survey::new(passing::wall_clock),
             previews: Previews::default(),
             comparison: Comparison::default(),
@@ -337,6 +341,7 @@ impl App {
             Action::ForcesView => self.look(View::Forces),
             Action::SceneView => self.look(View::Scene),
             Action::LengthsView => self.look(View::Lengths),
+            Action::MotorView => self.look(View::Motor),
             Action::AccuracyView => {
                 self.look(View::Accuracy);
                 self.study();

@@ -45,6 +45,7 @@ mod keymap;
 mod ledger;
 mod lens;
 mod line;
+mod motor;
 mod opening;
 mod palette;
 mod panel;

@@ -115,6 +115,7 @@ pub(crate) fn allows(action: Action) -> bool {
             | A::ForcesView
             | A::SceneView
             | A::LengthsView
+            | A::MotorView
     )
 }
 

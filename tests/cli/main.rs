@@ -7,6 +7,7 @@ mod assembly;
 mod config;
 mod draw;
 mod forces;
+mod motor;
 mod plot;
 mod readme;
 mod scenes;
@@ -125,6 +126,7 @@ fn help_has_an_example_for_each_command() {
         "sweep",
         "start",
         "accuracy",
+        "motor",
         "config",
         "completions",
         "man",
@@ -179,7 +181,7 @@ fn unknown_options_and_values_are_refused() {
         (&["accuracy", "--positions", "0"], "--positions"),
         (&["four-bar", "--glyphs", "crayon"], "--glyphs"),
         (&["completions", "tcsh"], "tcsh"),
-        (&["man", "motor"], "motor"),
+        (&["man", "gearbox"], "gearbox"),
     ] {
         let message = refused(2, args);
         assert!(message.contains(phrase), "{args:?}: {message}");

@@ -11,31 +11,31 @@ pub(in crate::cli) struct MotorArgs {
     #[command(flatten)]
     pub(in crate::cli) assembly: AssemblyArgs,
     /// The torque in N m, or force in N, that the motor can keep up
-    #[arg(long, value_name = "SIZE", value_parser = positive)]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) rated: Option<f64>,
     /// The most that it can do for an instant
-    #[arg(long, value_name = "SIZE", value_parser = positive)]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) peak: Option<f64>,
     /// Its speed with a unit: '1500 rpm', '0.2 m/s'
-    #[arg(long, value_name = "SPEED")]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     pub(in crate::cli) speed: Option<String>,
     /// A flywheel on the driver's shaft, in kg m^2
-    #[arg(long, value_name = "INERTIA", value_parser = positive)]
+    #[arg(long, value_name = "INERTIA", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) flywheel: Option<f64>,
     /// The wished fluctuation of the speed: greatest less least, by the mean
-    #[arg(long, value_name = "SHARE", value_parser = positive)]
+    #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) fluctuation: Option<f64>,
     /// The slide that is the ram [default: the one a press works at, or the only one]
     #[arg(long, value_name = "NAME")]
     pub(in crate::cli) ram: Option<String>,
     /// A height above the bottom of the ram, in the scene's unit
-    #[arg(long, value_name = "LENGTH", value_parser = not_negative)]
+    #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
     pub(in crate::cli) height: Option<f64>,
     /// The torque in N m, or force in N, for the force of the ram [default: the rated one]
-    #[arg(long, value_name = "SIZE", value_parser = positive)]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) torque: Option<f64>,
     /// How far from its bottom a ram counts as at rest, in the scene's unit
-    #[arg(long, value_name = "LENGTH", value_parser = positive)]
+    #[arg(long, value_name = "LENGTH", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) tolerance: Option<f64>,
     /// Go there and back from this coordinate of the driver [default: the whole motion]
     #[arg(

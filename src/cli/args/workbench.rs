@@ -76,6 +76,8 @@ pub(in crate::cli) enum View {
     Scene,
     /// What each length does
     Lengths,
+    /// The motor over a cycle
+    Motor,
 }
 
 /// The colours that the workbench draws with.

@@ -67,6 +67,20 @@ impl Course {
         if self.goes_round { once } else { 2.0 * once }
     }
 
+    /// The way after which the driver first comes by a coordinate; of one that goes round also by one that
+    /// lies whole cycles away. `None` where it never does.
+    #[must_use]
+    pub fn way(&self, at: f64) -> Option<f64> {
+        let at = if self.goes_round {
+            self.low + (at - self.low).rem_euclid(self.length())
+        } else {
+            at
+        };
+        let mut ways = Vec::new();
+        self.ways(at, 0.0, &mut ways);
+        ways.first().copied()
+    }
+
     /// Where the driver is after this way.
     pub(super) fn place(&self, way: f64) -> Place {
         let once = self.high - self.low;

@@ -58,10 +58,12 @@ impl Effect {
         Some(self.put_in? - self.given_back?)
     }
 
-    /// Whether it is 0 throughout.
+    /// Whether there is no such part: it takes nothing but what rounding leaves of the others.
     #[must_use]
-    pub fn is_nothing(&self) -> bool {
-        self.put_in == Some(0.0) && self.given_back == Some(0.0)
+    pub fn is_nothing_beside(&self, others: &[Effect]) -> bool {
+        let energy = |e: &Effect| Some(e.put_in? + e.given_back?);
+        let all = others.iter().filter_map(energy).fold(0.0, f64::max);
+        energy(self).is_some_and(|own| own <= ROUNDING * all)
     }
 }
 
@@ -127,6 +129,12 @@ pub struct Cycle {
     joule: f64,
 }
 
+/// What rounding leaves, as a part of what cancels.
+const ROUNDING: f64 = 1e-12;
+/// Two pieces whose ends differ by less of the largest torque hang together.
+const JUMP: f64 = 1e-6;
+/// Inside a piece, as a part of it.
+const INSIDE: f64 = 1e-9;
 /// Means that agree no better than this are not believed.
 const CONVERGED: f64 = 1e-10;
 
@@ -223,6 +231,51 @@ impl Cycle {
     #[must_use]
     pub fn sense(&self, way: f64) -> f64 {
         self.course.place(way).weight.signum()
+    }
+
+    /// What the driver must do over its coordinate, in at least so many points: pairs of coordinate and
+    /// torque, hanging together as far as nothing jumps.
+    #[must_use]
+    pub fn curve(&self, points: u32) -> Vec<Vec<[f64; 2]>> {
+        let mut parts: Vec<Vec<[f64; 2]>> = Vec::new();
+        let once = 0.5 * self.course.length();
+        let mut end = None;
+        for piece in &self.pieces.list {
+            let share = (piece.to - piece.from) / self.course.length();
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "a part of a number of points"
+            )]
+            let steps = (share * f64::from(points)).ceil().max(1.0) as u32;
+            let point = |k: u32| {
+                let t = 2.0 * f64::from(k) / f64::from(steps) - 1.0;
+                // Of the weight at the joint of there and back, that of the piece.
+                let way = piece.way(t);
+                let weight = self
+                    .course
+                    .place(way.clamp(piece.way(-1.0 + INSIDE), piece.way(1.0 - INSIDE)))
+                    .weight;
+                [self.course.place(way).at, piece.sums[0].at(t) / weight]
+            };
+            let first = point(0);
+            let turns = !self.course.goes_round && piece.from == once;
+            let jumps =
+                end.is_none_or(|end: f64| (end - first[1]).abs() > JUMP * self.pieces.scale[0]);
+            if jumps || turns {
+                parts.push(Vec::new());
+            }
+            if let Some(part) = parts.last_mut() {
+                part.extend(
+                    (0..=steps)
+                        .map(point)
+                        .filter(|[_, torque]| torque.is_finite()),
+                );
+            }
+            end = Some(point(steps)[1]);
+        }
+        parts.retain(|part| !part.is_empty());
+        parts
     }
 
     /// The driver's coordinate after this way.

@@ -77,17 +77,20 @@ pub enum View {
     Scene,
     /// What the given lengths do to the figures.
     Lengths,
+    /// The motor over a cycle.
+    Motor,
 }
 
 impl View {
     /// In the order of their keys.
-    pub(crate) const ALL: [View; 7] = [
+    pub(crate) const ALL: [View; 8] = [
         View::Motion,
         View::Tables,
         View::Plots,
         View::Accuracy,
         View::Forces,
         View::Scene,
+        View::Motor,
         View::Lengths,
     ];
 }

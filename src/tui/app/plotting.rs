@@ -2,6 +2,7 @@
 
 use super::super::action::PlotsAction;
 use super::super::key::Key;
+use super::super::motor::MotorStudy;
 use super::super::plot_list::PlotList;
 use super::super::plots::Plots;
 use super::{App, Effect, Mode, View};
@@ -30,13 +31,21 @@ impl App {
         &self.plots
     }
 
-    /// Samples what is plotted, while it is looked at; what is up to date costs nothing.
+    /// What the open scene asks of its motor.
+    pub(crate) fn motor(&self) -> &MotorStudy {
+        &self.motor
+    }
+
+    /// Samples what is plotted, and studies the motor, while it is looked at; what is up to date costs nothing.
     pub(super) fn sample(&mut self) {
         if self.view == View::Plots {
             self.follow();
             let opened = [self.opened, self.comparison.number()];
             let rival = self.comparison.rival();
             self.plots.sample(&self.stage, opened, rival);
+        }
+        if self.view == View::Motor {
+            self.motor.study(&self.stage, self.opened);
         }
     }
 

@@ -12,6 +12,8 @@ use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
 
 /// Why there is nothing to take out of the plots.
 const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
+/// Why the motor view has nothing to give.
+const NOTHING_ACTS: &str = "nothing acts: the scene has no load and no mass";
 
 impl App {
     pub(super) fn take_out(&mut self, action: Action) -> Effect {
@@ -51,7 +53,13 @@ impl App {
                 let text = copying::balanced(balance.forces());
                 self.send(&text)
             }
-            View::Plots | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
+            View::Motor if let Some(text) = self.motor.text(true) => self.send(&text),
+            View::Plots
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths
+            | View::Motor => {
                 self.message = Some("nothing to copy here; the tables have all".into());
                 Effect::Show
             }
@@ -115,6 +123,7 @@ impl App {
             | View::Forces
             | View::Scene
             | View::Lengths => self.row_of_sweep(),
+            View::Motor => self.motor.csv().ok_or_else(|| NOTHING_ACTS.into()),
         };
         self.offer_file(text, "the figures", "csv");
     }
@@ -168,6 +177,11 @@ impl App {
                 let text = text.ok_or_else(|| NOTHING_PLOTTED.into());
                 self.offer_file(text, "the plot", "svg");
             }
+            View::Motor => {
+                let text = self.motor.svg(&self.stage);
+                let text = text.ok_or_else(|| NOTHING_ACTS.into());
+                self.offer_file(text, "the curve", "svg");
+            }
             View::Tables | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
                 self.message = Some("there is no drawing in this view".into());
             }
@@ -183,10 +197,10 @@ impl App {
             Origin::Stdin => None,
         };
         let stem = stem.unwrap_or_else(|| "scene".into());
-        let whole = self.view == View::Plots && ending != "txt";
-        let place = match whole {
-            true => "plot".into(),
-            false => coordinate(self.stage.at(), 0),
+        let place = match self.view {
+            View::Plots if ending != "txt" => "plot".into(),
+            View::Motor if ending != "txt" => "motor".into(),
+            _ => coordinate(self.stage.at(), 0),
         };
         format!("{stem}-{place}.{ending}")
     }

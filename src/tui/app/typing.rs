@@ -32,6 +32,8 @@ impl App {
         if let Mode::PlotList(list) = &mut self.mode {
             list.narrow();
         }
+        // What is found now may have fewer lines.
+        self.scroll_by(0);
     }
 
     /// What a key means in a mode of its own; `None` for those that mean the same everywhere.

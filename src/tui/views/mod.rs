@@ -13,6 +13,7 @@ mod forces;
 mod help;
 mod lengths;
 mod motion;
+mod motor;
 mod picker;
 mod plots;
 mod popup;
@@ -52,7 +53,12 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
                 sketch.draw_in(app, area);
             }
         }
-        View::Tables | View::Plots | View::Accuracy | View::Forces | View::Lengths => {}
+        View::Tables
+        | View::Plots
+        | View::Accuracy
+        | View::Forces
+        | View::Lengths
+        | View::Motor => {}
     }
 }
 
@@ -99,6 +105,7 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         View::Forces => forces::render(app, inset(body(area)), buffer),
         View::Scene => scene::render(app, sketch, body(area), buffer),
         View::Lengths => lengths::render(app, inset(body(area)), buffer),
+        View::Motor => motor::render(app, body(area), buffer),
     }
     match app.mode() {
         Mode::Help(help) => help::render(app, help, body(area), buffer),
@@ -154,6 +161,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (_, View::Scene) => scene::extent(app, body),
         (_, View::Plots) => plots::extent(app, body),
         (_, View::Forces) => forces::extent(app, inset(body)),
+        (_, View::Motor) => motor::extent(app, body),
     }
 }
 

@@ -1,0 +1,71 @@
+//! What the driver must do over a cycle, as a plot: its torque, with the worst instants marked.
+
+use super::plot::{Axis, Line, Panel, Plot, Turn};
+use crate::Vec2;
+use crate::study::motor::Cycle;
+
+/// Points of the curve.
+const POINTS: u32 = 720;
+/// Towards a dead point the torque may be beyond all bounds: so much of the way beside it is not shown.
+const BESIDE: f64 = 0.02;
+
+/// The plot of a cycle: `coordinate` is the name and the unit of the driver's, `effort` of what it does.
+#[must_use]
+pub fn effort(cycle: &Cycle, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
+    let [name, unit] = effort;
+    let mut pieces = cycle.curve(POINTS);
+    if cycle.course.ends_dead {
+        let (low, high) = (cycle.course.low, cycle.course.high);
+        let beside = BESIDE * (high - low);
+        let is_far = |p: &[f64; 2]| low + beside <= p[0] && p[0] <= high - beside;
+        pieces.iter_mut().for_each(|piece| piece.retain(is_far));
+        pieces.retain(|piece| !piece.is_empty());
+    }
+    let peaks = [(cycle.all.largest, true), (cycle.all.least, false)];
+    let turns = peaks.into_iter().filter_map(|(peak, is_peak)| {
+        let peak = peak?;
+        Some(Turn {
+            at: Vec2::new(peak.at, peak.value),
+            is_peak,
+            is_extreme: true,
+        })
+    });
+    let turns: Vec<Turn> = turns.collect();
+    // The line of no torque is always seen.
+    let values = pieces.iter().flatten().map(|p| p[1]);
+    let values = values.chain(turns.iter().map(|turn| turn.at.y));
+    let (low, high) = values.fold((0.0, 0.0), |(low, high): (f64, f64), v| {
+        (low.min(v), high.max(v))
+    });
+    let line = Line {
+        name: name.to_owned(),
+        figure: Some(0),
+        pieces: pieces
+            .into_iter()
+            .map(|piece| piece.into_iter().map(|[x, y]| Vec2::new(x, y)).collect())
+            .collect(),
+        turns,
+        is_dotted: false,
+    };
+    let axis = |name: &str, unit: &str, low: f64, high: f64| Axis {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        is_angle: unit == "deg",
+        low,
+        high,
+    };
+    let high = if high > low { high } else { low + 1.0 };
+    Plot {
+        x: axis(
+            coordinate[0],
+            coordinate[1],
+            cycle.course.low,
+            cycle.course.high,
+        ),
+        panels: vec![Panel {
+            y: axis("", unit, low, high),
+            curves: vec![line],
+        }],
+        is_true: false,
+    }
+}

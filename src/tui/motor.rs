@@ -1,0 +1,103 @@
+//! The motor over a cycle, as it is found of the open scene: once for a scene or an edit; a frame only
+//! looks where the driver is.
+
+use super::stage::Stage;
+use crate::Vec2;
+use crate::drawing::effort;
+use crate::drawing::plot::Plot;
+use crate::quantity::{Catalogue, Here};
+use crate::report::{MotorLine, MotorReport, MotorWishes};
+
+/// What was found of a scene, if it has been looked at.
+#[derive(Debug, Default)]
+pub(crate) struct MotorStudy {
+    studied: Option<Studied>,
+}
+
+#[derive(Debug)]
+struct Studied {
+    /// The number of the scene.
+    opened: usize,
+    report: MotorReport,
+    lines: Vec<MotorLine>,
+    /// `None` where nothing acts.
+    plot: Option<Plot>,
+}
+
+/// The size of an SVG in its own units.
+const PAPER: Vec2 = Vec2 { x: 800.0, y: 400.0 };
+
+impl MotorStudy {
+    /// Studies the scene, if that was not done yet.
+    pub(crate) fn study(&mut self, stage: &Stage, opened: usize) {
+        if self.studied.as_ref().is_some_and(|s| s.opened == opened) {
+            return;
+        }
+        let scene = stage.scene();
+        let wishes = MotorWishes {
+            motor: scene.motor.unwrap_or_default(),
+            ..MotorWishes::default()
+        };
+        let report = MotorReport::new(scene, stage.solver(), wishes);
+        let catalogue = Catalogue::new(scene);
+        let coordinate = catalogue.driver();
+        let names = [coordinate.name.as_str(), coordinate.unit.as_str()];
+        let what = report.effort_name();
+        let plot = report
+            .duty
+            .as_ref()
+            .map(|duty| effort(&duty.cycle, names, what));
+        self.studied = Some(Studied {
+            opened,
+            lines: report.lines(),
+            report,
+            plot,
+        });
+    }
+
+    /// The lines of all that was found.
+    pub(crate) fn lines(&self) -> &[MotorLine] {
+        self.studied.as_ref().map_or(&[], |studied| &studied.lines)
+    }
+
+    /// The curve over the cycle; `None` where nothing acts.
+    pub(crate) fn plot(&self) -> Option<&Plot> {
+        self.studied.as_ref()?.plot.as_ref()
+    }
+
+    /// Where the driver is in the cycle, and what it must do there.
+    pub(crate) fn here(&self, at: f64) -> Option<Here> {
+        let cycle = &self.studied.as_ref()?.report.duty.as_ref()?.cycle;
+        let way = cycle.course.way(at)?;
+        let along = cycle.coordinate(way);
+        // Towards a dead point there is a figure as long as there is a place for it.
+        let torque = cycle.at(way).map(|effort| effort.torque);
+        Some(Here {
+            along: Some(along),
+            values: vec![torque],
+        })
+    }
+
+    /// The curve as an SVG document.
+    pub(crate) fn svg(&self, stage: &Stage) -> Option<String> {
+        let here = self.here(stage.at());
+        Some(
+            self.plot()?
+                .svg(&stage.scene().name, PAPER, true, here.as_ref()),
+        )
+    }
+
+    /// The cycle step by step as comma separated values.
+    pub(crate) fn csv(&self) -> Option<String> {
+        let report = &self.studied.as_ref()?.report;
+        report.duty.as_ref()?;
+        let mut text = Vec::new();
+        report.write_csv(&mut text).ok()?;
+        String::from_utf8(text).ok()
+    }
+
+    /// All that was found as text.
+    pub(crate) fn text(&self, ascii: bool) -> Option<String> {
+        Some(self.studied.as_ref()?.report.to_text(ascii))
+    }
+}

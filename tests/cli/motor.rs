@@ -1,0 +1,254 @@
+//! `krank motor`: the figures in three forms, what is refused, and what is said where nothing acts.
+
+use super::{done, json, krank, presets, refused, rows};
+use std::f64::consts::PI;
+
+fn near(value: &serde_json::Value, exact: f64, most: f64) {
+    let value = value.as_f64().unwrap();
+    assert!((value - exact).abs() <= most, "{value} for {exact}");
+}
+
+#[test]
+fn the_text_fits_a_page_and_says_what_is_asked() {
+    let text = done(&["motor", "four-bar-load"]);
+    assert!(
+        text.is_ascii() && text.lines().all(|line| line.len() <= 80),
+        "{text}"
+    );
+    for phrase in [
+        "over a turn at 15 rad/s (143.239 rpm), r2 asks ",
+        "the\nworst instant",
+        "torque [N m]               all       loads     gravity     inertia\n",
+        "\nmotor: ",
+        "\nevenness\n",
+        "kg m^2",
+        "\non the frame\n",
+        "trapezoids at ",
+    ] {
+        assert!(text.contains(phrase), "{phrase}\n{text}");
+    }
+}
+
+#[test]
+fn every_preset_is_studied_or_says_that_nothing_acts() {
+    for preset in presets() {
+        let heard = krank(&["motor", &preset]);
+        assert!(heard.out.is_ascii(), "{}", heard.out);
+        assert!(
+            heard.out.lines().all(|line| line.len() <= 80),
+            "{}",
+            heard.out
+        );
+        for bad in ["NaN", "inf", "nan"] {
+            assert!(!heard.out.contains(bad), "{preset}: {}", heard.out);
+        }
+        match heard.code {
+            0 => assert!(heard.out.contains("energy [J]"), "{preset}"),
+            1 => assert!(
+                heard.err.contains("nothing acts"),
+                "{preset}: {}",
+                heard.err
+            ),
+            code => panic!("{preset}: {code}"),
+        }
+    }
+}
+
+#[test]
+fn json_balances_its_energies() {
+    for preset in ["four-bar-load", "engine", "press-ram", "toggle-press"] {
+        let found = json(&done(&["motor", preset, "--format", "json"]));
+        let torque = &found["torque"];
+        let of = |part: &serde_json::Value, key: &str| part[key].as_f64().unwrap();
+        let size = of(torque, "put_in") + of(torque, "given_back");
+        let turns = found["cycle"]["turns"].as_f64().unwrap();
+        near(
+            &torque["work"],
+            of(torque, "mean") * 2.0 * PI * turns,
+            1e-10 * size,
+        );
+        let parts = ["load", "gravity", "inertia"].map(|part| of(&torque[part], "work"));
+        near(&torque["work"], parts.iter().sum(), 1e-10 * size);
+        assert_eq!(found["cycle"]["converged"], true, "{preset}");
+        assert!(
+            found["cycle"]["error"].as_f64().unwrap() < 1e-10,
+            "{preset}"
+        );
+        let wished = &found["evenness"]["wished"];
+        let speed = found["driver"]["speed"].as_f64().unwrap();
+        let energy = of(wished, "inertia") * speed * speed * of(wished, "fluctuation");
+        near(&found["evenness"]["energy"], energy, 1e-9 * size);
+    }
+}
+
+/// The work that a press does is the area under its curve; its motor must put that in.
+#[test]
+fn a_press_takes_the_work_of_its_curve() {
+    let found = json(&done(&["motor", "press-ram", "--format", "json"]));
+    let knots = [
+        [40.0, 0.0],
+        [38.0, 18e3],
+        [5.0, 26e3],
+        [1.0, 28e3],
+        [0.0, 60e3],
+    ];
+    let area = knots
+        .windows(2)
+        .map(|k| (k[0][0] - k[1][0]) * (k[0][1] + k[1][1]) / 2.0);
+    let area: f64 = area.sum::<f64>() / 1000.0;
+    near(&found["torque"]["load"]["work"], area, 1e-8 * area);
+    near(&found["torque"]["work"], area, 1e-8 * area);
+}
+
+#[test]
+fn csv_is_the_cycle_step_by_step() {
+    let csv = done(&["motor", "engine", "--format", "csv"]);
+    let header = csv.lines().next().unwrap();
+    assert_eq!(
+        header,
+        "driver.angle [deg],driver.torque [N m],driver.torque.load [N m],\
+         driver.torque.gravity [N m],driver.torque.inertia [N m],driver.power [W],driver.work [J],\
+         ground.fx [N],ground.fy [N],ground.moment [N m]"
+    );
+    let rows = rows(&csv);
+    assert_eq!(rows.len(), 721);
+    let number = |row: &[String], i: usize| row[i].parse::<f64>().unwrap();
+    for row in &rows {
+        let parts: f64 = (2..5).map(|i| number(row, i)).sum();
+        assert!((number(row, 1) - parts).abs() < 1e-9, "{row:?}");
+    }
+    let found = json(&done(&["motor", "engine", "--format", "json"]));
+    near(&found["torque"]["work"], number(&rows[720], 6), 1e-9);
+}
+
+#[test]
+fn options_stand_for_what_the_scene_says() {
+    let with = |more: &[&str]| {
+        json(&done(
+            &[&["motor", "four-bar-load", "--format", "json"], more].concat(),
+        ))
+    };
+    let weak = with(&["--rated", "1", "--peak", "2", "--speed", "300 rpm"]);
+    assert_eq!(weak["motor"]["enough"], false);
+    assert_eq!(weak["motor"]["rated"]["has"], 1.0);
+    near(&weak["motor"]["gear"]["ratio"], 10.0 * PI / 15.0, 1e-12);
+    let strong = with(&["--rated", "1000", "--peak", "3000", "--fluctuation", "0.5"]);
+    assert_eq!(strong["motor"]["enough"], true);
+    near(&strong["evenness"]["wished"]["fluctuation"], 0.5, 0.0);
+    // There and back over a part of the motion gravity gives back all that it takes.
+    let part = with(&["--from", "90", "--to", "30"]);
+    assert_eq!(
+        (&part["cycle"]["from"], &part["cycle"]["goes_round"]),
+        (&30.0.into(), &false.into())
+    );
+    near(&part["torque"]["gravity"]["work"], 0.0, 1e-12);
+}
+
+#[test]
+fn a_ram_is_measured_where_nothing_acts() {
+    let args = [
+        "motor",
+        "offset-slider-crank",
+        "--height",
+        "10",
+        "--torque",
+        "20",
+        "--tolerance",
+        "0.5",
+    ];
+    let heard = krank(&args);
+    assert_eq!(heard.code, 1);
+    assert!(
+        heard.err.contains("nothing acts on the mechanism"),
+        "{}",
+        heard.err
+    );
+    for phrase in [
+        "stroke           89.53",
+        "time ratio       1.25",
+        "closing     opening",
+        "dwells",
+    ] {
+        assert!(heard.out.contains(phrase), "{phrase}\n{}", heard.out);
+    }
+    let json = json(&krank(&[&args[..], &["--format", "json"]].concat()).out);
+    assert!(json["torque"].is_null() && json["cycle"].is_null());
+    let stroke = (160.0_f64.powi(2) - 2500.0).sqrt() - (80.0_f64.powi(2) - 2500.0).sqrt();
+    near(&json["ram"]["stroke"], stroke, 1e-11);
+    // At the bottom itself the force has no bound: nothing stands there.
+    let bottom = krank(&[
+        "motor",
+        "offset-slider-crank",
+        "--height",
+        "0",
+        "--torque",
+        "20",
+    ]);
+    assert!(
+        bottom.out.contains("the force has no bound"),
+        "{}",
+        bottom.out
+    );
+    let high = krank(&["motor", "offset-slider-crank", "--height", "100"]);
+    assert!(high.out.contains("the ram is never there"), "{}", high.out);
+}
+
+#[test]
+fn dead_points_and_change_points_are_named() {
+    let boom = done(&["motor", "excavator-boom"]);
+    assert!(boom.contains("dead points at "), "{boom}");
+    let part = done(&["motor", "excavator-boom", "--from", "1.8", "--to", "2.8"]);
+    assert!(
+        !part.contains("dead points") && part.contains("from 1.8 to 2.8 m and back"),
+        "{part}"
+    );
+}
+
+#[test]
+fn what_makes_no_sense_is_refused() {
+    for (code, args, phrase) in [
+        (
+            2,
+            &["motor", "four-bar-load", "--rated", "-3"][..],
+            "not negative",
+        ),
+        (2, &["motor", "four-bar-load", "--peak", "nan"], "finite"),
+        (
+            2,
+            &["motor", "four-bar-load", "--fluctuation", "0"],
+            "greater than 0",
+        ),
+        (
+            2,
+            &["motor", "four-bar-load", "--speed", "15"],
+            "rad/s, deg/s, rpm",
+        ),
+        (
+            2,
+            &["motor", "four-bar-load", "--speed", "-15 rpm"],
+            "greater than 0",
+        ),
+        (2, &["motor", "four-bar-load", "--from", "10"], "--to"),
+        (
+            2,
+            &["motor", "four-bar-load", "--from", "10", "--to", "10"],
+            "differ",
+        ),
+        (
+            2,
+            &["motor", "press-ram", "--ram", "r7"],
+            "did you mean `r6`?",
+        ),
+        (2, &["motor", "slotted-lever", "--ram", "r4"], "--ram"),
+        (
+            1,
+            &["motor", "excavator-boom", "--from", "1", "--to", "2"],
+            "the driver covers",
+        ),
+        (1, &["motor", "four-bar"], "nothing acts"),
+        (1, &["motor", "four-bar", "--format", "csv"], "nothing acts"),
+    ] {
+        let message = refused(code, args);
+        assert!(message.contains(phrase), "{args:?}: {message}");
+    }
+}
