@@ -77,6 +77,8 @@ pub(crate) enum Action {
     SceneView,
     /// The view of what the given lengths do.
     LengthsView,
+    /// The view of how the figures come about.
+    WorkingView,
     /// A line up.
     LineUp,
     /// A line down.
@@ -263,6 +265,7 @@ pub(crate) static SECTIONS: [Section; 7] = {
         entry(A::AccuracyView, "accuracy", "speed against error", &[Char('4')]),
         entry(A::ForcesView, "forces", "forces", &[Char('5')]),
         entry(A::SceneView, "scene", "edit the scene", &[Char('6')]),
+        entry(A::WorkingView, "working", "the working shown", &[Char('7')]),
         entry(A::LengthsView, "lengths", "what each length does", &[Char('e')]),
         ] },
         Section { title: "What the motion view shows", entries: &[

@@ -77,11 +77,13 @@ pub enum View {
     Scene,
     /// What the given lengths do to the figures.
     Lengths,
+    /// How the figures come about.
+    Working,
 }
 
 impl View {
     /// In the order of their keys.
-    pub(crate) const ALL: [View; 7] = [
+    pub(crate) const ALL: [View; 8] = [
         View::Motion,
         View::Tables,
         View::Plots,
@@ -89,5 +91,6 @@ impl View {
         View::Forces,
         View::Scene,
         View::Lengths,
+        View::Working,
     ];
 }

@@ -15,7 +15,12 @@ impl App {
         let from = match self.view {
             View::Tables => Whence::Tables(self.cursor),
             View::Scene => Whence::Scene(self.editor.cursor()),
-            View::Motion | View::Plots | View::Accuracy | View::Forces | View::Lengths => {
+            View::Motion
+            | View::Plots
+            | View::Accuracy
+            | View::Forces
+            | View::Lengths
+            | View::Working => {
                 self.message = Some("there is nothing to search here".into());
                 return;
             }

@@ -51,7 +51,12 @@ impl App {
                 let text = copying::balanced(balance.forces());
                 self.send(&text)
             }
-            View::Plots | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
+            View::Plots
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths
+            | View::Working => {
                 self.message = Some("nothing to copy here; the tables have all".into());
                 Effect::Show
             }
@@ -114,7 +119,8 @@ impl App {
             | View::Accuracy
             | View::Forces
             | View::Scene
-            | View::Lengths => self.row_of_sweep(),
+            | View::Lengths
+            | View::Working => self.row_of_sweep(),
         };
         self.offer_file(text, "the figures", "csv");
     }
@@ -168,7 +174,12 @@ impl App {
                 let text = text.ok_or_else(|| NOTHING_PLOTTED.into());
                 self.offer_file(text, "the plot", "svg");
             }
-            View::Tables | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
+            View::Tables
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths
+            | View::Working => {
                 self.message = Some("there is no drawing in this view".into());
             }
         }

@@ -295,7 +295,10 @@ fn check(app: &App) {
         // What is typed has no invariants that the type does not keep.
         _ => {}
     }
-    let scrolls = matches!(app.view(), View::Accuracy | View::Lengths | View::Motion);
+    let scrolls = matches!(
+        app.view(),
+        View::Accuracy | View::Lengths | View::Motion | View::Working
+    );
     if *app.mode() == Mode::Normal && scrolls {
         let most = views::most_scroll(app);
         assert!(

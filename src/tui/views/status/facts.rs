@@ -44,6 +44,7 @@ pub(super) fn mode(app: &App) -> &'static str {
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
         (Mode::Normal, View::Lengths) => "lengths",
+        (Mode::Normal, View::Working) => "working",
         (Mode::Normal, View::Plots) => "plots",
         (Mode::Normal, View::Forces) => "forces",
         (Mode::Normal, View::Scene) => "scene",
@@ -137,7 +138,10 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     let stage = app.stage();
     let shows_figures = match (app.mode(), app.view()) {
         (Mode::Normal, View::Motion | View::Tables | View::Forces) => true,
-        (Mode::Normal, View::Plots | View::Accuracy | View::Scene | View::Lengths)
+        (
+            Mode::Normal,
+            View::Plots | View::Accuracy | View::Scene | View::Lengths | View::Working,
+        )
         | (
             Mode::Help(_)
             | Mode::Tour(_)
@@ -160,7 +164,12 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     match app.view() {
         View::Tables => return of_cursor(app),
         View::Forces => return of_drive(app),
-        View::Motion | View::Plots | View::Accuracy | View::Scene | View::Lengths => {}
+        View::Motion
+        | View::Plots
+        | View::Accuracy
+        | View::Scene
+        | View::Lengths
+        | View::Working => {}
     }
     let bound = match stage.largest_bound() {
         Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
