@@ -65,27 +65,144 @@ fn text(worked: &Worked) -> String {
 /// What the printed formulas lose: a few roundings of their terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
+/// Forms that no preset has: a guide that passes its pivot, a barrel likewise, a block that is locked to a
+/// moving link, a guide on a moving link, and a joint between two guides that cross askew.
+const OTHERS: [(&str, &str); 5] = [
+    (
+        "offset lever",
+        r#"
+[ground]
+A = [0, 0]
+O = [0, -120]
+[driver]
+link = "r2"
+angle = 60
+speed = "10 rad/s"
+acceleration = "7 rad/s^2"
+[links]
+r2 = { from = "A", to = "B", length = 50 }
+r4 = { from = "O", to = "T", length = 200 }
+[slides]
+r3 = { point = "B", on = "r4", through = [15, 12], angle = 10 }
+[start]
+T = [30, 78]
+"#,
+    ),
+    (
+        "offset barrel",
+        r#"
+unit = "m"
+[ground]
+O = [0.6, -0.35]
+Q = [0, 0]
+[driver]
+slide = "rod"
+position = 2.0
+speed = "0.15 m/s"
+acceleration = "0.02 m/s^2"
+[links]
+barrel = { points = { O = [0, 0], N = [1.5, 0] }, com = [0.5, 0], mass = 20, inertia = 2 }
+boom = { points = { Q = [0, 0], P = [2.3, 0.45] } }
+[slides]
+rod = { point = "P", on = "barrel", through = [0.1, 0.2], angle = 5 }
+[start]
+P = [2, 1.1]
+[[loads]]
+point = "P"
+force = [30, -200]
+"#,
+    ),
+    (
+        "block on a lever",
+        r#"
+[ground]
+A = [0, 0]
+O = [0, -120]
+[driver]
+link = "r2"
+angle = 60
+speed = "10 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 50 }
+block = { points = { S = [0, 0], B = [4, 9] } }
+r4 = { from = "O", to = "T", length = 200, com = [100, 0], mass = 1, inertia = 0.01 }
+[slides]
+r3 = { link = "block", on = "r4", through = "O", angle = 0, turn = 30 }
+[start]
+T = [30, 78]
+S = [20, 35]
+"#,
+    ),
+    (
+        "slider on a coupler",
+        r#"
+[ground]
+A = [0, 0]
+D = [400, 0]
+E = [150, 320]
+[driver]
+link = "r2"
+angle = 60
+speed = "15 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 100 }
+r3 = { from = "B", to = "C", length = 300 }
+r4 = { from = "C", to = "D", length = 250 }
+r5 = { from = "E", to = "F", length = 170 }
+[slides]
+r6 = { point = "F", on = "r3", through = "B", angle = 15 }
+[start]
+C = [310, 230]
+F = [190, 175]
+[vectors]
+r1 = ["D", "A"]
+BF = ["E", "C"]
+"#,
+    ),
+    (
+        "two guides",
+        r#"
+[ground]
+A = [0, 0]
+[driver]
+link = "r2"
+angle = 40
+speed = "3 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 50 }
+yoke = { points = { Y = [0, 0] } }
+[slides]
+r3 = { point = "B", on = "yoke", through = "Y", angle = 70 }
+r4 = { link = "yoke", on = "ground", through = [10, 5], angle = 20, turn = 15 }
+[start]
+Y = [25, 0]
+"#,
+    ),
+];
+
+/// All presets, and what none of them has.
+fn benches() -> impl Iterator<Item = (&'static str, Bench)> {
+    let presets = presets::all().iter();
+    let presets = presets.map(|preset| (preset.name, Bench::of(preset.name)));
+    presets.chain(OTHERS.map(|(name, text)| (name, Bench::parsed(text, name))))
+}
+
 #[test]
 fn every_figure_that_is_worked_out_is_the_solvers() {
-    for preset in presets::all() {
-        let mut bench = Bench::of(preset.name);
+    for (name, mut bench) in benches() {
         for at in bench.places() {
             let worked = bench.at(at, 6);
             for agreement in &worked.agreements {
                 assert!(
                     agreement.part() <= ROUNDING,
                     "{} at {at} ({:?}): {agreement:?} off by {:e}",
-                    preset.name,
+                    name,
                     bench.state.condition(),
                     agreement.part()
                 );
             }
             let rates = bench.state.condition() == Condition::Ok;
-            assert!(
-                !rates || !worked.agreements.is_empty(),
-                "{} at {at}",
-                preset.name
-            );
+            assert!(!rates || !worked.agreements.is_empty(), "{} at {at}", name);
         }
     }
 }
@@ -94,12 +211,11 @@ fn every_figure_that_is_worked_out_is_the_solvers() {
 
 #[test]
 fn every_presets_working_names_everything_and_is_plain() {
-    for preset in presets::all() {
-        let mut bench = Bench::of(preset.name);
+    for (name, mut bench) in benches() {
         for at in bench.places() {
             let worked = bench.at(at, 6);
             let text = text(&worked);
-            let context = format!("{} at {at}:\n{text}", preset.name);
+            let context = format!("{} at {at}:\n{text}", name);
             assert!(text.is_ascii(), "{context}");
             let mut words = text.split(|c: char| !c.is_alphanumeric());
             assert!(
@@ -112,8 +228,8 @@ fn every_presets_working_names_everything_and_is_plain() {
                 assert!(has_row(&vector.name), "{}: {context}", vector.name);
             }
             for link in bench.scene.mechanism.link_ids() {
-                let name = bench.scene.link_name(link);
-                assert!(has_row(name), "{name}: {context}");
+                let link = bench.scene.link_name(link);
+                assert!(has_row(link), "{link}: {context}");
             }
             for number in 1..=bench.solver.plan().groups.len() {
                 assert!(text.contains(&format!("Group {number}, ")), "{context}");

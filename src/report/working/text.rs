@@ -257,13 +257,8 @@ fn columns(table: &Table, style: TextStyle) -> Vec<(LineKind, String)> {
         for (i, row) in rows.iter().enumerate() {
             let name = row.first().map_or("", String::as_str);
             let mut line = format!("{}{name:width$}", " ".repeat(INDENT), width = widths[0]);
-            for c in first..end {
-                let cell = row.get(c).map_or("", String::as_str);
-                line.push_str(&format!(
-                    "{}{cell:>width$}",
-                    " ".repeat(GAP),
-                    width = widths[c]
-                ));
+            for (cell, &width) in row.iter().zip(&widths).take(end).skip(first) {
+                line.push_str(&format!("{}{cell:>width$}", " ".repeat(GAP)));
             }
             let kind = if i == 0 {
                 LineKind::Head
