@@ -36,7 +36,7 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
             free_body(context, page, link, &acted);
         }
     }
-    driver(context, page, torque);
+    driver(context, page, torque, &acted);
 }
 
 /// Why there are no forces.
@@ -383,8 +383,30 @@ fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     point.links.len() + usize::from(point.ground.is_some()) + slides >= 2
 }
 
+/// The largest moment (N m) of a force on any link, or for a driven slide the largest force (N): what
+/// the driver's own may be the small difference of.
+fn largest(context: &Context<'_>, acted: &[Acted]) -> f64 {
+    let mechanism = &context.scene.mechanism;
+    let sizes = mechanism.link_ids().filter_map(|id| {
+        let link = mechanism.link(id);
+        let about = link.members.first()?.point;
+        let body = FreeBody {
+            context,
+            id,
+            acted,
+            about,
+        };
+        let [force, moment] = body.sizes(&body.rows()?);
+        Some(match mechanism.driver().input {
+            Input::Turn(_) => moment,
+            Input::Push(_) => force,
+        })
+    });
+    sizes.fold(0.0, f64::max)
+}
+
 /// What the driver must do, and against what.
-fn driver(context: &Context<'_>, page: &mut Page, drive: f64) {
+fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
     let (f, state) = (context.figures, context.state);
     let (what, unit) = match context.scene.mechanism.driver().input {
         Input::Turn(_) => ("torque", "N m"),
@@ -397,7 +419,9 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64) {
         parts
             .iter()
             .for_each(|v| sum.push_figure(&f.beside(*v, size)));
-        page.agree(&format!("driver.{what}"), parts.iter().sum(), drive, size);
+        let size_on_the_way = size.max(largest(context, acted));
+        let worked = parts.iter().sum();
+        page.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
         page.document
             .text("By the virtual work of the loads, of gravity and of inertia:");
         page.document.equation([

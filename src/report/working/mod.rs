@@ -86,8 +86,10 @@ impl Working {
                 unit: scene.unit.symbol(),
             },
             readings: Vec::new(),
+            fastest: [0.0; 2],
         };
         context.read_sides();
+        context.find_fastest();
         let mut page = Page::default();
         opening::heading(&context, &mut page);
         opening::polygons(&context, &mut page);

@@ -232,7 +232,7 @@ impl OnLink<'_> {
             context: self.context,
             figure: "v",
             order: 1,
-            size: v.norm().max(turning.norm()).max(base.norm()),
+            size: turning.norm().max(self.context.fastest[0]),
         };
         let formula = format!("{} r", symbols::omega(self.link_name));
         let numbers = format!("{}·{}", self.rate(w), self.context.figures.given(self.r));
@@ -267,7 +267,7 @@ impl OnLink<'_> {
             context: self.context,
             figure: "a",
             order: 2,
-            size: a.norm().max(parts).max(base.norm()),
+            size: parts.max(self.context.fastest[1]),
         };
         let r = f.given(self.r);
         let formula = format!("{} r", symbols::alpha(self.link_name));
@@ -362,8 +362,8 @@ fn on_guide(
     let (rate_name, accel_name) = (symbols::rate(slide_name), symbols::accel(slide_name));
     if on == Body::Ground {
         for (scribe, symbol, value, solved) in [
-            (scribe("v", 1, v.norm()), rate_name, along, v),
-            (scribe("a", 2, a.norm()), accel_name, second, a),
+            (scribe("v", 1, context.fastest[0]), rate_name, along, v),
+            (scribe("a", 2, context.fastest[1]), accel_name, second, a),
         ] {
             scribe.agree(page, name, value, solved);
             let [whole, text] = scribe.polar(of_point(scribe.figure, name), value);
@@ -374,7 +374,7 @@ fn on_guide(
     // What the pin does beside sliding is what the guide does under it.
     let coriolis = t.perp() * (2.0 * omega * rate);
     let (guide_v, guide_a) = (v - along, a - second - coriolis);
-    let of_v = scribe("v", 1, v.norm().max(guide_v.norm()));
+    let of_v = scribe("v", 1, context.fastest[0]);
     for line in [
         of_v.polar(format!("v of {body} under {name}"), guide_v),
         of_v.polar(rate_name.clone(), along),
@@ -382,7 +382,7 @@ fn on_guide(
     ] {
         page.document.equation(line);
     }
-    let of_a = scribe("a", 2, a.norm().max(guide_a.norm()).max(coriolis.norm()));
+    let of_a = scribe("a", 2, coriolis.norm().max(context.fastest[1]));
     let twice = format!("Coriolis, 2 {} {rate_name}", symbols::omega(body));
     for line in [
         of_a.polar(format!("a of {body} under {name}"), guide_a),
