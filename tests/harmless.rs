@@ -143,7 +143,9 @@ mod workbench {
         let here = folder("harmless-print");
         let file = format!("{EVIL}.toml").replace('/', "");
         std::fs::write(here.join(&file), hostile()).unwrap();
-        for view in ["motion", "tables", "plots", "forces", "scene", "lengths"] {
+        for view in [
+            "motion", "tables", "plots", "forces", "scene", "lengths", "working",
+        ] {
             assert_heard_harmless(&here, &["--print", "--view", view, &file], 0);
         }
         let config = format!("{EVIL}-config.toml").replace('/', "");

@@ -72,6 +72,7 @@ fn view(wish: View) -> tui::View {
         View::Forces => tui::View::Forces,
         View::Scene => tui::View::Scene,
         View::Lengths => tui::View::Lengths,
+        View::Working => tui::View::Working,
         View::Motor => tui::View::Motor,
     }
 }

@@ -2,7 +2,7 @@
 //! shown.
 
 use super::fuzz::{Fuzz, shape};
-use crate::report::Forces;
+use crate::report::{Forces, Working};
 use crate::scene::{Diagnostics, Scene, is_harmful};
 use crate::solver::{Condition, Order, Solver};
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -122,6 +122,7 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
     let (links, points) = (mechanism.links().len(), mechanism.points().len());
     (links.min(8), points.min(12), solver.plan().groups.len()).hash(outcome);
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    let working = Working::new(scene, &solver);
     let start = mechanism.driver().start;
     for at in [start, start + 1.0, -1e3, 0.1] {
         let condition = solver.solve(at, Order::Force, &mut state);
@@ -129,6 +130,11 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
         if condition == Condition::NoAssembly {
             continue;
         }
+        let worked = working.of(scene, &solver, &state, 6);
+        assert!(
+            !worked.document.to_markdown(true).contains("NaN"),
+            "at {at}"
+        );
         for point in mechanism.point_ids() {
             let place = state.position(point);
             assert!(

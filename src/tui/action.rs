@@ -77,6 +77,8 @@ pub(crate) enum Action {
     SceneView,
     /// The view of what the given lengths do.
     LengthsView,
+    /// The view of how the figures come about.
+    WorkingView,
     /// The view of the motor over a cycle.
     MotorView,
     /// A line up.
@@ -265,6 +267,7 @@ pub(crate) static SECTIONS: [Section; 7] = {
         entry(A::AccuracyView, "accuracy", "speed against error", &[Char('4')]),
         entry(A::ForcesView, "forces", "forces", &[Char('5')]),
         entry(A::SceneView, "scene", "edit the scene", &[Char('6')]),
+        entry(A::WorkingView, "working", "the working shown", &[Char('7')]),
         entry(A::MotorView, "motor", "the motor over a cycle", &[Char('8')]),
         entry(A::LengthsView, "lengths", "what each length does", &[Char('e')]),
         ] },

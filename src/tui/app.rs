@@ -341,6 +341,7 @@ impl App {
             Action::ForcesView => self.look(View::Forces),
             Action::SceneView => self.look(View::Scene),
             Action::LengthsView => self.look(View::Lengths),
+            Action::WorkingView => self.look(View::Working),
             Action::MotorView => self.look(View::Motor),
             Action::AccuracyView => {
                 self.look(View::Accuracy);

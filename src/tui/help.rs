@@ -133,6 +133,7 @@ fn title_of(view: View) -> &'static str {
         View::Forces => "In the forces view",
         View::Scene => "In the scene view",
         View::Lengths => "In the lengths view",
+        View::Working => "In the working",
         View::Motor => "In the motor view",
     }
 }

@@ -71,6 +71,7 @@ mod theme;
 mod tour;
 mod views;
 mod workbench;
+mod working;
 mod writing;
 
 pub use crate::capability::Colours;

@@ -6,6 +6,7 @@ use super::course::Course;
 use super::opening::first_words;
 use super::panel::Panel;
 use super::sheet::Sheet;
+use super::working::Explained;
 use super::{Opened, Origin};
 use crate::Ball;
 use crate::drawing::Reach;
@@ -39,6 +40,8 @@ pub(crate) struct Stage {
     balance: Option<Balance>,
     /// The assemblies of the groups, while they are looked at.
     panel: Option<Panel>,
+    /// The working of the state, while that is looked at.
+    explained: Option<Explained>,
 }
 
 /// What is asked about the given lengths, and what came of it.
@@ -73,6 +76,7 @@ impl Stage {
             at,
             state,
             panel: None,
+            explained: None,
         }
     }
 
@@ -145,6 +149,9 @@ impl Stage {
             let forces = Forces::new(scene, solver, &self.state, Some(&self.enclosure));
             balance.follow(forces);
         }
+        if let Some(explained) = &mut self.explained {
+            explained.go(&self.opened, at);
+        }
     }
 
     /// Finds the forces, here and from now on, or ceases to.
@@ -170,6 +177,18 @@ impl Stage {
     /// The forces, if they are looked at and anything acts.
     pub(crate) fn balance(&self) -> Option<&Balance> {
         self.balance.as_ref()
+    }
+
+    /// Shows the working, here and from now on, or ceases to.
+    pub(crate) fn explain(&mut self, wanted: bool) {
+        self.explained = wanted
+            .then(|| Explained::new(&self.opened, self.at))
+            .flatten();
+    }
+
+    /// The working of the state, if that was asked and the scene is not too large.
+    pub(crate) fn explained(&self) -> Option<&Explained> {
+        self.explained.as_ref()
     }
 
     /// Measures what the state costs, without its bounds.

@@ -6,6 +6,7 @@ mod assembly;
 #[cfg(feature = "tui")]
 mod config;
 mod draw;
+mod explain;
 mod forces;
 mod motor;
 mod plot;

@@ -102,11 +102,15 @@ fn the_commands_of_the_readme_run() {
     for line in shown {
         let line = line.split("   ").next().unwrap().trim();
         let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
-        if ["list", "check", "table", "draw", "sweep", "start"].contains(&args[0]) {
+        if [
+            "list", "check", "table", "explain", "draw", "sweep", "start",
+        ]
+        .contains(&args[0])
+        {
             let heard = run(command(&args).current_dir(&here));
             assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
             ran += 1;
         }
     }
-    assert_eq!(ran, 12);
+    assert_eq!(ran, 13);
 }

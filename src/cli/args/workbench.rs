@@ -76,6 +76,8 @@ pub(in crate::cli) enum View {
     Scene,
     /// What each length does
     Lengths,
+    /// The working, line by line
+    Working,
     /// The motor over a cycle
     Motor,
 }

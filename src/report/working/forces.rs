@@ -36,7 +36,7 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
             free_body(context, page, link, &acted);
         }
     }
-    driver(context, page, torque);
+    driver(context, page, torque, &acted);
 }
 
 /// Why there are no forces.
@@ -94,120 +94,44 @@ fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
 
 /// The forces on a link, and its three equations with numbers.
 fn free_body(context: &Context<'_>, page: &mut Page, id: LinkId, acted: &[Acted]) {
-    let (scene, state, f) = (context.scene, context.state, context.figures);
-    let mechanism = &scene.mechanism;
-    let link = mechanism.link(id);
-    let name = scene.link_name(id);
+    let link = context.scene.mechanism.link(id);
+    let name = context.scene.link_name(id);
     page.document.section(format!("Link {name}"));
-    let body = FreeBody { context, id, acted };
+    // Moments about the centre of mass; without one, about the first point of the link.
+    let first = link.members.first().map(|member| member.point);
+    let Some(about) = link.com.or(first) else {
+        return;
+    };
+    let body = FreeBody {
+        context,
+        id,
+        acted,
+        about,
+    };
     let Some(rows) = body.rows() else {
         page.document.text(
             "A redundant linkage leaves reactions of this link open: equilibrium alone does not tell them.",
         );
         return;
     };
-    // Moments about the centre of mass; without one, about the first point of the link.
-    let about = link.com.or_else(|| link.members.first().map(|m| m.point));
-    let Some(about) = about else { return };
-    let (centre, metres) = (state.position(about), mechanism.metres());
-    let moment = |row: &Row| {
-        let arm = row.at.map_or(Vec2::ZERO, |at| (at - centre) * metres);
-        arm.cross(row.force) + row.couple
-    };
-    let largest = rows
-        .iter()
-        .fold(0.0_f64, |most, r| most.max(r.force.norm()));
-    let reach = rows.iter().fold(0.0_f64, |most, r| {
-        most.max(moment(r).abs())
-            .max(r.at.map_or(0.0, |at| (at - centre).norm() * metres * r.force.norm()))
-    });
-    let cells = rows.iter().map(|row| {
-        let arm = row.at.map(|at| at - centre);
-        let arm_cell =
-            |v: Option<f64>| v.map_or("-".into(), |v| f.beside(v, arm.map_or(0.0, Vec2::norm)));
-        [
-            row.name.clone(),
-            f.beside(row.force.x, largest),
-            f.beside(row.force.y, largest),
-            arm_cell(arm.map(|a| a.x)),
-            arm_cell(arm.map(|a| a.y)),
-            f.beside(moment(row), reach),
-        ]
-    });
-    let unit = f.unit;
-    page.document.table(
-        [
-            "on it",
-            "fx [N]",
-            "fy [N]",
-            &format!("x [{unit}]"),
-            &format!("y [{unit}]"),
-            "moment [N m]",
-        ],
-        cells.collect(),
-    );
+    body.table(page, &rows);
     let point = point_name(context, about);
     page.document.text(format!(
         "x and y from {point}, moments about it. The equations of motion:"
     ));
-    let acceleration = state.acceleration(about) * metres;
-    let (mass, inertia, alpha) = (link.mass, link.inertia, state.alpha(id));
-    let sides = |page: &mut Page,
-                 values: Vec<f64>,
-                 size: f64,
-                 right: [String; 2],
-                 value: f64,
-                 unit: &str| {
-        let mut sum = Sum::default();
-        values
-            .iter()
-            .filter(|v| v.abs() > 1e-15 * size)
-            .for_each(|v| sum.push_figure(&f.beside(*v, size)));
-        let left: f64 = values.iter().sum();
-        page.agree(
-            &format!("{} of {name}", right[0]),
-            left,
-            value,
-            size.max(value.abs()),
-        );
-        let [symbol, numbers] = right;
-        let value = f.beside(value, size);
-        let mut sides = vec![sum.text(), symbol, numbers, format!("{value} {unit}")];
-        // Without mass the right side is 0 at once.
-        if mass == 0.0 && inertia == 0.0 {
-            sides.drain(1..3);
-        }
-        page.document.equation(sides);
-    };
-    for (axis, a, pick) in [
-        ("x", acceleration.x, (|v: Vec2| v.x) as fn(Vec2) -> f64),
-        ("y", acceleration.y, |v: Vec2| v.y),
-    ] {
-        let values = rows.iter().map(|row| pick(row.force)).collect();
-        let numbers = format!(
-            "{}·{}",
-            f.given(mass),
-            factor(&f.beside(a, acceleration.norm()))
-        );
-        sides(
-            page,
-            values,
-            largest,
-            [format!("m a{axis}"), numbers],
-            mass * a,
-            "N",
-        );
-    }
-    let values = rows.iter().map(moment).collect();
-    let numbers = format!("{}·{}", f.given(inertia), factor(&f.number(alpha)));
-    sides(
-        page,
-        values,
-        reach,
-        ["I α".into(), numbers],
-        inertia * alpha,
-        "N m",
-    );
+    body.equations(page, &rows);
+}
+
+/// An equation of motion with its numbers.
+struct Balance {
+    values: Vec<f64>,
+    /// The largest that a term can be.
+    size: f64,
+    /// The right side.
+    symbols: String,
+    numbers: String,
+    value: f64,
+    unit: &'static str,
 }
 
 /// What acts on one link.
@@ -215,9 +139,118 @@ struct FreeBody<'a> {
     context: &'a Context<'a>,
     id: LinkId,
     acted: &'a [Acted],
+    /// The point that moments are taken about.
+    about: PointId,
 }
 
 impl FreeBody<'_> {
+    /// From the point that moments are taken about, in the scene's unit.
+    fn arm(&self, row: &Row) -> Option<Vec2> {
+        let centre = self.context.state.position(self.about);
+        row.at.map(|at| at - centre)
+    }
+
+    /// In N m.
+    fn moment(&self, row: &Row) -> f64 {
+        let arm = self.arm(row).unwrap_or(Vec2::ZERO) * self.mechanism().metres();
+        arm.cross(row.force) + row.couple
+    }
+
+    /// The largest force, and the largest moment that a force at this arm, or a couple, can have.
+    fn sizes(&self, rows: &[Row]) -> [f64; 2] {
+        let metres = self.mechanism().metres();
+        rows.iter().fold([0.0_f64; 2], |[force, moment], row| {
+            let size = row.force.norm();
+            let reach = self.arm(row).map_or(0.0, Vec2::norm) * metres;
+            let own = (reach * size).max(row.couple.abs());
+            [force.max(size), moment.max(own)]
+        })
+    }
+
+    /// Every force with its arm and its moment.
+    fn table(&self, page: &mut Page, rows: &[Row]) {
+        let f = self.context.figures;
+        let [largest, reach] = self.sizes(rows);
+        let cells = rows.iter().map(|row| {
+            let arm = self.arm(row);
+            let along = |pick: fn(Vec2) -> f64| {
+                arm.map_or("-".into(), |arm| f.beside(pick(arm), arm.norm()))
+            };
+            [
+                row.name.clone(),
+                f.beside(row.force.x, largest),
+                f.beside(row.force.y, largest),
+                along(|arm| arm.x),
+                along(|arm| arm.y),
+                f.beside(self.moment(row), reach),
+            ]
+        });
+        let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{}]", f.unit));
+        page.document.table(
+            ["on it", "fx [N]", "fy [N]", &x, &y, "moment [N m]"],
+            cells.collect(),
+        );
+    }
+
+    /// The sums of forces and of moments, and what they make of the link's motion.
+    fn equations(&self, page: &mut Page, rows: &[Row]) {
+        let (f, state) = (self.context.figures, self.context.state);
+        let link = self.mechanism().link(self.id);
+        let a = state.acceleration(self.about) * self.mechanism().metres();
+        let [largest, reach] = self.sizes(rows);
+        let force = |axis: &str, a_axis: f64, values: Vec<f64>| Balance {
+            values,
+            size: largest,
+            symbols: format!("m a{axis}"),
+            numbers: format!(
+                "{}·{}",
+                f.given(link.mass),
+                factor(&f.beside(a_axis, a.norm()))
+            ),
+            value: link.mass * a_axis,
+            unit: "N",
+        };
+        let alpha = state.alpha(self.id);
+        let turning = Balance {
+            values: rows.iter().map(|row| self.moment(row)).collect(),
+            size: reach,
+            symbols: "I α".into(),
+            numbers: format!("{}·{}", f.given(link.inertia), factor(&f.number(alpha))),
+            value: link.inertia * alpha,
+            unit: "N m",
+        };
+        let x = force("x", a.x, rows.iter().map(|row| row.force.x).collect());
+        let y = force("y", a.y, rows.iter().map(|row| row.force.y).collect());
+        for balance in [x, y, turning] {
+            self.write(page, balance);
+        }
+    }
+
+    /// `12.5 - 3.2 = m ax = 2*4.65 = 9.3 N`; without mass what is left is 0.
+    fn write(&self, page: &mut Page, balance: Balance) {
+        let f = self.context.figures;
+        let (size, value) = (balance.size, balance.value);
+        let mut sum = Sum::default();
+        for &term in &balance.values {
+            let figure = f.beside(term, size);
+            if figure != "0" {
+                sum.push_figure(&figure);
+            }
+        }
+        let name = self.context.scene.link_name(self.id);
+        let symbol = format!("{} of {name}", balance.symbols);
+        let worked = balance.values.iter().sum();
+        page.agree(&symbol, worked, value, size.max(value.abs()));
+        let right = format!("{} {}", f.beside(value, size), balance.unit);
+        let link = self.mechanism().link(self.id);
+        if link.mass > 0.0 || link.inertia > 0.0 {
+            let sides = [sum.text(), balance.symbols, balance.numbers, right];
+            page.document.equation(sides);
+        } else {
+            page.document.equation([sum.text(), right]);
+        }
+    }
+
     /// All of it; `None` where something of it is left open.
     fn rows(&self) -> Option<Vec<Row>> {
         let mut rows = Vec::new();
@@ -350,8 +383,30 @@ fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     point.links.len() + usize::from(point.ground.is_some()) + slides >= 2
 }
 
+/// The largest moment (N m) of a force on any link, or for a driven slide the largest force (N): what
+/// the driver's own may be the small difference of.
+fn largest(context: &Context<'_>, acted: &[Acted]) -> f64 {
+    let mechanism = &context.scene.mechanism;
+    let sizes = mechanism.link_ids().filter_map(|id| {
+        let link = mechanism.link(id);
+        let about = link.members.first()?.point;
+        let body = FreeBody {
+            context,
+            id,
+            acted,
+            about,
+        };
+        let [force, moment] = body.sizes(&body.rows()?);
+        Some(match mechanism.driver().input {
+            Input::Turn(_) => moment,
+            Input::Push(_) => force,
+        })
+    });
+    sizes.fold(0.0, f64::max)
+}
+
 /// What the driver must do, and against what.
-fn driver(context: &Context<'_>, page: &mut Page, drive: f64) {
+fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
     let (f, state) = (context.figures, context.state);
     let (what, unit) = match context.scene.mechanism.driver().input {
         Input::Turn(_) => ("torque", "N m"),
@@ -364,7 +419,9 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64) {
         parts
             .iter()
             .for_each(|v| sum.push_figure(&f.beside(*v, size)));
-        page.agree(&format!("driver.{what}"), parts.iter().sum(), drive, size);
+        let size_on_the_way = size.max(largest(context, acted));
+        let worked = parts.iter().sum();
+        page.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
         page.document
             .text("By the virtual work of the loads, of gravity and of inertia:");
         page.document.equation([

@@ -11,6 +11,7 @@ mod document;
 mod equations;
 mod figures;
 mod forces;
+mod guided;
 mod markdown;
 mod opening;
 mod page;
@@ -19,9 +20,12 @@ mod points;
 mod polygon;
 mod rates;
 mod sides;
+mod solution;
 mod stages;
+mod surveyor;
 mod symbols;
 mod text;
+mod triangle;
 
 pub use document::{Block, Document, Equation, Table};
 pub use page::Agreement;
@@ -82,8 +86,10 @@ impl Working {
                 unit: scene.unit.symbol(),
             },
             readings: Vec::new(),
+            fastest: [0.0; 2],
         };
         context.read_sides();
+        context.find_fastest();
         let mut page = Page::default();
         opening::heading(&context, &mut page);
         opening::polygons(&context, &mut page);

@@ -32,11 +32,11 @@ pub(super) fn heading(context: &Context<'_>, page: &mut Page) {
     };
     let [at, speed, acceleration] = units;
     page.document.text(format!(
-        "The driver {name} {kind}: at {} {at}, with {} {speed} and {} {acceleration}. State: {}.",
+        "State: {}. The driver {name} {kind}: at {} {at}, with {} {speed} and {} {acceleration}.",
+        state_word(state.condition()),
         crate::report::number::concise(state.at(), usize::MAX),
         figures.given(state.driver_speed()),
         figures.given(state.driver_acceleration()),
-        state_word(state.condition()),
     ));
     if let Some(text) = condition_text(context) {
         page.document.text(text);

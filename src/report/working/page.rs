@@ -21,6 +21,8 @@ pub(super) struct Context<'a> {
     pub figures: Figures,
     /// Every side in this state.
     pub readings: Vec<Reading>,
+    /// The largest velocity and the largest acceleration of all points: smaller ones are rounded by these.
+    pub fastest: [f64; 2],
 }
 
 /// The document as it grows, and how far what it works out is from the solver's state.
@@ -77,6 +79,23 @@ impl<'a> Context<'a> {
                 .map(|side| side.given(mechanism, self.state.at()))
                 .collect()
         };
+    }
+
+    /// Finds how fast the fastest points are.
+    pub(super) fn find_fastest(&mut self) {
+        if !self.has_rates() {
+            return;
+        }
+        let state = self.state;
+        let points = || self.scene.mechanism.point_ids();
+        self.fastest = [
+            points()
+                .map(|p| state.velocity(p).norm())
+                .fold(0.0, f64::max),
+            points()
+                .map(|p| state.acceleration(p).norm())
+                .fold(0.0, f64::max),
+        ];
     }
 
     /// A term of a loop as a group sees it: what it and later groups find is sought.

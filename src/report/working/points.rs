@@ -5,7 +5,7 @@ use super::figures::factor;
 use super::page::{Context, Page};
 use super::sides::Turns;
 use super::symbols::{self, of_point};
-use crate::solver::State;
+use crate::solver::Travel;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// What a point's motion is told from.
@@ -24,8 +24,9 @@ pub(super) fn points(context: &Context<'_>, page: &mut Page) {
     let moving = mechanism
         .point_ids()
         .filter(|&p| mechanism.point(p).ground.is_none());
+    let places = places(context);
     let seats: Vec<(PointId, Seat)> = moving
-        .filter_map(|point| Some((point, seat(context, point)?)))
+        .filter_map(|point| Some((point, seat(mechanism, &places, point)?)))
         .collect();
     if !context.has_rates() {
         page.document
@@ -44,8 +45,7 @@ pub(super) fn points(context: &Context<'_>, page: &mut Page) {
 }
 
 /// A ground pivot if there is one, then a guide on the ground, then a joint that was placed earlier.
-fn seat(context: &Context<'_>, point: PointId) -> Option<Seat> {
-    let mechanism = &context.scene.mechanism;
+fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<Seat> {
     let links = &mechanism.point(point).links;
     let pivot = links.iter().find_map(|&link| {
         let mut members = mechanism.link(link).members.iter();
@@ -59,7 +59,7 @@ fn seat(context: &Context<'_>, point: PointId) -> Option<Seat> {
     };
     let on_ground = slides().find(|&s| mechanism.slide(s).on == Body::Ground);
     let ridden = || {
-        let base = |link| Some(Seat::Link(link, earliest(context, link, point)?));
+        let base = |link| Some(Seat::Link(link, earliest(mechanism, places, link, point)?));
         links.iter().find_map(|&link| base(link))
     };
     pivot
@@ -69,41 +69,89 @@ fn seat(context: &Context<'_>, point: PointId) -> Option<Seat> {
 }
 
 /// The point of a link that was placed first, if that is before this one.
-fn earliest(context: &Context<'_>, link: LinkId, point: PointId) -> Option<PointId> {
-    let mechanism = &context.scene.mechanism;
-    let groups = &context.solver.plan().groups;
-    let place = |point: PointId| {
-        let places = groups.iter().enumerate().flat_map(|(g, group)| {
-            group
-                .points
-                .iter()
-                .enumerate()
-                .map(move |(i, &p)| (p, (g, i)))
-        });
-        places
-            .filter(|(p, _)| *p == point)
-            .map(|(_, place)| place)
-            .min()
-    };
-    let own = place(point);
+fn earliest(
+    mechanism: &Mechanism,
+    places: &[usize],
+    link: LinkId,
+    point: PointId,
+) -> Option<PointId> {
     let members = mechanism.link(link).members.iter().map(|m| m.point);
-    let earlier = members.filter(|&m| m != point).map(|m| (place(m), m));
-    let (first, base) = earlier.min_by_key(|(place, _)| *place)?;
-    (first < own).then_some(base)
+    let first = members.min_by_key(|member| places[member.index()])?;
+    (places[first.index()] < places[point.index()]).then_some(first)
 }
 
-/// A vector with its symbol, by size and direction.
-fn polar(context: &Context<'_>, symbol: String, v: Vec2, order: usize, size: f64) -> [String; 2] {
-    let f = context.figures;
-    let unit = f.length_unit(order);
-    let length = f.beside(v.norm(), size);
-    if length == "0" {
-        return [symbol, format!("0 {unit}")];
+/// For every point when it is placed: those of the ground first, then in the order of the groups.
+fn places(context: &Context<'_>) -> Vec<usize> {
+    let mut places = vec![0; context.scene.mechanism.points().len()];
+    let groups = context.solver.plan().groups.iter();
+    for (place, point) in groups.flat_map(|group| &group.points).enumerate() {
+        places[point.index()] = place + 1;
     }
-    [
-        symbol,
-        format!("{length} {unit} at {} deg", f.direction(angle::degrees(v))),
-    ]
+    places
+}
+
+/// A vector of a point, velocity or acceleration, about to be written by its parts.
+struct Scribe<'a> {
+    context: &'a Context<'a>,
+    /// `v` or `a`.
+    figure: &'static str,
+    /// The order of the derivative.
+    order: usize,
+    /// The largest of the vectors that are added: what is small beside it is rounding.
+    size: f64,
+}
+
+impl Scribe<'_> {
+    /// A vector with its symbol, by size and direction.
+    fn polar(&self, symbol: impl Into<String>, v: Vec2) -> [String; 2] {
+        let f = self.context.figures;
+        let unit = f.length_unit(self.order);
+        let length = f.beside(v.norm(), self.size);
+        if length == "0" {
+            return [symbol.into(), format!("0 {unit}")];
+        }
+        let direction = f.direction(angle::degrees(v));
+        [symbol.into(), format!("{length} {unit} at {direction} deg")]
+    }
+
+    /// A part by its formula: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
+    fn part(&self, page: &mut Page, symbol: String, formula: &str, numbers: String, value: Vec2) {
+        let [symbol, figure] = self.polar(symbol, value);
+        page.document
+            .equation([symbol, formula.to_owned(), numbers, figure]);
+    }
+
+    /// The whole, from two lengths at right angles: its parts, or its components.
+    fn whole(&self, page: &mut Page, name: &str, sum: Vec2, parts: [f64; 2]) {
+        let f = self.context.figures;
+        let [symbol, text] = self.polar(of_point(self.figure, name), sum);
+        let [x, y] = parts.map(|v| factor(&f.beside(v, self.size)));
+        page.document
+            .equation([symbol, format!("sqrt({x}^2 + {y}^2)"), text]);
+    }
+
+    /// Notes how far a sum of parts is from the solver's vector.
+    fn agree(&self, page: &mut Page, name: &str, worked: Vec2, solved: Vec2) {
+        let symbol = of_point(self.figure, name);
+        page.agree(&symbol, (worked - solved).norm(), 0.0, self.size);
+    }
+}
+
+/// A point on a link, seen from another point of it.
+struct OnLink<'a> {
+    context: &'a Context<'a>,
+    point: PointId,
+    name: &'a str,
+    base: PointId,
+    base_name: &'a str,
+    link: LinkId,
+    link_name: &'a str,
+    /// From the base to the point, in the ground's frame.
+    e: Vec2,
+    /// Its length, as given.
+    r: f64,
+    /// Whether the base is a ground point.
+    is_pivot: bool,
 }
 
 fn on_link(
@@ -113,129 +161,40 @@ fn on_link(
     link: LinkId,
     base: PointId,
 ) {
-    let (f, state) = (context.figures, context.state);
     let mechanism = &context.scene.mechanism;
     let Some(arm) = arm(mechanism, link, base, point) else {
         return;
     };
-    let e = arm.turned(state.direction(link));
-    let link_name = context.scene.link_name(link);
-    let base_name = context.scene.point_name(base).unwrap_or("a point");
-    let is_pivot = mechanism.point(base).ground.is_some();
-    let r = arm.norm();
+    let on = OnLink {
+        context,
+        point,
+        name,
+        base,
+        base_name: context.scene.point_name(base).unwrap_or("a point"),
+        link,
+        link_name: context.scene.link_name(link),
+        e: arm.turned(context.state.direction(link)),
+        r: arm.norm(),
+        is_pivot: mechanism.point(base).ground.is_some(),
+    };
+    let OnLink {
+        link_name,
+        base_name,
+        ..
+    } = on;
     page.document
         .section(format!("{name} on {link_name} about {base_name}"));
-    let unit = f.unit;
-    if r == 0.0 {
+    if on.r == 0.0 {
         page.document
             .text(format!("It lies on {base_name} and moves as that does."));
-        return;
-    }
-    if context.polygon.locks.turns(Body::Link(link), 0.0) == Turns::Never {
+    } else if context.polygon.locks.turns(Body::Link(link), 0.0) == Turns::Never {
         page.document.text(format!(
             "{link_name} does not turn: all of it moves as {base_name} does."
         ));
-        return;
-    }
-    page.document.equation([
-        "r".to_owned(),
-        format!(
-            "{} {unit} at {} deg",
-            f.given(r),
-            f.direction(angle::degrees(e))
-        ),
-    ]);
-    let (w, a) = (state.omega(link), state.alpha(link));
-    let (omega, alpha) = (symbols::omega(link_name), symbols::alpha(link_name));
-    // ---- velocity
-    // The driver's rates have no more digits than the scene gives them.
-    let rate = |value: f64| match mechanism.driver().input == Input::Turn(link) {
-        true => f.given(value),
-        false => f.number(value),
-    };
-    let turning = e.perp() * w;
-    let (v, base_v) = (state.velocity(point), state.velocity(base));
-    let size = v.norm().max(turning.norm()).max(base_v.norm());
-    let part = format!("{}·{}", factor(&rate(w)), f.given(r));
-    write_part(
-        context,
-        page,
-        &symbols_of("v", name, is_pivot, "t"),
-        &format!("{omega} r"),
-        &part,
-        turning,
-        1,
-        size,
-    );
-    agree(page, &of_point("v", name), base_v + turning, v, size);
-    if !is_pivot {
-        page.document
-            .equation(polar(context, of_point("v", base_name), base_v, 1, size));
-        whole(context, page, "v", name, base_v + turning, 1, size, None);
-    }
-    // ---- acceleration
-    let (tangential, normal) = (e.perp() * a, -e * (w * w));
-    let (all, base_a) = (state.acceleration(point), state.acceleration(base));
-    let size = all
-        .norm()
-        .max(tangential.norm())
-        .max(normal.norm())
-        .max(base_a.norm());
-    let part = format!("{}·{}", factor(&rate(a)), f.given(r));
-    write_part(
-        context,
-        page,
-        &symbols_of("a", name, false, "t"),
-        &format!("{alpha} r"),
-        &part,
-        tangential,
-        2,
-        size,
-    );
-    let part = format!("{}^2·{}", factor(&rate(w)), f.given(r));
-    write_part(
-        context,
-        page,
-        &symbols_of("a", name, false, "n"),
-        &format!("{omega}^2 r"),
-        &part,
-        normal,
-        2,
-        size,
-    );
-    agree(
-        page,
-        &of_point("a", name),
-        base_a + tangential + normal,
-        all,
-        size,
-    );
-    if !is_pivot {
-        page.document
-            .equation(polar(context, of_point("a", base_name), base_a, 2, size));
-    }
-    let parts = is_pivot.then_some((tangential.norm(), normal.norm()));
-    whole(
-        context,
-        page,
-        "a",
-        name,
-        base_a + tangential + normal,
-        2,
-        size,
-        parts,
-    );
-    if let Some((t, n)) = parts.filter(|(t, n)| *t > 1e-15 * size && *n > 0.0) {
-        let beta = t.atan2(n).to_degrees();
-        page.document.equation([
-            "β".to_owned(),
-            format!("atan({}/{})", f.number(t), f.number(n)),
-            format!(
-                "{} deg, between {} and its normal part",
-                f.number(beta),
-                of_point("a", name)
-            ),
-        ]);
+    } else {
+        on.arm(page);
+        on.velocity(page);
+        on.acceleration(page);
     }
 }
 
@@ -245,59 +204,128 @@ fn arm(mechanism: &Mechanism, link: LinkId, from: PointId, to: PointId) -> Optio
     Some(link.local(to)? - link.local(from)?)
 }
 
-/// `aCt`, or the symbol of the whole where it has one part alone.
-fn symbols_of(figure: &str, name: &str, is_whole: bool, part: &str) -> String {
+impl OnLink<'_> {
+    fn arm(&self, page: &mut Page) {
+        let f = self.context.figures;
+        let direction = f.direction(angle::degrees(self.e));
+        let text = format!("{} {} at {direction} deg", f.given(self.r), f.unit);
+        page.document.equation(["r".to_owned(), text]);
+    }
+
+    /// A rate as a factor; the driver's have no more digits than the scene gives them.
+    fn rate(&self, value: f64) -> String {
+        let f = self.context.figures;
+        let driver = self.context.scene.mechanism.driver();
+        factor(&match driver.input == Input::Turn(self.link) {
+            true => f.given(value),
+            false => f.number(value),
+        })
+    }
+
+    /// v = v of the base + omega k x e.
+    fn velocity(&self, page: &mut Page) {
+        let state = self.context.state;
+        let w = state.omega(self.link);
+        let turning = self.e.perp() * w;
+        let (v, base) = (state.velocity(self.point), state.velocity(self.base));
+        let scribe = Scribe {
+            context: self.context,
+            figure: "v",
+            order: 1,
+            size: turning.norm().max(self.context.fastest[0]),
+        };
+        let formula = format!("{} r", symbols::omega(self.link_name));
+        let numbers = format!("{}·{}", self.rate(w), self.context.figures.given(self.r));
+        let sum = base + turning;
+        scribe.agree(page, self.name, sum, v);
+        if self.is_pivot {
+            return scribe.part(page, of_point("v", self.name), &formula, numbers, turning);
+        }
+        scribe.part(
+            page,
+            part_symbol("v", self.name, "t"),
+            &formula,
+            numbers,
+            turning,
+        );
+        page.document
+            .equation(scribe.polar(of_point("v", self.base_name), base));
+        scribe.whole(page, self.name, sum, [sum.x, sum.y]);
+    }
+
+    /// a = a of the base + alpha k x e - omega^2 e.
+    fn acceleration(&self, page: &mut Page) {
+        let (f, state) = (self.context.figures, self.context.state);
+        let (w, alpha) = (state.omega(self.link), state.alpha(self.link));
+        let (tangential, normal) = (self.e.perp() * alpha, -self.e * (w * w));
+        let (a, base) = (
+            state.acceleration(self.point),
+            state.acceleration(self.base),
+        );
+        let parts = tangential.norm().max(normal.norm());
+        let scribe = Scribe {
+            context: self.context,
+            figure: "a",
+            order: 2,
+            size: parts.max(self.context.fastest[1]),
+        };
+        let r = f.given(self.r);
+        let formula = format!("{} r", symbols::alpha(self.link_name));
+        let numbers = format!("{}·{r}", self.rate(alpha));
+        scribe.part(
+            page,
+            part_symbol("a", self.name, "t"),
+            &formula,
+            numbers,
+            tangential,
+        );
+        let formula = format!("{}^2 r", symbols::omega(self.link_name));
+        let numbers = format!("{}^2·{r}", self.rate(w));
+        scribe.part(
+            page,
+            part_symbol("a", self.name, "n"),
+            &formula,
+            numbers,
+            normal,
+        );
+        let sum = base + tangential + normal;
+        scribe.agree(page, self.name, sum, a);
+        if self.is_pivot {
+            let parts = [tangential.norm(), normal.norm()];
+            scribe.whole(page, self.name, sum, parts);
+            return self.between(page, parts, scribe.size);
+        }
+        page.document
+            .equation(scribe.polar(of_point("a", self.base_name), base));
+        scribe.whole(page, self.name, sum, [sum.x, sum.y]);
+    }
+
+    /// The angle between an acceleration about a pivot and its normal part.
+    fn between(&self, page: &mut Page, [t, n]: [f64; 2], size: f64) {
+        if !(t > NOUGHT * size && n > 0.0) {
+            return;
+        }
+        let f = self.context.figures;
+        let beta = f.number(t.atan2(n).to_degrees());
+        page.document.equation([
+            "β".to_owned(),
+            format!("atan({}/{})", f.number(t), f.number(n)),
+            format!(
+                "{beta} deg, between {} and its normal part",
+                of_point("a", self.name)
+            ),
+        ]);
+    }
+}
+
+/// Beside larger parts this is rounding.
+const NOUGHT: f64 = 1e-15;
+
+/// `aCt`, the tangential part of aC.
+fn part_symbol(figure: &str, name: &str, part: &str) -> String {
     let symbol = of_point(figure, name);
-    match (is_whole, name.len() <= 2) {
-        (true, _) => symbol,
-        (false, true) => format!("{symbol}{part}"),
-        (false, false) => format!("{symbol}_{part}"),
-    }
-}
-
-#[allow(
-    clippy::too_many_arguments,
-    reason = "a line of one formula: all of it is shown"
-)]
-fn write_part(
-    context: &Context<'_>,
-    page: &mut Page,
-    symbol: &str,
-    formula: &str,
-    numbers: &str,
-    value: Vec2,
-    order: usize,
-    size: f64,
-) {
-    let [symbol, figure] = polar(context, symbol.to_owned(), value, order, size);
-    page.document
-        .equation([symbol, formula.to_owned(), numbers.to_owned(), figure]);
-}
-
-/// The sum of the parts: by its components, and as size and direction.
-#[allow(
-    clippy::too_many_arguments,
-    reason = "a line of one formula: all of it is shown"
-)]
-fn whole(
-    context: &Context<'_>,
-    page: &mut Page,
-    figure: &str,
-    name: &str,
-    sum: Vec2,
-    order: usize,
-    size: f64,
-    parts: Option<(f64, f64)>,
-) {
-    let f = context.figures;
-    let [symbol, text] = polar(context, of_point(figure, name), sum, order, size);
-    let [x, y] = match parts {
-        Some((t, n)) => [t, n],
-        None => [sum.x, sum.y],
-    }
-    .map(|v| factor(&f.beside(v, size)));
-    page.document
-        .equation([symbol, format!("sqrt({x}^2 + {y}^2)"), text]);
+    let between = if name.len() <= 2 { "" } else { "_" };
+    format!("{symbol}{between}{part}")
 }
 
 /// What slides along a guide: along it, and with a guide that turns across it, too.
@@ -308,107 +336,60 @@ fn on_guide(
     slide: SlideId,
 ) {
     let state = context.state;
-    let given = context.scene.mechanism.slide(slide);
     let slide_name = context.scene.slide_name(slide);
-    let travel = state.travel(slide);
-    let t = travel.guide;
-    let on = match given.on {
-        Body::Ground => None,
-        Body::Link(link) => Some(link),
+    let on = context.scene.mechanism.slide(slide).on;
+    let body = match on {
+        Body::Ground => "the ground",
+        Body::Link(link) => context.scene.link_name(link),
     };
-    let body = on.map_or("the ground", |link| context.scene.link_name(link));
     page.document
         .section(format!("{name} along the guide of {slide_name} on {body}"));
+    let Travel {
+        guide: t,
+        rate,
+        accel,
+        omega,
+        ..
+    } = state.travel(slide);
     let (v, a) = (state.velocity(point), state.acceleration(point));
-    let (rate, accel) = (symbols::rate(slide_name), symbols::accel(slide_name));
-    let Some(link) = on else {
-        let (along, second) = (t * travel.rate, t * travel.accel);
-        let size = [v.norm(), a.norm()];
-        agree(page, &of_point("v", name), along, v, size[0]);
-        agree(page, &of_point("a", name), second, a, size[1]);
-        for (figure, symbol, value, order) in [("v", rate, along, 1), ("a", accel, second, 2)] {
-            let [whole, text] = polar(
-                context,
-                of_point(figure, name),
-                value,
-                order,
-                size[order - 1],
-            );
+    let scribe = |figure, order, size| Scribe {
+        context,
+        figure,
+        order,
+        size,
+    };
+    let (along, second) = (t * rate, t * accel);
+    let (rate_name, accel_name) = (symbols::rate(slide_name), symbols::accel(slide_name));
+    if on == Body::Ground {
+        for (scribe, symbol, value, solved) in [
+            (scribe("v", 1, context.fastest[0]), rate_name, along, v),
+            (scribe("a", 2, context.fastest[1]), accel_name, second, a),
+        ] {
+            scribe.agree(page, name, value, solved);
+            let [whole, text] = scribe.polar(of_point(scribe.figure, name), value);
             page.document.equation([whole, symbol, text]);
         }
         return;
-    };
-    // The guide's own point under the pin, and what the pin does along it.
-    let guide = Carried::under(state, point, slide, link);
-    let coriolis = t.perp() * (2.0 * travel.omega * travel.rate);
-    let size = v.norm().max(guide.v.norm());
+    }
+    // What the pin does beside sliding is what the guide does under it.
+    let coriolis = t.perp() * (2.0 * omega * rate);
+    let (guide_v, guide_a) = (v - along, a - second - coriolis);
+    let of_v = scribe("v", 1, context.fastest[0]);
     for line in [
-        polar(
-            context,
-            format!("v of {body} under {name}"),
-            guide.v,
-            1,
-            size,
-        ),
-        polar(context, rate, t * travel.rate, 1, size),
-        polar(
-            context,
-            of_point("v", name),
-            guide.v + t * travel.rate,
-            1,
-            size,
-        ),
+        of_v.polar(format!("v of {body} under {name}"), guide_v),
+        of_v.polar(rate_name.clone(), along),
+        of_v.polar(of_point("v", name), guide_v + along),
     ] {
         page.document.equation(line);
     }
-    agree(
-        page,
-        &of_point("v", name),
-        guide.v + t * travel.rate,
-        v,
-        size,
-    );
-    let all = guide.a + coriolis + t * travel.accel;
-    let size = a.norm().max(guide.a.norm()).max(coriolis.norm());
-    let twice = format!("2 {} {}", symbols::omega(body), symbols::rate(slide_name));
+    let of_a = scribe("a", 2, coriolis.norm().max(context.fastest[1]));
+    let twice = format!("Coriolis, 2 {} {rate_name}", symbols::omega(body));
     for line in [
-        polar(
-            context,
-            format!("a of {body} under {name}"),
-            guide.a,
-            2,
-            size,
-        ),
-        polar(context, format!("Coriolis, {twice}"), coriolis, 2, size),
-        polar(context, accel, t * travel.accel, 2, size),
-        polar(context, of_point("a", name), all, 2, size),
+        of_a.polar(format!("a of {body} under {name}"), guide_a),
+        of_a.polar(twice, coriolis),
+        of_a.polar(accel_name, second),
+        of_a.polar(of_point("a", name), guide_a + coriolis + second),
     ] {
         page.document.equation(line);
     }
-    agree(page, &of_point("a", name), all, a, size);
-}
-
-/// Velocity and acceleration of the place of a link where a point is now.
-struct Carried {
-    v: Vec2,
-    a: Vec2,
-}
-
-impl Carried {
-    fn under(state: &State, point: PointId, slide: SlideId, link: LinkId) -> Carried {
-        // From the point itself: what it does beside the guide is taken away.
-        let travel = state.travel(slide);
-        let t = travel.guide;
-        let _ = link;
-        let coriolis = t.perp() * (2.0 * travel.omega * travel.rate);
-        Carried {
-            v: state.velocity(point) - t * travel.rate,
-            a: state.acceleration(point) - t * travel.accel - coriolis,
-        }
-    }
-}
-
-/// Notes how far a sum of parts is from the solver's vector.
-fn agree(page: &mut Page, symbol: &str, worked: Vec2, solved: Vec2, size: f64) {
-    page.agree(symbol, (worked - solved).norm(), 0.0, size);
 }

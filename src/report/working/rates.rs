@@ -114,7 +114,7 @@ fn removed(
     let members = context.members(of, stage);
     let symbol = rate_symbol(context, sought, order);
     let other_symbol = rate_symbol(context, other, order);
-    let Some(axis) = removing(context, &members, other) else {
+    let Some(axis) = removing(&members, other) else {
         return;
     };
     let mut pieces = pieces(context, &members, order, &axis);
@@ -165,7 +165,7 @@ fn removed(
 const SINGULAR: f64 = 1e-7;
 
 /// What removes an unknown's rate from the equation.
-fn removing(context: &Context<'_>, members: &[Member<'_>], unknown: Unknown) -> Option<Axis> {
+fn removing(members: &[Member<'_>], unknown: Unknown) -> Option<Axis> {
     let is_of = |member: &&Member<'_>| match unknown {
         Unknown::Angle(link) => member.side.turns_with() == Some(link),
         Unknown::Travel(slide) => member.side.shape == Shape::Slide(slide),
@@ -178,13 +178,13 @@ fn removing(context: &Context<'_>, members: &[Member<'_>], unknown: Unknown) -> 
         }
         Unknown::Angle(_) | Unknown::Direction(_) => match own[..] {
             [one] => Some(Axis::Along(Heading::of(one))),
-            _ => Some(Axis::Along(together_heading(context, &own)?)),
+            _ => Some(Axis::Along(together_heading(&own)?)),
         },
     }
 }
 
 /// The direction of several sides that turn together.
-fn together_heading(context: &Context<'_>, own: &[&Member<'_>]) -> Option<Heading> {
+fn together_heading(own: &[&Member<'_>]) -> Option<Heading> {
     let sum = own.iter().fold(Vec2::ZERO, |sum, m| {
         let r = m.reading.vector();
         sum + if m.reversed { -r } else { r }
@@ -194,7 +194,6 @@ fn together_heading(context: &Context<'_>, own: &[&Member<'_>]) -> Option<Headin
         return None;
     }
     let name: Vec<&str> = own.iter().map(|m| m.side.name.as_str()).collect();
-    let _ = context;
     Some(Heading {
         symbol: format!("θ_{}", name.join("_")),
         degrees: angle::degrees(sum),

@@ -6,7 +6,9 @@ use crate::scene::harmless;
 /// What a line of the text is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LineKind {
-    /// A heading of the first level, or the title.
+    /// The title of the scene.
+    Title,
+    /// A heading of the first level.
     Part,
     /// A heading of the second level.
     Section,
@@ -38,7 +40,7 @@ impl Document {
     pub fn to_text(&self, style: TextStyle) -> String {
         let mut text = String::new();
         for (kind, line) in self.lines(style) {
-            if kind == LineKind::Part {
+            if matches!(kind, LineKind::Title | LineKind::Part) {
                 let rule = "-".repeat(length(&line));
                 text.push_str(&format!("{line}\n{rule}\n"));
             } else {
@@ -59,7 +61,8 @@ impl Document {
                 lines.push((LineKind::Body, String::new()));
             }
             let kind = match block {
-                Block::Title(_) | Block::Heading(1, _) => LineKind::Part,
+                Block::Title(_) => LineKind::Title,
+                Block::Heading(1, _) => LineKind::Part,
                 Block::Heading(..) => LineKind::Section,
                 Block::Text(_) | Block::Equations(_) | Block::Table(_) => LineKind::Body,
             };
@@ -87,9 +90,9 @@ impl Document {
 /// Whether a block stands directly below another: below a heading, and below a text that announces it.
 fn leads_to(before: &Block, block: &Block) -> bool {
     match before {
-        Block::Heading(2, _) => true,
+        Block::Heading(..) => !matches!(block, Block::Heading(..)),
         Block::Text(text) => text.ends_with(':') && !matches!(block, Block::Heading(..)),
-        Block::Heading(..) | Block::Title(_) | Block::Equations(_) | Block::Table(_) => false,
+        Block::Title(_) | Block::Equations(_) | Block::Table(_) => false,
     }
 }
 
@@ -108,7 +111,7 @@ fn equation(equation: &Equation, style: TextStyle) -> Vec<String> {
     let sides: Vec<String> = equation.sides.iter().map(|s| style.shown(s)).collect();
     let indent = " ".repeat(INDENT);
     let whole = format!("{indent}{}", sides.join(" = "));
-    let Some((first, others)) = sides.split_first() else {
+    let Some((first, others)) = sides.split_first().map(|(f, o)| (f.as_str(), o)) else {
         return Vec::new();
     };
     if length(&whole) <= style.width {
@@ -119,20 +122,29 @@ fn equation(equation: &Equation, style: TextStyle) -> Vec<String> {
         return terms(&whole, style.width, 2 * INDENT);
     }
     // As many sides to a line as fit, the signs of equality below one another.
-    let mut lines = vec![format!("{indent}{first}")];
-    let begin = " ".repeat(INDENT + left);
-    for (i, side) in others.iter().enumerate() {
-        let fits = |line: &&mut String| i == 0 || length(line) + 3 + length(side) <= style.width;
-        match lines.last_mut().filter(fits) {
-            Some(line) => line.push_str(&format!(" = {side}")),
-            None => lines.push(format!("{begin} = {side}")),
+    let mut rows: Vec<String> = Vec::new();
+    let begin = INDENT + left + " = ".len();
+    for side in others {
+        let fits = |row: &&mut String| begin + length(row) + 3 + length(side) <= style.width;
+        match rows.last_mut().filter(fits) {
+            Some(row) => row.push_str(&format!(" = {side}")),
+            None => rows.push(side.clone()),
         }
     }
-    let deeper = INDENT + left + 3;
-    let lines = lines.iter();
+    let room = style.width.saturating_sub(begin);
+    let blank = " ".repeat(begin);
+    let mut lines = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let name = if i == 0 { first } else { "" };
+        for (j, line) in terms(row, room, 2).into_iter().enumerate() {
+            let before = match j {
+                0 => format!("{indent}{name:left$} = "),
+                _ => blank.clone(),
+            };
+            lines.push(before + &line);
+        }
+    }
     lines
-        .flat_map(|line| terms(line, style.width, deeper))
-        .collect()
 }
 
 /// A formula in lines of at most `width` columns, broken before the signs between its terms.
@@ -245,13 +257,8 @@ fn columns(table: &Table, style: TextStyle) -> Vec<(LineKind, String)> {
         for (i, row) in rows.iter().enumerate() {
             let name = row.first().map_or("", String::as_str);
             let mut line = format!("{}{name:width$}", " ".repeat(INDENT), width = widths[0]);
-            for c in first..end {
-                let cell = row.get(c).map_or("", String::as_str);
-                line.push_str(&format!(
-                    "{}{cell:>width$}",
-                    " ".repeat(GAP),
-                    width = widths[c]
-                ));
+            for (cell, &width) in row.iter().zip(&widths).take(end).skip(first) {
+                line.push_str(&format!("{}{cell:>width$}", " ".repeat(GAP)));
             }
             let kind = if i == 0 {
                 LineKind::Head

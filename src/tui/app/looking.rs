@@ -23,6 +23,7 @@ impl App {
         self.view = view;
         self.stage.answer(view == View::Lengths);
         self.stage.balance_forces(view == View::Forces);
+        self.stage.explain(view == View::Working);
         self.relist();
         if view == View::Accuracy && self.survey.phase() == Phase::Idle {
             self.study();

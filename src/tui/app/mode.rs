@@ -77,19 +77,22 @@ pub enum View {
     Scene,
     /// What the given lengths do to the figures.
     Lengths,
+    /// How the figures come about.
+    Working,
     /// The motor over a cycle.
     Motor,
 }
 
 impl View {
     /// In the order of their keys.
-    pub(crate) const ALL: [View; 8] = [
+    pub(crate) const ALL: [View; 9] = [
         View::Motion,
         View::Tables,
         View::Plots,
         View::Accuracy,
         View::Forces,
         View::Scene,
+        View::Working,
         View::Motor,
         View::Lengths,
     ];

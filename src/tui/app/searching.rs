@@ -20,6 +20,7 @@ impl App {
             | View::Accuracy
             | View::Forces
             | View::Lengths
+            | View::Working
             | View::Motor => {
                 self.message = Some("there is nothing to search here".into());
                 return;

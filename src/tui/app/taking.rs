@@ -59,7 +59,8 @@ impl App {
             | View::Forces
             | View::Scene
             | View::Lengths
-            | View::Motor => {
+            | View::Motor
+            | View::Working => {
                 self.message = Some("nothing to copy here; the tables have all".into());
                 Effect::Show
             }
@@ -122,7 +123,8 @@ impl App {
             | View::Accuracy
             | View::Forces
             | View::Scene
-            | View::Lengths => self.row_of_sweep(),
+            | View::Lengths
+            | View::Working => self.row_of_sweep(),
             View::Motor => self.motor.csv().ok_or_else(|| NOTHING_ACTS.into()),
         };
         self.offer_file(text, "the figures", "csv");
@@ -182,7 +184,12 @@ impl App {
                 let text = text.ok_or_else(|| NOTHING_ACTS.into());
                 self.offer_file(text, "the curve", "svg");
             }
-            View::Tables | View::Accuracy | View::Forces | View::Scene | View::Lengths => {
+            View::Tables
+            | View::Accuracy
+            | View::Forces
+            | View::Scene
+            | View::Lengths
+            | View::Working => {
                 self.message = Some("there is no drawing in this view".into());
             }
         }

@@ -297,7 +297,7 @@ fn check(app: &App) {
     }
     let scrolls = matches!(
         app.view(),
-        View::Accuracy | View::Lengths | View::Motion | View::Motor
+        View::Accuracy | View::Lengths | View::Motion | View::Working | View::Motor
     );
     if *app.mode() == Mode::Normal && scrolls {
         let most = views::most_scroll(app);

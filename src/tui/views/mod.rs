@@ -23,6 +23,7 @@ mod table;
 mod tables;
 mod title;
 mod tour;
+mod working;
 
 use super::app::{App, Mode, View};
 use super::sheet::Line;
@@ -58,6 +59,7 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
         | View::Accuracy
         | View::Forces
         | View::Lengths
+        | View::Working
         | View::Motor => {}
     }
 }
@@ -105,6 +107,7 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         View::Forces => forces::render(app, inset(body(area)), buffer),
         View::Scene => scene::render(app, sketch, body(area), buffer),
         View::Lengths => lengths::render(app, inset(body(area)), buffer),
+        View::Working => working::render(app, inset(body(area)), buffer),
         View::Motor => motor::render(app, body(area), buffer),
     }
     match app.mode() {
@@ -158,6 +161,7 @@ fn on_top(app: &App) -> (usize, usize) {
         (_, View::Tables) => tables::extent(app, body),
         (_, View::Accuracy) => accuracy::extent(app, body),
         (_, View::Lengths) => lengths::extent(app, inset(body)),
+        (_, View::Working) => working::extent(app, inset(body)),
         (_, View::Scene) => scene::extent(app, body),
         (_, View::Plots) => plots::extent(app, body),
         (_, View::Forces) => forces::extent(app, inset(body)),

@@ -44,6 +44,7 @@ pub(super) fn mode(app: &App) -> &'static str {
         (Mode::Normal, View::Tables) => "tables",
         (Mode::Normal, View::Accuracy) => "accuracy",
         (Mode::Normal, View::Lengths) => "lengths",
+        (Mode::Normal, View::Working) => "working",
         (Mode::Normal, View::Motor) => "motor",
         (Mode::Normal, View::Plots) => "plots",
         (Mode::Normal, View::Forces) => "forces",
@@ -140,7 +141,12 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
         (Mode::Normal, View::Motion | View::Tables | View::Forces) => true,
         (
             Mode::Normal,
-            View::Plots | View::Accuracy | View::Scene | View::Lengths | View::Motor,
+            View::Plots
+            | View::Accuracy
+            | View::Scene
+            | View::Lengths
+            | View::Working
+            | View::Motor,
         )
         | (
             Mode::Help(_)
@@ -164,8 +170,13 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
     match app.view() {
         View::Tables => return of_cursor(app),
         View::Forces => return of_drive(app),
-        View::Motion | View::Plots | View::Accuracy | View::Scene | View::Lengths | View::Motor => {
-        }
+        View::Motion
+        | View::Plots
+        | View::Accuracy
+        | View::Scene
+        | View::Lengths
+        | View::Working
+        | View::Motor => {}
     }
     let bound = match stage.largest_bound() {
         Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),

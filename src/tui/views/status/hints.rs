@@ -115,7 +115,7 @@ fn offered(app: &App) -> &'static [Action] {
             Action::StepForward,
             Action::Quit,
         ],
-        (_, View::Forces | View::Lengths | View::Motor) => &[
+        (_, View::Forces | View::Lengths | View::Working | View::Motor) => &[
             Action::Help,
             Action::MotionView,
             Action::LineDown,

@@ -1,0 +1,246 @@
+//! A loop about to be solved: what is known in it added up, and what its arms are.
+
+use super::equations::{Axis, Member, Piece, in_figures, in_symbols, known};
+use super::figures::{Figures, Sum};
+use super::page::{Context, Page};
+use super::place::single;
+use super::polygon::{Loop, Term};
+use super::sides::{Shape, Side, Turns};
+use super::stages::{Form, Stage};
+use crate::solver::Order;
+use crate::{Vec2, angle};
+
+/// A loop about to be solved: what is known in it, added up.
+pub(super) struct Solution<'a> {
+    pub(super) context: &'a Context<'a>,
+    pub(super) stage: &'a Stage,
+    pub(super) of: &'a Loop,
+    pub(super) members: Vec<Member<'a>>,
+    pub(super) figures: Figures,
+    /// The sum of the known sides.
+    pub(super) known: Vec2,
+}
+
+impl<'a> Solution<'a> {
+    pub(super) fn new(context: &'a Context<'a>, stage: &'a Stage) -> Option<Self> {
+        let (&[number], false) = (&stage.loops[..], matches!(stage.form, Form::Nothing)) else {
+            return None;
+        };
+        let of = &context.polygon.loops[number];
+        let members = context.members(of, stage);
+        let sum = |axis: &Axis| {
+            let of = |m: &Member<'_>| m.pieces(Order::Position, axis, context.figures);
+            known(&members.iter().flat_map(of).collect::<Vec<_>>())
+        };
+        let known = Vec2::new(sum(&Axis::X), sum(&Axis::Y));
+        Some(Solution {
+            context,
+            stage,
+            of,
+            figures: context.figures,
+            known,
+            members,
+        })
+    }
+
+    /// Whether everything but what the group seeks is given, so that it can be tried without an assembly.
+    pub(super) fn is_known(&self) -> bool {
+        let own = |term: &Term| match &self.stage.form {
+            Form::Triangle(a, b) => a.contains(term) || b.contains(term),
+            Form::Quadratic(arm, slide) => arm.contains(term) || term == slide,
+            Form::Nothing | Form::Swing(..) | Form::Guides(..) | Form::Sum(_) | Form::System => {
+                false
+            }
+        };
+        let tries = matches!(self.stage.form, Form::Triangle(..) | Form::Quadratic(..));
+        let mut pairs = self.of.terms.iter().zip(&self.members);
+        tries && pairs.all(|(term, member)| own(term) || member.sought == [false, false])
+    }
+
+    pub(super) fn member(&self, term: Term) -> Member<'_> {
+        self.context.member(term, self.stage)
+    }
+
+    /// The known sides along an axis, in symbols and as figures.
+    pub(super) fn known_text(&self, axis: &Axis) -> [String; 2] {
+        let of = |m: &Member<'_>| m.pieces(Order::Position, axis, self.figures);
+        let pieces: Vec<Piece> = self.members.iter().flat_map(of).collect();
+        let known: Vec<Piece> = pieces.into_iter().filter(|p| p.unknown.is_none()).collect();
+        [in_symbols(&known), in_figures(&known, self.figures)]
+    }
+
+    /// The components of what the sought sides must add up to, m = -(known sides), line by line.
+    pub(super) fn write_components(&self, page: &mut Page, names: [&str; 2]) -> Vec2 {
+        let m = -self.known;
+        let size = self
+            .members
+            .iter()
+            .fold(0.0_f64, |most, m| most.max(m.reading.r.abs()));
+        for (axis, name, value) in [(Axis::X, names[0], m.x), (Axis::Y, names[1], m.y)] {
+            let [symbols, figures] = self.known_text(&axis);
+            let found = self.figures.beside(value, size);
+            page.document.equation([
+                name.to_owned(),
+                format!("-({symbols})"),
+                format!("-({figures})"),
+                format!("{found} {}", self.figures.unit),
+            ]);
+        }
+        m
+    }
+
+    /// The length of an arm and how far its direction lies ahead of the angle that is named after it.
+    pub(super) fn arm(&self, arm: &[Term]) -> Arm<'a> {
+        match single(arm) {
+            Some(term) => {
+                let member = self.member(term);
+                Arm {
+                    side: self.context.polygon.sides.get(term.side),
+                    length: member.side.name.clone(),
+                    value: member.reading.r,
+                    given: !member.side.stretches(),
+                    theta: member.side.theta(),
+                    ahead: if term.reversed {
+                        angle::TURN / 2.0
+                    } else {
+                        0.0
+                    },
+                    solved: member.reading.theta,
+                }
+            }
+            None => self.composed(arm),
+        }
+    }
+
+    /// Several sides that turn together, as one.
+    fn composed(&self, arm: &[Term]) -> Arm<'a> {
+        let members: Vec<Member<'_>> = arm.iter().map(|&term| self.member(term)).collect();
+        let sum = members.iter().fold(Vec2::ZERO, |sum, m| {
+            let r = m.reading.vector();
+            sum + if m.reversed { -r } else { r }
+        });
+        let link = members.iter().find_map(|m| m.side.turns_with());
+        let own = link.map_or(0.0, |link| self.context.state.angle(link));
+        let mut text = Sum::default();
+        members
+            .iter()
+            .for_each(|m| text.push(m.reversed, &m.side.name));
+        let name = link.map_or("", |link| self.context.scene.link_name(link));
+        Arm {
+            side: None,
+            length: format!("|{}|", text.text()),
+            value: sum.norm(),
+            given: false,
+            theta: super::symbols::theta(name),
+            ahead: angle::wrapped(angle::degrees(sum) - own),
+            solved: own,
+        }
+    }
+
+    /// Where the two arms of a dyad begin, meet and end.
+    pub(super) fn joints(&self, first: &[Term], second: &[Term]) -> [&str; 3] {
+        let ends = |term: &Term| self.context.polygon.ends(*term);
+        let name = |end: Option<&'a str>| end.unwrap_or("");
+        let p = first.first().map(|t| self.context.polygon.ends(*t).0);
+        let x = first.last().map(|t| self.context.polygon.ends(*t).1);
+        let q = second.last().map(|t| ends(t).1);
+        [name(p), name(x), q.unwrap_or("")]
+    }
+
+    /// The arms in the order in which the loop goes along them.
+    pub(super) fn in_order<'t>(&self, a: &'t [Term], b: &'t [Term]) -> [Vec<Term>; 2] {
+        let count = self.of.terms.len();
+        let is_arm = |term: &Term| a.contains(term) || b.contains(term);
+        let begins = (0..count).find(|&i| {
+            let before = (i + count - 1) % count;
+            is_arm(&self.of.terms[i]) && !is_arm(&self.of.terms[before])
+        });
+        let at = begins.unwrap_or(0);
+        let rotated: Vec<Term> = (0..count)
+            .map(|i| self.of.terms[(at + i) % count])
+            .collect();
+        let of = |arm: &[Term]| {
+            rotated
+                .iter()
+                .copied()
+                .filter(|t| arm.contains(t))
+                .collect()
+        };
+        if rotated.first().is_some_and(|t| a.contains(t)) {
+            [of(a), of(b)]
+        } else {
+            [of(b), of(a)]
+        }
+    }
+
+    /// The angle of the link with which a side turns, where it is not the side's own.
+    pub(super) fn write_link_angle(&self, page: &mut Page, side: &Side, theta: f64, loss: f64) {
+        let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
+            return;
+        };
+        if side.shape == Shape::Link(link) {
+            return;
+        }
+        let symbol = super::symbols::theta(self.context.scene.link_name(link));
+        let worked = theta - ahead;
+        page.agree_angle(&symbol, worked, self.context.state.angle(link), loss);
+        page.document.equation([
+            symbol,
+            format!("{} - {}", side.theta(), f.direction(ahead)),
+            turn(f, worked),
+        ]);
+    }
+
+    pub(super) fn longest(&self) -> f64 {
+        self.members
+            .iter()
+            .fold(0.0, |most, m| most.max(m.reading.r.abs()))
+    }
+}
+
+/// One arm of a dyad.
+pub(super) struct Arm<'a> {
+    /// The side, if it is one alone.
+    pub(super) side: Option<&'a Side>,
+    /// The symbol of its length.
+    pub(super) length: String,
+    pub(super) value: f64,
+    pub(super) given: bool,
+    /// The angle that is sought.
+    pub(super) theta: String,
+    /// How far the arm's direction, along the loop, lies ahead of that angle, in degrees.
+    pub(super) ahead: f64,
+    /// The solver's angle.
+    pub(super) solved: f64,
+}
+
+impl Arm<'_> {
+    pub(super) fn figure(&self, figures: Figures) -> String {
+        if self.given {
+            figures.given(self.value)
+        } else {
+            figures.number(self.value)
+        }
+    }
+
+    /// Its direction along the loop, in the solver's state.
+    pub(super) fn direction(&self) -> Vec2 {
+        angle::unit(self.solved + self.ahead)
+    }
+}
+
+pub(super) fn degrees(figures: Figures, value: f64) -> String {
+    format!("{} deg", figures.number(value))
+}
+
+/// An angle as it comes out, and from 0 to below 360 where that differs.
+pub(super) fn turn(figures: Figures, value: f64) -> String {
+    let half = angle::TURN / 2.0;
+    let signed = angle::wrapped(value + half) - half;
+    let direction = figures.direction(value);
+    if signed < 0.0 {
+        format!("{} deg = {direction} deg", figures.angle(signed))
+    } else {
+        format!("{direction} deg")
+    }
+}

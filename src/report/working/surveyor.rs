@@ -1,0 +1,473 @@
+//! How the vector polygons are found from the structure of a scene.
+//!
+//! Bodies and points are the nodes of a graph; a body is joined to every point that it carries, and by a
+//! slide to the point that moves on its guide. The joints are added in the order in which the solver
+//! places them: one that joins what is joined already closes a loop, the shortest there is at that time.
+//! So every group of the plan has the loops from which it is solved.
+
+use super::polygon::{Loop, Polygon, Term};
+use super::sides::{Locks, Shape, Side, Turns};
+use crate::scene::{Scene, VectorKind};
+use crate::solver::Plan;
+use crate::{Body, LinkId, PointId, SlideId, Vec2, angle};
+use std::collections::{HashMap, VecDeque};
+
+/// Where a loop enters or leaves a body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Port {
+    Point(PointId),
+    Through(SlideId),
+}
+
+/// A body and a point that are joined.
+#[derive(Clone, Copy, Debug)]
+struct Edge {
+    body: usize,
+    point: usize,
+    slide: Option<SlideId>,
+    /// The group that places both.
+    order: usize,
+}
+
+/// Builds the polygons of a scene.
+struct Surveyor<'a> {
+    scene: &'a Scene,
+    locks: Locks,
+    sides: Vec<Side>,
+    /// The sides between two ports of a body, one way and the other.
+    known: HashMap<(usize, Port, Port), Term>,
+    /// The points that guides run through and that have no name.
+    guides: HashMap<SlideId, String>,
+    /// For every node the edges that end there, by number.
+    ends: Vec<Vec<usize>>,
+    edges: Vec<Edge>,
+}
+
+impl Polygon {
+    /// Finds the polygons of a scene.
+    pub(super) fn of(scene: &Scene, plan: &Plan) -> Polygon {
+        let mut surveyor = Surveyor::new(scene);
+        let mut loops = Vec::new();
+        for edge in surveyor.ordered_edges(plan) {
+            if let Some(path) = surveyor.path(edge.point, edge.body) {
+                let terms = surveyor.terms(&path, Some(edge));
+                loops.push((terms, Some(edge.order)));
+            }
+            surveyor.join(edge);
+        }
+        for (terms, _) in &mut loops {
+            surveyor.orient(terms);
+        }
+        surveyor.turn_unnamed(&mut loops);
+        for (terms, _) in &mut loops {
+            surveyor.begin(terms);
+        }
+        loops.extend(surveyor.free_loops());
+        let loops = loops.into_iter().filter(|(terms, _)| terms.len() > 1);
+        Polygon {
+            loops: loops.map(|(terms, group)| Loop { terms, group }).collect(),
+            sides: surveyor.sides,
+            locks: surveyor.locks,
+        }
+    }
+}
+
+impl<'a> Surveyor<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        let mechanism = &scene.mechanism;
+        let nodes = mechanism.links().len() + 1 + mechanism.points().len();
+        let mut surveyor = Surveyor {
+            scene,
+            locks: Locks::of(mechanism),
+            sides: Vec::new(),
+            known: HashMap::new(),
+            guides: HashMap::new(),
+            ends: vec![Vec::new(); nodes],
+            edges: Vec::new(),
+        };
+        surveyor.name_guides();
+        surveyor.list_sides();
+        surveyor
+    }
+
+    // ---- names
+
+    /// Names for the points through which guides run: Q, or Q1, Q2 and so on.
+    fn name_guides(&mut self) {
+        let mechanism = &self.scene.mechanism;
+        let unnamed: Vec<SlideId> = mechanism
+            .slide_ids()
+            .filter(|&slide| mechanism.slide(slide).named.is_none())
+            .collect();
+        for (i, &slide) in unnamed.iter().enumerate() {
+            let mut name = if unnamed.len() == 1 {
+                "Q".to_owned()
+            } else {
+                format!("Q{}", i + 1)
+            };
+            while self.is_taken(&name) {
+                name.push('\'');
+            }
+            self.guides.insert(slide, name);
+        }
+    }
+
+    fn is_taken(&self, name: &str) -> bool {
+        let scene = self.scene;
+        let points = scene.point_names.iter().flatten();
+        let elements = scene.link_names.iter().chain(&scene.slide_names);
+        let vectors = scene.vectors.iter().map(|vector| &vector.name);
+        let guides = self.guides.values();
+        let sides = self.sides.iter().map(|side| &side.name);
+        let mut names = points
+            .chain(elements)
+            .chain(vectors)
+            .chain(guides)
+            .chain(sides);
+        names.any(|other| other == name)
+    }
+
+    fn point_label(&self, point: PointId) -> String {
+        let name = self.scene.point_name(point);
+        name.map_or_else(|| format!("P{}", point.index() + 1), str::to_owned)
+    }
+
+    fn label(&self, port: Port) -> String {
+        match port {
+            Port::Point(point) => self.point_label(point),
+            Port::Through(slide) => self.guides.get(&slide).cloned().unwrap_or_default(),
+        }
+    }
+
+    // ---- sides
+
+    fn list_sides(&mut self) {
+        let scene = self.scene;
+        for vector in &scene.vectors {
+            let [tail, head] = self.vector_ends(vector.kind);
+            let labels = [tail, head].map(|port| self.label(port));
+            let [from, to] = labels;
+            let side = Side::of(scene, vector, &self.locks, from, to);
+            let number = self.sides.len();
+            if let Some(body) = self.body_of(side.shape) {
+                self.remember(body, tail, head, number);
+            }
+            self.sides.push(side);
+        }
+    }
+
+    fn vector_ends(&self, kind: VectorKind) -> [Port; 2] {
+        let mechanism = &self.scene.mechanism;
+        match kind {
+            VectorKind::Link(link) => {
+                let ends = mechanism.link(link).ends;
+                // A vector is listed for links with ends alone.
+                let (from, to) = ends.unwrap_or((PointId::new(0), PointId::new(0)));
+                [from, to].map(Port::Point)
+            }
+            VectorKind::Slide(slide) => {
+                let point = mechanism.slide(slide).slider.point();
+                [Port::Point(point), self.through(slide)]
+            }
+            VectorKind::Between(tail, head) => [tail, head].map(Port::Point),
+        }
+    }
+
+    /// The body that carries a side from end to end.
+    fn body_of(&self, shape: Shape) -> Option<usize> {
+        match shape {
+            Shape::Link(link) => Some(link.index()),
+            Shape::Rigid(body, _) => Some(self.body(body)),
+            Shape::Slide(_) | Shape::Free(..) => None,
+        }
+    }
+
+    fn remember(&mut self, body: usize, tail: Port, head: Port, side: usize) {
+        for (from, to, reversed) in [(tail, head, false), (head, tail, true)] {
+            let term = Term { side, reversed };
+            self.known.entry((body, from, to)).or_insert(term);
+        }
+    }
+
+    /// Where a guide is counted from: a named point, or its own.
+    fn through(&self, slide: SlideId) -> Port {
+        let named = self.scene.mechanism.slide(slide).named;
+        named.map_or(Port::Through(slide), Port::Point)
+    }
+
+    fn ground(&self) -> usize {
+        self.scene.mechanism.links().len()
+    }
+
+    fn body(&self, body: Body) -> usize {
+        match body {
+            Body::Ground => self.ground(),
+            Body::Link(link) => link.index(),
+        }
+    }
+
+    fn point_node(&self, point: PointId) -> usize {
+        self.ground() + 1 + point.index()
+    }
+
+    /// Where a port lies in the frame of its body.
+    fn local(&self, body: usize, port: Port) -> Option<Vec2> {
+        let mechanism = &self.scene.mechanism;
+        match port {
+            Port::Through(slide) => Some(mechanism.slide(slide).through),
+            Port::Point(point) if body == self.ground() => mechanism.point(point).ground,
+            Port::Point(point) => mechanism.links().get(body)?.local(point),
+        }
+    }
+
+    /// The side inside a body from one port to the other; none where both are one place.
+    fn inside(&mut self, body: usize, from: Port, to: Port) -> Option<Term> {
+        if from == to {
+            return None;
+        }
+        if let Some(&term) = self.known.get(&(body, from, to)) {
+            return Some(term);
+        }
+        let local = self.local(body, to)? - self.local(body, from)?;
+        if local == Vec2::ZERO {
+            return None;
+        }
+        let on = if body == self.ground() {
+            Body::Ground
+        } else {
+            Body::Link(LinkId::new(body))
+        };
+        let (tail, head) = (self.label(from), self.label(to));
+        let side = Side {
+            name: self.side_name(&tail, &head),
+            tail,
+            head,
+            shape: Shape::Rigid(on, local),
+            turns: self.locks.turns(on, angle::degrees(local)),
+            named: false,
+        };
+        self.remember(body, from, to, self.sides.len());
+        self.sides.push(side);
+        self.known.get(&(body, from, to)).copied()
+    }
+
+    /// A side that the scene does not name is called by its ends: BK.
+    fn side_name(&self, tail: &str, head: &str) -> String {
+        let between = if tail.len() + head.len() <= 4 {
+            ""
+        } else {
+            "_"
+        };
+        let mut name = format!("{tail}{between}{head}");
+        while self.is_taken(&name) {
+            name.push('\'');
+        }
+        name
+    }
+
+    // ---- the graph
+
+    /// All joints in the order in which the groups place them; slides come last in theirs, so that it is
+    /// they that close a loop.
+    fn ordered_edges(&self, plan: &Plan) -> Vec<Edge> {
+        let mechanism = &self.scene.mechanism;
+        let mut order = vec![0; self.ends.len()];
+        for (number, group) in plan.groups.iter().enumerate().rev() {
+            for &link in &group.links {
+                order[link.index()] = number;
+            }
+            for &point in &group.points {
+                order[self.point_node(point)] = number;
+            }
+        }
+        let mut edges = Vec::new();
+        let mut add = |body: usize, point: usize, slide: Option<SlideId>| {
+            let order = order[body].max(order[point]);
+            edges.push(Edge {
+                body,
+                point,
+                slide,
+                order,
+            });
+        };
+        for point in mechanism.point_ids() {
+            if mechanism.point(point).ground.is_some() {
+                add(self.ground(), self.point_node(point), None);
+            }
+        }
+        for link in mechanism.link_ids() {
+            for member in &mechanism.link(link).members {
+                add(link.index(), self.point_node(member.point), None);
+            }
+        }
+        for slide in mechanism.slide_ids() {
+            let given = mechanism.slide(slide);
+            let point = self.point_node(given.slider.point());
+            add(self.body(given.on), point, Some(slide));
+        }
+        edges.sort_by_key(|edge| (edge.order, edge.slide.is_some()));
+        edges
+    }
+
+    fn join(&mut self, edge: Edge) {
+        let number = self.edges.len();
+        self.ends[edge.body].push(number);
+        self.ends[edge.point].push(number);
+        self.edges.push(edge);
+    }
+
+    /// The shortest way from one node to another, edge by edge; `None` where there is none.
+    fn path(&self, from: usize, to: usize) -> Option<Vec<Edge>> {
+        let mut before: HashMap<usize, usize> = HashMap::new();
+        let mut waiting = VecDeque::from([from]);
+        // Where the new joint's end is not joined to anything yet, there is no way.
+        if self.ends[from].is_empty() || self.ends[to].is_empty() {
+            return None;
+        }
+        while let Some(node) = waiting.pop_front() {
+            if node == to {
+                return Some(self.traced(from, to, &before));
+            }
+            for &number in &self.ends[node] {
+                let next = self.edges[number].other(node);
+                if next != from && !before.contains_key(&next) {
+                    before.insert(next, number);
+                    waiting.push_back(next);
+                }
+            }
+        }
+        None
+    }
+
+    fn traced(&self, from: usize, to: usize, before: &HashMap<usize, usize>) -> Vec<Edge> {
+        let mut path = Vec::new();
+        let mut node = to;
+        while node != from {
+            let Some(&number) = before.get(&node) else {
+                break;
+            };
+            path.push(self.edges[number]);
+            node = self.edges[number].other(node);
+        }
+        path.reverse();
+        path
+    }
+
+    // ---- loops
+
+    /// The sides along a way from a point, back over `closing` where there is one.
+    fn terms(&mut self, path: &[Edge], closing: Option<Edge>) -> Vec<Term> {
+        let ways: Vec<Edge> = path.iter().copied().chain(closing).collect();
+        let mut terms = Vec::new();
+        // From a point every other way leads into a body, and every other one out of it.
+        for pair in ways.chunks(2) {
+            let &[into, out_of] = pair else { continue };
+            terms.extend(self.slide_term(into, false));
+            let ports = [into, out_of].map(|edge| self.port(edge));
+            terms.extend(self.inside(into.body, ports[0], ports[1]));
+            terms.extend(self.slide_term(out_of, true));
+        }
+        terms
+    }
+
+    fn slide_term(&self, edge: Edge, reversed: bool) -> Option<Term> {
+        let shape = Shape::Slide(edge.slide?);
+        let side = self.sides.iter().position(|side| side.shape == shape)?;
+        Some(Term { side, reversed })
+    }
+
+    fn port(&self, edge: Edge) -> Port {
+        match edge.slide {
+            Some(slide) => self.through(slide),
+            None => Port::Point(PointId::new(edge.point - self.ground() - 1)),
+        }
+    }
+
+    /// Goes round so that as few of the scene's vectors as can be are gone through backwards.
+    fn orient(&self, terms: &mut [Term]) {
+        let named = terms.iter().filter(|term| self.sides[term.side].named);
+        let (count, reversed) = named.fold((0, 0), |(count, reversed), term| {
+            (count + 1, reversed + usize::from(term.reversed))
+        });
+        let moving = |term: &&Term| self.sides[term.side].turns != Turns::Never;
+        let leans = 2 * reversed == count && terms.iter().find(moving).is_some_and(|t| t.reversed);
+        if 2 * reversed > count || leans {
+            terms.reverse();
+            for term in terms.iter_mut() {
+                term.reversed = !term.reversed;
+            }
+        }
+    }
+
+    /// Sides that the scene does not name run the way of the first loop that goes along them.
+    fn turn_unnamed(&mut self, loops: &mut [(Vec<Term>, Option<usize>)]) {
+        for number in 0..self.sides.len() {
+            let mut terms = loops.iter().flat_map(|(terms, _)| terms);
+            let first = terms.find(|term| term.side == number);
+            if self.sides[number].named || !first.is_some_and(|term| term.reversed) {
+                continue;
+            }
+            let name = self.side_name(&self.sides[number].head, &self.sides[number].tail);
+            let side = &mut self.sides[number];
+            side.name = name;
+            std::mem::swap(&mut side.tail, &mut side.head);
+            if let Shape::Rigid(body, local) = side.shape {
+                side.shape = Shape::Rigid(body, -local);
+                side.turns = self.locks.turns(body, angle::degrees(-local));
+            }
+            let terms = loops.iter_mut().flat_map(|(terms, _)| terms);
+            for term in terms
+                .chain(self.known.values_mut())
+                .filter(|t| t.side == number)
+            {
+                term.reversed = !term.reversed;
+            }
+        }
+    }
+
+    /// Begins with the frame's vector, or ends with it if it is gone through backwards.
+    fn begin(&self, terms: &mut [Term]) {
+        let on_ground =
+            |term: &Term| matches!(self.sides[term.side].shape, Shape::Rigid(Body::Ground, _));
+        let Some(at) = terms.iter().position(on_ground) else {
+            // Without one the vector that was placed first begins: the driver's.
+            let first = terms.iter().enumerate().min_by_key(|(_, term)| term.side);
+            return terms.rotate_left(first.map_or(0, |(at, _)| at));
+        };
+        terms.rotate_left(at);
+        if terms.first().is_some_and(|term| term.reversed) {
+            terms.rotate_left(1);
+        }
+    }
+
+    /// A loop for every vector between two bodies.
+    fn free_loops(&mut self) -> Vec<(Vec<Term>, Option<usize>)> {
+        let mut loops = Vec::new();
+        for side in 0..self.sides.len() {
+            let Shape::Free(tail, head) = self.sides[side].shape else {
+                continue;
+            };
+            let ends = [head, tail].map(|point| self.point_node(point));
+            let Some(path) = self.path(ends[0], ends[1]) else {
+                continue;
+            };
+            let mut terms = vec![Term {
+                side,
+                reversed: false,
+            }];
+            terms.extend(self.terms(&path, None));
+            loops.push((terms, None));
+        }
+        loops
+    }
+}
+
+impl Edge {
+    fn other(&self, node: usize) -> usize {
+        if node == self.body {
+            self.point
+        } else {
+            self.body
+        }
+    }
+}

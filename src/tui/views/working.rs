@@ -1,0 +1,56 @@
+//! The working shown: how the figures of the present state come about, line by line.
+//!
+//! ```text
+//! 4.2 Group 2, dyad RRR at C: links r3, r4
+//! With m from B to D, and C where the two arms meet:
+//!   m = sqrt(mx^2 + my^2) = 360.555 mm
+//! ```
+
+use super::{mark_more, print};
+use crate::drawing::Glyphs;
+use crate::report::{LineKind, TextStyle, wrapped};
+use crate::tui::app::App;
+use crate::tui::theme::{self, Part};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let lines = lines(app, area);
+    let most = lines.len().saturating_sub(area.height.into());
+    let scroll = app.scroll().min(most);
+    mark_more(area, scroll > 0, scroll < most, buffer);
+    let seen = lines.iter().skip(scroll);
+    for (y, (kind, line)) in (area.top()..area.bottom()).zip(seen) {
+        let style = theme::part(match kind {
+            LineKind::Title | LineKind::Part => Part::Title,
+            LineKind::Section => Part::Name,
+            LineKind::Head => Part::Quiet,
+            LineKind::Body => Part::Text,
+        });
+        print(buffer, area.x, y, area.width, line, style);
+    }
+}
+
+/// Lines of the view, and how many are seen.
+pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
+    (lines(app, area).len(), area.height.into())
+}
+
+fn lines(app: &App, area: Rect) -> Vec<(LineKind, String)> {
+    let width = usize::from(area.width);
+    let Some(explained) = app.stage().explained() else {
+        let lines = wrapped(TOO_MANY, width).into_iter();
+        return lines.map(|line| (LineKind::Body, line)).collect();
+    };
+    let style = TextStyle {
+        // Console fonts have no Greek letters.
+        ascii: app.glyphs() != Glyphs::Braille,
+        width,
+    };
+    let lines = explained.document().lines(style).into_iter();
+    // The title stands above the view already.
+    let own = lines.skip_while(|(kind, line)| *kind == LineKind::Title || line.is_empty());
+    own.collect()
+}
+
+const TOO_MANY: &str = "too many links to follow here: krank explain writes all of it";
