@@ -101,7 +101,7 @@ impl MotorReport {
     fn course_text(&self, duty: &Duty) -> String {
         let course = &duty.cycle.course;
         let way = match (course.goes_round, duty.turns()) {
-            (true, turns) if turns == 1.0 => "over a turn".to_owned(),
+            (true, 1.0) => "over a turn".to_owned(),
             (true, turns) => format!("over {turns} turns"),
             (false, _) => format!(
                 "from {} to {} {} and back",
