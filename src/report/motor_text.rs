@@ -92,7 +92,10 @@ impl MotorReport {
                 self.place(&worst),
                 significant(rms, DIGITS)
             ),
-            _ => "asks for more than any motor has: there is no largest torque and no RMS".into(),
+            _ => format!(
+                "asks for more than any motor has: there is no largest {} and no RMS",
+                self.effort_word()
+            ),
         };
         format!("{course}, {} {asked}", self.driver)
     }
@@ -113,10 +116,15 @@ impl MotorReport {
         format!("{way} at {}", self.speed_text(self.speed.abs()))
     }
 
+    /// What the driver does.
+    fn effort_word(&self) -> &'static str {
+        if self.turns { "torque" } else { "force" }
+    }
+
     /// A speed of the driver in the scene's unit, turns in rpm too.
     fn speed_text(&self, speed: f64) -> String {
         if self.turns {
-            let rpm = concise(speed * RPM, DIGITS);
+            let rpm = trimmed(speed * RPM);
             format!("{} rad/s ({rpm} rpm)", concise(speed, DIGITS))
         } else {
             format!("{} {}/s", concise(speed, DIGITS), self.unit)
@@ -129,13 +137,23 @@ impl MotorReport {
             format!("{} {}", places.join(" and "), self.driver_unit)
         };
         let mut texts = Vec::new();
+        let all = &duty.cycle.all;
+        if let (Some(work), Some(put_in)) = (all.work(), all.put_in)
+            && work < -NOTHING * put_in
+        {
+            texts.push(format!(
+                "the mechanism drives {}: it gives {} J a cycle",
+                self.driver,
+                significant(-work, DIGITS)
+            ));
+        }
         if !duty.dead_points.is_empty() {
             let what = if duty.runs_dead {
                 "accelerations grow beyond all bounds, and a driver that keeps its speed never gets \
                  there: only what loads and gravity take exists"
             } else {
-                "the torque can grow beyond all bounds: its work and its mean exist, a peak and an RMS \
-                 do not"
+                "what the driver must do can grow beyond all bounds: its work and its mean exist, a \
+                 peak and an RMS do not"
             };
             texts.push(format!(
                 "dead points at {}: towards them {what}; a part of the motion has all figures",
@@ -185,7 +203,7 @@ impl MotorReport {
             .chain(acting.iter().map(|(n, _)| *n))
             .map(str::to_owned)
             .collect();
-        let what = if self.turns { "torque" } else { "force" };
+        let what = self.effort_word();
         let row = |label: &str, cell: &dyn Fn(&Effect) -> String| {
             MotorLine::Figures(label.to_owned(), columns.iter().map(|e| cell(e)).collect())
         };
@@ -509,6 +527,16 @@ fn figure(value: Option<f64>) -> String {
     value.map_or_else(none, |v| significant(v, DIGITS))
 }
 
+/// To all digits, without zeros at the end: a speed comes back from radians as it was given.
+fn trimmed(value: f64) -> String {
+    let text = significant(value, DIGITS);
+    if text.contains('.') && !text.contains('e') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
 /// 0 for what rounding has left of figures of a size.
 fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
     let size = size.unwrap_or(0.0);
@@ -519,7 +547,7 @@ fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
 /// which is told.
 fn verdict(asked: &Asked, scale: f64, unit: &str) -> String {
     let [wants, has, lacks] =
-        [asked.asked, asked.has, asked.lacks().abs()].map(|v| concise(v * scale, DIGITS));
+        [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
     let share = significant(100.0 * (asked.lacks() / asked.asked).abs(), 3);
     if asked.is_enough() {
         format!("{has} {unit} for {wants}: {lacks} left, {share}%")
