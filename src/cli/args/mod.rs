@@ -47,7 +47,8 @@ const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
     version,
     about = "A terminal workbench for planar linkages",
     long_about = "A terminal workbench for planar linkages: position, velocity and acceleration \
-                  of any mechanism with one input, drawn and in tables.",
+                  of any mechanism with one input, and the forces where anything acts, drawn \
+                  and in tables.",
     args_conflicts_with_subcommands = true,
     after_help = concat!(
         keys_help!(),
