@@ -40,7 +40,9 @@ const DOTS: Grain = (2, 4);
 
 /// The way of a curve through a grid, in stretches that hang together inside the block.
 fn ways(points: &[Vec2], block: &Block, (across, down): Grain) -> Vec<Vec<(i32, i32)>> {
-    let fine = |p: Vec2| Vec2::new(p.x * f64::from(across), p.y * f64::from(down));
+    // However far a sample is, it stays a number.
+    let times = |v: f64, by: i32| (v * f64::from(by)).clamp(f64::MIN, f64::MAX);
+    let fine = |p: Vec2| Vec2::new(times(p.x, across), times(p.y, down));
     let [low, high] = block.ends().map(fine);
     let most = (high.x as i32 - 1, high.y as i32 - 1);
     let cell = |p: Vec2| {
