@@ -121,12 +121,16 @@ fn greek_letters_are_spelled_where_there_are_none() {
 }
 
 #[test]
-fn places_without_an_assembly_are_told() {
+fn a_dead_point_is_told() {
     let mut session = session("double-rocker", Glyphs::Ascii, 80, 24);
-    session.press("g").type_in("200").press("Enter");
+    session
+        .press("g")
+        .type_in("101.53695903281549")
+        .press("Enter");
     let screen = session.look();
+    assert!(screen.contains("State: dead-point."), "{screen}");
     assert!(
-        screen.contains("cannot be assembled here") || screen.contains("State: "),
+        screen.contains("A dead point: the motion ends here."),
         "{screen}"
     );
 }

@@ -596,7 +596,10 @@ fn outside_the_range_the_triangle_says_why() {
     let text = text(&bench.at(high + 20.0, 6));
     assert!(text.contains("State: no-assembly."), "{text}");
     assert!(
-        text.contains("r1 + r2 + r3 + r4 = 0") || text.contains("= 0"),
+        text.contains(
+            "  r1 + r2 + r3 - r4 = 0
+"
+        ),
         "{text}"
     );
     assert!(
