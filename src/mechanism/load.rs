@@ -67,7 +67,7 @@ pub enum Load {
         /// The factor over the driver's coordinate, as of a force.
         over: Profile,
     },
-    /// What a press does before the end of its stroke: a force against what slides, along the guide,
+    /// What a press does before the end of its stroke: a force on what slides, against it along the guide,
     /// while it moves towards that end. None on the way back; a driver of no speed is taken for one that
     /// goes forward.
     Press {

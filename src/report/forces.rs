@@ -302,7 +302,8 @@ fn partner(mechanism: &Mechanism, link: LinkId, point: PointId) -> Option<Option
     let acts = |load: &Load| match *load {
         Load::Force { point: at, .. } => at == point,
         Load::Spring { from, to, .. } => from == point || to == point,
-        Load::Press { slide, .. } => mechanism.slide(slide).slider.point() == point,
+        // Of a link that slides it presses on the link.
+        Load::Press { slide, .. } => mechanism.slide(slide).slider == Slider::Pin(point),
         Load::Torque { .. } => false,
     };
     // A guide presses on the pin in its slot; of a link that slides it holds the link.

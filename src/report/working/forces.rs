@@ -288,6 +288,7 @@ impl FreeBody<'_> {
             for (_, force) in self
                 .acted
                 .iter()
+                .filter(|a| a.on.is_none())
                 .flat_map(|a| &a.forces)
                 .filter(|(p, _)| *p == point)
             {
@@ -296,6 +297,16 @@ impl FreeBody<'_> {
                     name,
                     force: *force,
                     at,
+                    couple: 0.0,
+                });
+            }
+        }
+        for acted in self.acted.iter().filter(|a| a.on == Some(self.id)) {
+            for &(point, force) in &acted.forces {
+                rows.push(Row {
+                    name: "press".into(),
+                    force,
+                    at: Some(state.position(point)),
                     couple: 0.0,
                 });
             }

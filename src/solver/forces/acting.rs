@@ -9,11 +9,13 @@ mod shown;
 pub use shown::Acted;
 
 use super::profile::Curve;
+use super::slots::{Slot, Slots};
 use super::{Forces, Part};
 use crate::solver::frame::Frame;
 use crate::solver::state::State;
 use crate::{
-    Body, Constant, Input, LinkId, Load, Mechanism, Number, PointId, SlideId, StrokeEnd, Vec2,
+    Body, Constant, Input, LinkId, Load, Mechanism, Number, PointId, SlideId, Slider, StrokeEnd,
+    Vec2,
 };
 
 /// Everything that acts, ready to be asked at a state.
@@ -44,6 +46,9 @@ enum Act {
     Press {
         slide: SlideId,
         point: PointId,
+        /// The link that slides, and where the force of its pin there is noted: the press acts on the link
+        /// and not on the pin.
+        on: Option<(LinkId, Slot)>,
         end: StrokeEnd,
         /// Where the stroke ends, in the scene's unit along the guide.
         bottom: Constant,
@@ -72,10 +77,11 @@ impl Acting {
     pub(super) fn new(
         mechanism: &Mechanism,
         frame: Frame,
+        slots: &Slots,
         bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
     ) -> Acting {
         let loads = mechanism.loads().iter();
-        let loads = loads.map(|load| act(mechanism, frame, load, &bottom));
+        let loads = loads.map(|load| act(mechanism, frame, load, slots, &bottom));
         let masses = mechanism.link_ids().filter_map(|id| {
             let link = mechanism.link(id);
             let has_mass = link.mass > 0.0 || link.inertia > 0.0;
@@ -167,6 +173,7 @@ impl Acting {
             Act::Press {
                 slide,
                 point,
+                on,
                 end,
                 bottom,
                 curve,
@@ -189,7 +196,11 @@ impl Acting {
                     StrokeEnd::Least => travel.guide,
                     StrokeEnd::Greatest => -travel.guide,
                 };
-                forces.push(Part::Load, *point, against * size, state);
+                let force = against * size;
+                forces.push(Part::Load, *point, force, state);
+                if let Some((_, slot)) = on {
+                    forces.note(*slot, -force);
+                }
             }
             Act::Spring {
                 from,
@@ -225,6 +236,7 @@ fn act(
     mechanism: &Mechanism,
     frame: Frame,
     load: &Load,
+    slots: &Slots,
     bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
 ) -> Act {
     let turns = matches!(mechanism.driver().input, Input::Turn(_));
@@ -251,6 +263,10 @@ fn act(
         Load::Press { slide, end, curve } => Act::Press {
             slide: *slide,
             point: mechanism.slide(*slide).slider.point(),
+            on: match mechanism.slide(*slide).slider {
+                Slider::Pin(_) => None,
+                Slider::Link { link, origin, .. } => Some((link, slots.of(link, origin))),
+            },
             end: *end,
             bottom: bottom(*slide, *end),
             curve: Curve::new(curve, false),

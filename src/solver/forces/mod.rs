@@ -188,7 +188,7 @@ impl Balance {
         }
         let slots = Arc::new(Slots::new(mechanism));
         Some(Balance {
-            acting: Acting::new(mechanism, engine.frame, bottom),
+            acting: Acting::new(mechanism, engine.frame, &slots, bottom),
             passes: pass::passes(network, &engine.program, &slots),
             locked: Locked::new(network, &engine.program),
             open: Arc::new(Open::none(mechanism, &slots)),

@@ -56,16 +56,27 @@ struct Noted {
     /// What acts: on points, and as couples on links.
     points: Vec<Vec2>,
     couples: Vec<f64>,
+    /// What acts on a link at a point, and not on the pin there.
+    pressed: Vec<(LinkId, PointId, Vec2)>,
 }
 
 fn noted(solver: &Solver, state: &State) -> Noted {
     let balance = solver.balance.as_ref().unwrap();
     let mut acting = balance.forces(&solver.engine, solver.slides);
     balance.acting.act(state, &mut acting);
+    let mut points = acting.points;
+    let mut pressed = Vec::new();
+    for acted in solver.acted(state) {
+        for &(point, force) in acted.forces.iter().filter(|_| acted.on.is_some()) {
+            points[point.index()] += -force;
+            pressed.extend(acted.on.map(|link| (link, point, force)));
+        }
+    }
     Noted {
         forces: (**state.forces.as_ref().unwrap()).clone(),
-        points: acting.points,
+        points,
         couples: acting.links,
+        pressed,
     }
 }
 
@@ -114,6 +125,9 @@ fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &Noted) -> 
         sum.add(at(member.point), of.forces.joints[slot]);
     }
     sum.twist(of.couples[link.index()]);
+    for &(_, point, force) in of.pressed.iter().filter(|(on, ..)| *on == link) {
+        sum.add(at(point), force);
+    }
     if mechanism.driver().input == Input::Turn(link) {
         sum.twist(-of.forces.drive);
     }
@@ -632,10 +646,9 @@ fn no_bound_of_a_force_is_smaller_than_its_error() {
         }
         over.sort_by(f64::total_cmp);
         let median = over[over.len() / 2];
-        println!(
-            "{:20} {proved} proved, {unproved} not; over, median {median:.0}",
-            name
-        );
+        // Nor is a bound large as a matter of course; but a long chain widens what each group is given.
+        let is_long = solver.plan().groups.len() > 8;
+        assert!(is_long || median < 1e3, "{name}: {median} times the error");
         assert!(unproved * 10 < proved, "{}: {unproved} of {proved}", name);
     }
 }

@@ -13,6 +13,8 @@ pub struct Acted {
     pub forces: Vec<(PointId, Vec2)>,
     /// Its couple on a link, in N m.
     pub couple: Option<(LinkId, f64)>,
+    /// The link on which it acts itself, and not on the pin at that point: of a press, what slides.
+    pub on: Option<LinkId>,
 }
 
 impl Solver {
@@ -45,6 +47,10 @@ impl Acting {
                 (Vec::new(), Some((*link, couple)))
             }
         };
-        Acted { forces, couple }
+        let on = match load {
+            Act::Press { on, .. } => on.map(|(link, _)| link),
+            Act::Force { .. } | Act::Spring { .. } | Act::Torque { .. } => None,
+        };
+        Acted { forces, couple, on }
     }
 }
