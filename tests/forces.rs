@@ -39,10 +39,11 @@ fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
         let pivot = pivot.unwrap();
         a.swap(k, pivot);
         b.swap(k, pivot);
+        let row = a[k];
         for i in k + 1..N {
-            let factor = a[i][k] / a[k][k];
-            for j in k..N {
-                a[i][j] -= factor * a[k][j];
+            let factor = a[i][k] / row[k];
+            for (v, above) in a[i].iter_mut().zip(row) {
+                *v -= factor * above;
             }
             b[i] -= factor * b[k];
         }
