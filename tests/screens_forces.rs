@@ -81,7 +81,7 @@ fn every_size_shows_every_force() {
             all += &session.press("Down").body();
         }
         for what in [
-            "r2 at B", "ram at F", "ground", "r6", "off by", "dir f", "moment", "power",
+            "r2 at B", "r5 at F", "ground", "r6", "off by", "dir f", "moment", "power",
         ] {
             assert!(all.contains(what), "{what} at {cols} x {rows}: {all}");
         }
@@ -121,9 +121,13 @@ fn the_figures_are_those_of_the_state() {
         near(*shown, part.value);
     }
     near(drive[4], forces.drive.power.value);
-    let joint = forces.joints.iter().find(|j| j.link == "ram").unwrap();
+    let joint = forces
+        .joints
+        .iter()
+        .find(|j| (j.link.as_str(), j.point.as_str()) == ("r5", "F"));
+    let joint = joint.unwrap();
     let plane = joint.force.unwrap();
-    let shown = row(&screen, " ram at F");
+    let shown = row(&screen, " r5 at F by ram");
     near(shown[0], Some(plane.components.x));
     near(shown[1], Some(plane.components.y));
     near(shown[2], Some(plane.magnitude));
@@ -165,7 +169,7 @@ fn numbers_do_not_dance() {
     };
     let mut session = session("press-ram", 80, 24);
     let first = ends(&session.press("5").look());
-    assert_eq!(first.len(), 7);
+    assert_eq!(first.len(), 6);
     for _ in 0..24 {
         let screen = session.press(". . .").look();
         assert_eq!(ends(&screen), first, "{screen}");

@@ -134,3 +134,13 @@ fn no_preset_leaves_the_screen_empty_or_broken() {
         }
     }
 }
+
+/// The screen in the README is the one that is seen.
+#[test]
+fn the_screen_of_the_readme_is_real() {
+    let readme = include_str!("../README.md");
+    let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 18);
+    let screen = session.press("8").look();
+    let block = format!("```txt\n{}\n```", screen.trim_end());
+    assert!(readme.contains(&block), "the README should show\n{screen}");
+}
