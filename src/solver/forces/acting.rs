@@ -25,6 +25,7 @@ pub(super) struct Acting {
     masses: Vec<Mass>,
     /// In m/s^2.
     gravity: Vec2<Constant>,
+    has_gravity: bool,
     /// Metres in the solver's length.
     pub(super) unit: Constant,
 }
@@ -96,6 +97,7 @@ impl Acting {
             loads: loads.collect(),
             masses: masses.collect(),
             gravity: mechanism.gravity().map(Constant::given),
+            has_gravity: mechanism.gravity() != Vec2::ZERO,
             unit: Constant::given(mechanism.metres()).scaled(frame.scale),
         }
     }
@@ -134,8 +136,10 @@ impl Acting {
         for mass in &self.masses {
             let com = &state.points[mass.com.index()];
             let m = T::of(mass.mass);
-            let weight = Vec2::of(self.gravity) * m;
-            forces.push(Part::Gravity, mass.com, weight, state);
+            if self.has_gravity {
+                let weight = Vec2::of(self.gravity) * m;
+                forces.push(Part::Gravity, mass.com, weight, state);
+            }
             let a = com.a * rates.square + com.v * rates.acceleration;
             forces.push(Part::Inertia, mass.com, -(a * (m * unit)), state);
             let link = &state.links[mass.link.index()];

@@ -11,18 +11,33 @@ pub(super) struct Curve {
     values: Vec<Constant>,
     slopes: Vec<f64>,
     period: Option<f64>,
+    /// For equal parts of the whole length a knot that is not behind any place of the part; and how many
+    /// parts a unit of length has.
+    parts: Vec<usize>,
+    fineness: f64,
 }
+
+/// So many parts has a curve for each of its knots.
+const PARTS: usize = 4;
 
 impl Curve {
     /// `turns` tells whether the coordinate is that of a turned driver: then a curve whose knots span
     /// whole turns repeats.
     pub(super) fn new(profile: &Profile, turns: bool) -> Curve {
         let knots = profile.knots();
-        let span = match knots {
-            [first, .., last] => last[0] - first[0],
-            _ => 0.0,
+        let (first, span) = match knots {
+            [first, .., last] => (first[0], last[0] - first[0]),
+            _ => (0.0, 0.0),
         };
         let slopes = knots.windows(2);
+        let count = PARTS * knots.len();
+        let fineness = if span > 0.0 { count as f64 / span } else { 0.0 };
+        let begins = |part: usize| first + part as f64 / fineness;
+        let before = |at: f64| {
+            knots
+                .partition_point(|knot| knot[0] <= at)
+                .saturating_sub(1)
+        };
         Curve {
             places: knots.iter().map(|knot| Constant::given(knot[0])).collect(),
             values: knots.iter().map(|knot| Constant::given(knot[1])).collect(),
@@ -30,6 +45,11 @@ impl Curve {
                 .map(|k| (k[1][1] - k[0][1]) / (k[1][0] - k[0][0]))
                 .collect(),
             period: (turns && span > 0.0 && span % TURN == 0.0).then_some(span),
+            // A part further back, so that rounding never begins behind a place.
+            parts: (0..count)
+                .map(|part| before(begins(part.saturating_sub(1))))
+                .collect(),
+            fineness,
         }
     }
 
@@ -42,8 +62,12 @@ impl Curve {
     pub(super) fn value<T: Number>(&self, x: T) -> T {
         let x = match (self.period, self.places.first()) {
             (Some(period), Some(first)) => {
-                let turns = ((x.nearest() - first.hi) / period).floor();
-                x - T::exactly(turns * period)
+                let from = x.nearest() - first.hi;
+                if from >= 0.0 && from < period {
+                    x
+                } else {
+                    x - T::exactly((from / period).floor() * period)
+                }
             }
             _ => x,
         };
@@ -56,11 +80,23 @@ impl Curve {
 
     /// On the line where the nearest double is.
     fn quick<T: Number>(&self, x: T) -> T {
-        let k = self.places.partition_point(|place| place.hi <= x.nearest());
-        match k {
-            0 => self.values.first().map_or(T::exactly(1.0), |&v| T::of(v)),
-            k => self.line(k - 1, x),
+        let (Some(first), Some(&value)) = (self.places.first(), self.values.first()) else {
+            return T::exactly(1.0);
+        };
+        let near = x.nearest();
+        let from = near - first.hi;
+        // Written so that NaN is before all.
+        if !(from >= 0.0) {
+            return T::of(value);
         }
+        // A cast ends at the ends of its type.
+        let part = (from * self.fineness) as usize;
+        let last = self.places.len() - 1;
+        let mut k = self.parts.get(part).copied().unwrap_or(last);
+        while self.places.get(k + 1).is_some_and(|place| place.hi <= near) {
+            k += 1;
+        }
+        self.line(k, x)
     }
 
     /// The line behind the knot k, or the constant behind the last one.
@@ -135,6 +171,33 @@ mod tests {
             (99.0, 0.0),
         ] {
             assert_eq!(hill().value(x), y, "{x}");
+        }
+    }
+
+    /// Knots far apart and close together: the line is that of a search from the beginning.
+    #[test]
+    fn the_line_is_found_wherever_the_knots_are() {
+        let knots = [
+            [-3.0, 1.0],
+            [0.0, 2.0],
+            [1e-9, 5.0],
+            [0.3, 4.0],
+            [0.31, 7.0],
+            [800.0, -1.0],
+        ];
+        let curve = curve(&knots, false);
+        for k in 0..20_000 {
+            let x = -4.0 + f64::from(k).powi(3) * 1e-10;
+            let behind = knots.partition_point(|knot| knot[0] <= x);
+            let want = match behind {
+                0 => 1.0,
+                6 => -1.0,
+                k => {
+                    let [a, b] = [knots[k - 1], knots[k]];
+                    a[1] + (b[1] - a[1]) / (b[0] - a[0]) * (x - a[0])
+                }
+            };
+            assert_eq!(curve.value(x), want, "{x}");
         }
     }
 
