@@ -13,7 +13,8 @@ use crate::report::{
     Beside, Columns, Decimal, Missing, NO_ANSWER, Outcome, RowFormat, Steps, Sweep, limits_text,
 };
 use crate::scene::Scene;
-use crate::solver::Range;
+use crate::solver::{Order, Range};
+use crate::study::motor;
 
 /// A pushed slide takes the largest step of 1, 2 or 5 times a power of ten that gives at least so
 /// many steps over the sweep.
@@ -33,7 +34,7 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     }
     let columns = columns.with(beside, scene.unit.symbol());
     let range = solver.motion().range;
-    let steps = steps(&scene, range, args)?;
+    let steps = steps(&scene, whole(&scene, range, &figures), args)?;
     let format = match args.format {
         Format::Csv => RowFormat::Csv,
         Format::Json => RowFormat::Json,
@@ -130,6 +131,19 @@ fn steps(scene: &Scene, range: Range, args: &SweepArgs) -> Result<Steps, Failure
         Some(_) => steps,
         None => steps.ending_on(to.value()),
     })
+}
+
+/// What a sweep covers that was not told: the motion, and where forces are among the figures, as many of its
+/// periods as the loads take to repeat.
+fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
+    let has_forces = figures.iter().any(|q| q.aspect.order() == Order::Force);
+    let repeats = motor::repeats(&scene.mechanism, range).filter(|_| has_forces);
+    match (range, repeats) {
+        (Range::Full { period }, Some(times)) => Range::Full {
+            period: period * f64::from(times),
+        },
+        _ => range,
+    }
 }
 
 /// Limits are finite, so that they have a decimal.

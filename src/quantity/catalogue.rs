@@ -3,6 +3,7 @@
 use super::{Aspect, Quantity, Share, Subject};
 use crate::nearest::nearest;
 use crate::scene::Scene;
+use crate::solver::Order;
 use crate::{Input, Slider};
 use thiserror::Error;
 
@@ -20,10 +21,15 @@ pub struct UnknownColumn {
     pub pattern: String,
     /// The name nearest to it.
     pub nearest: Option<String>,
+    /// Whether it asks for a force of a scene on which nothing acts.
+    pub nothing_acts: bool,
 }
 
 impl UnknownColumn {
     fn mend(&self) -> String {
+        if self.nothing_acts {
+            return "; nothing acts on this scene: it has no loads, springs or masses".into();
+        }
         let beside = ["bound", "sensitivity"];
         let beside = beside.map(|kind| (kind, self.pattern.strip_suffix(kind)));
         for (kind, name) in beside {
@@ -188,11 +194,22 @@ impl Catalogue {
         Ok(selected)
     }
 
+    /// Whether a pattern asks for a force, and there are none.
+    fn has_no(&self, pattern: &str) -> bool {
+        let is_force = |aspect: &Aspect| aspect.order() == Order::Force;
+        let mut own = self.quantities.iter().map(|q| q.aspect);
+        let asked = [Aspect::Torque, Aspect::Force, Aspect::Power, Aspect::Normal];
+        let asked = asked.into_iter().chain(Aspect::FRAME);
+        let mut asked = asked.map(|aspect| format!(".{}", aspect.name()));
+        !own.any(|aspect| is_force(&aspect)) && asked.any(|name| pattern.contains(&name))
+    }
+
     fn unknown(&self, pattern: &str) -> UnknownColumn {
         let names = self.quantities.iter().map(|q| q.name.as_str());
         UnknownColumn {
             pattern: pattern.into(),
             nearest: nearest(pattern, names).map(str::to_owned),
+            nothing_acts: self.has_no(pattern),
         }
     }
 }
@@ -223,7 +240,7 @@ mod tests {
     use super::super::value;
     use super::*;
     use crate::scene::presets;
-    use crate::solver::{Order, Solver};
+    use crate::solver::Solver;
     use proptest::prelude::*;
 
     fn slider_crank() -> Scene {
@@ -277,6 +294,8 @@ mod tests {
         );
         let unknown = catalogue.select(&["c.x"]).unwrap_err();
         assert_eq!(unknown.nearest.as_deref(), Some("C.x"));
+        let nothing = catalogue.select(&["driver.torque"]).unwrap_err();
+        assert!(nothing.to_string().contains("nothing acts"), "{nothing}");
     }
 
     /// What a pattern means, tried out in full.

@@ -7,6 +7,7 @@ use super::number::concise;
 use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
+use crate::study::motor;
 use crate::{Body, Element, Input, Link, LinkId, Load, Mechanism, PointId, Slider, Vec2};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
@@ -183,7 +184,7 @@ pub struct Check {
 }
 
 /// What acts on a mechanism, counted.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Acting {
     /// Forces at points.
     pub forces: usize,
@@ -197,14 +198,21 @@ pub struct Acting {
     pub masses: usize,
     /// Whether these have a weight.
     pub gravity: bool,
+    /// The degrees after which the loads have repeated with the motion, where they take longer than that.
+    pub period: Option<f64>,
 }
 
 impl Acting {
-    fn on(mechanism: &Mechanism) -> Acting {
+    fn on(mechanism: &Mechanism, range: Range) -> Acting {
+        let repeats = motor::repeats(mechanism, range);
         let has_mass = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
         let mut acting = Acting {
             masses: mechanism.links().iter().filter(has_mass).count(),
             gravity: mechanism.gravity() != Vec2::ZERO,
+            period: match (range, repeats) {
+                (Range::Full { period }, Some(times @ 2..)) => Some(period * f64::from(times)),
+                _ => None,
+            },
             ..Acting::default()
         };
         for load in mechanism.loads() {
@@ -314,7 +322,7 @@ impl Check {
             near_misses: near_misses(scene, solver),
             transmission: names.transmission(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),
-            acting: Acting::on(mechanism),
+            acting: Acting::on(mechanism, solver.motion().range),
             indeterminate: indeterminate(scene, solver),
             range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),
         }

@@ -81,7 +81,11 @@ impl Check {
         if acting.gravity && acting.masses > 0 {
             told.push("gravity".into());
         }
-        (!told.is_empty()).then(|| told.join(", "))
+        let told = (!told.is_empty()).then(|| told.join(", "))?;
+        Some(match acting.period {
+            Some(period) => format!("{told}; repeated after {period} deg"),
+            None => told,
+        })
     }
 
     fn open_text(&self) -> String {

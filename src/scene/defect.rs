@@ -178,13 +178,14 @@ fn no_centre(link: &Link<'_>) -> Diagnostic {
         .clone()
         .unwrap_or(("mass", link.name.span.clone()));
     let article = if key == "mass" { "a" } else { "an" };
-    let middle = link.ends.as_ref().map_or(0.0, |ends| ends.length / 2.0);
+    let example = match &link.ends {
+        Some(ends) => format!("; at mid-length: com = [{}, 0]", ends.length / 2.0),
+        None => ": com = [20, 10], for example".to_owned(),
+    };
     let of = &link.name;
     Diagnostic::new(format!(
         "link {of} has {article} {key} but no centre of mass"
     ))
     .at(span, "about which point?")
-    .help(format!(
-        "give the centre in the link's frame; at mid-length: com = [{middle}, 0]"
-    ))
+    .help(format!("give the centre in the link's frame{example}"))
 }

@@ -12,7 +12,7 @@ use toml::de::DeTable;
 /// The most links that a scene may have.
 pub(super) const MOST_LINKS: usize = 10_000;
 
-const SECTIONS: [&str; 14] = [
+pub(super) const SECTIONS: [&str; 14] = [
     "name", "source", "note", "unit", "ground", "driver", "links", "slides", "start", "vectors",
     "loads", "springs", "gravity", "motor",
 ];

@@ -140,7 +140,14 @@ impl<'t> Names<'t> {
             None => Diagnostic::new(format!("{what}: there is no {noun} {name}"))
                 .at(name.span.clone(), format!("unknown {noun}")),
         };
-        let help = self.help(reader, name, sort);
+        let help = if super::draft::SECTIONS.contains(&name.text) {
+            let key = name.text;
+            Some(format!(
+                "`{key}` of the scene stands above the first [table]"
+            ))
+        } else {
+            self.help(reader, name, sort)
+        };
         reader.report(fault.maybe_help(help));
         None
     }

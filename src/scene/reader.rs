@@ -115,6 +115,11 @@ fn bare_number(text: &str) -> Option<String> {
     let help = match (number.is_empty(), rest.is_empty()) {
         (true, _) => return None,
         (false, true) => format!("write it without quotes: {number}"),
+        (false, false) if rest.trim() == "%" => {
+            // Exactly by text: two places further left.
+            let part = number.parse::<f64>().ok()? / 100.0;
+            format!("write it as a part of one: {part}")
+        }
         (false, false) => format!(
             "write the number alone: {number}; lengths are in the scene's `unit`, angles in degrees"
         ),

@@ -244,3 +244,17 @@ fn check_tells_what_acts() {
     let bare = done(&["check", "four-bar"]);
     assert!(!bare.contains("\nforces"), "{bare}");
 }
+
+/// A four-stroke's loads take two turns of the crank; its motion takes one.
+#[test]
+fn a_sweep_of_forces_goes_on_until_the_loads_repeat() {
+    let rows = |columns: &str| {
+        done(&["sweep", "engine", "--columns", columns])
+            .lines()
+            .count()
+    };
+    assert_eq!(rows("driver.torque"), 1 + 721);
+    assert_eq!(rows("C.x"), 1 + 361);
+    let text = done(&["check", "engine"]);
+    assert!(text.contains("repeated after 720 deg"), "{text}");
+}

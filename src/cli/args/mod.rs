@@ -150,7 +150,7 @@ solving the scene as it is given does not exceed. --sensitivity puts
 C.x.sensitivity there: the change of C.x where every given length is off by one
 unit, at the worst.
 Without --from and --to a sweep covers the motion range and ends on its limits,
-or after one period.")]
+or after one period; with forces among the figures, that of the loads.")]
     Sweep(SweepArgs),
     /// Plot figures over the motion: in characters, or as SVG
     #[command(after_help = "\

@@ -35,7 +35,8 @@ fn profiles(mechanism: &Mechanism) -> impl Iterator<Item = &Profile> {
 
 /// How often the motion's period is gone through until the loads have repeated, too; `None` where that is
 /// too often to wait for.
-pub(super) fn repeats(mechanism: &Mechanism, range: Range) -> Option<u32> {
+#[must_use]
+pub fn repeats(mechanism: &Mechanism, range: Range) -> Option<u32> {
     let Range::Full { period } = range else {
         return Some(1);
     };

@@ -30,6 +30,7 @@ pub use course::Course;
 pub use cycle::{Cycle, Effect, Fluctuation, Peak, Rule, Shaking};
 pub use duty::{Duty, is_within};
 pub use fitting::{Asked, Fit, Geared, fluctuation_with, flywheel_for};
+pub use marks::repeats;
 pub use ram::{Centre, Dwell, NoRam, Passing, Ram, RamEnd, rams};
 
 use crate::Vec2;
