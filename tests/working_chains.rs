@@ -1,9 +1,12 @@
 //! Every chain of equal sides with numbers in it is true as it stands on the page.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use krank::report::{Block, Document, Working};
+use krank::report::{Block, Document, TextStyle, Working};
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Range, Solver};
+
+/// What is done to the value in a pair of brackets.
+type Function = fn(f64) -> f64;
 
 /// A reader of printed numbers: sums, products, squares, roots, sines and cosines of degrees.
 struct Reader<'a> {
@@ -63,7 +66,7 @@ impl<'a> Reader<'a> {
     }
 
     fn factor(&mut self) -> Option<f64> {
-        let functions: [(&str, fn(f64) -> f64); 4] = [
+        let functions: [(&str, Function); 4] = [
             ("sqrt(", f64::sqrt),
             ("cos(", |degrees| degrees.to_radians().cos()),
             ("sin(", |degrees| degrees.to_radians().sin()),
@@ -114,7 +117,8 @@ fn hold(document: &Document, context: &str) -> usize {
     count
 }
 
-fn follow(name: &str, text: &str) {
+fn follow(name: &str, text: &str) -> Vec<String> {
+    let mut texts = Vec::new();
     let scene = Scene::parse(text, name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let working = Working::new(&scene, &solver);
@@ -128,15 +132,63 @@ fn follow(name: &str, text: &str) {
         let at = low + (high - low) * f64::from(k) / 24.0 + 0.01;
         solver.solve(at, Order::Force, &mut state);
         let worked = working.of(&scene, &solver, &state, 12);
+        for agreement in &worked.agreements {
+            let off = agreement.part();
+            assert!(off < 1e-13, "{name} at {at}: {agreement:?}: {off:e}");
+        }
+        let style = TextStyle {
+            ascii: true,
+            width: 10_000,
+        };
+        texts.push(worked.document.to_text(style));
         count += hold(&worked.document, &format!("{name} at {at}"));
     }
     assert!(count > 23, "{name}: {count}");
+    texts
 }
 
 #[test]
 fn every_chain_of_every_preset_is_true_as_it_stands() {
     for preset in presets::all() {
         follow(preset.name, preset.text);
+    }
+}
+
+/// A load on a joint is in no link's table: the pin's own balance has it, and the slot's guide.
+#[test]
+fn a_load_at_a_joint_has_its_pins_balance() {
+    for (preset, point) in [
+        ("four-bar", "C"),
+        ("slider-crank", "C"),
+        ("slotted-lever", "B"),
+    ] {
+        let given = presets::find(preset).unwrap().text;
+        let load = format!("[[loads]]\npoint = \"{point}\"\nforce = [30, -500]\n");
+        for text in follow(preset, &format!("{given}\n{load}")) {
+            let (_, pin) = text.split_once(&format!(" Pin {point}\n")).unwrap();
+            let rows: Vec<&str> = pin.lines().take(5).map(str::trim_start).collect();
+            assert!(rows[1].starts_with("load  "), "{preset}: {rows:?}");
+            assert!(rows[2].starts_with("-(r"), "{preset}: {rows:?}");
+            assert!(pin.contains(" = 0 N\n"), "{preset}: {pin}");
+            let has_guide = rows.iter().any(|row| row.starts_with("guide of "));
+            assert_eq!(has_guide, preset != "four-bar", "{preset}: {rows:?}");
+        }
+    }
+}
+
+/// The law of a spring, and the factor of a load, are chains that are followed like any other.
+#[test]
+fn springs_and_factors_are_told() {
+    let given = presets::find("four-bar").unwrap().text;
+    let loads = "[[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 1200\nlength = 80\ndamping = 5\n\
+        [[loads]]\nlink = \"r4\"\ntorque = 12\nover = [[0, 0.2], [180, 1], [360, 0.2]]\n";
+    for text in follow("four-bar", &format!("{given}\n{loads}")) {
+        assert!(
+            text.contains("pull = k (L - L0) + c dL/dt = 1200*("),
+            "{text}"
+        );
+        assert!(text.contains("torque on r4 = factor*12 = "), "{text}");
+        assert!(text.contains(" Pin C\n"), "{text}");
     }
 }
 
