@@ -167,7 +167,7 @@ fn a_load_at_a_joint_has_its_pins_balance() {
         for text in follow(preset, &format!("{given}\n{load}")) {
             let (_, pin) = text.split_once(&format!(" Pin {point}\n")).unwrap();
             let rows: Vec<&str> = pin.lines().take(5).map(str::trim_start).collect();
-            assert!(rows[1].starts_with("load  "), "{preset}: {rows:?}");
+            assert!(rows[1].starts_with("force  "), "{preset}: {rows:?}");
             assert!(rows[2].starts_with("-(r"), "{preset}: {rows:?}");
             assert!(pin.contains(" = 0 N\n"), "{preset}: {pin}");
             let has_guide = rows.iter().any(|row| row.starts_with("guide of "));

@@ -2,7 +2,7 @@
 //! the driver's effort each of them has.
 
 use super::figures::factor;
-use super::forces::point_name;
+use super::forces::{kind, point_name};
 use super::page::{Context, Page};
 use crate::solver::Acted;
 use crate::{Body, Input, Load, PointId, Vec2};
@@ -140,13 +140,14 @@ pub(super) fn shares(context: &Context<'_>, page: &mut Page, acted: &[Acted], pa
             rows.push([name, formula.to_owned(), f.number(value)]);
         }
     };
-    for acted in acted {
+    for (load, acted) in mechanism.loads().iter().zip(acted) {
+        let what = kind(load);
         for &(point, force) in &acted.forces {
-            let name = format!("load at {}", point_name(context, point));
+            let name = format!("{what} at {}", point_name(context, point));
             add(0, name, "F v", power(force, point));
         }
         if let Some((link, couple)) = acted.couple {
-            let name = format!("load on {}", context.scene.link_name(link));
+            let name = format!("{what} on {}", context.scene.link_name(link));
             add(0, name, "M ω", couple * state.omega(link));
         }
     }

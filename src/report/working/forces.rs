@@ -66,7 +66,7 @@ fn order(context: &Context<'_>, page: &mut Page) {
         page.document.text(
             "In a dyad RRR the force F at the inner pin on the first link follows from the moments of each link \
              about its outer pivot: e x F + M1 = 0 and -f x F + M2 = 0, with e and f from the pivots to the inner \
-             pin, and M1, M2 the moments of all else on each link, its inertia among it.",
+             pin, and M1, M2 the moments of all else on each link, its inertia among it. A load on that pin goes with the second link.",
         );
     }
 }
@@ -88,12 +88,7 @@ fn loads(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
     let mechanism = &context.scene.mechanism;
     let mut rows = Vec::new();
     for (load, acted) in mechanism.loads().iter().zip(acted) {
-        let what = match load {
-            Load::Force { .. } => "force",
-            Load::Torque { .. } => "torque",
-            Load::Press { .. } => "press",
-            Load::Spring { .. } => "spring",
-        };
+        let what = kind(load);
         for (point, force) in &acted.forces {
             let [x, y] = components(context, *force);
             rows.push([
@@ -112,6 +107,16 @@ fn loads(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
         page.document.text("The loads here:");
         page.document
             .table(["load", "fx [N]", "fy [N]", "torque [N m]"], rows);
+    }
+}
+
+/// What a load is.
+pub(super) fn kind(load: &Load) -> &'static str {
+    match load {
+        Load::Force { .. } => "force",
+        Load::Torque { .. } => "torque",
+        Load::Press { .. } => "press",
+        Load::Spring { .. } => "spring",
     }
 }
 

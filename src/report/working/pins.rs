@@ -1,7 +1,7 @@
 //! Pins on which a load acts: how it is shared between the links that meet there.
 
 use super::figures::Sum;
-use super::forces::{Row, components, guided, is_joint, pin_name, point_name};
+use super::forces::{Row, components, guided, is_joint, kind, pin_name, point_name};
 use super::page::{Context, Page};
 use crate::solver::Acted;
 use crate::{PointId, Slider, Vec2};
@@ -14,14 +14,15 @@ pub(super) fn pins(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
         .point_ids()
         .filter(|&p| mechanism.point(p).ground.is_none() && is_joint(mechanism, p));
     for point in moving {
-        let on_pins = acted.iter().filter(|a| a.on.is_none());
-        let forces = on_pins.flat_map(|a| &a.forces);
-        let loads: Vec<Vec2> = forces
-            .filter(|(at, _)| *at == point)
-            .map(|(_, force)| *force)
+        let loads = mechanism.loads().iter().zip(acted);
+        let on_pins = loads.filter(|(_, a)| a.on.is_none());
+        let forces = on_pins.flat_map(|(load, a)| a.forces.iter().map(move |f| (kind(load), f)));
+        let loads: Vec<(String, Vec2)> = forces
+            .filter(|(_, (at, _))| *at == point)
+            .map(|(what, (_, force))| (what.to_owned(), *force))
             .collect();
         if !loads.is_empty()
-            && let Some(rows) = rows(context, point, &loads)
+            && let Some(rows) = rows(context, point, loads)
         {
             page.document
                 .section(format!("Pin {}", point_name(context, point)));
@@ -30,11 +31,13 @@ pub(super) fn pins(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
     }
 }
 
-/// What acts on a pin; `None` where some of it is left open.
-fn rows(context: &Context<'_>, point: PointId, loads: &[Vec2]) -> Option<Vec<(String, Vec2)>> {
+/// What acts on a pin, its loads first; `None` where some of it is left open.
+fn rows(
+    context: &Context<'_>,
+    point: PointId,
+    mut rows: Vec<(String, Vec2)>,
+) -> Option<Vec<(String, Vec2)>> {
     let mechanism = &context.scene.mechanism;
-    let load = |force: &Vec2| ("load".to_owned(), *force);
-    let mut rows: Vec<(String, Vec2)> = loads.iter().map(load).collect();
     for &link in &mechanism.point(point).links {
         let force = context.state.joint_force(link, point)?;
         let name = format!("-({})", pin_name(context, link, point));
