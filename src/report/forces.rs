@@ -297,7 +297,11 @@ fn joints(scene: &Scene, reading: &Reading<'_>) -> Vec<JointRow> {
 }
 
 /// The only other body at a pin (`None`: the ground), where nothing but the two acts on the pin.
-fn partner(mechanism: &Mechanism, link: LinkId, point: PointId) -> Option<Option<LinkId>> {
+pub(super) fn partner(
+    mechanism: &Mechanism,
+    link: LinkId,
+    point: PointId,
+) -> Option<Option<LinkId>> {
     let given = mechanism.point(point);
     let acts = |load: &Load| match *load {
         Load::Force { point: at, .. } => at == point,

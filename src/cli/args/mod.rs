@@ -112,10 +112,13 @@ Examples:
 Vector polygons, position table, loop equations in components and projected,
 the solution of every group, velocities and accelerations by the differentiated
 equations, joints and centres of mass by their tangential and normal parts, and
-the check. A figure that is sought is worked out by the formula in its line, from
-figures that the lines before it have. At a dead point positions alone exist;
-outside the range the loops and what is given are told, and the exit code is 1.
-Greek letters are spelled where the terminal or the locale has none.")]
+the check. They are worked out by the formula in their line, from figures that
+the lines before it have; of a coupled group equations and solution are shown,
+not the elimination. Where something acts, the balance of every link and loaded
+pin follows with its reactions, and virtual work checks the driver's
+effort. At a dead point positions alone exist; outside the range the loops and
+what is given are told, and the exit code is 1. Greek letters are
+spelled where the terminal or the locale has none.")]
     Explain(ExplainArgs),
     /// Draw the linkage at one angle: in characters, or as SVG
     #[command(after_help = "\

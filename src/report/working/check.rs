@@ -20,12 +20,17 @@ pub(super) fn check(context: &Context<'_>, page: &mut Page) {
         .iter()
         .max_by(|a, b| a.part().total_cmp(&b.part()))
     {
-        let text = format!(
-            "The figures worked out above and those of the solver differ by {} of their size at the most \
-             (at {}).",
-            crate::report::number::upwards(worst.part(), 2),
-            worst.symbol
-        );
+        let (part, symbol) = (worst.part(), &worst.symbol);
+        // Less than half a place of a double is the rounding of a figure that should be 0.
+        let text = if part < f64::EPSILON / 2.0 {
+            "The figures worked out above and those of the solver do not differ.".to_owned()
+        } else {
+            let part = crate::report::number::upwards(part, 2);
+            format!(
+                "The figures worked out above and those of the solver differ by {part} of their size at the \
+             most (at {symbol})."
+            )
+        };
         page.document.text(text);
     }
 }

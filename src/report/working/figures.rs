@@ -9,8 +9,8 @@ pub(super) struct Figures {
     pub unit: &'static str,
 }
 
-/// Smaller than this is rounding, where figures of size 1 are meant.
-const NOUGHT: f64 = 1e-15;
+/// Smaller than this is rounding, where figures of size 1 are meant: a few roundings of a sum's terms.
+const NOUGHT: f64 = 64.0 * f64::EPSILON;
 
 impl Figures {
     /// A figure that was found.

@@ -2,13 +2,14 @@
 
 use super::figures::{Sum, factor};
 use super::page::{Context, Page};
-use crate::solver::{Acted, Condition};
+use crate::report::forces::partner;
+use crate::solver::{Acted, Condition, GroupKind};
 use crate::{Body, Input, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// A force on a link, or a couple alone.
-struct Row {
-    name: String,
-    force: Vec2,
+pub(super) struct Row {
+    pub name: String,
+    pub force: Vec2,
     /// Where it acts; a couple acts nowhere in particular.
     at: Option<Vec2>,
     /// In N m.
@@ -27,16 +28,47 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
     };
     let acted = context.solver.acted(context.state);
     loads(context, page, &acted);
+    super::acting::laws(context, page, &acted);
     if context.state.residual().is_none() {
         page.document.text(
             "The reactions need not exist at this place; the driver's torque follows from the virtual work.",
         );
     } else {
-        for link in context.scene.mechanism.link_ids() {
-            free_body(context, page, link, &acted);
+        order(context, page);
+        let links = context.scene.mechanism.link_ids();
+        let open: Vec<&str> = links
+            .filter(|&link| !free_body(context, page, link, &acted))
+            .map(|link| context.scene.link_name(link))
+            .collect();
+        if !open.is_empty() {
+            page.document.text(format!(
+                "A redundant linkage leaves reactions open of {}: equilibrium alone does not tell them.",
+                open.join(", ")
+            ));
         }
+        super::pins::pins(context, page, &acted);
     }
     driver(context, page, torque, &acted);
+}
+
+/// In which order the reactions are found.
+fn order(context: &Context<'_>, page: &mut Page) {
+    let count = context.solver.plan().groups.len();
+    let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
+    page.document.text(format!(
+        "The reactions are the unknowns in the equations of motion of the links below. They are found group by \
+         group, the last first, since a group hands on what it bears to those before it: {}. The driver's own \
+         comes last.",
+        groups.join("; ")
+    ));
+    let groups = &context.solver.plan().groups;
+    if groups.iter().any(|group| group.kind == GroupKind::Rrr) {
+        page.document.text(
+            "In a dyad RRR the force F at the inner pin on the first link follows from the moments of each link \
+             about its outer pivot: e x F + M1 = 0 and -f x F + M2 = 0, with e and f from the pivots to the inner \
+             pin, and M1, M2 the moments of all else on each link, its inertia among it. A load on that pin goes with the second link.",
+        );
+    }
 }
 
 /// Why there are no forces.
@@ -56,12 +88,7 @@ fn loads(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
     let mechanism = &context.scene.mechanism;
     let mut rows = Vec::new();
     for (load, acted) in mechanism.loads().iter().zip(acted) {
-        let what = match load {
-            Load::Force { .. } => "force",
-            Load::Torque { .. } => "torque",
-            Load::Press { .. } => "press",
-            Load::Spring { .. } => "spring",
-        };
+        let what = kind(load);
         for (point, force) in &acted.forces {
             let [x, y] = components(context, *force);
             rows.push([
@@ -83,24 +110,33 @@ fn loads(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
     }
 }
 
-fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
+/// What a load is.
+pub(super) fn kind(load: &Load) -> &'static str {
+    match load {
+        Load::Force { .. } => "force",
+        Load::Torque { .. } => "torque",
+        Load::Press { .. } => "press",
+        Load::Spring { .. } => "spring",
+    }
+}
+
+pub(super) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
     let size = force.norm();
     [force.x, force.y].map(|v| context.figures.beside(v, size))
 }
 
-fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
+pub(super) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
     context.scene.point_name(point).unwrap_or("a point")
 }
 
-/// The forces on a link, and its three equations with numbers.
-fn free_body(context: &Context<'_>, page: &mut Page, id: LinkId, acted: &[Acted]) {
+/// The forces on a link, and its three equations with numbers; `false` where some of them are left open.
+fn free_body(context: &Context<'_>, page: &mut Page, id: LinkId, acted: &[Acted]) -> bool {
     let link = context.scene.mechanism.link(id);
     let name = context.scene.link_name(id);
-    page.document.section(format!("Link {name}"));
     // Moments about the centre of mass; without one, about the first point of the link.
     let first = link.members.first().map(|member| member.point);
     let Some(about) = link.com.or(first) else {
-        return;
+        return true;
     };
     let body = FreeBody {
         context,
@@ -109,17 +145,18 @@ fn free_body(context: &Context<'_>, page: &mut Page, id: LinkId, acted: &[Acted]
         about,
     };
     let Some(rows) = body.rows() else {
-        page.document.text(
-            "A redundant linkage leaves reactions of this link open: equilibrium alone does not tell them.",
-        );
-        return;
+        return false;
     };
+    page.document.section(format!("Link {name}"));
     body.table(page, &rows);
     let point = point_name(context, about);
-    page.document.text(format!(
-        "x and y from {point}, moments about it. The equations of motion:"
-    ));
+    let text = format!("x and y from {point}, moments about it. The equations of motion");
+    page.document.text(match body.acceleration() {
+        Some(_) => format!("{text}, with the acceleration of {point} in m/s^2:"),
+        None => format!("{text}:"),
+    });
     body.equations(page, &rows);
+    true
 }
 
 /// An equation of motion with its numbers.
@@ -192,12 +229,29 @@ impl FreeBody<'_> {
         );
     }
 
+    /// Of the centre of mass, in m/s^2; `None` where it has none or takes no part.
+    fn acceleration(&self) -> Option<Vec2> {
+        let a = self.context.state.acceleration(self.about) * self.mechanism().metres();
+        (self.mechanism().link(self.id).mass > 0.0 && a.norm() > 0.0).then_some(a)
+    }
+
     /// The sums of forces and of moments, and what they make of the link's motion.
     fn equations(&self, page: &mut Page, rows: &[Row]) {
         let (f, state) = (self.context.figures, self.context.state);
         let link = self.mechanism().link(self.id);
         let a = state.acceleration(self.about) * self.mechanism().metres();
         let [largest, reach] = self.sizes(rows);
+        if let Some(a) = self.acceleration() {
+            let length = f.number(a.norm());
+            let direction = f.direction(crate::angle::degrees(a));
+            for (name, function, value) in [("ax", "cos", a.x), ("ay", "sin", a.y)] {
+                page.document.equation([
+                    name.to_owned(),
+                    format!("{length}·{function}({direction})"),
+                    format!("{} m/s^2", f.beside(value, a.norm())),
+                ]);
+            }
+        }
         let force = |axis: &str, a_axis: f64, values: Vec<f64>| Balance {
             values,
             size: largest,
@@ -269,14 +323,13 @@ impl FreeBody<'_> {
         let (context, state) = (self.context, self.context.state);
         let mechanism = self.mechanism();
         let link = mechanism.link(self.id);
-        let name = context.scene.link_name(self.id);
         for member in &link.members {
             let point = member.point;
             let label = point_name(context, point);
             let at = Some(state.position(point));
             if is_joint(mechanism, point) {
                 let force = state.joint_force(self.id, point)?;
-                let name = format!("{name}.{label}");
+                let name = pin_name(context, self.id, point);
                 rows.push(Row {
                     name,
                     force,
@@ -331,35 +384,13 @@ impl FreeBody<'_> {
             let slides = matches!(given.slider, Slider::Link { link, .. } if link == self.id);
             let carries = given.on == Body::Link(self.id);
             if slides {
-                rows.push(self.guided(slide, 1.0)?);
+                rows.push(guided(self.context, slide, 1.0)?);
             }
             if carries {
-                rows.push(self.guided(slide, -1.0)?);
+                rows.push(guided(self.context, slide, -1.0)?);
             }
         }
         Some(())
-    }
-
-    /// The force of a guide on what slides, or the other way round.
-    fn guided(&self, slide: SlideId, sign: f64) -> Option<Row> {
-        let (context, state) = (self.context, self.context.state);
-        let given = self.mechanism().slide(slide);
-        let t = state.travel(slide).guide;
-        let mut force = t.perp() * state.normal(slide)?;
-        if self.mechanism().driver().input == Input::Push(slide) {
-            force += t * state.drive()?;
-        }
-        let couple = match given.slider {
-            Slider::Pin(_) => 0.0,
-            Slider::Link { .. } => state.moment(slide)?,
-        };
-        let whose = if sign > 0.0 { "guide" } else { "slider" };
-        Some(Row {
-            name: format!("{whose} of {}", context.scene.slide_name(slide)),
-            force: force * sign,
-            at: Some(state.position(given.slider.point())),
-            couple: couple * sign,
-        })
     }
 
     /// Torques, the driver's among them.
@@ -383,8 +414,41 @@ impl FreeBody<'_> {
     }
 }
 
+/// The force of a guide on what slides, or the other way round.
+pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<Row> {
+    let (state, mechanism) = (context.state, &context.scene.mechanism);
+    let given = mechanism.slide(slide);
+    let t = state.travel(slide).guide;
+    let mut force = t.perp() * state.normal(slide)?;
+    if mechanism.driver().input == Input::Push(slide) {
+        force += t * state.drive()?;
+    }
+    let couple = match given.slider {
+        Slider::Pin(_) => 0.0,
+        Slider::Link { .. } => state.moment(slide)?,
+    };
+    let whose = if sign > 0.0 { "guide" } else { "slider" };
+    Some(Row {
+        name: format!("{whose} of {}", context.scene.slide_name(slide)),
+        force: force * sign,
+        at: Some(state.position(given.slider.point())),
+        couple: couple * sign,
+    })
+}
+
+/// The force on a link at a pin, by name: whose it is where one other body is there and nothing else acts.
+pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> String {
+    let by = partner(&context.scene.mechanism, link, point);
+    let (name, at) = (context.scene.link_name(link), point_name(context, point));
+    match by {
+        Some(Some(other)) => format!("{name} at {at} by {}", context.scene.link_name(other)),
+        Some(None) => format!("{name} at {at} by ground"),
+        None => format!("{name} at {at}"),
+    }
+}
+
 /// Whether something is joined to a link there.
-fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
+pub(super) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
     let point = mechanism.point(id);
     let slides = mechanism
         .slides()
@@ -433,8 +497,19 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
         let size_on_the_way = size.max(largest(context, acted));
         let worked = parts.iter().sum();
         page.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
-        page.document
-            .text("By the virtual work of the loads, of gravity and of inertia:");
+        let check = format!(
+            "The driver's {what} of {} {unit} follows from the balance of the links. The virtual work of the \
+             loads, of gravity and of inertia must give the same, and is its check",
+            f.beside(drive, size)
+        );
+        let way = match state.residual() {
+            Some(_) => check,
+            None => "By the virtual work of the loads, of gravity and of inertia".to_owned(),
+        };
+        page.document.text(format!(
+            "{way}. Each share is the power of its forces, with the other sign, divided by the driver's speed."
+        ));
+        super::acting::shares(context, page, acted, parts);
         page.document.equation([
             format!("driver.{what}"),
             "load + gravity + inertia".into(),

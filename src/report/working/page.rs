@@ -72,13 +72,21 @@ impl<'a> Context<'a> {
     pub(super) fn read_sides(&mut self) {
         let mechanism = &self.scene.mechanism;
         let sides = self.polygon.sides.iter();
-        self.readings = if self.has_positions() {
+        let mut readings: Vec<Reading> = if self.has_positions() {
             sides.map(|side| side.read(mechanism, self.state)).collect()
         } else {
             sides
                 .map(|side| side.given(mechanism, self.state.at()))
                 .collect()
         };
+        // The rates of a driven slide are given, not found: none of them is rounding.
+        for (side, reading) in self.polygon.sides.iter().zip(&mut readings) {
+            if self.has_rates() && self.schedule.is_pushed(side) {
+                reading.rate = self.state.driver_speed();
+                reading.accel = self.state.driver_acceleration();
+            }
+        }
+        self.readings = readings;
     }
 
     /// Finds how fast the fastest points are.

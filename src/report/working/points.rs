@@ -1,7 +1,7 @@
 //! Velocities and accelerations of joints, centres of mass and further points: about a pivot, or about
 //! another joint of the link, by their tangential and normal parts; on a guide along it.
 
-use super::figures::factor;
+use super::figures::{Sum, factor};
 use super::page::{Context, Page};
 use super::sides::Turns;
 use super::symbols::{self, of_point};
@@ -121,6 +121,29 @@ impl Scribe<'_> {
             .equation([symbol, formula.to_owned(), numbers, figure]);
     }
 
+    /// Along x and along y the sum of the parts: `vCx = 587.462*cos(299.379) + 1500*cos(150) = -1010.83`.
+    fn components(&self, page: &mut Page, name: &str, parts: &[Vec2]) {
+        let f = self.context.figures;
+        let sum = parts.iter().fold(Vec2::ZERO, |sum, &part| sum + part);
+        for (axis, function, value) in [("x", "cos", sum.x), ("y", "sin", sum.y)] {
+            let mut terms = Sum::default();
+            for part in parts {
+                let length = f.beside(part.norm(), self.size);
+                if length != "0" {
+                    let direction = f.direction(angle::degrees(*part));
+                    terms.push(false, &format!("{length}·{function}({direction})"));
+                }
+            }
+            let figure = f.beside(value, self.size);
+            let unit = f.length_unit(self.order);
+            page.document.equation([
+                part_symbol(self.figure, name, axis),
+                terms.text(),
+                format!("{figure} {unit}"),
+            ]);
+        }
+    }
+
     /// The whole, from two lengths at right angles: its parts, or its components.
     fn whole(&self, page: &mut Page, name: &str, sum: Vec2, parts: [f64; 2]) {
         let f = self.context.figures;
@@ -212,14 +235,15 @@ impl OnLink<'_> {
         page.document.equation(["r".to_owned(), text]);
     }
 
-    /// A rate as a factor; the driver's have no more digits than the scene gives them.
-    fn rate(&self, value: f64) -> String {
+    /// The size of a rate as a factor; the driver's have no more digits than the scene gives them, and
+    /// what is rounding beside a vector of this size is 0.
+    fn rate(&self, value: f64, size: f64) -> String {
         let f = self.context.figures;
         let driver = self.context.scene.mechanism.driver();
-        factor(&match driver.input == Input::Turn(self.link) {
-            true => f.given(value),
-            false => f.number(value),
-        })
+        match driver.input == Input::Turn(self.link) {
+            true => f.given(value.abs()),
+            false => f.beside(value.abs(), size / self.r),
+        }
     }
 
     /// v = v of the base + omega k x e.
@@ -227,6 +251,7 @@ impl OnLink<'_> {
         let state = self.context.state;
         let w = state.omega(self.link);
         let turning = self.e.perp() * w;
+        let formula = format!("{} r", size_of(&symbols::omega(self.link_name), w));
         let (v, base) = (state.velocity(self.point), state.velocity(self.base));
         let scribe = Scribe {
             context: self.context,
@@ -234,8 +259,11 @@ impl OnLink<'_> {
             order: 1,
             size: turning.norm().max(self.context.fastest[0]),
         };
-        let formula = format!("{} r", symbols::omega(self.link_name));
-        let numbers = format!("{}·{}", self.rate(w), self.context.figures.given(self.r));
+        let (rate, r) = (
+            self.rate(w, scribe.size),
+            self.context.figures.given(self.r),
+        );
+        let numbers = format!("{rate}·{r}");
         let sum = base + turning;
         scribe.agree(page, self.name, sum, v);
         if self.is_pivot {
@@ -250,6 +278,7 @@ impl OnLink<'_> {
         );
         page.document
             .equation(scribe.polar(of_point("v", self.base_name), base));
+        scribe.components(page, self.name, &[turning, base]);
         scribe.whole(page, self.name, sum, [sum.x, sum.y]);
     }
 
@@ -270,8 +299,8 @@ impl OnLink<'_> {
             size: parts.max(self.context.fastest[1]),
         };
         let r = f.given(self.r);
-        let formula = format!("{} r", symbols::alpha(self.link_name));
-        let numbers = format!("{}·{r}", self.rate(alpha));
+        let formula = format!("{} r", size_of(&symbols::alpha(self.link_name), alpha));
+        let numbers = format!("{}·{r}", self.rate(alpha, scribe.size));
         scribe.part(
             page,
             part_symbol("a", self.name, "t"),
@@ -280,7 +309,7 @@ impl OnLink<'_> {
             tangential,
         );
         let formula = format!("{}^2 r", symbols::omega(self.link_name));
-        let numbers = format!("{}^2·{r}", self.rate(w));
+        let numbers = format!("{}^2·{r}", self.rate(w, 0.0));
         scribe.part(
             page,
             part_symbol("a", self.name, "n"),
@@ -297,6 +326,7 @@ impl OnLink<'_> {
         }
         page.document
             .equation(scribe.polar(of_point("a", self.base_name), base));
+        scribe.components(page, self.name, &[tangential, normal, base]);
         scribe.whole(page, self.name, sum, [sum.x, sum.y]);
     }
 
@@ -320,6 +350,15 @@ impl OnLink<'_> {
 
 /// Beside larger parts this is rounding.
 const NOUGHT: f64 = 1e-15;
+
+/// The size of a rate by its symbol: a vector's length has no sign, so bars stand where the rate has one.
+fn size_of(symbol: &str, rate: f64) -> String {
+    if rate < 0.0 {
+        format!("|{symbol}|")
+    } else {
+        symbol.to_owned()
+    }
+}
 
 /// `aCt`, the tangential part of aC.
 fn part_symbol(figure: &str, name: &str, part: &str) -> String {
@@ -359,7 +398,8 @@ fn on_guide(
         size,
     };
     let (along, second) = (t * rate, t * accel);
-    let (rate_name, accel_name) = (symbols::rate(slide_name), symbols::accel(slide_name));
+    let rate_name = size_of(&symbols::rate(slide_name), rate);
+    let accel_name = size_of(&symbols::accel(slide_name), accel);
     if on == Body::Ground {
         for (scribe, symbol, value, solved) in [
             (scribe("v", 1, context.fastest[0]), rate_name, along, v),
@@ -383,10 +423,18 @@ fn on_guide(
         page.document.equation(line);
     }
     let of_a = scribe("a", 2, coriolis.norm().max(context.fastest[1]));
-    let twice = format!("Coriolis, 2 {} {rate_name}", symbols::omega(body));
+    let turning = size_of(&symbols::omega(body), omega);
+    let f = context.figures;
+    let [rates, factors] = [
+        format!("2 {turning} {rate_name}"),
+        format!("2·{}·{}", f.number(omega.abs()), f.number(rate.abs())),
+    ];
+    page.document
+        .equation(of_a.polar(format!("a of {body} under {name}"), guide_a));
+    let [symbol, figure] = of_a.polar(part_symbol("a", name, "c"), coriolis);
+    page.document
+        .equation([format!("{symbol} (Coriolis)"), rates, factors, figure]);
     for line in [
-        of_a.polar(format!("a of {body} under {name}"), guide_a),
-        of_a.polar(twice, coriolis),
         of_a.polar(accel_name, second),
         of_a.polar(of_point("a", name), guide_a + coriolis + second),
     ] {

@@ -277,39 +277,47 @@ fn table(context: &Context<'_>, page: &mut Page, order: Order) {
         } else {
             (r.alpha, r.omega)
         };
+        let sliding = word_of(length, context, order);
         let [_, r, turning_text, word] =
             table_row(context, &side.name, Some(length), turning, order);
         let own = |is: bool, value: f64, text| if is { f.given(value) } else { text };
         let r = own(context.schedule.is_pushed(side), length.0, r);
         let turning_text = own(context.schedule.is_driven(side), turning.0, turning_text);
-        rows.push([side.name.clone(), r, turning_text, word]);
+        rows.push(([side.name.clone(), r, turning_text, word], sliding));
     }
     let mechanism = &context.scene.mechanism;
     let without_ends = |link: &LinkId| mechanism.link(*link).ends.is_none();
     for link in mechanism.link_ids().filter(without_ends) {
         let (omega, alpha) = (context.state.omega(link), context.state.alpha(link));
         let turning = if first { (omega, 0.0) } else { (alpha, omega) };
-        rows.push(table_row(
-            context,
-            context.scene.link_name(link),
-            None,
-            turning,
-            order,
-        ));
+        let name = context.scene.link_name(link);
+        let row = table_row(context, name, None, turning, order);
+        rows.push((row, ""));
     }
     let length = f.length_unit(if first { 1 } else { 2 });
     if first {
         let rows = rows
             .into_iter()
-            .map(|[name, length, turning, _]| [name, length, turning]);
+            .map(|([name, length, turning, _], _)| [name, length, turning]);
         let length = format!("dr/dt [{length}]");
         page.document
             .table(["vector", &length, "ω [rad/s]"], rows.collect());
-    } else {
-        let length = format!("d2r/dt2 [{length}]");
+        return;
+    }
+    let length = format!("d2r/dt2 [{length}]");
+    if rows.iter().all(|(_, sliding)| sliding.is_empty()) {
+        let rows = rows.into_iter().map(|(row, _)| row).collect();
         page.document
             .table(["vector", &length, "α [rad/s^2]", "turning"], rows);
+        return;
     }
+    let rows = rows
+        .into_iter()
+        .map(|([name, r, alpha, turning], sliding)| [name, r, sliding.to_owned(), alpha, turning]);
+    page.document.table(
+        ["vector", &length, "sliding", "α [rad/s^2]", "turning"],
+        rows.collect(),
+    );
 }
 
 fn table_row(
@@ -319,23 +327,30 @@ fn table_row(
     (value, rate): (f64, f64),
     order: Order,
 ) -> [String; 4] {
-    let f = context.figures;
-    // Rounding is no motion: what is so small is 0 in the tables, too.
-    let shown = |value: f64| {
-        let entry = Entry {
-            value: Some(value),
-            given: false,
-            bound: None,
-        };
-        f.number(entry.seen().unwrap_or(0.0))
+    let length = length.map_or_else(|| "-".into(), |(value, _)| seen(context, value));
+    let turning = word_of((value, rate), context, order);
+    let value = seen(context, value);
+    [name.to_owned(), length, value, turning.to_owned()]
+}
+
+/// A figure of a table: rounding is no motion, and what is so small is 0 in the other tables, too.
+fn seen(context: &Context<'_>, value: f64) -> String {
+    let entry = Entry {
+        value: Some(value),
+        given: false,
+        bound: None,
     };
-    let length = length.map_or_else(|| "-".into(), |(value, _)| shown(value));
-    let turning = if order == Order::Velocity || shown(rate) == "0" || shown(value) == "0" {
+    context.figures.number(entry.seen().unwrap_or(0.0))
+}
+
+/// Whether a rate grows in size, by it and by its own rate before it.
+fn word_of((value, rate): (f64, f64), context: &Context<'_>, order: Order) -> &'static str {
+    let is_zero = |value| seen(context, value) == "0";
+    if order == Order::Velocity || is_zero(rate) || is_zero(value) {
         ""
     } else if (value < 0.0) == (rate < 0.0) {
         "speeds up"
     } else {
         "slows down"
-    };
-    [name.to_owned(), length, shown(value), turning.to_owned()]
+    }
 }

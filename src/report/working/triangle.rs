@@ -126,20 +126,28 @@ impl Solution<'_> {
 /// Why two arms do not meet, or that they would.
 fn reach(page: &mut Page, figures: Figures, size: f64, [one, two]: [&Arm<'_>; 2]) {
     let (sum, difference) = (one.value + two.value, (one.value - two.value).abs());
+    // Just outside the range the difference stands behind the digits that are shown elsewhere.
+    let nearest = if size > sum { sum } else { difference };
+    let gap = ((size - nearest) / nearest).abs().max(f64::EPSILON);
+    let needed = (-gap.log10()).clamp(0.0, 16.0).ceil();
+    let digits = figures.digits.max(needed as usize + 2).min(17);
+    let precise = |value: f64| Figures { digits, ..figures }.number(value);
     let text = if size > sum {
         format!(
-            "m is longer than {} + {} = {} {}: the arms do not reach each other.",
+            "m = {} is longer than {} + {} = {} {}: the arms do not reach each other.",
+            precise(size),
             one.length,
             two.length,
-            figures.number(sum),
+            precise(sum),
             figures.unit
         )
     } else if size < difference {
         format!(
-            "m is shorter than |{} - {}| = {} {}: the arms cannot close the triangle.",
+            "m = {} is shorter than |{} - {}| = {} {}: the arms cannot close the triangle.",
+            precise(size),
             one.length,
             two.length,
-            figures.number(difference),
+            precise(difference),
             figures.unit
         )
     } else {

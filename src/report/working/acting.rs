@@ -1,0 +1,189 @@
+//! How the loads come about: the factor of a load over the driver, the law of a spring; and what share of
+//! the driver's effort each of them has.
+
+use super::figures::factor;
+use super::forces::{kind, point_name};
+use super::page::{Context, Page};
+use crate::solver::Acted;
+use crate::{Body, Input, Load, PointId, Vec2};
+
+/// The laws of loads that are not constant.
+pub(super) fn laws(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
+    let (f, mechanism) = (context.figures, &context.scene.mechanism);
+    for (load, acted) in mechanism.loads().iter().zip(acted) {
+        match *load {
+            Load::Force {
+                point,
+                force,
+                frame,
+                ref over,
+            } if !over.is_one() && force != Vec2::ZERO => {
+                let whole = match frame {
+                    Body::Ground => force,
+                    Body::Link(link) => force.turned(context.state.direction(link)),
+                };
+                let now = acted.forces.first().map_or(Vec2::ZERO, |a| a.1);
+                let part = whole.dot(now) / whole.dot(whole);
+                let name = format!("force at {}", point_name(context, point));
+                let sizes = [part, force.norm(), now.norm().copysign(part)];
+                scaled(context, page, name, sizes, "N");
+            }
+            Load::Torque {
+                link,
+                torque,
+                ref over,
+            } if !over.is_one() && torque != 0.0 => {
+                let now = acted.couple.map_or(0.0, |couple| couple.1);
+                let name = format!("torque on {}", context.scene.link_name(link));
+                scaled(context, page, name, [now / torque, torque, now], "N m");
+            }
+            Load::Spring {
+                from,
+                to,
+                stiffness,
+                length,
+                damping,
+            } => {
+                let spring = Spring::of(context, from, to);
+                let metres = mechanism.metres();
+                let force =
+                    stiffness * (spring.length - length) * metres + damping * spring.rate * metres;
+                let name = format!(
+                    "L from {} to {}",
+                    point_name(context, from),
+                    point_name(context, to)
+                );
+                let l = f.number(spring.length);
+                let rate = f.beside(spring.rate, context.fastest[0]);
+                page.document
+                    .text("Of a spring, its pull with the lengths in m:");
+                page.document.equation([name, format!("{l} {}", f.unit)]);
+                page.document
+                    .equation(["dL/dt".to_owned(), format!("{rate} {}", f.length_unit(1))]);
+                let [l, l0] = [spring.length, length].map(|v| v * metres);
+                let rate = f.beside(spring.rate * metres, context.fastest[0] * metres);
+                page.document.equation([
+                    "pull".to_owned(),
+                    "k (L - L0) + c dL/dt".to_owned(),
+                    format!(
+                        "{}·({} - {}) + {}·{}",
+                        f.given(stiffness),
+                        f.number(l),
+                        f.given(l0),
+                        f.given(damping),
+                        factor(&rate)
+                    ),
+                    format!("{} N", f.number(force)),
+                ]);
+            }
+            Load::Force { .. } | Load::Torque { .. } | Load::Press { .. } => {}
+        }
+    }
+}
+
+/// `0.565*32000 = 18080 N`: a load by its factor at this coordinate.
+fn scaled(
+    context: &Context<'_>,
+    page: &mut Page,
+    name: String,
+    [part, whole, now]: [f64; 3],
+    unit: &str,
+) {
+    let f = context.figures;
+    page.document.equation([
+        name,
+        format!("factor·{}", f.given(whole)),
+        format!("{}·{}", factor(&f.number(part)), factor(&f.given(whole))),
+        format!("{} {unit}", f.number(now)),
+    ]);
+}
+
+/// The present length of a spring, and its rate, in the scene's unit.
+struct Spring {
+    length: f64,
+    rate: f64,
+}
+
+impl Spring {
+    fn of(context: &Context<'_>, from: PointId, to: PointId) -> Spring {
+        let state = context.state;
+        let along = state.position(to) - state.position(from);
+        let length = along.norm();
+        let relative = state.velocity(to) - state.velocity(from);
+        let rate = if length > 0.0 {
+            along.dot(relative) / length
+        } else {
+            0.0
+        };
+        Spring { length, rate }
+    }
+}
+
+/// The power of everything that acts, and the share of the driver's effort that is against it.
+pub(super) fn shares(context: &Context<'_>, page: &mut Page, acted: &[Acted], parts: [f64; 3]) {
+    let (f, state) = (context.figures, context.state);
+    let mechanism = &context.scene.mechanism;
+    let metres = mechanism.metres();
+    let speed = match mechanism.driver().input {
+        Input::Turn(_) => state.driver_speed(),
+        Input::Push(_) => state.driver_speed() * metres,
+    };
+    if speed == 0.0 {
+        return;
+    }
+    let power = |force: Vec2, at: PointId| force.dot(state.velocity(at)) * metres;
+    let mut powers = [0.0; 3];
+    let mut rows = Vec::new();
+    let mut add = |share: usize, name: String, formula: &str, value: f64| {
+        powers[share] += value;
+        if value != 0.0 {
+            rows.push([name, formula.to_owned(), f.number(value)]);
+        }
+    };
+    for (load, acted) in mechanism.loads().iter().zip(acted) {
+        let what = kind(load);
+        for &(point, force) in &acted.forces {
+            let name = format!("{what} at {}", point_name(context, point));
+            add(0, name, "F v", power(force, point));
+        }
+        if let Some((link, couple)) = acted.couple {
+            let name = format!("{what} on {}", context.scene.link_name(link));
+            add(0, name, "M ω", couple * state.omega(link));
+        }
+    }
+    for id in mechanism.link_ids() {
+        let (link, name) = (mechanism.link(id), context.scene.link_name(id));
+        let turning = link.inertia * state.alpha(id) * state.omega(id);
+        let Some(com) = link.com else {
+            add(2, format!("inertia of {name}"), "-I α ω", -turning);
+            continue;
+        };
+        let weight = mechanism.gravity() * link.mass;
+        add(1, format!("weight of {name}"), "m g v", power(weight, com));
+        let moving = power(state.acceleration(com) * (link.mass * metres), com);
+        let name = format!("inertia of {name}");
+        add(2, name, "-m a v - I α ω", -moving - turning);
+    }
+    if !rows.is_empty() {
+        page.document.table(["of", "power", "[W]"], rows);
+    }
+    let unit = match mechanism.driver().input {
+        Input::Turn(_) => "N m",
+        Input::Push(_) => "N",
+    };
+    let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let names = ["load", "gravity", "inertia"];
+    for ((name, power), part) in names.into_iter().zip(powers).zip(parts) {
+        let power = f.beside(power, size * speed.abs());
+        if power == "0" {
+            page.document
+                .equation([name.to_owned(), format!("0 {unit}")]);
+            continue;
+        }
+        page.document.equation([
+            name.to_owned(),
+            format!("-{}/{}", factor(&power), factor(&f.given(speed))),
+            format!("{} {unit}", f.beside(part, size)),
+        ]);
+    }
+}

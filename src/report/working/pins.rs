@@ -1,0 +1,81 @@
+//! Pins on which a load acts: how it is shared between the links that meet there.
+
+use super::figures::Sum;
+use super::forces::{Row, components, guided, is_joint, kind, pin_name, point_name};
+use super::page::{Context, Page};
+use crate::solver::Acted;
+use crate::{PointId, Slider, Vec2};
+
+/// The balance of every pin of several bodies on which a load or a spring acts.
+pub(super) fn pins(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
+    let mechanism = &context.scene.mechanism;
+    // What acts on a ground pin goes into the ground.
+    let moving = mechanism
+        .point_ids()
+        .filter(|&p| mechanism.point(p).ground.is_none() && is_joint(mechanism, p));
+    for point in moving {
+        let loads = mechanism.loads().iter().zip(acted);
+        let on_pins = loads.filter(|(_, a)| a.on.is_none());
+        let forces = on_pins.flat_map(|(load, a)| a.forces.iter().map(move |f| (kind(load), f)));
+        let loads: Vec<(String, Vec2)> = forces
+            .filter(|(_, (at, _))| *at == point)
+            .map(|(what, (_, force))| (what.to_owned(), *force))
+            .collect();
+        if !loads.is_empty()
+            && let Some(rows) = rows(context, point, loads)
+        {
+            page.document
+                .section(format!("Pin {}", point_name(context, point)));
+            balance(context, page, point, &rows);
+        }
+    }
+}
+
+/// What acts on a pin, its loads first; `None` where some of it is left open.
+fn rows(
+    context: &Context<'_>,
+    point: PointId,
+    mut rows: Vec<(String, Vec2)>,
+) -> Option<Vec<(String, Vec2)>> {
+    let mechanism = &context.scene.mechanism;
+    for &link in &mechanism.point(point).links {
+        let force = context.state.joint_force(link, point)?;
+        let name = format!("-({})", pin_name(context, link, point));
+        rows.push((name, -force));
+    }
+    let in_slot = |s: &_| mechanism.slide(*s).slider == Slider::Pin(point);
+    for slide in mechanism.slide_ids().filter(in_slot) {
+        let Row { name, force, .. } = guided(context, slide, 1.0)?;
+        rows.push((name, force));
+    }
+    Some(rows)
+}
+
+fn balance(context: &Context<'_>, page: &mut Page, point: PointId, rows: &[(String, Vec2)]) {
+    let f = context.figures;
+    let cells = rows.iter().map(|(name, force)| {
+        let [x, y] = components(context, *force);
+        [name.clone(), x, y]
+    });
+    page.document
+        .table(["on it", "fx [N]", "fy [N]"], cells.collect());
+    page.document.text(
+        "A load at a pin acts on the pin, which has no mass; it acts on the links against what they bear there:",
+    );
+    let size = rows
+        .iter()
+        .fold(0.0_f64, |most, row| most.max(row.1.norm()));
+    for (axis, pick) in [("x", (|v| v.x) as fn(Vec2) -> f64), ("y", |v| v.y)] {
+        let mut sum = Sum::default();
+        for (_, force) in rows {
+            let figure = f.beside(pick(*force), size);
+            if figure != "0" {
+                sum.push_figure(&figure);
+            }
+        }
+        let left = rows.iter().map(|(_, force)| pick(*force)).sum();
+        let name = format!("forces along {axis} at {}", point_name(context, point));
+        page.agree(&name, left, 0.0, size);
+        page.document.equation([sum.text(), "0 N".to_owned()]);
+    }
+}
