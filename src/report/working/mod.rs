@@ -12,6 +12,7 @@ mod document;
 mod equations;
 mod figures;
 mod forces;
+mod free_body;
 mod guided;
 mod markdown;
 mod opening;

@@ -1,7 +1,8 @@
 //! Pins on which a load acts: how it is shared between the links that meet there.
 
 use super::figures::Sum;
-use super::forces::{Row, components, guided, is_joint, kind, pin_name, point_name};
+use super::forces::{components, kind, point_name};
+use super::free_body::{Row, guided, is_joint, pin_name};
 use super::page::{Context, Page};
 use crate::solver::Acted;
 use crate::{PointId, Slider, Vec2};

@@ -1,0 +1,374 @@
+//! The free body of a link: what acts on it, and its three equations of motion with numbers.
+
+use super::figures::{Sum, factor};
+use super::forces::point_name;
+use super::page::{Context, Page};
+use crate::report::forces::partner;
+use crate::solver::Acted;
+use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
+
+/// A force on a link, or a couple alone.
+pub(super) struct Row {
+    pub name: String,
+    pub force: Vec2,
+    /// Where it acts; a couple acts nowhere in particular.
+    pub(super) at: Option<Vec2>,
+    /// In N m.
+    pub(super) couple: f64,
+}
+
+/// The forces on a link, and its three equations with numbers; `false` where some of them are left open.
+pub(super) fn free_body(
+    context: &Context<'_>,
+    page: &mut Page,
+    id: LinkId,
+    acted: &[Acted],
+) -> bool {
+    let link = context.scene.mechanism.link(id);
+    let name = context.scene.link_name(id);
+    // Moments about the centre of mass; without one, about the first point of the link.
+    let first = link.members.first().map(|member| member.point);
+    let Some(about) = link.com.or(first) else {
+        return true;
+    };
+    let body = FreeBody {
+        context,
+        id,
+        acted,
+        about,
+    };
+    let Some(rows) = body.rows() else {
+        return false;
+    };
+    page.document.section(format!("Link {name}"));
+    body.table(page, &rows);
+    let point = point_name(context, about);
+    let text = format!("x and y from {point}, moments about it. The equations of motion");
+    page.document.text(match body.acceleration() {
+        Some(_) => format!("{text}, with the acceleration of {point} in m/s^2:"),
+        None => format!("{text}:"),
+    });
+    body.equations(page, &rows);
+    true
+}
+
+/// An equation of motion with its numbers.
+struct Balance {
+    values: Vec<f64>,
+    /// The largest that a term can be.
+    size: f64,
+    /// The right side.
+    symbols: String,
+    numbers: String,
+    value: f64,
+    unit: &'static str,
+}
+
+/// What acts on one link.
+struct FreeBody<'a> {
+    context: &'a Context<'a>,
+    id: LinkId,
+    acted: &'a [Acted],
+    /// The point that moments are taken about.
+    about: PointId,
+}
+
+impl FreeBody<'_> {
+    /// From the point that moments are taken about, in the scene's unit.
+    fn arm(&self, row: &Row) -> Option<Vec2> {
+        let centre = self.context.state.position(self.about);
+        row.at.map(|at| at - centre)
+    }
+
+    /// In N m.
+    fn moment(&self, row: &Row) -> f64 {
+        let arm = self.arm(row).unwrap_or(Vec2::ZERO) * self.mechanism().metres();
+        arm.cross(row.force) + row.couple
+    }
+
+    /// The largest force, and the largest moment that a force at this arm, or a couple, can have.
+    fn sizes(&self, rows: &[Row]) -> [f64; 2] {
+        let metres = self.mechanism().metres();
+        rows.iter().fold([0.0_f64; 2], |[force, moment], row| {
+            let size = row.force.norm();
+            let reach = self.arm(row).map_or(0.0, Vec2::norm) * metres;
+            let own = (reach * size).max(row.couple.abs());
+            [force.max(size), moment.max(own)]
+        })
+    }
+
+    /// Every force with its arm and its moment.
+    fn table(&self, page: &mut Page, rows: &[Row]) {
+        let f = self.context.figures;
+        let [largest, reach] = self.sizes(rows);
+        let cells = rows.iter().map(|row| {
+            let arm = self.arm(row);
+            let along = |pick: fn(Vec2) -> f64| {
+                arm.map_or("-".into(), |arm| f.beside(pick(arm), arm.norm()))
+            };
+            [
+                row.name.clone(),
+                f.beside(row.force.x, largest),
+                f.beside(row.force.y, largest),
+                along(|arm| arm.x),
+                along(|arm| arm.y),
+                f.beside(self.moment(row), reach),
+            ]
+        });
+        let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{}]", f.unit));
+        page.document.table(
+            ["on it", "fx [N]", "fy [N]", &x, &y, "moment [N m]"],
+            cells.collect(),
+        );
+    }
+
+    /// Of the centre of mass, in m/s^2; `None` where it has none or takes no part.
+    fn acceleration(&self) -> Option<Vec2> {
+        let a = self.context.state.acceleration(self.about) * self.mechanism().metres();
+        (self.mechanism().link(self.id).mass > 0.0 && a.norm() > 0.0).then_some(a)
+    }
+
+    /// The sums of forces and of moments, and what they make of the link's motion.
+    fn equations(&self, page: &mut Page, rows: &[Row]) {
+        let (f, state) = (self.context.figures, self.context.state);
+        let link = self.mechanism().link(self.id);
+        let a = state.acceleration(self.about) * self.mechanism().metres();
+        let [largest, reach] = self.sizes(rows);
+        if let Some(a) = self.acceleration() {
+            let length = f.number(a.norm());
+            let direction = f.direction(crate::angle::degrees(a));
+            for (name, function, value) in [("ax", "cos", a.x), ("ay", "sin", a.y)] {
+                page.document.equation([
+                    name.to_owned(),
+                    format!("{length}·{function}({direction})"),
+                    format!("{} m/s^2", f.beside(value, a.norm())),
+                ]);
+            }
+        }
+        let force = |axis: &str, a_axis: f64, values: Vec<f64>| Balance {
+            values,
+            size: largest,
+            symbols: format!("m a{axis}"),
+            numbers: format!(
+                "{}·{}",
+                f.given(link.mass),
+                factor(&f.beside(a_axis, a.norm()))
+            ),
+            value: link.mass * a_axis,
+            unit: "N",
+        };
+        let alpha = state.alpha(self.id);
+        let turning = Balance {
+            values: rows.iter().map(|row| self.moment(row)).collect(),
+            size: reach,
+            symbols: "I α".into(),
+            numbers: format!("{}·{}", f.given(link.inertia), factor(&f.number(alpha))),
+            value: link.inertia * alpha,
+            unit: "N m",
+        };
+        let x = force("x", a.x, rows.iter().map(|row| row.force.x).collect());
+        let y = force("y", a.y, rows.iter().map(|row| row.force.y).collect());
+        for balance in [x, y, turning] {
+            self.write(page, balance);
+        }
+    }
+
+    /// `12.5 - 3.2 = m ax = 2*4.65 = 9.3 N`; without mass what is left is 0.
+    fn write(&self, page: &mut Page, balance: Balance) {
+        let f = self.context.figures;
+        let (size, value) = (balance.size, balance.value);
+        let mut sum = Sum::default();
+        for &term in &balance.values {
+            let figure = f.beside(term, size);
+            if figure != "0" {
+                sum.push_figure(&figure);
+            }
+        }
+        let name = self.context.scene.link_name(self.id);
+        let symbol = format!("{} of {name}", balance.symbols);
+        let worked = balance.values.iter().sum();
+        page.agree(&symbol, worked, value, size.max(value.abs()));
+        let right = format!("{} {}", f.beside(value, size), balance.unit);
+        let link = self.mechanism().link(self.id);
+        if link.mass > 0.0 || link.inertia > 0.0 {
+            let sides = [sum.text(), balance.symbols, balance.numbers, right];
+            page.document.equation(sides);
+        } else {
+            page.document.equation([sum.text(), right]);
+        }
+    }
+
+    /// All of it; `None` where something of it is left open.
+    fn rows(&self) -> Option<Vec<Row>> {
+        let mut rows = Vec::new();
+        self.members(&mut rows)?;
+        self.slides(&mut rows)?;
+        self.couples(&mut rows);
+        Some(rows)
+    }
+
+    fn mechanism(&self) -> &Mechanism {
+        &self.context.scene.mechanism
+    }
+
+    /// Pins, loads between them, and the weight.
+    fn members(&self, rows: &mut Vec<Row>) -> Option<()> {
+        let (context, state) = (self.context, self.context.state);
+        let mechanism = self.mechanism();
+        let link = mechanism.link(self.id);
+        for member in &link.members {
+            let point = member.point;
+            let label = point_name(context, point);
+            let at = Some(state.position(point));
+            if is_joint(mechanism, point) {
+                let force = state.joint_force(self.id, point)?;
+                let name = pin_name(context, self.id, point);
+                rows.push(Row {
+                    name,
+                    force,
+                    at,
+                    couple: 0.0,
+                });
+                continue;
+            }
+            for (_, force) in self
+                .acted
+                .iter()
+                .filter(|a| a.on.is_none())
+                .flat_map(|a| &a.forces)
+                .filter(|(p, _)| *p == point)
+            {
+                let name = format!("load at {label}");
+                rows.push(Row {
+                    name,
+                    force: *force,
+                    at,
+                    couple: 0.0,
+                });
+            }
+        }
+        for acted in self.acted.iter().filter(|a| a.on == Some(self.id)) {
+            for &(point, force) in &acted.forces {
+                rows.push(Row {
+                    name: "press".into(),
+                    force,
+                    at: Some(state.position(point)),
+                    couple: 0.0,
+                });
+            }
+        }
+        let weight = mechanism.gravity() * link.mass;
+        if let (Some(com), true) = (link.com, weight != Vec2::ZERO) {
+            rows.push(Row {
+                name: "weight".into(),
+                force: weight,
+                at: Some(state.position(com)),
+                couple: 0.0,
+            });
+        }
+        Some(())
+    }
+
+    /// The guides on which it slides, and those that it carries.
+    fn slides(&self, rows: &mut Vec<Row>) -> Option<()> {
+        let mechanism = self.mechanism();
+        for slide in mechanism.slide_ids() {
+            let given = mechanism.slide(slide);
+            let slides = matches!(given.slider, Slider::Link { link, .. } if link == self.id);
+            let carries = given.on == Body::Link(self.id);
+            if slides {
+                rows.push(guided(self.context, slide, 1.0)?);
+            }
+            if carries {
+                rows.push(guided(self.context, slide, -1.0)?);
+            }
+        }
+        Some(())
+    }
+
+    /// Torques, the driver's among them.
+    fn couples(&self, rows: &mut Vec<Row>) {
+        let couples = self.acted.iter().filter_map(|a| a.couple);
+        let own = couples.filter(|(link, _)| *link == self.id);
+        let mut add = |name: &str, couple: f64| {
+            rows.push(Row {
+                name: name.into(),
+                force: Vec2::ZERO,
+                at: None,
+                couple,
+            });
+        };
+        own.for_each(|(_, couple)| add("torque", couple));
+        if self.mechanism().driver().input == Input::Turn(self.id)
+            && let Some(torque) = self.context.state.drive()
+        {
+            add("driver", torque);
+        }
+    }
+}
+
+/// The force of a guide on what slides, or the other way round.
+pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<Row> {
+    let (state, mechanism) = (context.state, &context.scene.mechanism);
+    let given = mechanism.slide(slide);
+    let t = state.travel(slide).guide;
+    let mut force = t.perp() * state.normal(slide)?;
+    if mechanism.driver().input == Input::Push(slide) {
+        force += t * state.drive()?;
+    }
+    let couple = match given.slider {
+        Slider::Pin(_) => 0.0,
+        Slider::Link { .. } => state.moment(slide)?,
+    };
+    let whose = if sign > 0.0 { "guide" } else { "slider" };
+    Some(Row {
+        name: format!("{whose} of {}", context.scene.slide_name(slide)),
+        force: force * sign,
+        at: Some(state.position(given.slider.point())),
+        couple: couple * sign,
+    })
+}
+
+/// The force on a link at a pin, by name: whose it is where one other body is there and nothing else acts.
+pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> String {
+    let by = partner(&context.scene.mechanism, link, point);
+    let (name, at) = (context.scene.link_name(link), point_name(context, point));
+    match by {
+        Some(Some(other)) => format!("{name} at {at} by {}", context.scene.link_name(other)),
+        Some(None) => format!("{name} at {at} by ground"),
+        None => format!("{name} at {at}"),
+    }
+}
+
+/// Whether something is joined to a link there.
+pub(super) fn is_joint(mechanism: &Mechanism, id: PointId) -> bool {
+    let point = mechanism.point(id);
+    let slides = mechanism
+        .slides()
+        .iter()
+        .filter(|s| s.slider.point() == id)
+        .count();
+    point.links.len() + usize::from(point.ground.is_some()) + slides >= 2
+}
+
+/// The largest moment (N m) of a force on any link, or for a driven slide the largest force (N): what
+/// the driver's own may be the small difference of.
+pub(super) fn largest(context: &Context<'_>, acted: &[Acted]) -> f64 {
+    let mechanism = &context.scene.mechanism;
+    let sizes = mechanism.link_ids().filter_map(|id| {
+        let link = mechanism.link(id);
+        let about = link.members.first()?.point;
+        let body = FreeBody {
+            context,
+            id,
+            acted,
+            about,
+        };
+        let [force, moment] = body.sizes(&body.rows()?);
+        Some(match mechanism.driver().input {
+            Input::Turn(_) => moment,
+            Input::Push(_) => force,
+        })
+    });
+    sizes.fold(0.0, f64::max)
+}
