@@ -2,7 +2,7 @@
 
 use super::number::shortest;
 use super::rows::plain;
-use crate::quantity::Catalogue;
+use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
 use crate::solver::Solver;
 use crate::study::motor::{
@@ -66,9 +66,9 @@ pub struct RamReport {
 }
 
 /// Of a cycle so many steps are written, by the turn or by the way there and back.
-const STEPS: f64 = 360.0;
+const STEPS: u32 = 360;
 /// Steps of a cycle of many turns, all together.
-const MOST_STEPS: f64 = 36_000.0;
+const MOST_STEPS: u32 = 36_000;
 
 /// The parts of what the driver must do, as columns name them.
 pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
@@ -241,12 +241,13 @@ impl MotorReport {
     }
 
     /// The cycle step by step, as comma separated values: what the driver must do, its parts, its power,
-    /// the work done since the beginning, and what the ground feels.
+    /// the work done since the beginning, and what the ground feels, as it was solved for in each state.
+    /// What does not exist there is empty.
     ///
     /// # Errors
     /// Where it cannot be written.
     pub fn write_csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let Some(Duty { cycle, .. }) = &self.duty else {
+        let Some(duty) = &self.duty else {
             return Ok(());
         };
         let mut csv = csv::Writer::from_writer(out);
@@ -261,29 +262,20 @@ impl MotorReport {
             "ground.fx [N]",
             "ground.fy [N]",
             "ground.moment [N m]",
+            "state",
         ];
         header.extend(rest.map(str::to_owned));
         csv.write_record(&header).map_err(plain)?;
-        let turns = self.duty.as_ref().map_or(1.0, Duty::turns);
-        let steps = (STEPS * turns).min(MOST_STEPS);
-        let length = cycle.course.length();
-        let mut k = 0.0;
-        while k <= steps {
-            let way = length * k / steps;
-            let mut row = vec![cell(Some(cycle.coordinate(way)))];
-            let effort = cycle.at(way);
-            row.push(cell(effort.map(|e| e.torque)));
-            row.extend((0..PARTS.len()).map(|i| cell(effort.map(|e| e.parts[i]))));
-            row.push(cell(
-                effort.map(|e| e.torque * cycle.sense(way) * cycle.speed),
-            ));
-            row.push(cell(cycle.work(way)));
-            let ground = effort.filter(|_| cycle.shaking.force.is_some());
-            row.push(cell(ground.map(|e| e.force.x)));
-            row.push(cell(ground.map(|e| e.force.y)));
-            row.push(cell(ground.map(|e| e.moment)));
+        for (way, step) in duty.steps(steps(duty.turns())) {
+            let mut row = vec![cell(Some(step.at)), cell(step.torque)];
+            row.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));
+            row.push(cell(step.power));
+            row.push(cell(duty.work(way)));
+            row.push(cell(step.ground.map(|(force, _)| force.x)));
+            row.push(cell(step.ground.map(|(force, _)| force.y)));
+            row.push(cell(step.ground.map(|(_, moment)| moment)));
+            row.push(state_word(step.condition).to_owned());
             csv.write_record(&row).map_err(plain)?;
-            k += 1.0;
         }
         csv.flush()
     }
@@ -294,6 +286,18 @@ impl MotorReport {
 pub(super) struct Evenness {
     pub(super) with: Option<(f64, f64)>,
     pub(super) wished: Option<(f64, f64)>,
+}
+
+/// The steps of a cycle of so many turns.
+fn steps(turns: f64) -> u32 {
+    let all = f64::from(STEPS) * turns;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number between one and the most"
+    )]
+    let steps = all.clamp(1.0, f64::from(MOST_STEPS)) as u32;
+    steps
 }
 
 fn cell(value: Option<f64>) -> String {

@@ -136,7 +136,7 @@ impl MotorReport {
             let places: Vec<String> = places.iter().map(|&at| concise(at, 9)).collect();
             format!("{} {}", places.join(" and "), self.driver_unit)
         };
-        let mut texts = Vec::new();
+        let (mut texts, cycle) = (Vec::new(), &duty.cycle);
         let all = &duty.cycle.all;
         if let (Some(work), Some(put_in)) = (all.work(), all.put_in)
             && work < -NOTHING * put_in
@@ -150,7 +150,7 @@ impl MotorReport {
         if !duty.dead_points.is_empty() {
             let what = if duty.runs_dead {
                 "accelerations grow beyond all bounds, and a driver that keeps its speed never gets \
-                 there: only what loads and gravity take exists"
+                 there: means and energies are of loads and gravity only"
             } else {
                 "what the driver must do can grow beyond all bounds: its work and its mean exist, a \
                  peak and an RMS do not"
@@ -170,6 +170,21 @@ impl MotorReport {
             let error = significant(duty.cycle.error, 2);
             texts.push(format!(
                 "the integrals have not converged: they may be off by {error} of the largest"
+            ));
+        }
+        if !duty.unrepeated.is_empty() {
+            let numbers: Vec<String> = duty.unrepeated.iter().map(usize::to_string).collect();
+            let (loads, does) = match numbers.len() {
+                1 => ("load", "does"),
+                _ => ("loads", "do"),
+            };
+            let course = &cycle.course;
+            texts.push(format!(
+                "`over` of {loads} {} {does} not repeat: this is the cycle from {} to {} {}",
+                numbers.join(" and "),
+                concise(course.low, 9),
+                concise(course.high, 9),
+                self.driver_unit
             ));
         }
         if duty.is_cut_short {
@@ -239,8 +254,16 @@ impl MotorReport {
     }
 
     fn fit_lines(&self, lines: &mut Vec<MotorLine>) {
-        let Some(is_enough) = self.fit.is_enough() else {
-            return;
+        let motor = &self.wishes.motor;
+        let is_known = motor.rated.or(motor.peak).or(motor.speed).is_some();
+        let is_enough = self.fit.is_enough();
+        let verdict_text = match is_enough {
+            Some(true) => "enough".to_owned(),
+            Some(false) => "not enough".to_owned(),
+            None if self.fit.is_unbounded && is_known => {
+                format!("not judged: no largest {} exists", self.effort_word())
+            }
+            None => return,
         };
         let unit = self.effort_unit();
         let (scale, speeds) = if self.turns {
@@ -251,7 +274,7 @@ impl MotorReport {
         let torque = |asked: &Asked| verdict(asked, 1.0, unit);
         let speed = |asked: &Asked| verdict(asked, scale, speeds);
         lines.push(MotorLine::Head(
-            format!("motor: {}", if is_enough { "enough" } else { "not enough" }),
+            format!("motor: {verdict_text}"),
             Vec::new(),
         ));
         let facts = [
@@ -263,7 +286,7 @@ impl MotorReport {
             .into_iter()
             .filter_map(|(label, text)| Some((label, text?)));
         lines.extend(known.map(|(label, text)| MotorLine::Fact(label.into(), text)));
-        if let (Some(gear), false) = (self.fit.geared, is_enough) {
+        if let (Some(gear), Some(false)) = (self.fit.geared, is_enough) {
             let does = if gear.is_enough {
                 "would be enough"
             } else {

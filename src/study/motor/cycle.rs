@@ -215,6 +215,9 @@ impl Cycle {
         if self.pieces.has_gap {
             return None;
         }
+        if way <= 0.0 {
+            return Some(0.0);
+        }
         let mut work = 0.0;
         for piece in &self.pieces.list {
             let integral = piece.sums[0].integral();
