@@ -6,8 +6,8 @@ use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
 use crate::solver::Solver;
 use crate::study::motor::{
-    Centre, Course, Duty, Dwell, Effect, Fit, NoRam, Passing, Peak, Ram, RamEnd, Rule, Shaking,
-    fluctuation_with, flywheel_for, rams,
+    Asked, Centre, Course, Duty, Dwell, Effect, Fit, NoRam, Passing, Peak, Ram, RamEnd, Rule,
+    SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
 };
 use crate::{Input, Load, SlideId, StrokeEnd};
 use serde_json::{Value, json};
@@ -134,6 +134,15 @@ impl MotorReport {
         })
     }
 
+    /// The rated torque against about the mean of the cycle, where a flywheel leaves little fluctuation:
+    /// it takes and gives the rest.
+    pub(super) fn with_flywheel(&self) -> Option<Asked> {
+        let (_, fluctuation) = self.evenness()?.with?;
+        let asked = self.duty.as_ref()?.cycle.all.mean?.abs();
+        let has = self.wishes.motor.rated?;
+        (fluctuation <= SMALL_FLUCTUATION).then_some(Asked { asked, has })
+    }
+
     /// Everything as JSON; what does not exist is null.
     #[must_use]
     pub fn to_json(&self) -> Value {
@@ -147,7 +156,7 @@ impl MotorReport {
                 "speed": self.speed,
             },
             "cycle": self.duty.as_ref().map(cycle_json),
-            "torque": self.duty.as_ref().map(|duty| self.effects_json(duty)),
+            (self.effort_word()): self.duty.as_ref().map(|duty| self.effects_json(duty)),
             "evenness": self.evenness_json(),
             "frame": self.duty.as_ref().map(|duty| shaking_json(&duty.cycle.shaking)),
             "motor": self.duty.as_ref().map(|_| self.fit_json()),
@@ -156,9 +165,10 @@ impl MotorReport {
     }
 
     fn effects_json(&self, duty: &Duty) -> Value {
-        let mut all = effect_json(&duty.cycle.all);
+        let seconds = duty.seconds();
+        let mut all = effect_json(&duty.cycle.all, seconds);
         for (name, part) in PARTS.iter().zip(&duty.cycle.parts) {
-            all[*name] = effect_json(part);
+            all[*name] = effect_json(part, seconds);
         }
         all["unit"] = json!(self.effort_unit());
         all
@@ -180,13 +190,14 @@ impl MotorReport {
     }
 
     fn fit_json(&self) -> Value {
-        let asked = |asked: Option<crate::study::motor::Asked>| {
+        let asked = |asked: Option<Asked>| {
             asked.map(|a| json!({"asked": a.asked, "has": a.has, "enough": a.is_enough()}))
         };
         json!({
             "rated": asked(self.fit.rated),
             "peak": asked(self.fit.peak),
             "speed": asked(self.fit.speed),
+            "with_flywheel": asked(self.with_flywheel()),
             "enough": self.fit.is_enough(),
             "gear": self.fit.geared.map(|g| json!({"ratio": g.ratio, "enough": g.is_enough})),
         })
@@ -209,7 +220,7 @@ impl MotorReport {
             let both = passings.as_ref();
             json!({
                 "height": height,
-                "torque": report.torque,
+                (self.effort_word()): report.torque,
                 "closing": both.map(|p| passing(&p[0])),
                 "opening": both.map(|p| passing(&p[1])),
             })
@@ -385,13 +396,14 @@ fn peak_json(peak: Option<Peak>) -> Value {
     json!(peak.map(|p| json!({"value": p.value, "at": p.at, "back": p.back})))
 }
 
-fn effect_json(effect: &Effect) -> Value {
+fn effect_json(effect: &Effect, seconds: Option<f64>) -> Value {
     json!({
         "largest": peak_json(effect.largest),
         "least": peak_json(effect.least),
         "largest_power": peak_json(effect.largest_power),
         "least_power": peak_json(effect.least_power),
         "mean": effect.mean,
+        "mean_power": effect.work().zip(seconds).map(|(work, time)| work / time),
         "rms": effect.rms,
         "put_in": effect.put_in,
         "given_back": effect.given_back,

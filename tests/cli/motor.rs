@@ -22,7 +22,7 @@ fn the_text_fits_a_page_and_says_what_is_asked() {
         "\nmotor: ",
         "\nevenness\n",
         "kg m^2",
-        "\non the frame\n",
+        "\non the frame, loads included\n",
         "trapezoids at ",
     ] {
         assert!(text.contains(phrase), "{phrase}\n{text}");

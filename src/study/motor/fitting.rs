@@ -20,6 +20,10 @@ pub fn fluctuation_with(energy: f64, speed: f64, flywheel: f64) -> Option<f64> {
     fluctuation.is_finite().then_some(fluctuation)
 }
 
+/// Above this the fluctuation of a flywheel is a rough figure: energy and speed change in proportion for
+/// small ones only.
+pub const SMALL_FLUCTUATION: f64 = 0.2;
+
 /// What is asked of a motor, and what it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asked {
