@@ -70,6 +70,9 @@ const STEPS: u32 = 360;
 /// Steps of a cycle of many turns, all together.
 const MOST_STEPS: u32 = 36_000;
 
+/// A figure that is less than this part of what it comes from is what rounding has left.
+pub(super) const NOTHING: f64 = 1e-11;
+
 /// The parts of what the driver must do, as columns name them.
 pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 
@@ -138,7 +141,14 @@ impl MotorReport {
     /// it takes and gives the rest.
     pub(super) fn with_flywheel(&self) -> Option<Asked> {
         let (_, fluctuation) = self.evenness()?.with?;
-        let asked = self.duty.as_ref()?.cycle.all.mean?.abs();
+        let all = &self.duty.as_ref()?.cycle.all;
+        let mean = all.mean?.abs();
+        // Where the cycle takes nothing in the mean, rounding is no torque.
+        let asked = if mean <= NOTHING * all.rms? {
+            0.0
+        } else {
+            mean
+        };
         let has = self.wishes.motor.rated?;
         (fluctuation <= SMALL_FLUCTUATION).then_some(Asked { asked, has })
     }

@@ -1,6 +1,6 @@
 //! The motor over a cycle in lines: for a page, and for a view of any width.
 
-use super::motor::{MotorReport, RamReport, end_word};
+use super::motor::{MotorReport, NOTHING, RamReport, end_word};
 use super::number::{concise, significant};
 use super::text::{WIDTH, wrapped};
 use crate::scene::harmless;
@@ -18,8 +18,6 @@ const ROOMY: usize = 60;
 const FIGURE: usize = 12;
 /// Turns a minute in 1 rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
-/// A figure that is less than this part of what it comes from is what rounding has left.
-const NOTHING: f64 = 1e-11;
 
 /// A line of what was found.
 #[derive(Clone, Debug, PartialEq)]

@@ -138,6 +138,11 @@ fn options_stand_for_what_the_scene_says() {
     let strong = with(&["--rated", "1000", "--peak", "3000", "--fluctuation", "0.5"]);
     assert_eq!(strong["motor"]["enough"], true);
     near(&strong["evenness"]["wished"]["fluctuation"], 0.5, 0.0);
+    // The load is lifted and let down: with a flywheel the motor has nothing to do in the mean.
+    let even = with(&["--rated", "20", "--peak", "60", "--flywheel", "5"]);
+    assert_eq!(even["motor"]["with_flywheel"]["asked"], 0.0);
+    let uneven = with(&["--rated", "20", "--peak", "60", "--flywheel", "0.1"]);
+    assert!(uneven["motor"]["with_flywheel"].is_null());
     // There and back over a part of the motion gravity gives back all that it takes.
     let part = with(&["--from", "30", "--to", "90"]);
     assert_eq!(
