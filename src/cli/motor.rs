@@ -31,8 +31,11 @@ pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
     let report = MotorReport::new(&scene, &solver, wishes);
     tell_of_no_ram(args, &report, screen);
     let output = args.output.output.as_deref();
-    if report.duty.is_none() && (args.format == Format::Csv || report.ram.is_err()) {
-        return Err(nothing_acts());
+    if report.duty.is_none() {
+        if args.format == Format::Csv || report.ram.is_err() {
+            return Err(Failure::Cannot(NOTHING_ACTS.into()));
+        }
+        note(NOTHING_ACTS, screen);
     }
     match args.format {
         Format::Text => write_text(output, &report.to_text(screen.ascii))?,
@@ -40,7 +43,7 @@ pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
         Format::Csv => write_to(output, |out| report.write_csv(out))?,
     }
     match &report.duty {
-        None => Err(nothing_acts()),
+        None => Ok(()),
         Some(duty) => judge(duty),
     }
 }
@@ -56,13 +59,28 @@ fn given(args: &MotorArgs, scene: &Scene) -> Result<Motor, Failure> {
             Err(why) => return Err(Failure::Usage(format!("--speed: {why}"))),
         },
     };
-    Ok(Motor {
+    let motor = Motor {
         rated: args.rated.or(known.rated),
         peak: args.peak.or(known.peak),
         speed,
         flywheel: args.flywheel.or(known.flywheel),
         fluctuation: args.fluctuation.or(known.fluctuation),
         tolerance: args.tolerance.or(known.tolerance),
+    };
+    refused(&motor).map_or(Ok(motor), |why| Err(Failure::Usage(why)))
+}
+
+/// What the numbers must be to each other, as in the scene's [motor].
+fn refused(motor: &Motor) -> Option<String> {
+    if let (Some(rated), Some(peak)) = (motor.rated, motor.peak)
+        && peak < rated
+    {
+        return Some(format!(
+            "--peak: {peak} is less than the rated {rated}; the peak is what the motor gives for a short while, at least as much as without end"
+        ));
+    }
+    motor.fluctuation.filter(|share| *share > 1.0).map(|share| {
+        format!("--fluctuation: {share} is above 1; it is (greatest - least) / mean of the speed: 0.02 is 2 %")
     })
 }
 
@@ -100,6 +118,19 @@ fn between(
     let (Some(from), Some(to)) = (args.from, args.to) else {
         return Ok(None);
     };
+    // Of a driver that turns, from 300 to 60 deg is the way over the full turn.
+    let range = solver.motion().range;
+    let to = match range {
+        Range::Full { .. } if to < from => {
+            let turned = from + (to - from).rem_euclid(crate::angle::TURN);
+            if turned > from {
+                turned
+            } else {
+                from + crate::angle::TURN
+            }
+        }
+        Range::Full { .. } | Range::Limited { .. } => to,
+    };
     let (low, high) = (from.min(to), from.max(to));
     if low == high || !(high - low).is_finite() {
         return Err(Failure::Usage(
@@ -107,7 +138,6 @@ fn between(
                 .into(),
         ));
     }
-    let range = solver.motion().range;
     match range {
         Range::Limited { .. } if !is_within(range, low, high) => {
             let catalogue = Catalogue::new(scene);
@@ -128,11 +158,8 @@ fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: Screen) {
     }
 }
 
-fn nothing_acts() -> Failure {
-    Failure::Cannot(
-        "nothing acts on the mechanism: it has no load, spring or mass; [[loads]] in the scene, or `mass` of a link, would".into(),
-    )
-}
+/// Alone it is a failure: there is nothing to tell. A ram is something.
+const NOTHING_ACTS: &str = "nothing acts on the mechanism: it has no load, spring or mass; [[loads]] in the scene, or `mass` of a link, would";
 
 /// A study whose integrals cannot be believed has failed, though its figures are there to be looked at.
 fn judge(duty: &Duty) -> Result<(), Failure> {

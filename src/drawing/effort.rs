@@ -2,7 +2,7 @@
 
 use super::plot::{Axis, Line, Panel, Plot, Turn};
 use crate::Vec2;
-use crate::study::motor::Cycle;
+use crate::study::motor::Duty;
 
 /// Points of the curve.
 const POINTS: u32 = 720;
@@ -11,9 +11,10 @@ const BESIDE: f64 = 0.02;
 
 /// The plot of a cycle: `coordinate` is the name and the unit of the driver's, `effort` of what it does.
 #[must_use]
-pub fn effort(cycle: &Cycle, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
+pub fn effort(duty: &Duty, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
     let [name, unit] = effort;
-    let mut pieces = cycle.curve(POINTS);
+    let cycle = &duty.cycle;
+    let mut pieces = duty.curve(POINTS);
     if cycle.course.ends_dead {
         let (low, high) = (cycle.course.low, cycle.course.high);
         let beside = BESIDE * (high - low);

@@ -2,12 +2,12 @@
 
 use super::number::shortest;
 use super::rows::plain;
-use crate::quantity::Catalogue;
+use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
 use crate::solver::Solver;
 use crate::study::motor::{
-    Centre, Course, Duty, Dwell, Effect, Fit, NoRam, Passing, Peak, Ram, RamEnd, Rule, Shaking,
-    fluctuation_with, flywheel_for, rams,
+    Asked, Centre, Course, Duty, Dwell, Effect, Fit, NoRam, Passing, Peak, Ram, RamEnd, Rule,
+    SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
 };
 use crate::{Input, Load, SlideId, StrokeEnd};
 use serde_json::{Value, json};
@@ -66,9 +66,12 @@ pub struct RamReport {
 }
 
 /// Of a cycle so many steps are written, by the turn or by the way there and back.
-const STEPS: f64 = 360.0;
+const STEPS: u32 = 360;
 /// Steps of a cycle of many turns, all together.
-const MOST_STEPS: f64 = 36_000.0;
+const MOST_STEPS: u32 = 36_000;
+
+/// A figure that is less than this part of what it comes from is what rounding has left.
+pub(super) const NOTHING: f64 = 1e-11;
 
 /// The parts of what the driver must do, as columns name them.
 pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
@@ -134,6 +137,22 @@ impl MotorReport {
         })
     }
 
+    /// The rated torque against about the mean of the cycle, where a flywheel leaves little fluctuation:
+    /// it takes and gives the rest.
+    pub(super) fn with_flywheel(&self) -> Option<Asked> {
+        let (_, fluctuation) = self.evenness()?.with?;
+        let all = &self.duty.as_ref()?.cycle.all;
+        let mean = all.mean?.abs();
+        // Where the cycle takes nothing in the mean, rounding is no torque.
+        let asked = if mean <= NOTHING * all.rms? {
+            0.0
+        } else {
+            mean
+        };
+        let has = self.wishes.motor.rated?;
+        (fluctuation <= SMALL_FLUCTUATION).then_some(Asked { asked, has })
+    }
+
     /// Everything as JSON; what does not exist is null.
     #[must_use]
     pub fn to_json(&self) -> Value {
@@ -147,7 +166,7 @@ impl MotorReport {
                 "speed": self.speed,
             },
             "cycle": self.duty.as_ref().map(cycle_json),
-            "torque": self.duty.as_ref().map(|duty| self.effects_json(duty)),
+            (self.effort_word()): self.duty.as_ref().map(|duty| self.effects_json(duty)),
             "evenness": self.evenness_json(),
             "frame": self.duty.as_ref().map(|duty| shaking_json(&duty.cycle.shaking)),
             "motor": self.duty.as_ref().map(|_| self.fit_json()),
@@ -156,9 +175,10 @@ impl MotorReport {
     }
 
     fn effects_json(&self, duty: &Duty) -> Value {
-        let mut all = effect_json(&duty.cycle.all);
+        let seconds = duty.seconds();
+        let mut all = effect_json(&duty.cycle.all, seconds);
         for (name, part) in PARTS.iter().zip(&duty.cycle.parts) {
-            all[*name] = effect_json(part);
+            all[*name] = effect_json(part, seconds);
         }
         all["unit"] = json!(self.effort_unit());
         all
@@ -180,13 +200,14 @@ impl MotorReport {
     }
 
     fn fit_json(&self) -> Value {
-        let asked = |asked: Option<crate::study::motor::Asked>| {
+        let asked = |asked: Option<Asked>| {
             asked.map(|a| json!({"asked": a.asked, "has": a.has, "enough": a.is_enough()}))
         };
         json!({
             "rated": asked(self.fit.rated),
             "peak": asked(self.fit.peak),
             "speed": asked(self.fit.speed),
+            "with_flywheel": asked(self.with_flywheel()),
             "enough": self.fit.is_enough(),
             "gear": self.fit.geared.map(|g| json!({"ratio": g.ratio, "enough": g.is_enough})),
         })
@@ -209,7 +230,7 @@ impl MotorReport {
             let both = passings.as_ref();
             json!({
                 "height": height,
-                "torque": report.torque,
+                (self.effort_word()): report.torque,
                 "closing": both.map(|p| passing(&p[0])),
                 "opening": both.map(|p| passing(&p[1])),
             })
@@ -241,12 +262,13 @@ impl MotorReport {
     }
 
     /// The cycle step by step, as comma separated values: what the driver must do, its parts, its power,
-    /// the work done since the beginning, and what the ground feels.
+    /// the work done since the beginning, and what the ground feels, as it was solved for in each state.
+    /// What does not exist there is empty.
     ///
     /// # Errors
     /// Where it cannot be written.
     pub fn write_csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let Some(Duty { cycle, .. }) = &self.duty else {
+        let Some(duty) = &self.duty else {
             return Ok(());
         };
         let mut csv = csv::Writer::from_writer(out);
@@ -261,29 +283,20 @@ impl MotorReport {
             "ground.fx [N]",
             "ground.fy [N]",
             "ground.moment [N m]",
+            "state",
         ];
         header.extend(rest.map(str::to_owned));
         csv.write_record(&header).map_err(plain)?;
-        let turns = self.duty.as_ref().map_or(1.0, Duty::turns);
-        let steps = (STEPS * turns).min(MOST_STEPS);
-        let length = cycle.course.length();
-        let mut k = 0.0;
-        while k <= steps {
-            let way = length * k / steps;
-            let mut row = vec![cell(Some(cycle.coordinate(way)))];
-            let effort = cycle.at(way);
-            row.push(cell(effort.map(|e| e.torque)));
-            row.extend((0..PARTS.len()).map(|i| cell(effort.map(|e| e.parts[i]))));
-            row.push(cell(
-                effort.map(|e| e.torque * cycle.sense(way) * cycle.speed),
-            ));
-            row.push(cell(cycle.work(way)));
-            let ground = effort.filter(|_| cycle.shaking.force.is_some());
-            row.push(cell(ground.map(|e| e.force.x)));
-            row.push(cell(ground.map(|e| e.force.y)));
-            row.push(cell(ground.map(|e| e.moment)));
+        for (way, step) in duty.steps(steps(duty.turns())) {
+            let mut row = vec![cell(Some(step.at)), cell(step.torque)];
+            row.extend((0..PARTS.len()).map(|i| cell(step.parts.map(|parts| parts[i]))));
+            row.push(cell(step.power));
+            row.push(cell(duty.work(way)));
+            row.push(cell(step.ground.map(|(force, _)| force.x)));
+            row.push(cell(step.ground.map(|(force, _)| force.y)));
+            row.push(cell(step.ground.map(|(_, moment)| moment)));
+            row.push(state_word(step.condition).to_owned());
             csv.write_record(&row).map_err(plain)?;
-            k += 1.0;
         }
         csv.flush()
     }
@@ -294,6 +307,18 @@ impl MotorReport {
 pub(super) struct Evenness {
     pub(super) with: Option<(f64, f64)>,
     pub(super) wished: Option<(f64, f64)>,
+}
+
+/// The steps of a cycle of so many turns.
+fn steps(turns: f64) -> u32 {
+    let all = f64::from(STEPS) * turns;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a number between one and the most"
+    )]
+    let steps = all.clamp(1.0, f64::from(MOST_STEPS)) as u32;
+    steps
 }
 
 fn cell(value: Option<f64>) -> String {
@@ -381,13 +406,14 @@ fn peak_json(peak: Option<Peak>) -> Value {
     json!(peak.map(|p| json!({"value": p.value, "at": p.at, "back": p.back})))
 }
 
-fn effect_json(effect: &Effect) -> Value {
+fn effect_json(effect: &Effect, seconds: Option<f64>) -> Value {
     json!({
         "largest": peak_json(effect.largest),
         "least": peak_json(effect.least),
         "largest_power": peak_json(effect.largest_power),
         "least_power": peak_json(effect.least_power),
         "mean": effect.mean,
+        "mean_power": effect.work().zip(seconds).map(|(work, time)| work / time),
         "rms": effect.rms,
         "put_in": effect.put_in,
         "given_back": effect.given_back,

@@ -1,10 +1,10 @@
 //! The motor over a cycle in lines: for a page, and for a view of any width.
 
-use super::motor::{MotorReport, RamReport, end_word};
+use super::motor::{MotorReport, NOTHING, RamReport, end_word};
 use super::number::{concise, significant};
 use super::text::{WIDTH, wrapped};
 use crate::scene::harmless;
-use crate::study::motor::{Asked, Cycle, Duty, Effect, Peak, Rule};
+use crate::study::motor::{Asked, Cycle, Duty, Effect, Peak, Rule, SMALL_FLUCTUATION};
 
 /// Digits of a figure, and decimals of where it is in degrees.
 const DIGITS: usize = 6;
@@ -18,8 +18,6 @@ const ROOMY: usize = 60;
 const FIGURE: usize = 12;
 /// Turns a minute in 1 rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
-/// A figure that is less than this part of what it comes from is what rounding has left.
-const NOTHING: f64 = 1e-11;
 
 /// A line of what was found.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,12 +70,15 @@ impl MotorReport {
         lines.push(MotorLine::Text(self.asked_text(duty)));
         lines.extend(self.singular_texts(duty).into_iter().map(MotorLine::Text));
         lines.push(MotorLine::Blank);
-        self.effect_lines(cycle, lines);
+        self.effect_lines(duty, lines);
         lines.push(MotorLine::Blank);
         self.fit_lines(lines);
         self.evenness_lines(duty, lines);
         self.frame_lines(cycle, lines);
-        lines.push(MotorLine::Fact("integrals".into(), rule_text(cycle)));
+        lines.push(MotorLine::Fact(
+            "integrals".into(),
+            rule_text(cycle, self.effort_word()),
+        ));
     }
 
     /// What is asked of a motor, in a sentence.
@@ -86,6 +87,12 @@ impl MotorReport {
         let unit = self.effort_unit();
         let course = self.course_text(duty);
         let asked = match (cycle.all.worst(), cycle.all.rms) {
+            (Some(worst), Some(_)) if is_constant(&cycle.all) => {
+                format!(
+                    "asks {} {unit} throughout",
+                    significant(worst.value, DIGITS)
+                )
+            }
             (Some(worst), Some(rms)) => format!(
                 "asks {} {unit} at {}, the worst instant; {} {unit} RMS",
                 significant(worst.value, DIGITS),
@@ -117,7 +124,7 @@ impl MotorReport {
     }
 
     /// What the driver does.
-    fn effort_word(&self) -> &'static str {
+    pub(super) fn effort_word(&self) -> &'static str {
         if self.turns { "torque" } else { "force" }
     }
 
@@ -136,7 +143,7 @@ impl MotorReport {
             let places: Vec<String> = places.iter().map(|&at| concise(at, 9)).collect();
             format!("{} {}", places.join(" and "), self.driver_unit)
         };
-        let mut texts = Vec::new();
+        let (mut texts, cycle) = (Vec::new(), &duty.cycle);
         let all = &duty.cycle.all;
         if let (Some(work), Some(put_in)) = (all.work(), all.put_in)
             && work < -NOTHING * put_in
@@ -150,7 +157,7 @@ impl MotorReport {
         if !duty.dead_points.is_empty() {
             let what = if duty.runs_dead {
                 "accelerations grow beyond all bounds, and a driver that keeps its speed never gets \
-                 there: only what loads and gravity take exists"
+                 there: means and energies are of loads and gravity only"
             } else {
                 "what the driver must do can grow beyond all bounds: its work and its mean exist, a \
                  peak and an RMS do not"
@@ -169,7 +176,23 @@ impl MotorReport {
         if !duty.cycle.has_converged() {
             let error = significant(duty.cycle.error, 2);
             texts.push(format!(
-                "the integrals have not converged: they may be off by {error} of the largest"
+                "the integrals have not converged: they may be off by {error} of the largest {}",
+                self.effort_word()
+            ));
+        }
+        if !duty.unrepeated.is_empty() {
+            let numbers: Vec<String> = duty.unrepeated.iter().map(usize::to_string).collect();
+            let (loads, does) = match numbers.len() {
+                1 => ("load", "does"),
+                _ => ("loads", "do"),
+            };
+            let course = &cycle.course;
+            texts.push(format!(
+                "`over` of {loads} {} {does} not repeat: this is the cycle from {} to {} {}",
+                numbers.join(" and "),
+                concise(course.low, 9),
+                concise(course.high, 9),
+                self.driver_unit
             ));
         }
         if duty.is_cut_short {
@@ -187,7 +210,8 @@ impl MotorReport {
         texts
     }
 
-    fn effect_lines(&self, cycle: &Cycle, lines: &mut Vec<MotorLine>) {
+    fn effect_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {
+        let cycle = &duty.cycle;
         let [load, gravity, inertia] = &cycle.parts;
         let parts = [("loads", load), ("gravity", gravity), ("inertia", inertia)];
         let acting: Vec<_> = parts
@@ -212,24 +236,32 @@ impl MotorReport {
         let power = |e: &Effect| larger(e.largest_power, e.least_power);
         let energy = |e: &Effect| Some(e.put_in? + e.given_back?);
         let peak = |peak: Option<Peak>, size| figure(cleaned(peak.map(|p| p.value), size));
-        let place = |peak: Option<Peak>| peak.map_or_else(none, |p| self.short_place(&p));
+        let place = |e: &Effect, peak: Option<Peak>| match peak {
+            Some(_) if is_constant(e) => String::new(),
+            peak => peak.map_or_else(none, |p| self.short_place(&p)),
+        };
+        let mean_power = |e: &Effect| {
+            let work = cleaned(e.work(), energy(e))?;
+            Some(work / duty.seconds()?)
+        };
         lines.push(MotorLine::Head(
             format!("{what} [{}]", self.effort_unit()),
             names,
         ));
         lines.push(row("  largest", &|e| peak(e.largest, torque(e))));
         lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
-            place(e.largest)
+            place(e, e.largest)
         }));
         lines.push(row("  least", &|e| peak(e.least, torque(e))));
         lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
-            place(e.least)
+            place(e, e.least)
         }));
         lines.push(row("  mean", &|e| figure(cleaned(e.mean, e.rms))));
         lines.push(row("  RMS", &|e| figure(e.rms)));
         lines.push(MotorLine::Head("power [W]".into(), Vec::new()));
         lines.push(row("  largest", &|e| peak(e.largest_power, power(e))));
         lines.push(row("  least", &|e| peak(e.least_power, power(e))));
+        lines.push(row("  mean", &|e| figure(mean_power(e))));
         lines.push(MotorLine::Head("energy [J]".into(), Vec::new()));
         lines.push(row("  put in", &|e| figure(cleaned(e.put_in, energy(e)))));
         lines.push(row("  given back", &|e| {
@@ -239,8 +271,16 @@ impl MotorReport {
     }
 
     fn fit_lines(&self, lines: &mut Vec<MotorLine>) {
-        let Some(is_enough) = self.fit.is_enough() else {
-            return;
+        let motor = &self.wishes.motor;
+        let is_known = motor.rated.or(motor.peak).or(motor.speed).is_some();
+        let is_enough = self.fit.is_enough();
+        let verdict_text = match is_enough {
+            Some(true) => "enough".to_owned(),
+            Some(false) => "not enough".to_owned(),
+            None if self.fit.is_unbounded && is_known => {
+                format!("not judged: no largest {} exists", self.effort_word())
+            }
+            None => return,
         };
         let unit = self.effort_unit();
         let (scale, speeds) = if self.turns {
@@ -251,7 +291,7 @@ impl MotorReport {
         let torque = |asked: &Asked| verdict(asked, 1.0, unit);
         let speed = |asked: &Asked| verdict(asked, scale, speeds);
         lines.push(MotorLine::Head(
-            format!("motor: {}", if is_enough { "enough" } else { "not enough" }),
+            format!("motor: {verdict_text}"),
             Vec::new(),
         ));
         let facts = [
@@ -263,7 +303,11 @@ impl MotorReport {
             .into_iter()
             .filter_map(|(label, text)| Some((label, text?)));
         lines.extend(known.map(|(label, text)| MotorLine::Fact(label.into(), text)));
-        if let (Some(gear), false) = (self.fit.geared, is_enough) {
+        if let Some(asked) = &self.with_flywheel() {
+            let text = format!("about the mean: {}", verdict(asked, 1.0, unit));
+            lines.push(MotorLine::Fact("  with flywheel".into(), text));
+        }
+        if let (Some(gear), Some(false)) = (self.fit.geared, is_enough) {
             let does = if gear.is_enough {
                 "would be enough"
             } else {
@@ -292,17 +336,19 @@ impl MotorReport {
         let evenness = self.evenness().unwrap_or_default();
         if let Some((inertia, fluctuation)) = evenness.with {
             let text = format!(
-                "of {} kg m^2 leaves a fluctuation of {}",
+                "of {} kg m^2 leaves a fluctuation of {}{}",
                 concise(inertia, DIGITS),
-                significant(fluctuation, 4)
+                significant(fluctuation, 4),
+                rough(fluctuation)
             );
             lines.push(MotorLine::Fact("  flywheel".into(), text));
         }
         if let Some((fluctuation, inertia)) = evenness.wished {
             let text = format!(
-                "of {} takes a flywheel of {} kg m^2",
+                "of {} takes a flywheel of {} kg m^2{}",
                 concise(fluctuation, DIGITS),
-                significant(inertia, DIGITS)
+                significant(inertia, DIGITS),
+                rough(fluctuation)
             );
             lines.push(MotorLine::Fact("  fluctuation".into(), text));
         }
@@ -311,27 +357,40 @@ impl MotorReport {
 
     fn frame_lines(&self, cycle: &Cycle, lines: &mut Vec<MotorLine>) {
         let shaking = &cycle.shaking;
-        lines.push(MotorLine::Head("on the frame".into(), Vec::new()));
+        lines.push(MotorLine::Head(
+            "on the frame, loads included".into(),
+            Vec::new(),
+        ));
         let none = "no figure: forces in the joints do not exist everywhere".to_owned();
         let size = |v: f64| significant(v, DIGITS);
+        // What is as large in the mean as at its largest is so throughout.
+        let is_same = |peak: &Peak, rms: f64| (peak.value.abs() - rms).abs() <= NOTHING * rms;
+        let at = |peak: &Peak, rms: f64| match is_same(peak, rms) {
+            true => " throughout".to_owned(),
+            false => format!(" at {}", self.place(peak)),
+        };
+        let behind = |peak: &Peak, rms: f64, unit: &str| match is_same(peak, rms) {
+            true => String::new(),
+            false => format!("; {} {unit} RMS", size(rms)),
+        };
         let force = shaking.force.zip(shaking.force_rms).zip(shaking.vector);
         let force = force.map_or(none.clone(), |((peak, rms), v)| {
             format!(
-                "{} N at {} ({}, {}); {} N RMS",
+                "{} N{} ({}, {}){}",
                 size(peak.value),
-                self.place(&peak),
+                at(&peak, rms),
                 significant(v.x, 4),
                 significant(v.y, 4),
-                size(rms)
+                behind(&peak, rms, "N")
             )
         });
         let moment = shaking.moment.zip(shaking.moment_rms);
         let moment = moment.map_or(none, |(peak, rms)| {
-            let at = self.place(&peak);
             format!(
-                "{} N m at {at} about the origin; {} N m RMS",
+                "{} N m{} about the origin{}",
                 size(peak.value),
-                size(rms)
+                at(&peak, rms),
+                behind(&peak, rms, "N m")
             )
         });
         lines.push(MotorLine::Fact("  force".into(), force));
@@ -464,11 +523,12 @@ impl MotorReport {
     }
 
     fn short_place(&self, peak: &Peak) -> String {
-        let back = if peak.back { "<" } else { "" };
-        if self.turns {
-            format!("{back}{:.DECIMALS$}", peak.at)
-        } else {
-            format!("{back}{}", significant(peak.at, DIGITS))
+        match (self.turns, peak.back) {
+            (true, false) => format!("{:.DECIMALS$}", peak.at),
+            (false, false) => significant(peak.at, DIGITS),
+            // Shorter, so that the word has room.
+            (true, true) => format!("{:.1} back", peak.at),
+            (false, true) => format!("{} back", significant(peak.at, 4)),
         }
     }
 }
@@ -543,27 +603,51 @@ fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
     value.map(|v| if v.abs() <= NOTHING * size { 0.0 } else { v })
 }
 
-/// Whether a motor has what is asked, and by how much it has not; one of its own unit is so many of that
+/// Whether a motor has what is asked, and what is left or how much of it that is; one of its own unit is so many of that
 /// which is told.
 fn verdict(asked: &Asked, scale: f64, unit: &str) -> String {
-    let [wants, has, lacks] =
+    let [wants, has, left] =
         [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
-    let share = significant(100.0 * (asked.lacks() / asked.asked).abs(), 3);
-    if asked.is_enough() {
-        format!("{has} {unit} for {wants}: {lacks} left, {share}%")
-    } else {
-        format!("{has} {unit} for {wants}: lacks {lacks}, {share}%")
+    let share = asked.has / asked.asked;
+    match (asked.is_enough(), share.is_finite()) {
+        (true, true) => {
+            let times = significant(share, 3);
+            format!("{has} {unit} for {wants}: {left} {unit} left ({times} times what is asked)")
+        }
+        (true, false) => format!("{has} {unit} for {wants}: {left} {unit} left"),
+        (false, _) => {
+            let share = concise(100.0 * share, 2);
+            format!("{has} {unit} for {wants}: has {share} % of it")
+        }
     }
 }
 
-fn rule_text(cycle: &Cycle) -> String {
+/// Whether it is the same all the way, but for rounding.
+fn is_constant(effect: &Effect) -> bool {
+    let both = effect.largest.zip(effect.least);
+    both.is_some_and(|(most, least)| {
+        let size = most.value.abs().max(least.value.abs());
+        most.value - least.value <= NOTHING * size
+    })
+}
+
+/// What is to be said of a large fluctuation.
+fn rough(fluctuation: f64) -> &'static str {
+    if fluctuation > SMALL_FLUCTUATION {
+        ", a rough figure: energy and speed go in proportion for small ones only"
+    } else {
+        ""
+    }
+}
+
+fn rule_text(cycle: &Cycle, what: &str) -> String {
     let error = significant(cycle.error, 2);
     match cycle.rule {
         Rule::Periodic(places) => {
-            format!("trapezoids at {places} places, good to {error} of the largest")
+            format!("trapezoids at {places} places, good to {error} of the largest {what}")
         }
         Rule::Pieces(pieces) => {
-            format!("polynomials on {pieces} pieces, good to {error} of the largest")
+            format!("polynomials on {pieces} pieces, good to {error} of the largest {what}")
         }
     }
 }

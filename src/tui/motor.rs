@@ -43,10 +43,7 @@ impl MotorStudy {
         let coordinate = catalogue.driver();
         let names = [coordinate.name.as_str(), coordinate.unit.as_str()];
         let what = report.effort_name();
-        let plot = report
-            .duty
-            .as_ref()
-            .map(|duty| effort(&duty.cycle, names, what));
+        let plot = report.duty.as_ref().map(|duty| effort(duty, names, what));
         self.studied = Some(Studied {
             opened,
             lines: report.lines(),
@@ -67,14 +64,17 @@ impl MotorStudy {
 
     /// Where the driver is in the cycle, and what it must do there.
     pub(crate) fn here(&self, at: f64) -> Option<Here> {
-        let cycle = &self.studied.as_ref()?.report.duty.as_ref()?.cycle;
-        let way = cycle.course.way(at)?;
-        let along = cycle.coordinate(way);
-        // Towards a dead point there is a figure as long as there is a place for it.
-        let torque = cycle.at(way).map(|effort| effort.torque);
+        let duty = self.studied.as_ref()?.report.duty.as_ref()?;
+        let course = &duty.cycle.course;
+        let along = if course.goes_round {
+            duty.cycle.coordinate(course.way(at)?)
+        } else {
+            at
+        };
+        // As the view of forces has it, not as the sums over the cycle do.
         Some(Here {
             along: Some(along),
-            values: vec![torque],
+            values: vec![duty.step(along).torque],
         })
     }
 

@@ -45,7 +45,7 @@ pub(in crate::cli) struct MotorArgs {
         allow_negative_numbers = true
     )]
     pub(in crate::cli) from: Option<f64>,
-    /// To this one
+    /// To this one; where a driver turns, a lower one lies a turn further
     #[arg(
         long,
         value_name = "COORDINATE",

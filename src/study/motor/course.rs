@@ -93,10 +93,16 @@ impl Course {
             (self.low, self.high)
         };
         if !self.ends_dead {
-            let at = if self.falls {
-                begin - gone
+            // Each half of the way there counted from its own end, so that both are met to the last digit.
+            let (first, forth) = if self.goes_round || 2.0 * gone < once {
+                (begin, gone)
             } else {
-                begin + gone
+                (end, gone - once)
+            };
+            let at = if self.falls {
+                first - forth
+            } else {
+                first + forth
             };
             return Place {
                 at,

@@ -215,6 +215,9 @@ impl Cycle {
         if self.pieces.has_gap {
             return None;
         }
+        if way <= 0.0 {
+            return Some(0.0);
+        }
         let mut work = 0.0;
         for piece in &self.pieces.list {
             let integral = piece.sums[0].integral();
@@ -373,8 +376,17 @@ impl Cycle {
 
     /// Takes a value that is larger than what is known.
     fn raise(&self, peak: &mut Option<Peak>, value: f64, piece: &Piece, t: f64) {
-        if peak.is_none_or(|peak| value > peak.value) {
-            let place = self.course.place(piece.way(t));
+        let place = self.course.place(piece.way(t));
+        // What is as large on both ways is told of the first.
+        let margin = |peak: Peak| {
+            let is_tie = place.back && !peak.back;
+            if is_tie {
+                ROUNDING * peak.value.abs()
+            } else {
+                0.0
+            }
+        };
+        if peak.is_none_or(|peak| value > peak.value + margin(peak)) {
             *peak = Some(Peak {
                 value,
                 at: place.at,
@@ -446,12 +458,17 @@ impl Cycle {
                 }
             }
         }
+        let is_nothing = self.pieces.is_nothing(MOMENT);
+        let moment = moment.map(|peak| Peak {
+            value: if is_nothing { 0.0 } else { peak.value },
+            ..peak
+        });
         Shaking {
             force,
             vector,
             force_rms: Some(means.force()),
             moment,
-            moment_rms: Some(means.root(MOMENT)),
+            moment_rms: Some(if is_nothing { 0.0 } else { means.root(MOMENT) }),
         }
     }
 }

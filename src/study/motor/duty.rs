@@ -3,10 +3,11 @@
 use super::course::Course;
 use super::cycle::{Cycle, Effect, Shaking};
 use super::fitting::Fit;
-use super::{Effort, Measure, marks};
+use super::source::{Source, Step};
+use super::{Measure, marks};
 use crate::scene::Motor;
-use crate::solver::{Order, Range, Solver, State};
-use crate::{Input, Link, LinkId, Mechanism, Vec2, angle};
+use crate::solver::{Range, Solver};
+use crate::{Input, Link, LinkId, Mechanism, angle};
 
 /// What a mechanism asks of its driver over a cycle, and where it is singular.
 #[derive(Clone, Debug)]
@@ -22,10 +23,14 @@ pub struct Duty {
     pub runs_dead: bool,
     /// Whether the loads repeat after more turns than are gone through: the cycle is the motion's alone.
     pub is_cut_short: bool,
+    /// The loads whose factor over the driver's coordinate does not come again though the driver goes
+    /// round, by their number from 1: the cycle is the first one.
+    pub unrepeated: Vec<usize>,
     /// Whether the driver keeps its speed; one that does not leaves some of its work in the masses.
     pub is_steady: bool,
     /// Metres, or radians, of the unit in which the driver's speed is given.
     unit: f64,
+    source: Source,
 }
 
 impl Duty {
@@ -66,15 +71,18 @@ impl Duty {
             reach,
         };
         let runs_dead = course.ends_dead && has_inertia(mechanism) && driver.speed != 0.0;
-        let mut source = Source::new(mechanism, solver, runs_dead);
+        let source = Source::new(mechanism, solver);
+        let (mut states, mut has_no_ground) = (source.states(), false);
         let marks = marks::marks(mechanism, solver, &course);
         let mut cycle = Cycle::new(course, &marks, measure, &mut |at, back| {
-            source.effort(at, back)
+            let step = source.step(at, back, &mut states);
+            has_no_ground |= step.ground.is_none();
+            step.effort(runs_dead)
         });
         if runs_dead {
             (cycle.all, cycle.parts[2]) = (Effect::default(), Effect::default());
         }
-        if source.has_no_ground {
+        if has_no_ground {
             cycle.shaking = Shaking::default();
         }
         let ends = [course.low, course.high];
@@ -87,7 +95,52 @@ impl Duty {
             is_cut_short: repeats.is_none(),
             is_steady: driver.acceleration == 0.0,
             unit,
+            unrepeated: match motion.range {
+                Range::Full { .. } if between.is_none() => marks::unrepeated(mechanism),
+                Range::Full { .. } | Range::Limited { .. } => Vec::new(),
+            },
+            source,
         })
+    }
+
+    /// What the driver must do at a coordinate, as it goes there for the first time.
+    #[must_use]
+    pub fn step(&self, at: f64) -> Step {
+        self.source.step(at, false, &mut self.source.states())
+    }
+
+    /// The cycle in equal steps of the way: each with the way gone and what was solved for there.
+    pub fn steps(&self, count: u32) -> impl Iterator<Item = (f64, Step)> {
+        self.source.steps(self.cycle.course, count)
+    }
+
+    /// The work of the driver in J since the beginning, after this way; `None` where what inertia asks
+    /// for has no integral.
+    #[must_use]
+    pub fn work(&self, way: f64) -> Option<f64> {
+        self.cycle.work(way).filter(|_| !self.runs_dead)
+    }
+
+    /// What the driver must do over its coordinate, in at least so many points: pairs of coordinate and
+    /// torque, hanging together as far as nothing jumps.
+    #[must_use]
+    pub fn curve(&self, points: u32) -> Vec<Vec<[f64; 2]>> {
+        if !self.runs_dead {
+            return self.cycle.curve(points);
+        }
+        // The sums know nothing of inertia here: the states do.
+        let once = 0.5 * self.cycle.course.length();
+        let mut parts = vec![Vec::new()];
+        for (way, step) in self.steps(2 * points) {
+            if let (Some(torque), Some(part)) = (step.torque, parts.last_mut()) {
+                part.push([step.at, torque]);
+            }
+            if step.torque.is_none() || way == once {
+                parts.push(Vec::new());
+            }
+        }
+        parts.retain(|part| !part.is_empty());
+        parts
     }
 
     /// A motor against the cycle.
@@ -133,55 +186,6 @@ fn reach(mechanism: &Mechanism) -> f64 {
         .map(|member| member.local.norm())
         .fold(0.0, f64::max);
     if longest > 0.0 { longest } else { 1.0 }
-}
-
-/// Solves for what the driver must do.
-struct Source {
-    there: Solver,
-    /// With the opposite speed.
-    back: Solver,
-    states: [State; 2],
-    /// Without what inertia asks for.
-    is_slow: bool,
-    /// Somewhere the ground's force did not exist.
-    has_no_ground: bool,
-}
-
-impl Source {
-    fn new(mechanism: &Mechanism, solver: &Solver, is_slow: bool) -> Source {
-        let driver = mechanism.driver();
-        let back = solver.at_speed(-driver.speed, -driver.acceleration);
-        Source {
-            states: [solver.state(), back.state()],
-            there: solver.clone(),
-            back,
-            is_slow,
-            has_no_ground: false,
-        }
-    }
-
-    fn effort(&mut self, at: f64, back: bool) -> Option<Effort> {
-        let solver = if back { &self.back } else { &self.there };
-        let state = &mut self.states[usize::from(back)];
-        solver.solve(at, Order::Force, state);
-        let mut parts = state.drive_parts()?;
-        let mut torque = state.drive()?;
-        if self.is_slow {
-            parts[2] = 0.0;
-            torque = parts[0] + parts[1];
-        }
-        let ground = state.frame_force().zip(state.frame_moment());
-        self.has_no_ground |= ground.is_none();
-        let (force, moment) = ground
-            .filter(|_| !self.is_slow)
-            .unwrap_or((Vec2::ZERO, 0.0));
-        Some(Effort {
-            torque,
-            parts,
-            force,
-            moment,
-        })
-    }
 }
 
 /// The range of a motion holds both coordinates, and the first is below the second.

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::scene::{Scene, presets};
+use crate::solver::Order;
 use crate::study::motor::Rule;
 use std::f64::consts::PI;
 
@@ -283,6 +284,34 @@ fn a_boom_is_lifted_and_let_down_between_its_dead_points() {
     for part in [load, gravity] {
         near(part.work().unwrap(), 0.0, 1e-9 * part.put_in.unwrap());
     }
+    // In each state everything exists but at the dead points, inertia too.
+    let steps: Vec<Step> = duty.steps(100).map(|(_, step)| step).collect();
+    for (k, step) in steps.iter().enumerate() {
+        let is_dead = k % 50 == 0;
+        assert_eq!(
+            step.torque.is_none() && step.ground.is_none(),
+            is_dead,
+            "{step:?}"
+        );
+        if let Some(parts) = step.parts.filter(|_| !is_dead) {
+            assert!(parts[2].abs() > 1.0, "{step:?}");
+            near(
+                parts.iter().sum(),
+                step.torque.unwrap(),
+                1e-9 * step.torque.unwrap().abs(),
+            );
+        }
+    }
+    let motor = Motor {
+        rated: Some(10.0),
+        speed: Some(1.0),
+        ..Motor::default()
+    };
+    assert_eq!(duty.fit(&motor).is_enough(), None);
+    assert!(duty.fit(&motor).is_unbounded);
+    let ends = Duty::new(&scene.mechanism, &solver, Some((1.8, 2.8))).unwrap();
+    let ends: Vec<f64> = ends.steps(4).map(|(_, step)| step.at).collect();
+    assert_eq!([ends[0], ends[2], ends[4]], [1.8, 2.8, 1.8]);
     // A part of the stroke has everything, and what is lifted is the potential energy.
     let part = Duty::new(&scene.mechanism, &solver, Some((1.8, 2.8))).unwrap();
     let mut state = solver.state();

@@ -20,6 +20,10 @@ pub fn fluctuation_with(energy: f64, speed: f64, flywheel: f64) -> Option<f64> {
     fluctuation.is_finite().then_some(fluctuation)
 }
 
+/// Above this the fluctuation of a flywheel is a rough figure: energy and speed change in proportion for
+/// small ones only.
+pub const SMALL_FLUCTUATION: f64 = 0.2;
+
 /// What is asked of a motor, and what it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Asked {
@@ -41,6 +45,8 @@ pub struct Fit {
     /// The transmission that the motor's surplus of speed allows, and what it makes of both torques
     /// without losses; where the motor is faster than the driver.
     pub geared: Option<Geared>,
+    /// Whether no largest torque exists: no motor can be judged.
+    pub is_unbounded: bool,
 }
 
 /// A motor behind a gear that brings it down to the driver's speed.
@@ -80,6 +86,7 @@ impl Fit {
             peak: both(cycle.all.worst().map(|peak| peak.value.abs()), peak),
             speed: both(Some(cycle.speed), speed),
             geared: None,
+            is_unbounded: cycle.all.worst().is_none(),
         };
         Fit {
             geared: fit.geared(speed.map_or(0.0, |speed| speed / cycle.speed)),
@@ -97,9 +104,12 @@ impl Fit {
     }
 
     /// Whether the motor on the driver's shaft is enough in everything that is known; `None` where
-    /// nothing is.
+    /// nothing is, or no largest torque exists.
     #[must_use]
     pub fn is_enough(&self) -> Option<bool> {
+        if self.is_unbounded {
+            return None;
+        }
         let known = [self.rated, self.peak, self.speed].into_iter().flatten();
         known.map(|asked| asked.is_enough()).reduce(|a, b| a && b)
     }

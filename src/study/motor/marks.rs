@@ -33,6 +33,19 @@ fn profiles(mechanism: &Mechanism) -> impl Iterator<Item = &Profile> {
     })
 }
 
+/// The loads whose factor over the driver's coordinate changes and never comes again, by their number
+/// from 1.
+pub(super) fn unrepeated(mechanism: &Mechanism) -> Vec<usize> {
+    let changes = |over: &Profile| over.knots().windows(2).any(|pair| pair[0][1] != pair[1][1]);
+    let once = |over: &Profile| changes(over) && turns_of(over).is_none();
+    let loads = mechanism.loads().iter().zip(1..);
+    let found = loads.filter(|(load, _)| match load {
+        Load::Force { over, .. } | Load::Torque { over, .. } => once(over),
+        Load::Press { .. } | Load::Spring { .. } => false,
+    });
+    found.map(|(_, number)| number).collect()
+}
+
 /// How often the motion's period is gone through until the loads have repeated, too; `None` where that is
 /// too often to wait for.
 #[must_use]
@@ -72,7 +85,7 @@ pub(super) fn marks(mechanism: &Mechanism, solver: &Solver, course: &Course) -> 
     let turns = matches!(mechanism.driver().input, Input::Turn(_));
     for profile in profiles(mechanism) {
         let every = match turns_of(profile) {
-            Some(whole) if turns && course.goes_round => TURN * whole as f64,
+            Some(whole) if turns => TURN * whole as f64,
             Some(_) | None => 0.0,
         };
         for knot in profile.knots() {

@@ -8,6 +8,7 @@
 //! periodic   where nothing bends: the trapezoid rule over the whole cycle
 //! cycle      peaks, means, energies, fluctuation, shaking: read from these
 //! duty       a mechanism and its solver over the cycle
+//! source     what is asked in one state of it
 //! fitting    a flywheel and a motor against it
 //! ram        stroke, dead centres, speed and force of a slide
 //! ```
@@ -25,13 +26,15 @@ mod marks;
 mod periodic;
 mod pieces;
 mod ram;
+mod source;
 
 pub use course::Course;
 pub use cycle::{Cycle, Effect, Fluctuation, Peak, Rule, Shaking};
 pub use duty::{Duty, is_within};
-pub use fitting::{Asked, Fit, Geared, fluctuation_with, flywheel_for};
+pub use fitting::{Asked, Fit, Geared, SMALL_FLUCTUATION, fluctuation_with, flywheel_for};
 pub use marks::repeats;
 pub use ram::{Centre, Dwell, NoRam, Passing, Ram, RamEnd, rams};
+pub use source::Step;
 
 use crate::Vec2;
 

@@ -41,6 +41,8 @@ const FAIR: f64 = 1e-9;
 const SHORT: f64 = 1e-13;
 /// No channel is measured by less than this part of all others.
 const LEAST: f64 = 1e-2;
+/// Less than this part of what it is measured by is rounding: 1e-11 of all others.
+const NOTHING: f64 = 1e-9;
 /// Towards a dead point figures lose digits, and the more of them the closer a place is: there, so much
 /// more of both is good enough.
 const DEAD: f64 = 100.0;
@@ -163,6 +165,11 @@ impl Pieces {
             .map(|(i, scale)| scale / self.arm(i));
         let all = forces.fold(0.0, f64::max);
         self.scale[channel].max(LEAST * all * self.arm(channel))
+    }
+
+    /// Whether a channel is what rounding leaves of all others.
+    pub(super) fn is_nothing(&self, channel: usize) -> bool {
+        self.scale[channel] <= NOTHING * self.size(channel)
     }
 
     /// The arm in m by which a channel is a moment; 1 for a force.

@@ -13,6 +13,8 @@ use thiserror::Error;
 const SAMPLES: u32 = 720;
 /// Dead centres that differ by less than this part of the stroke are as deep as each other.
 const SAME: f64 = 1e-9;
+/// Within this part of the stroke per radian, or per range of a driven slide, the ram does not move.
+const STILL: f64 = 1e-12;
 
 /// Why there is no ram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -257,7 +259,7 @@ impl Ram {
         };
         let mut passing = |(leg, back)| {
             let at = self.crossing(leg, height)?;
-            self.guide.passing(at, back)
+            self.guide.passing(at, back, self.stroke)
         };
         let (down, up) = (passing(closing)?, passing(opening)?);
         Some([down, up])
@@ -479,15 +481,22 @@ impl Guide {
     }
 
     /// The slide at a coordinate, with the driver's speed or on the way back.
-    fn passing(&mut self, at: f64, back: bool) -> Option<Passing> {
+    fn passing(&mut self, at: f64, back: bool, stroke: f64) -> Option<Passing> {
         let (position, rates) = self.look(at)?;
-        let [first, second] = rates?;
+        let [slope, second] = rates?;
+        let span = match self.range {
+            Range::Limited { low, high } if !self.turns => high - low,
+            Range::Limited { .. } | Range::Full { .. } => 1.0,
+        };
+        // A dead centre is known to the last digit of the coordinate, and there the slope is 0.
+        let still = STILL * (stroke / span).max(second.abs() * span);
+        let first = if slope.abs() <= still { 0.0 } else { slope };
         let [speed, acceleration] = self.rates;
         let speed = if back { -speed } else { speed };
         Some(Passing {
             at: self.wrapped(at),
             position,
-            velocity: first * speed,
+            velocity: first * speed + 0.0,
             acceleration: second * speed * speed + first * acceleration,
             leverage: match self.turns {
                 true => 1.0 / (first * self.metres).abs(),
