@@ -30,7 +30,7 @@ impl<T: Number> State<T> {
     }
 
     /// What the driver must do: its torque in N m, or the force of a driven slide in N. `None` where it
-    /// does not exist, or nothing acts, or it was not asked for ([`Order::Force`](super::Order::Force)).
+    /// does not exist, or nothing acts, or it was not asked for ([`Order::Force`](crate::solver::Order::Force)).
     #[must_use]
     pub fn drive(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
