@@ -4,7 +4,7 @@ use super::args::{CheckArgs, CheckFormat, Cli, Format, StartArgs, TableArgs};
 use super::failure::{Failure, note};
 use super::output::{replace, write_text, write_to};
 use super::screen::Screen;
-use super::source::{Opened, open};
+use super::source::Opened;
 use crate::quantity::{Catalogue, MOST_DERIVATIVES, Sensitivity};
 use crate::report::{
     Answers, Check, Forces, NO_ANSWER, TableStyle, Tables, limits_text, near_misses,
@@ -29,7 +29,7 @@ pub(super) fn list(screen: Screen) -> Result<(), Failure> {
 
 /// `krank check`: what was understood of a scene.
 pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let Opened { scene, solver } = args.scene.open()?;
     let check = Check::new(&scene, &solver);
     let text = match args.format {
         CheckFormat::Text => check.to_text(screen.ascii),
@@ -40,9 +40,8 @@ pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
 
 /// `krank table`: position, velocity and acceleration, and what acts, at one coordinate of the driver.
 pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
-    let start = scene.mechanism.driver().start;
-    let at = args.at.map_or(start, |at| at.value());
+    let Opened { scene, solver } = args.scene.open()?;
+    let at = args.place.in_scene(&scene);
     let mut state = solver.state();
     if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
@@ -125,7 +124,7 @@ pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: Screen
 
 /// `krank start`: the scene with the start positions of an assembly.
 pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let Opened { scene, solver } = args.scene.open()?;
     let start = scene.mechanism.driver().start;
     match scene.with_start_of(&solver, start) {
         Some(text) => replace(args.output.output.as_deref(), &text),

@@ -6,7 +6,7 @@ use super::failure::{Failure, note};
 use super::output::write_text;
 use super::picture::{ASPECT, glyphs, size};
 use super::screen::Screen;
-use super::source::{Opened, open};
+use super::source::Opened;
 use crate::drawing::{self, Layers, Overlay, Reach, View, Wanted};
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
@@ -21,9 +21,8 @@ const SVG_ROWS: u16 = 50;
 const MOST_LEGEND: usize = 2;
 
 pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
-    let start = scene.mechanism.driver().start;
-    let at = args.at.map_or(start, |at| at.value());
+    let Opened { scene, solver } = args.scene.open()?;
+    let at = args.place.in_scene(&scene);
     let wanted = wanted(args, &scene)?;
     let mut state = solver.state();
     match solver.solve(at, Order::Acceleration, &mut state) {

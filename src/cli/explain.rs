@@ -5,7 +5,7 @@ use super::commands::{out_of_reach, tell_of_near_misses};
 use super::failure::Failure;
 use super::output::write_text;
 use super::screen::Screen;
-use super::source::{Opened, open};
+use super::source::Opened;
 use crate::report::{TextStyle, Working};
 use crate::solver::{Condition, Order};
 
@@ -14,9 +14,8 @@ const WIDTH: usize = 80;
 
 /// Writes the working; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
-    let start = scene.mechanism.driver().start;
-    let at = args.at.map_or(start, |at| at.value());
+    let Opened { scene, solver } = args.scene.open()?;
+    let at = args.place.in_scene(&scene);
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);
     let working = Working::new(&scene, &solver);

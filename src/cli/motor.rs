@@ -5,7 +5,7 @@ use super::commands::tell_of_near_misses;
 use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::Screen;
-use super::source::{Opened, open};
+use super::source::Opened;
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
 use crate::report::{MotorReport, MotorWishes, limits_text};
@@ -15,7 +15,7 @@ use crate::study::motor::{Duty, is_within};
 use crate::{Body, SlideId};
 
 pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let Opened { scene, solver } = args.scene.open()?;
     let wishes = MotorWishes {
         motor: given(args, &scene)?,
         ram: args

@@ -6,7 +6,7 @@ use super::failure::{Failure, note};
 use super::output::write_text;
 use super::picture::{self, ASPECT};
 use super::screen::Screen;
-use super::source::{Opened, open};
+use super::source::Opened;
 use super::sweep::{figures, first, last};
 use crate::Vec2;
 use crate::drawing::plot::{Look, Plot};
@@ -22,7 +22,7 @@ const SVG: Size = Size {
 const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 
 pub(super) fn plot(args: &PlotArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let Opened { scene, solver } = args.scene.open()?;
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let figures: Vec<Quantity> = figures

@@ -1,6 +1,6 @@
 //! Which scene is meant, and opening it.
 
-use super::args::Cli;
+use super::args::{Cli, SceneArgs};
 use super::failure::Failure;
 use crate::assembly::Wish;
 use crate::nearest::nearest;
@@ -16,6 +16,13 @@ use std::path::{Path, PathBuf, is_separator};
 pub(super) struct Opened {
     pub(super) scene: Scene,
     pub(super) solver: Solver,
+}
+
+impl SceneArgs {
+    /// The scene that the command line names, in the assembly that it wishes.
+    pub(super) fn open(&self) -> Result<Opened, Failure> {
+        open(&self.scene, &self.assembly.wishes)
+    }
 }
 
 /// Reads, checks and assembles the scene that the command line names, in the assembly that it wishes.

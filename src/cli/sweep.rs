@@ -6,7 +6,7 @@ use super::failure::{Failure, note};
 use super::output::{goes_to_terminal, write_to};
 use super::progress::Progress;
 use super::screen::Screen;
-use super::source::{Opened, open};
+use super::source::Opened;
 use crate::Input;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
 use crate::report::{
@@ -21,7 +21,7 @@ use crate::study::motor;
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let Opened { scene, solver } = args.scene.open()?;
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);

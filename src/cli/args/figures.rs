@@ -1,6 +1,6 @@
 //! Figures: at one place, row by row, and how exact they are.
 
-use super::{AssemblyArgs, OutputArgs, SCENE_HELP};
+use super::{AssemblyArgs, OutputArgs, PlaceArgs, SCENE_HELP, SceneArgs};
 use crate::report::Decimal;
 use crate::study::USUAL_POSITIONS;
 use clap::{Args, ValueEnum};
@@ -34,13 +34,10 @@ pub(in crate::cli) struct FigureArgs {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct TableArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(in crate::cli) scene: PathBuf,
     #[command(flatten)]
-    pub(in crate::cli) assembly: AssemblyArgs,
-    /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
-    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) at: Option<Decimal>,
+    pub(in crate::cli) scene: SceneArgs,
+    #[command(flatten)]
+    pub(in crate::cli) place: PlaceArgs,
     /// How to write it
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(in crate::cli) format: Format,
@@ -60,13 +57,10 @@ pub(in crate::cli) enum TextFormat {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ExplainArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(in crate::cli) scene: PathBuf,
     #[command(flatten)]
-    pub(in crate::cli) assembly: AssemblyArgs,
-    /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
-    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) at: Option<Decimal>,
+    pub(in crate::cli) scene: SceneArgs,
+    #[command(flatten)]
+    pub(in crate::cli) place: PlaceArgs,
     /// How to write it
     #[arg(long, value_enum, default_value_t = TextFormat::Text)]
     pub(in crate::cli) format: TextFormat,
@@ -79,10 +73,8 @@ pub(in crate::cli) struct ExplainArgs {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct SweepArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(in crate::cli) scene: PathBuf,
     #[command(flatten)]
-    pub(in crate::cli) assembly: AssemblyArgs,
+    pub(in crate::cli) scene: SceneArgs,
     /// The first row [default: the beginning of the motion range]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(in crate::cli) from: Option<Decimal>,

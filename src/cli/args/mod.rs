@@ -13,6 +13,8 @@ pub(super) use workbench::{Colour, Theme, View};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
 
 use crate::assembly::Wish;
+use crate::report::Decimal;
+use crate::scene::Scene;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -244,10 +246,8 @@ Examples:
 
 #[derive(Debug, Args)]
 pub(super) struct CheckArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(super) scene: PathBuf,
     #[command(flatten)]
-    pub(super) assembly: AssemblyArgs,
+    pub(super) scene: SceneArgs,
     /// How to write it
     #[arg(long, value_enum, default_value_t = CheckFormat::Text)]
     pub(super) format: CheckFormat,
@@ -263,6 +263,31 @@ pub(super) enum CheckFormat {
     Json,
 }
 
+/// A scene, in the assembly that is meant.
+#[derive(Debug, Args)]
+pub(super) struct SceneArgs {
+    #[arg(help = SCENE_HELP)]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
+}
+
+/// One place of the motion.
+#[derive(Debug, Args)]
+pub(super) struct PlaceArgs {
+    /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    at: Option<Decimal>,
+}
+
+impl PlaceArgs {
+    /// The driver's coordinate.
+    pub(super) fn in_scene(&self, scene: &Scene) -> f64 {
+        let start = scene.mechanism.driver().start;
+        self.at.map_or(start, |at| at.value())
+    }
+}
+
 /// The assembly that is meant.
 #[derive(Debug, Args)]
 pub(super) struct AssemblyArgs {
@@ -273,10 +298,8 @@ pub(super) struct AssemblyArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct StartArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(super) scene: PathBuf,
     #[command(flatten)]
-    pub(super) assembly: AssemblyArgs,
+    pub(super) scene: SceneArgs,
     #[command(flatten)]
     pub(super) output: OutputArgs,
 }

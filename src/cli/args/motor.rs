@@ -1,15 +1,12 @@
 //! The motor over a cycle.
 
-use super::{AssemblyArgs, Format, OutputArgs, SCENE_HELP};
+use super::{Format, OutputArgs, SceneArgs};
 use clap::Args;
-use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct MotorArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(in crate::cli) scene: PathBuf,
     #[command(flatten)]
-    pub(in crate::cli) assembly: AssemblyArgs,
+    pub(in crate::cli) scene: SceneArgs,
     /// The torque in N m, or force in N, that the motor can keep up
     #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) rated: Option<f64>,

@@ -1,9 +1,8 @@
 //! Drawings and plots.
 
-use super::{AssemblyArgs, OutputArgs, SCENE_HELP};
+use super::{OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::Decimal;
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
 use std::str::FromStr;
 
 /// The characters to draw with.
@@ -63,13 +62,10 @@ const MOST_GHOSTS: i64 = 360;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct DrawArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(in crate::cli) scene: PathBuf,
     #[command(flatten)]
-    pub(in crate::cli) assembly: AssemblyArgs,
-    /// The driver's angle in deg, or its position if it is a slide [default: where the scene opens]
-    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) at: Option<Decimal>,
+    pub(in crate::cli) scene: SceneArgs,
+    #[command(flatten)]
+    pub(in crate::cli) place: PlaceArgs,
     /// Trace points over the whole motion
     #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
     pub(in crate::cli) traces: Option<Vec<String>>,
@@ -118,10 +114,8 @@ pub(in crate::cli) enum Names {
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct PlotArgs {
-    #[arg(help = SCENE_HELP)]
-    pub(in crate::cli) scene: PathBuf,
     #[command(flatten)]
-    pub(in crate::cli) assembly: AssemblyArgs,
+    pub(in crate::cli) scene: SceneArgs,
     /// Names of figures, * for any characters; separated by commas
     #[arg(long, value_name = "PATTERNS", value_delimiter = ',', required = true)]
     pub(in crate::cli) columns: Vec<String>,
