@@ -7,7 +7,7 @@
 //!      +--+-------+----              not needed: every group has ..
 //! ```
 
-use super::{MARGIN, columns, inset, print, print_right};
+use super::{MARGIN, columns, inset, print, print_right, show};
 use crate::drawing::trade_off;
 use crate::report::{TIME_DIGITS, error_text, method_name, time_text, unfit_text};
 use crate::study::{Errors, Figures, Finding, Findings, Verdict};
@@ -97,13 +97,7 @@ pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
 
 fn render_chart(app: &App, findings: &Findings, area: Rect, buffer: &mut Buffer) {
     let raster = trade_off(findings).render(area.width, area.height, app.glyphs());
-    for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
-        for (x, cell) in (area.left()..area.right()).zip(line) {
-            buffer[(x, y)]
-                .set_char(cell.glyph)
-                .set_style(theme::role(cell.role));
-        }
-    }
+    show(&raster, area, buffer);
 }
 
 /// A line of the list.

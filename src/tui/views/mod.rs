@@ -28,6 +28,7 @@ mod working;
 use super::app::{App, Mode, View};
 use super::sheet::Line;
 use super::theme::{self, Part};
+use crate::drawing::Raster;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect, Size};
 use ratatui::style::Style;
@@ -213,6 +214,19 @@ fn row(area: Rect, y: u16) -> Rect {
         y: area.y + y,
         height: 1,
         ..area
+    }
+}
+
+/// Copies a drawing to the screen.
+fn show(raster: &Raster, area: Rect, buffer: &mut Buffer) {
+    for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
+        // The ground is there already, and most of a drawing is ground.
+        let inked = (area.left()..area.right()).zip(line);
+        for (x, cell) in inked.filter(|(_, cell)| cell.glyph != ' ') {
+            buffer[(x, y)]
+                .set_char(cell.glyph)
+                .set_style(theme::role(cell.role));
+        }
     }
 }
 

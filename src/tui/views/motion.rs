@@ -1,6 +1,6 @@
 //! The linkage, and its tables live beside or below it: wherever it is drawn larger.
 
-use super::{assemblies, columns, inset, print, table};
+use super::{assemblies, columns, inset, print, show, table};
 use crate::Vec2;
 use crate::drawing::{self, Glyphs, Labels, Piece, Raster, Reach, Role};
 use crate::tui::app::{App, Mode};
@@ -233,19 +233,6 @@ pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer
         assemblies::render(app, cursor, arrangement.table, buffer);
     } else {
         table::render(app, arrangement.table, buffer);
-    }
-}
-
-/// Copies a drawing to the screen.
-pub(super) fn show(raster: &Raster, area: Rect, buffer: &mut Buffer) {
-    for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
-        // The ground is there already, and most of a drawing is ground.
-        let inked = (area.left()..area.right()).zip(line);
-        for (x, cell) in inked.filter(|(_, cell)| cell.glyph != ' ') {
-            buffer[(x, y)]
-                .set_char(cell.glyph)
-                .set_style(theme::role(cell.role));
-        }
     }
 }
 

@@ -8,7 +8,7 @@
 //!   largest              1133.76     1188.18     35.4129
 //! ```
 
-use super::{MARGIN, inset, mark_more, print};
+use super::{MARGIN, inset, mark_more, print, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::report::MotorLine;
 use crate::tui::app::App;
@@ -144,11 +144,5 @@ fn render_curve(app: &App, plot: &Plot, area: Rect, buffer: &mut Buffer) {
     };
     let here = app.motor().here(app.stage().at());
     let raster = plot.render(&look, here.as_ref());
-    for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
-        for (x, cell) in (area.left()..area.right()).zip(line) {
-            buffer[(x, y)]
-                .set_char(cell.glyph)
-                .set_style(theme::role(cell.role));
-        }
-    }
+    show(&raster, area, buffer);
 }

@@ -215,7 +215,7 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
         Layers::default(),
     );
     let view = drawing::View::fit(&sample.reach, picture.width, picture.height, app.aspect());
-    super::motion::show(
+    super::show(
         &drawing::render(&figure, &view, app.glyphs()),
         picture,
         buffer,

@@ -6,7 +6,7 @@
 //! > [ ] C.vy     mm/s         |     0 |***:.....
 //! ```
 
-use super::{columns, cut, inset, mark_more, print, print_right};
+use super::{columns, cut, inset, mark_more, print, print_right, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::tui::action::{Action, PlotsAction};
 use crate::tui::app::{App, Mode};
@@ -98,13 +98,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let here = app.plots().here(app.stage().state());
     let raster = plot.render(&look, here.as_ref());
-    for (y, line) in (area.top()..area.bottom()).zip(raster.lines()) {
-        for (x, cell) in (area.left()..area.right()).zip(line) {
-            buffer[(x, y)]
-                .set_char(cell.glyph)
-                .set_style(theme::role(cell.role));
-        }
-    }
+    show(&raster, area, buffer);
     mark_panels(plot, &look, area, buffer);
 }
 

@@ -7,8 +7,8 @@
 //!    r2 com x               0     mm           |
 //! ```
 
-use super::motion::{rule, show};
-use super::{Sketch, columns, cut, inset, mark_more, print, print_right};
+use super::motion::rule;
+use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::scene::Value;
 use crate::tui::app::{App, Mode};
 use crate::tui::editor::Editor;
