@@ -259,7 +259,7 @@ impl Solver {
 
     fn room_for_forces<T: Number>(&self) -> Option<Box<Forces<T>>> {
         let balance = self.balance.as_ref()?;
-        Some(Box::new(balance.forces(&self.engine, self.slides)))
+        Some(balance.room(&self.engine))
     }
 
     /// Whether anything acts on the mechanism: a load, a weight or inertia.
@@ -295,10 +295,7 @@ impl Solver {
     /// The forces of a state that has been solved; none where they were not asked for.
     #[inline(always)]
     fn balance<T: Number>(&self, order: Order, state: &mut State<T>) {
-        match &self.balance {
-            Some(balance) if order == Order::Force => balance.balance(&self.engine, state),
-            Some(_) | None => state.forget_forces(),
-        }
+        Balance::follow(self.balance.as_deref(), &self.engine, order, state);
     }
 
     fn solve_between_limits(&self, at: f64, order: Order, state: &mut State) -> Condition {

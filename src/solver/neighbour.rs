@@ -83,7 +83,7 @@ impl Neighbour {
     pub fn state(&self) -> State {
         let mut state = self.engine.state(self.slides);
         let balance = self.balance.as_ref();
-        state.forces = balance.map(|b| Box::new(b.forces(&self.engine, self.slides)));
+        state.forces = balance.map(|b| b.room(&self.engine));
         state
     }
 
@@ -101,10 +101,7 @@ impl Neighbour {
         if condition == Condition::Ok && self.engine.misfit(state, MISFIT).is_some() {
             state.condition = Condition::NoAssembly;
         }
-        match &self.balance {
-            Some(balance) if order == Order::Force => balance.balance(&self.engine, state),
-            Some(_) | None => state.forget_forces(),
-        }
+        Balance::follow(self.balance.as_deref(), &self.engine, order, state);
         state.condition
     }
 }

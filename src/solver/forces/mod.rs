@@ -30,10 +30,10 @@ pub use open::Indeterminate;
 pub use read::Residual;
 pub(super) use slots::Slots;
 
-use super::Solver;
 use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
+use super::{Order, Solver};
 use crate::{Constant, LinkId, Number, PointId, SlideId, StrokeEnd, Vec2};
 use acting::Acting;
 use frame::Framed;
@@ -154,7 +154,6 @@ pub(super) struct Balance {
     open: Arc<Open>,
     indeterminate: Vec<Indeterminate>,
     frame: Framed,
-    driven: Option<LinkId>,
 }
 
 impl Balance {
@@ -194,7 +193,6 @@ impl Balance {
             open: Arc::new(Open::none(mechanism, &slots)),
             indeterminate: Vec::new(),
             frame: Framed::new(mechanism, &slots),
-            driven: engine.driven(),
             slots,
         })
     }
@@ -202,7 +200,7 @@ impl Balance {
     /// Finds what a redundant linkage leaves open, at several places of its motion.
     fn leave_open(&mut self, network: &Network<'_>, solver: &Solver) {
         let mut state = solver.state();
-        state.forces = Some(Box::new(self.forces(&solver.engine, solver.slides)));
+        state.forces = Some(self.room(&solver.engine));
         let open = Open::find(self, network, solver, &mut state);
         self.indeterminate = open.list(network.mechanism, &self.slots);
         self.open = Arc::new(open);
@@ -214,11 +212,12 @@ impl Balance {
     }
 
     /// Room for the forces of a state.
-    pub(super) fn forces<T: Number>(&self, engine: &Engine, slides: usize) -> Forces<T> {
+    pub(super) fn room<T: Number>(&self, engine: &Engine) -> Box<Forces<T>> {
+        let slides = self.open.normals.len();
         let unit = T::of(self.acting.unit);
         let origin = engine.frame.origin().map(Constant::given);
         let metres = unit.scaled(1.0 / engine.frame.scale);
-        Forces {
+        Box::new(Forces {
             slots: Arc::clone(&self.slots),
             open: Arc::clone(&self.open),
             extent: Extent::Nothing,
@@ -239,7 +238,7 @@ impl Balance {
                 drive: if engine.turns { unit } else { T::exactly(1.0) },
                 origin: Vec2::of(origin) * metres,
             },
-        }
+        })
     }
 
     /// Whether what acts is one formula over the whole motion, without pieces.
@@ -247,9 +246,23 @@ impl Balance {
         self.acting.is_smooth()
     }
 
+    /// What follows a solve: the forces where anything acts and they were asked for, none otherwise.
+    #[inline(always)]
+    pub(super) fn follow<T: Number>(
+        balance: Option<&Balance>,
+        engine: &Engine,
+        order: Order,
+        state: &mut State<T>,
+    ) {
+        match balance {
+            Some(balance) if order == Order::Force => balance.balance(engine, state),
+            Some(_) | None => state.forget_forces(),
+        }
+    }
+
     /// Finds the forces of a state that has been solved to its accelerations.
     #[inline(always)]
-    pub(super) fn balance<T: Number>(&self, engine: &Engine, state: &mut State<T>) {
+    fn balance<T: Number>(&self, engine: &Engine, state: &mut State<T>) {
         let Some(mut forces) = state.forces.take() else {
             return;
         };
@@ -265,7 +278,7 @@ impl Balance {
         if forces.extent == Extent::All {
             self.frame.note_ground(&mut forces, state);
             if self.run_back(engine, state, &mut forces) {
-                if let Some(link) = self.driven {
+                if let Some(link) = engine.driven() {
                     forces.drive = forces.links[link.index()];
                 }
                 self.locked.finish(&mut forces);

@@ -26,7 +26,7 @@ impl Solver {
         let Some(balance) = self.balance.as_ref().filter(|_| exists) else {
             return Vec::new();
         };
-        let mut room = balance.forces(&self.engine, self.slides);
+        let mut room = *balance.room(&self.engine);
         let loads = balance.acting.loads.iter();
         loads
             .map(|load| balance.acting.one(load, state, &mut room))
