@@ -5,7 +5,7 @@
 #![allow(clippy::print_stdout, reason = "the medians are to be read")]
 
 use krank::scene::{Scene, presets};
-use krank::solver::{Order, Range, Solver, State};
+use krank::solver::{Order, Solver, State};
 use krank::study::motor::Duty;
 use std::hint::black_box;
 use std::time::Instant;
@@ -85,10 +85,7 @@ fn solve(solver: &Solver, at: f64, order: Order, state: &mut State) {
 
 /// Nanoseconds a state.
 fn time(solver: &Solver, mut one: impl FnMut(f64)) -> f64 {
-    let (low, high) = match solver.motion().range {
-        Range::Full { period } => (0.0, period),
-        Range::Limited { low, high } => (low, high),
-    };
+    let (low, high) = solver.motion().range.ends();
     let step = (high - low) / f64::from(STATES);
     let begun = Instant::now();
     for _ in 0..REPEATS {

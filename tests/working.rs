@@ -43,10 +43,7 @@ impl Bench {
 
     /// Coordinates all over the motion, its ends and what lies beyond among them.
     fn places(&self) -> Vec<f64> {
-        let (low, high) = match self.solver.motion().range {
-            Range::Full { period } => (0.0, period),
-            Range::Limited { low, high } => (low, high),
-        };
+        let (low, high) = self.solver.motion().range.ends();
         let step = (high - low) / 24.0;
         let mut places: Vec<f64> = (0..=24).map(|k| low + step * f64::from(k)).collect();
         let motion = self.solver.motion();

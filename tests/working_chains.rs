@@ -3,7 +3,7 @@
 
 use krank::report::{Block, Document, TextStyle, Working};
 use krank::scene::{Scene, presets};
-use krank::solver::{Order, Range, Solver};
+use krank::solver::{Order, Solver};
 
 /// What is done to the value in a pair of brackets.
 type Function = fn(f64) -> f64;
@@ -123,10 +123,7 @@ fn follow(name: &str, text: &str) -> Vec<String> {
     let solver = Solver::new(&scene.mechanism).unwrap();
     let working = Working::new(&scene, &solver);
     let mut state = solver.state();
-    let (low, high) = match solver.motion().range {
-        Range::Full { period } => (0.0, period),
-        Range::Limited { low, high } => (low, high),
-    };
+    let (low, high) = solver.motion().range.ends();
     let mut count = 0;
     for k in 1..24 {
         let at = low + (high - low) * f64::from(k) / 24.0 + 0.01;

@@ -182,7 +182,6 @@ mod nudges {
     use super::super::Origin;
     use super::*;
     use crate::scene::{Measure, Value, presets};
-    use crate::solver::Range;
 
     fn stage(text: &str) -> Stage {
         let scene = Scene::parse(text, "test").unwrap();
@@ -210,10 +209,7 @@ mod nudges {
 
     /// How far any point is moved, for the size of the linkage, at most, over the motion.
     fn farthest(one: &Stage, other: &Solver) -> f64 {
-        let (low, high) = match one.solver().motion().range {
-            Range::Full { period } => (0.0, period),
-            Range::Limited { low, high } => (low, high),
-        };
+        let (low, high) = one.solver().motion().range.ends();
         let size = one.reach().bounds().size().norm();
         let (mut here, mut there) = (one.solver().state(), other.state());
         let mut most = 0.0_f64;

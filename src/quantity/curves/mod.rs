@@ -349,10 +349,7 @@ fn stretch(
 ) -> Result<(f64, f64), NoTime> {
     match (clock, window) {
         (None, Some((from, to))) => Ok((from.min(to), from.max(to))),
-        (None, None) => Ok(match range {
-            Range::Full { period } => (0.0, period),
-            Range::Limited { low, high } => (low, high),
-        }),
+        (None, None) => Ok(range.ends()),
         (Some(clock), None) => Ok(clock.span(range)),
         (Some(clock), Some((from, to))) => {
             let time = |at| clock.time(at).ok_or(NoTime::TurnsBack(at));

@@ -9,7 +9,7 @@ use super::{Balance, Extent, Forces, Slots};
 use crate::solver::network::Network;
 use crate::solver::plan::{Gauge, Watch};
 use crate::solver::state::{Condition, State};
-use crate::solver::{Order, Range, Solver};
+use crate::solver::{Order, Solver};
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// Below this part of a unit force, what is felt is rounding.
@@ -60,10 +60,7 @@ impl Open {
         if solver.engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
             return open;
         }
-        let (low, high) = match solver.motion.range {
-            Range::Full { period } => (0.0, period),
-            Range::Limited { low, high } => (low, high),
-        };
+        let (low, high) = solver.motion.range.ends();
         let places = PLACES.map(|part| low + part * (high - low));
         for at in places.into_iter().chain([solver.opening]) {
             if solver.solve(at, Order::Position, state) == Condition::Ok {

@@ -1,6 +1,6 @@
 //! Where the stroke of a slide ends.
 
-use crate::solver::{Condition, Order, Range, Solver, State};
+use crate::solver::{Condition, Order, Solver, State};
 use crate::{Ball, Constant, SlideId, StrokeEnd};
 
 /// The motion is looked at so many times before each end that was seen is closed in on.
@@ -13,10 +13,7 @@ const HALVINGS: u32 = 60;
 /// There the position changes by the square of what the driver is off, so that it is as good as any
 /// other.
 pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Constant {
-    let (low, high) = match solver.motion().range {
-        Range::Full { period } => (0.0, period),
-        Range::Limited { low, high } => (low, high),
-    };
+    let (low, high) = solver.motion().range.ends();
     let mut look = Look {
         solver,
         state: solver.state(),

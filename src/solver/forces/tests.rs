@@ -4,7 +4,7 @@
 use super::*;
 use crate::quantity::{Catalogue, Quantity};
 use crate::scene::{Scene, presets};
-use crate::solver::{Condition, Order, Range};
+use crate::solver::{Condition, Order};
 use crate::tests::Chance;
 use crate::{Body, Input, Mechanism, Slider, Vec2};
 
@@ -62,7 +62,7 @@ struct Noted {
 
 fn noted(solver: &Solver, state: &State) -> Noted {
     let balance = solver.balance.as_ref().unwrap();
-    let mut acting = balance.forces(&solver.engine, solver.slides);
+    let mut acting = *balance.room(&solver.engine);
     balance.acting.act(state, &mut acting);
     let mut points = acting.points;
     let mut pressed = Vec::new();
@@ -168,10 +168,7 @@ fn pin_miss(mechanism: &Mechanism, point: PointId, state: &State, of: &Noted) ->
 
 /// The ends of a motion.
 fn ends(solver: &Solver) -> (f64, f64) {
-    match solver.motion().range {
-        Range::Full { period } => (0.0, period),
-        Range::Limited { low, high } => (low, high),
-    }
+    solver.motion().range.ends()
 }
 
 /// The worst misses of a solver's states at some places of its motion.

@@ -41,6 +41,17 @@ pub enum Range {
     },
 }
 
+impl Range {
+    /// Its ends: the limits, or 0 and the period.
+    #[must_use]
+    pub fn ends(self) -> (f64, f64) {
+        match self {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        }
+    }
+}
+
 /// Where the two assemblies of a group all but meet: lengths that differ by the square of the sine, as
 /// a part of a link, would make it a change point or a dead point. The motion keeps its assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -429,10 +429,7 @@ impl Guide {
 
     /// The stretches between the places where the slide turns, over one period or over the range.
     fn legs(&mut self) -> Vec<Leg> {
-        let (low, high) = match self.range {
-            Range::Full { period } => (0.0, period),
-            Range::Limited { low, high } => (low, high),
-        };
+        let (low, high) = self.range.ends();
         let place = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(SAMPLES);
         let mut centres = Vec::new();
         let mut before: Option<(f64, f64)> = None;
