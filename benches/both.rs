@@ -3,7 +3,7 @@
 
 use crate::handwritten::{FourBar, Jansen, Joint, Press, SliderCrank, Turning};
 use krank::scene::{Scene, presets};
-use krank::solver::{Condition, Demand, Order, Solver, State};
+use krank::solver::{Condition, Demand, Order, Solver, State, Workspace};
 use krank::{Ball, LANES, Lanes, LinkId, PointId, Vec2, vectorized};
 use std::hint::black_box;
 
@@ -89,7 +89,7 @@ impl<const P: usize, const L: usize> General<P, L> {
     }
 
     /// Solves at all angles, several at once, without reading anything.
-    pub(crate) fn sweep_in_lanes(&self, angles: &[f64], state: &mut State<Lanes>) {
+    pub(crate) fn sweep_in_lanes(&self, angles: &[f64], state: &mut Workspace<Lanes>) {
         for &at in angles.as_chunks().0 {
             let solved = self
                 .solver
@@ -100,7 +100,7 @@ impl<const P: usize, const L: usize> General<P, L> {
     }
 
     /// Solves at all angles, several at once, and reads everything.
-    pub(crate) fn sweep_in_lanes_and_read(&self, angles: &[f64], state: &mut State<Lanes>) {
+    pub(crate) fn sweep_in_lanes_and_read(&self, angles: &[f64], state: &mut Workspace<Lanes>) {
         let mut figures = no_figures();
         for &at in angles.as_chunks().0 {
             let solved = self
@@ -119,8 +119,8 @@ impl<const P: usize, const L: usize> General<P, L> {
     pub(crate) fn sweep_with_bounds(
         &self,
         angles: &[f64],
-        state: &mut State,
-        enclosure: &mut State<Ball>,
+        state: &mut Workspace,
+        enclosure: &mut Workspace<Ball>,
     ) {
         for &at in angles {
             self.solver.solve(black_box(at), Order::Acceleration, state);
@@ -130,7 +130,7 @@ impl<const P: usize, const L: usize> General<P, L> {
     }
 
     /// Solves at all angles, without reading anything.
-    pub(crate) fn sweep(&self, angles: &[f64], state: &mut State) {
+    pub(crate) fn sweep(&self, angles: &[f64], state: &mut Workspace) {
         for &at in angles {
             self.solver.solve(black_box(at), Order::Acceleration, state);
             black_box(&*state);
@@ -138,7 +138,7 @@ impl<const P: usize, const L: usize> General<P, L> {
     }
 
     /// Solves at all angles and reads everything.
-    pub(crate) fn sweep_and_read(&self, angles: &[f64], state: &mut State) {
+    pub(crate) fn sweep_and_read(&self, angles: &[f64], state: &mut Workspace) {
         for &at in angles {
             self.solver.solve(black_box(at), Order::Acceleration, state);
             black_box(&self.read(state));

@@ -5,7 +5,7 @@
 #![allow(clippy::print_stdout, reason = "the medians are to be read")]
 
 use krank::scene::{Scene, presets};
-use krank::solver::{Order, Solver, State};
+use krank::solver::{Order, Solver, Workspace};
 use krank::study::motor::Duty;
 use std::hint::black_box;
 use std::time::Instant;
@@ -79,7 +79,7 @@ fn motor(name: &str, scene: &Scene, solver: &Solver) {
     }
 }
 
-fn solve(solver: &Solver, at: f64, order: Order, state: &mut State) {
+fn solve(solver: &Solver, at: f64, order: Order, state: &mut Workspace) {
     black_box(solver.solve(black_box(at), order, state));
 }
 

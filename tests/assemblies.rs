@@ -39,7 +39,7 @@ fn at(solver: &Solver, angle: f64) -> State {
     let mut state = solver.state();
     let condition = solver.solve(angle, Order::Acceleration, &mut state);
     assert_ne!(condition, Condition::NoAssembly, "at {angle}");
-    state
+    state.into_state()
 }
 
 #[track_caller]

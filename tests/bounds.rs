@@ -6,16 +6,16 @@
 
 use krank::quantity::{self, Aspect, Catalogue, Subject};
 use krank::scene::{Scene, presets};
-use krank::solver::{Condition, Order, Range, Solver, State};
+use krank::solver::{Condition, Order, Range, Solver, Workspace};
 use krank::{Ball, Body, Builder, Double, Driver, Input, LinkId, Mechanism, PointId, Vec2};
 
 /// A solver, and all that its figures are held against.
 struct Trial {
     solver: Solver,
     figures: Vec<(Subject, Aspect)>,
-    state: State,
-    enclosure: State<Ball>,
-    twice: State<Double>,
+    state: Workspace,
+    enclosure: Workspace<Ball>,
+    twice: Workspace<Double>,
 }
 
 /// What came of many figures, by the order of their derivative.

@@ -524,7 +524,7 @@ fn at_a_dead_point_there_is_no_force_and_just_before_it_a_large_one() {
         panic!("a double rocker has limits");
     };
     let mut state = solver.state();
-    let drive = |at: f64, state: &mut krank::solver::State| {
+    let drive = |at: f64, state: &mut krank::solver::Workspace| {
         let condition = solver.solve(at, Order::Force, state);
         (condition, state.drive())
     };

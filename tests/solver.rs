@@ -47,7 +47,7 @@ fn at(solver: &Solver, q: f64) -> State {
         Condition::Ok,
         "at {q}"
     );
-    state
+    state.into_state()
 }
 
 /// Every link as long, every slider on its guide, every locked link at its angle.

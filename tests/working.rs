@@ -3,7 +3,7 @@
 
 use krank::report::{Block, LineKind, TextStyle, Worked, Working};
 use krank::scene::{Scene, presets};
-use krank::solver::{Condition, Order, Range, Solver, State};
+use krank::solver::{Condition, Order, Range, Solver, Workspace};
 
 const PLAIN: TextStyle = TextStyle {
     ascii: true,
@@ -15,7 +15,7 @@ struct Bench {
     scene: Scene,
     solver: Solver,
     working: Working,
-    state: State,
+    state: Workspace,
 }
 
 impl Bench {

@@ -7,7 +7,7 @@ use super::linkage::add_moved;
 use super::reach::Reach;
 use super::view::{Bounds, View};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Range, Solver, State};
+use crate::solver::{Condition, Order, Range, Solver, State, Workspace};
 use crate::{PointId, Vec2};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -277,7 +277,7 @@ fn ghosts(scene: &Scene, solver: &Solver, count: u16) -> Vec<State> {
         let condition = solver.solve(at(k), Order::Position, &mut state);
         (condition != Condition::NoAssembly).then(|| state.clone())
     });
-    states.collect()
+    states.map(Workspace::into_state).collect()
 }
 
 #[cfg(test)]

@@ -55,7 +55,7 @@ impl Stage {
             let at = (low + (high - low) * f64::from(k) / 200.0).min(high);
             let condition = self.solver.solve(at, Order::Position, &mut state);
             assert_ne!(condition, Condition::NoAssembly, "{} at {at}", self.name);
-            state.clone()
+            state.state().clone()
         })
     }
 

@@ -14,7 +14,7 @@
 
 use super::{Aspect, Quantity};
 use crate::scene::Scene;
-use crate::solver::{Condition, Neighbour, Order, Solver, State};
+use crate::solver::{Condition, Neighbour, Order, Solver, Workspace};
 use crate::{Axis, Length, Mechanism, angle};
 
 /// The steps to try, in parts of the longest length: 2 to these powers. The first leaves about 3e-13 of
@@ -41,7 +41,7 @@ pub struct Sensitivity {
     lengths: Vec<Length>,
     names: Vec<String>,
     order: Order,
-    base: State,
+    base: Workspace,
     /// For every step, once it was taken: for every length the mechanisms at [`PLACES`].
     kept: Vec<Vec<Option<Beside>>>,
 }
@@ -49,7 +49,7 @@ pub struct Sensitivity {
 /// More derivatives than this, of all figures by all lengths, are more than anybody reads.
 pub const MOST_DERIVATIVES: usize = 1 << 22;
 
-type Beside = [(Neighbour, State); PLACES.len()];
+type Beside = [(Neighbour, Workspace); PLACES.len()];
 
 /// The derivatives of all figures at one coordinate.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,14 +6,14 @@ use super::tables::seen;
 use crate::Ball;
 use crate::quantity::{Quantity, Sensitivity, Subject};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Solver, State};
+use crate::solver::{Condition, Order, Solver, State, Workspace};
 
 /// Fills the cells of rows.
 pub(super) struct Errors<'a> {
     columns: &'a Columns,
     /// What rounding may have left of a zero is shown as zero: for text, which people read.
     rounded: bool,
-    enclosure: State<Ball>,
+    enclosure: Workspace<Ball>,
     sensitivity: Option<Sensitivity>,
     /// Figures that exist, and of these how many have no bound.
     figures: u64,

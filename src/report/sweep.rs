@@ -8,7 +8,7 @@ use super::rows::{CsvRows, JsonRows, Rows, TextRows};
 use super::steps::Steps;
 use crate::quantity::{Quantity, demand};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Solver, State};
+use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{LANES, Lanes};
 use std::io::{self, Write};
 
@@ -110,8 +110,8 @@ struct Reader<'a> {
     order: Order,
     /// What is known of errors, if that is wanted: then rows are read one by one.
     errors: Option<Errors<'a>>,
-    state: State,
-    lanes: State<Lanes>,
+    state: Workspace,
+    lanes: Workspace<Lanes>,
     /// What was read from the lanes, column by column.
     columns: Vec<Lanes>,
     /// The row that is being read.

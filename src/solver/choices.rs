@@ -7,7 +7,7 @@ use super::motion::MISFIT;
 use super::network::Network;
 use super::plan::Pick;
 use super::state::{Condition, State};
-use super::{Order, Solver};
+use super::{Order, Solver, Workspace};
 use crate::{Element, Mechanism, PointId, Vec2};
 
 /// Whole assemblies are listed as long as there are no more.
@@ -66,25 +66,25 @@ impl Solver {
         };
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
         engine.signs.clone_from(&present.signs);
-        state.signs.clone_from(&present.signs);
-        state.at = at;
+        state.state.signs.clone_from(&present.signs);
+        state.state.at = at;
         let ways = assembler.ways(group, &engine, &mut state);
         let numbered = ways.iter().enumerate();
         numbered
             .map(|(i, way)| {
                 let is_current = present.is_in(self, group, way);
                 let mut state = present.state.clone();
-                state.signs.clone_from(&present.signs);
+                state.state.signs.clone_from(&present.signs);
                 let taken = assembler.take(group, way, &mut engine, &mut state);
                 let closes = taken != Condition::NoAssembly
                     && assembler.settle_from(group + 1, &mut engine, &mut state)
                     && engine.misfit(&state, MISFIT).is_none();
-                state.condition = Condition::Ok;
+                state.state.condition = Condition::Ok;
                 Choice {
                     pick: self.pick_of(group, way, i),
                     is_current,
                     closes,
-                    state,
+                    state: state.into_state(),
                 }
             })
             .collect()
@@ -106,7 +106,7 @@ impl Solver {
             order: Order::Position,
         };
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
-        state.at = at;
+        state.state.at = at;
         // The ways of each group so far, and which of them is taken: an odometer.
         let mut taken: Vec<(Vec<Way>, usize)> = Vec::new();
         let mut tried = 0;
@@ -303,7 +303,7 @@ fn step(taken: &mut [(Vec<Way>, usize)]) {
 
 /// The assembly that a solver follows, at one coordinate.
 struct Present {
-    state: State,
+    state: Workspace,
     /// The sign of every group there.
     signs: Vec<f64>,
     /// What picks it, of the dyads.

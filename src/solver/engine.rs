@@ -7,6 +7,7 @@ use super::passage::Passages;
 use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
+use super::workspace::Workspace;
 use super::{Demand, Order};
 use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle};
 
@@ -72,14 +73,13 @@ impl Engine {
         }
     }
 
-    /// An empty state, with the constants in it.
-    pub(super) fn state<T: Number>(&self, slides: usize) -> State<T> {
-        let coupled = &self.program.coupled;
+    /// Room for an empty state, with the constants in it.
+    pub(super) fn state<T: Number>(&self, slides: usize) -> Workspace<T> {
         let fixed_point = |&p: &_| PointState::fixed(Vec2::of(p));
         let fixed_link = |&d: &_| LinkState::fixed(Vec2::of(d));
         let [speed, acceleration] = self.driver_rates.map(converted);
         let rates = Rates::new(speed, acceleration);
-        State {
+        let state = State {
             condition: Condition::NoAssembly,
             at: T::default(),
             points: self.program.points.iter().map(fixed_point).collect(),
@@ -87,19 +87,24 @@ impl Engine {
             travels: vec![TravelState::default(); slides],
             measures: vec![T::exactly(1.0); self.program.group_starts.len()],
             signs: self.signs.iter().map(|&s| T::exactly(s)).collect(),
-            scratch: Scratch {
-                numbers: vec![T::default(); coupled.iter().map(|c| c.room()).sum()],
-                pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
-                first: vec![0.0; coupled.len()],
-                work: Vec::new(),
-            },
-            at_once: None,
             forces: None,
             frame: self.frame,
             rates,
             length_rates: rates.times(self.frame.scale),
             driven: self.driven,
             driver_scale: if self.turns { 1.0 } else { self.frame.scale },
+        };
+        Workspace::new(state, self.scratch())
+    }
+
+    /// Room for the coupled groups.
+    pub(super) fn scratch<T: Number>(&self) -> Scratch<T> {
+        let coupled = &self.program.coupled;
+        Scratch {
+            numbers: vec![T::default(); coupled.iter().map(|c| c.room()).sum()],
+            pivots: vec![0; coupled.iter().map(|c| c.unknowns()).max().unwrap_or(0)],
+            first: vec![0.0; coupled.len()],
+            work: Vec::new(),
         }
     }
 
@@ -132,11 +137,11 @@ impl Engine {
     }
 
     /// Runs every step; a coupled group starts from the z that is in the scratch.
-    pub(super) fn run(&self, at: f64, order: Order, state: &mut State) -> Condition {
+    pub(super) fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         let steps = 0..self.program.steps.len();
-        state.at = at;
-        state.condition = self.run_steps(steps, at, order, state);
-        state.condition
+        work.state.at = at;
+        work.state.condition = self.run_steps(steps, at, order, work);
+        work.condition
     }
 
     pub(super) fn run_steps(
@@ -144,22 +149,23 @@ impl Engine {
         steps: std::ops::Range<usize>,
         at: f64,
         order: Order,
-        state: &mut State,
+        work: &mut Workspace,
     ) -> Condition {
         let steps = &self.program.steps[steps];
         match order {
-            Order::Position => self.run_to::<POSITION>(steps, at, state),
-            Order::Velocity => self.run_to::<VELOCITY>(steps, at, state),
-            Order::Acceleration | Order::Force => self.run_to::<ACCELERATION>(steps, at, state),
+            Order::Position => self.run_to::<POSITION>(steps, at, work),
+            Order::Velocity => self.run_to::<VELOCITY>(steps, at, work),
+            Order::Acceleration | Order::Force => self.run_to::<ACCELERATION>(steps, at, work),
         }
     }
 
-    fn run_to<const ORDER: u8>(&self, steps: &[Step], at: f64, state: &mut State) -> Condition {
+    fn run_to<const ORDER: u8>(&self, steps: &[Step], at: f64, work: &mut Workspace) -> Condition {
+        let Workspace { state, scratch, .. } = work;
         let (q, direction) = self.coordinate(at);
         let mut condition = Condition::Ok;
         for step in steps {
             let outcome = match step {
-                Step::Coupled { index } => self.run_coupled(*index, q, ORDER, state),
+                Step::Coupled { index } => self.run_coupled(*index, q, ORDER, state, scratch),
                 _ => run_step::<ORDER>(step, q, direction, state),
             };
             match outcome {
@@ -177,18 +183,19 @@ impl Engine {
         at: f64,
         order: Order,
         passages: &Passages,
-        state: &mut State,
+        work: &mut Workspace,
     ) -> Condition {
-        state.at = at;
-        state.condition = Condition::Ok;
+        work.state.at = at;
+        work.state.condition = Condition::Ok;
         for i in 0..self.program.steps.len() {
-            let condition = self.run_steps(i..i + 1, at, order, state);
+            let condition = self.run_steps(i..i + 1, at, order, work);
+            let Workspace { state, scratch, .. } = &mut *work;
             let near = self
                 .group_of(i)
                 .and_then(|group| passages.near(self, at, group));
             if let Some((passage, dq)) = near {
                 passage.write(dq, state);
-                self.read_coupled(&self.program.steps[i], state);
+                self.read_coupled(&self.program.steps[i], state, scratch);
                 if dq == 0.0 && state.condition == Condition::Ok {
                     state.condition = Condition::ChangePoint;
                 }
@@ -199,40 +206,37 @@ impl Engine {
                 break;
             }
         }
-        state.condition
+        work.condition
     }
 
     /// Puts what a coupled group has been placed as into its own room: bounds look there.
-    fn read_coupled(&self, step: &Step, state: &mut State) {
+    fn read_coupled(&self, step: &Step, state: &State, scratch: &mut Scratch) {
         if let Step::Coupled { index } = step {
             let group = &self.program.coupled[*index];
-            let mut scratch = std::mem::take(&mut state.scratch);
-            group.read(state, group.open(&mut scratch).z);
-            state.scratch = scratch;
+            group.read(state, group.open(scratch).z);
         }
     }
 
     /// Positions at a limit at which a coupled group folds: it stands as it was found.
-    pub(super) fn run_folded(&self, fold: &Folded, state: &mut State) -> Condition {
+    pub(super) fn run_folded(&self, fold: &Folded, work: &mut Workspace) -> Condition {
         let (q, _) = self.coordinate(fold.at);
-        state.at = fold.at;
-        state.condition = Condition::DeadPoint;
+        work.state.at = fold.at;
+        work.state.condition = Condition::DeadPoint;
         for (i, step) in self.program.steps.iter().enumerate() {
             let is_folded = matches!(step, Step::Coupled { index } if *index == fold.index);
             if is_folded {
                 let group = &self.program.coupled[fold.index];
-                let mut scratch = std::mem::take(&mut state.scratch);
-                group.open(&mut scratch).z.copy_from_slice(&fold.z);
-                group.finish(q, POSITION, state, &mut scratch);
-                state.scratch = scratch;
-            } else if self.run_steps(i..i + 1, fold.at, Order::Position, state)
+                let Workspace { state, scratch, .. } = &mut *work;
+                group.open(scratch).z.copy_from_slice(&fold.z);
+                group.finish(q, POSITION, state, scratch);
+            } else if self.run_steps(i..i + 1, fold.at, Order::Position, work)
                 == Condition::NoAssembly
             {
-                state.condition = Condition::NoAssembly;
+                work.state.condition = Condition::NoAssembly;
                 break;
             }
         }
-        state.condition
+        work.condition
     }
 
     /// The driver's coordinate for the steps: a length, or a direction.
@@ -267,12 +271,11 @@ impl Engine {
 
     /// The measures of the coupled groups at a solved state, positive on the side of the motion:
     /// solving itself has no need of them.
-    pub(super) fn measure_coupled(&self, at: f64, state: &mut State) {
+    pub(super) fn measure_coupled(&self, at: f64, work: &mut Workspace) {
         let (q, _) = self.coordinate(at);
+        let Workspace { state, scratch, .. } = work;
         for group in &self.program.coupled {
-            let mut scratch = std::mem::take(&mut state.scratch);
-            let measure = group.measure(q, state, &mut scratch);
-            state.scratch = scratch;
+            let measure = group.measure(q, state, scratch);
             state.measures[group.group] = measure * group.side * state.signs[group.group];
         }
     }
@@ -283,15 +286,19 @@ impl Engine {
         run_step::<POSITION>(step, q, direction, state)
     }
 
-    fn run_coupled(&self, index: usize, q: f64, order: u8, state: &mut State) -> Outcome {
+    fn run_coupled(
+        &self,
+        index: usize,
+        q: f64,
+        order: u8,
+        state: &mut State,
+        scratch: &mut Scratch,
+    ) -> Outcome {
         let group = &self.program.coupled[index];
-        // Taken out for the while, so that the group can read the state; moves no memory.
-        let mut scratch = std::mem::take(&mut state.scratch);
-        let corrected = group.correct(q, state, &mut scratch);
+        let corrected = group.correct(q, state, scratch);
         scratch.first[index] = corrected.first;
         let kept = corrected.side * group.side * state.signs[group.group] >= 0.0;
-        let solved = corrected.settled && kept && group.finish(q, order, state, &mut scratch);
-        state.scratch = scratch;
+        let solved = corrected.settled && kept && group.finish(q, order, state, scratch);
         if solved { Outcome::Done } else { Outcome::Open }
     }
 

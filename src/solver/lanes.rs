@@ -5,13 +5,13 @@
 use super::engine::Engine;
 use super::state::{Condition, State};
 use super::step::{ACCELERATION, Outcome, POSITION, VELOCITY};
-use super::{Order, Solver};
+use super::{Order, Solver, Workspace};
 use crate::{LANES, Lanes, vectorized};
 
 impl Solver {
     /// Room for the states at several coordinates.
     #[must_use]
-    pub fn lanes(&self) -> State<Lanes> {
+    pub fn lanes(&self) -> Workspace<Lanes> {
         self.room()
     }
 
@@ -22,7 +22,8 @@ impl Solver {
     /// Each lane has the bits that [`Solver::solve`] gives for its coordinate, and is
     /// [`Condition::Ok`]. Allocates nothing.
     #[must_use]
-    pub fn solve_lanes(&self, at: [f64; LANES], order: Order, state: &mut State<Lanes>) -> bool {
+    pub fn solve_lanes(&self, at: [f64; LANES], order: Order, work: &mut Workspace<Lanes>) -> bool {
+        let state = &mut work.state;
         state.condition = Condition::NoAssembly;
         let is_smooth = order < Order::Force || self.balance.as_ref().is_none_or(|b| b.is_smooth());
         let solved = self.engine.program.coupled.is_empty()
@@ -36,16 +37,16 @@ impl Solver {
             state.condition = Condition::Ok;
         }
         if self.balance.is_some() {
-            self.balance_lanes(order, state);
+            self.balance_lanes(order, work);
         }
         solved
     }
 
     /// With the instructions that the steps are run with.
-    fn balance_lanes(&self, order: Order, state: &mut State<Lanes>) {
+    fn balance_lanes(&self, order: Order, work: &mut Workspace<Lanes>) {
         vectorized(
             #[inline(always)]
-            || self.balance(order, state),
+            || self.balance(order, work),
         );
     }
 
@@ -159,8 +160,9 @@ mod tests {
                 continue;
             }
             solved += 1.0;
-            solver.choose_in_lanes(at, &mut plain);
-            assert!(solver.engine.run_lanes_here(Lanes(at), order, &mut plain));
+            solver.choose_in_lanes(at, &mut plain.state);
+            let here = &mut plain.state;
+            assert!(solver.engine.run_lanes_here(Lanes(at), order, here));
             let both = [numbers(&lanes), numbers(&plain)];
             for (lane, &at) in at.iter().enumerate() {
                 assert_eq!(

@@ -11,7 +11,8 @@
 //!            chain     groups become steps: dyads in closed form, the rest coupled -> plan
 //!            assemble  the assembly that is meant, at the start        choices  the others
 //!            motion    the range, its limits and change points         passage  the way through these
-//! each time  engine    runs the steps: step (closed forms), coupled (Newton's method with lu)
+//! each time  workspace the room: a state, which is the result, and what finding it takes besides
+//!            engine    runs the steps: step (closed forms), coupled (Newton's method with lu)
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
 //!            forces    the steps backwards: what joints carry and the driver must do
@@ -45,6 +46,7 @@ mod state;
 mod step;
 mod transmission;
 mod twice;
+mod workspace;
 mod zero;
 
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
@@ -59,12 +61,13 @@ pub use neighbour::Neighbour;
 pub use plan::{Group, GroupKind, Pick, Plan};
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
+pub use workspace::Workspace;
 pub(crate) use zero::zero;
 
 use crate::{Element, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
 use assemble::Request;
 use engine::Engine;
-use forces::{Balance, Forces};
+use forces::Balance;
 use frame::Frame;
 use network::Network;
 use order::Ordering;
@@ -244,22 +247,22 @@ impl Solver {
         self.first_loop
     }
 
-    /// An empty state with all the room that solving needs.
+    /// Room for a state: all that solving needs.
     #[must_use]
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> Workspace {
         self.room()
     }
 
-    /// An empty state in any arithmetic.
-    fn room<T: Number>(&self) -> State<T> {
-        let mut state = self.engine.state(self.slides);
-        state.forces = self.room_for_forces();
-        state
+    /// Room for a state in any arithmetic.
+    fn room<T: Number>(&self) -> Workspace<T> {
+        self.with_forces(self.engine.state(self.slides))
     }
 
-    fn room_for_forces<T: Number>(&self) -> Option<Box<Forces<T>>> {
-        let balance = self.balance.as_ref()?;
-        Some(balance.room(&self.engine))
+    /// Makes room for the forces, where anything acts.
+    fn with_forces<T: Number>(&self, mut work: Workspace<T>) -> Workspace<T> {
+        let balance = self.balance.as_ref();
+        work.state.forces = balance.map(|b| b.room(&self.engine));
+        work
     }
 
     /// Whether anything acts on the mechanism: a load, a weight or inertia.
@@ -277,35 +280,36 @@ impl Solver {
 
     /// Solves for the driver's coordinate `at` (deg, or the scene's length unit), not wrapped.
     ///
-    /// The result depends on `at` alone, never on what the state held before. Allocates nothing.
-    pub fn solve(&self, at: f64, order: Order, state: &mut State) -> Condition {
+    /// The result depends on `at` alone, never on what the room held before. Allocates nothing.
+    pub fn solve(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         if self.motion.covers(at) {
             match self.motion.range {
-                Range::Full { .. } => self.run(at, order, state),
-                Range::Limited { .. } => self.solve_between_limits(at, order, state),
+                Range::Full { .. } => self.run(at, order, work),
+                Range::Limited { .. } => self.solve_between_limits(at, order, work),
             };
         } else {
-            state.at = at;
-            state.condition = Condition::NoAssembly;
+            work.state.at = at;
+            work.state.condition = Condition::NoAssembly;
         }
-        self.balance(order, state);
-        state.condition
+        self.balance(order, work);
+        work.condition
     }
 
     /// The forces of a state that has been solved; none where they were not asked for.
     #[inline(always)]
-    fn balance<T: Number>(&self, order: Order, state: &mut State<T>) {
-        Balance::follow(self.balance.as_deref(), &self.engine, order, state);
+    fn balance<T: Number>(&self, order: Order, work: &mut Workspace<T>) {
+        Balance::follow(self.balance.as_deref(), &self.engine, order, work);
     }
 
-    fn solve_between_limits(&self, at: f64, order: Order, state: &mut State) -> Condition {
+    fn solve_between_limits(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         let within = self.motion.within(at);
         let mut found = within;
-        if self.run(within, order, state) == Condition::NoAssembly {
+        if self.run(within, order, work) == Condition::NoAssembly {
             let mut drawn_back = self.motion.drawn_back(within);
-            let exists = |&at: &f64| self.run(at, order, state) != Condition::NoAssembly;
+            let exists = |&at: &f64| self.run(at, order, work) != Condition::NoAssembly;
             found = drawn_back.find(exists).unwrap_or(within);
         }
+        let state = &mut work.state;
         state.at = at;
         // Within rounding of a limit rates are as worthless as at the limit itself.
         let is_dead = found != at || self.motion.is_dead_point(at);
@@ -316,19 +320,19 @@ impl Solver {
     }
 
     /// Solves at a coordinate of the range, from the motion as it is known there.
-    fn run(&self, at: f64, order: Order, state: &mut State) -> Condition {
-        self.motion.anchors.aim(&self.engine, at, state);
+    fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
+        self.motion.anchors.aim(&self.engine, at, work);
         let passages = &self.motion.passages;
         let is_smooth = passages.is_empty();
         if !is_smooth {
-            passages.choose(&self.engine, at, &mut state.signs);
+            passages.choose(&self.engine, at, &mut work.state.signs);
         }
         if let Some(fold) = self.motion.fold_at(at) {
-            self.engine.run_folded(fold, state)
+            self.engine.run_folded(fold, work)
         } else if !is_smooth && passages.is_near(&self.engine, at) {
-            self.engine.run_near(at, order, passages, state)
+            self.engine.run_near(at, order, passages, work)
         } else {
-            self.engine.run(at, order, state)
+            self.engine.run(at, order, work)
         }
     }
 }

@@ -7,7 +7,7 @@ use super::motion::MISFIT;
 use super::network::Network;
 use super::plan::Program;
 use super::step::Step;
-use super::{Condition, Order, Solver, State, chain};
+use super::{Condition, Order, Solver, State, Workspace, chain};
 use crate::Mechanism;
 use std::sync::Arc;
 
@@ -78,30 +78,29 @@ fn turned(ours: &Program, theirs: &Program) -> Vec<f64> {
 }
 
 impl Neighbour {
-    /// An empty state with all the room that solving needs.
+    /// Room for a state: all that solving needs.
     #[must_use]
-    pub fn state(&self) -> State {
+    pub fn state(&self) -> Workspace {
         let mut state = self.engine.state(self.slides);
         let balance = self.balance.as_ref();
-        state.forces = balance.map(|b| b.room(&self.engine));
+        state.state.forces = balance.map(|b| b.room(&self.engine));
         state
     }
 
     /// Solves where the state `beside` of the other solver is, on the same assembly.
-    pub fn solve(&self, beside: &State, order: Order, state: &mut State) -> Condition {
+    pub fn solve(&self, beside: &State, order: Order, work: &mut Workspace) -> Condition {
         let signs = beside.signs.iter().zip(&self.turned);
-        for (sign, (beside, turned)) in state.signs.iter_mut().zip(signs) {
+        for (sign, (beside, turned)) in work.state.signs.iter_mut().zip(signs) {
             *sign = beside * turned;
         }
-        state
-            .scratch
-            .numbers
-            .copy_from_slice(&beside.scratch.numbers);
-        let condition = self.engine.run(beside.at, order, state);
-        if condition == Condition::Ok && self.engine.misfit(state, MISFIT).is_some() {
-            state.condition = Condition::NoAssembly;
+        for group in &self.engine.program.coupled {
+            group.read(beside, group.open(&mut work.scratch).z);
         }
-        Balance::follow(self.balance.as_deref(), &self.engine, order, state);
-        state.condition
+        let condition = self.engine.run(beside.at, order, work);
+        if condition == Condition::Ok && self.engine.misfit(work, MISFIT).is_some() {
+            work.state.condition = Condition::NoAssembly;
+        }
+        Balance::follow(self.balance.as_deref(), &self.engine, order, work);
+        work.condition
     }
 }

@@ -1,6 +1,5 @@
 //! The result of a solve: kinematic coefficients inside, figures in the scene's units outside.
 
-use super::coupled::Scratch;
 use super::forces::Forces;
 use super::frame::Frame;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
@@ -91,11 +90,7 @@ pub struct State<T = f64> {
     pub(super) measures: Vec<T>,
     /// For every group the sign that chooses its assembly, where it has two.
     pub(super) signs: Vec<T>,
-    /// Room for the coupled groups.
-    pub(super) scratch: Scratch<T>,
-    /// The same mechanism as one list of rows, where its bounds are found so.
-    pub(super) at_once: Option<Box<State<T>>>,
-    /// Room for the forces, where anything acts.
+    /// The forces, where anything acts.
     pub(super) forces: Option<Box<Forces<T>>>,
     pub(super) frame: Frame,
     /// For angles, and for lengths in the scene's unit.

@@ -13,6 +13,7 @@
 use super::motion::positive_remainder;
 use super::state::{Condition, State};
 use super::step::Step;
+use super::workspace::Workspace;
 use super::zero::{few_decimals, zero};
 use super::{Order, Range, Solver};
 use crate::{LinkId, PointId, Vec2};
@@ -185,7 +186,7 @@ impl<'s> Joint<'s> {
         }
     }
 
-    fn extremes(&self, looks: &[Look], state: &mut State) -> Option<Transmission> {
+    fn extremes(&self, looks: &[Look], state: &mut Workspace) -> Option<Transmission> {
         let known = looks.iter().map(|&look| Candidate {
             cosine: look.cosine,
             place: Place::At(look),
@@ -225,7 +226,7 @@ impl<'s> Joint<'s> {
     }
 
     /// The smallest (`sense` -1) or largest (1) mu among all places.
-    fn extreme(&self, places: &[Candidate], sense: f64, state: &mut State) -> Option<Extreme> {
+    fn extreme(&self, places: &[Candidate], sense: f64, state: &mut Workspace) -> Option<Extreme> {
         // Small angles have large cosines.
         let rank = |c: &Candidate| -sense * self.folded(c.cosine);
         let best = places.iter().map(rank).fold(f64::NEG_INFINITY, f64::max);
@@ -246,7 +247,7 @@ impl<'s> Joint<'s> {
         })
     }
 
-    fn settled(&self, place: Place, state: &mut State) -> Option<Look> {
+    fn settled(&self, place: Place, state: &mut Workspace) -> Option<Look> {
         let (a, b, reading) = match place {
             Place::At(look) => return Some(look),
             Place::Between(a, b, reading) => (a, b, reading),

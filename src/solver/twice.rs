@@ -3,14 +3,14 @@
 use super::engine::Engine;
 use super::state::{Condition, State};
 use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
-use super::{Order, Solver};
+use super::{Order, Solver, Workspace};
 use crate::Double;
 
 impl Solver {
     /// Room for a state in twice the precision.
     #[must_use]
-    pub fn twice(&self) -> State<Double> {
-        let mut twice: State<Double> = self.room();
+    pub fn twice(&self) -> Workspace<Double> {
+        let mut twice: Workspace<Double> = self.room();
         let groups = self.engine.program.coupled.iter();
         let work = groups.map(|g| g.unknowns() * (g.unknowns() + 1)).max();
         twice.scratch.work = vec![0.0; work.unwrap_or(0)];
@@ -20,7 +20,8 @@ impl Solver {
     /// Solves what is in `state` once more, in twice the precision: dyads by their formulas, coupled
     /// groups by corrections to what was found in doubles. Whether it could be solved: not at the
     /// limits of the motion, and not at change points. Allocates nothing.
-    pub fn solve_twice(&self, state: &State, order: Order, twice: &mut State<Double>) -> bool {
+    pub fn solve_twice(&self, state: &State, order: Order, work: &mut Workspace<Double>) -> bool {
+        let twice = &mut work.state;
         twice.at = Double::exactly(state.at);
         twice.condition = state.condition;
         if state.condition != Condition::Ok {
@@ -31,22 +32,29 @@ impl Solver {
             *sign = Double::exactly(of);
         }
         let solved = match order {
-            Order::Position => self.engine.run_twice::<POSITION>(state, twice),
-            Order::Velocity => self.engine.run_twice::<VELOCITY>(state, twice),
+            Order::Position => self.engine.run_twice::<POSITION>(state, work),
+            Order::Velocity => self.engine.run_twice::<VELOCITY>(state, work),
             Order::Acceleration | Order::Force => {
-                self.engine.run_twice::<ACCELERATION>(state, twice)
+                self.engine.run_twice::<ACCELERATION>(state, work)
             }
         };
-        self.balance(order, twice);
+        self.balance(order, work);
         solved
     }
 }
 
 impl Engine {
-    fn run_twice<const ORDER: u8>(&self, state: &State, twice: &mut State<Double>) -> bool {
+    fn run_twice<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Double>) -> bool {
+        let Workspace {
+            state: twice,
+            scratch,
+            ..
+        } = work;
         let (q, direction) = self.coordinate(twice.at);
         self.program.steps.iter().all(|step| match step {
-            Step::Coupled { index } => self.program.coupled[*index].refine(q, ORDER, state, twice),
+            Step::Coupled { index } => {
+                self.program.coupled[*index].refine(q, ORDER, state, twice, scratch)
+            }
             _ => step.run::<Double, ORDER>(q, direction, twice) == Outcome::Done,
         })
     }

@@ -144,7 +144,7 @@ impl Sample {
             reach: Reach::of(&scene, &solver),
             parts: parts(&scene),
             range: range(&scene, &solver),
-            state,
+            state: state.into_state(),
             scene,
         }
     }

@@ -8,7 +8,7 @@ use super::stage::{Stage, solved};
 use crate::drawing::{self, Figure, Reach};
 use crate::report::{Pairing, Tables};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Solver, State};
+use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{Ball, Input};
 
 /// Of the places that figures are fitted to, differences are fitted to one of so many.
@@ -38,8 +38,8 @@ pub(crate) struct Rival {
 #[derive(Debug)]
 struct Other {
     opened: Opened,
-    state: State,
-    enclosure: State<Ball>,
+    state: Workspace,
+    enclosure: Workspace<Ball>,
     /// How many units of the open scene one of its own is.
     scale: f64,
 }

@@ -14,7 +14,7 @@ use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{Answers, Forces, Tables};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, harmless};
-use crate::solver::{Condition, Order, Pick, Solver, State};
+use crate::solver::{Condition, Order, Pick, Solver, State, Workspace};
 use std::path::PathBuf;
 
 /// States that the tables' columns are fitted to; fewer where a state has very many figures.
@@ -30,8 +30,8 @@ pub(crate) struct Stage {
     reach: Reach,
     sheet: Sheet,
     at: f64,
-    state: State,
-    enclosure: State<Ball>,
+    state: Workspace,
+    enclosure: Workspace<Ball>,
     tables: Tables,
     cost: Cost,
     /// What the given lengths do, while that is looked at.
@@ -279,8 +279,8 @@ impl Stage {
     pub(crate) fn tables_at(
         &self,
         at: f64,
-        state: &mut State,
-        enclosure: &mut State<Ball>,
+        state: &mut Workspace,
+        enclosure: &mut Workspace<Ball>,
     ) -> Tables {
         solved(&self.opened, at, Order::Acceleration, state, enclosure)
     }
@@ -321,8 +321,8 @@ pub(crate) fn solved(
     opened: &Opened,
     at: f64,
     order: Order,
-    state: &mut State,
-    enclosure: &mut State<Ball>,
+    state: &mut Workspace,
+    enclosure: &mut Workspace<Ball>,
 ) -> Tables {
     opened.solver.solve(at, order, state);
     opened.solver.enclose(state, order, enclosure);
@@ -330,7 +330,7 @@ pub(crate) fn solved(
 }
 
 /// The tables at coordinates spread over the whole motion, the opening first.
-fn samples(opened: &Opened, course: &Course, state: &mut State) -> Vec<Tables> {
+fn samples(opened: &Opened, course: &Course, state: &mut Workspace) -> Vec<Tables> {
     let places = places(&opened.scene, course).into_iter();
     places
         .map(|at| {

@@ -2,7 +2,7 @@
 
 use super::Opened;
 use crate::report::{Document, Worked, Working};
-use crate::solver::{Order, State};
+use crate::solver::{Order, Workspace};
 
 /// Significant digits, as in the tables.
 const DIGITS: usize = 6;
@@ -13,7 +13,7 @@ const MOST_LINKS: usize = 64;
 #[derive(Debug)]
 pub(crate) struct Explained {
     working: Working,
-    state: State,
+    state: Workspace,
     document: Document,
 }
 

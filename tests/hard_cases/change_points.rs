@@ -43,7 +43,7 @@ impl FourBar {
             matches!(condition, Condition::Ok | Condition::ChangePoint),
             "{condition:?} at {angle}"
         );
-        state
+        state.into_state()
     }
 
     fn place(&self, angle: f64) -> Vec2 {

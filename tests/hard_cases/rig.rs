@@ -170,7 +170,7 @@ pub(crate) fn solved(solver: &Solver, at: f64) -> State {
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Acceleration, &mut state);
     assert_eq!(condition, Condition::Ok, "at {at}");
-    state
+    state.into_state()
 }
 
 /// What the solver says of a coordinate.

@@ -64,7 +64,7 @@ fn solved(solver: &Solver, at: f64) -> State {
         matches!(condition, Condition::Ok | Condition::ChangePoint),
         "{condition:?} at {at}"
     );
-    state
+    state.into_state()
 }
 
 /// Angles that lie far from a change point, close to it, and on it.

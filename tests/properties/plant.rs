@@ -157,7 +157,7 @@ pub(crate) fn at_start(solver: &Solver, mechanism: &Mechanism, order: Order) -> 
     let mut state = solver.state();
     let condition = solver.solve(mechanism.driver().start, order, &mut state);
     assert_ne!(condition, Condition::NoAssembly, "the planted pose exists");
-    state
+    state.into_state()
 }
 
 /// Checks that all that can be solved closes, once around.

@@ -6,7 +6,7 @@ use super::super::{Aspect, Quantity, Subject, demand};
 use super::Curve;
 use super::span::usual;
 use crate::angle::{self, TURN};
-use crate::solver::{Condition, Order, Range, Solver, State};
+use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{LANES, Lanes};
 
 /// Of its range, a curve that goes through more than this from one sample to the next is looked at
@@ -42,8 +42,8 @@ pub(super) struct Probe {
     columns: Vec<Quantity>,
     range: Range,
     clock: Option<Clock>,
-    state: State,
-    lanes: State<Lanes>,
+    state: Workspace,
+    lanes: Workspace<Lanes>,
 }
 
 impl Probe {

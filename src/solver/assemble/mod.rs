@@ -16,6 +16,7 @@ use super::network::Network;
 use super::plan::{Group, Pick, Plan};
 use super::state::{Condition, State};
 use super::step::{Dyad, Outcome, Step};
+use super::workspace::Workspace;
 use crate::{PointId, Vec2};
 
 /// Two ways whose distances from the rough places differ by less than this part are not told apart.
@@ -68,7 +69,7 @@ pub(super) fn assemble(
     network: &Network<'_>,
     plan: &Plan,
     request: &Request<'_>,
-    state: &mut State,
+    state: &mut Workspace,
 ) -> Result<Beginning, Fault> {
     let assembler = Assembler {
         network,
@@ -96,7 +97,11 @@ pub(super) struct Assembler<'a> {
 }
 
 impl Assembler<'_> {
-    pub(super) fn settle_all(&self, engine: &mut Engine, state: &mut State) -> Result<(), Halt> {
+    pub(super) fn settle_all(
+        &self,
+        engine: &mut Engine,
+        state: &mut Workspace,
+    ) -> Result<(), Halt> {
         for number in 0..self.plan.groups.len() {
             self.settle(number, engine, state)?;
         }
@@ -105,7 +110,12 @@ impl Assembler<'_> {
     }
 
     /// Places the groups from one on; whether they could be.
-    pub(super) fn settle_from(&self, first: usize, engine: &mut Engine, state: &mut State) -> bool {
+    pub(super) fn settle_from(
+        &self,
+        first: usize,
+        engine: &mut Engine,
+        state: &mut Workspace,
+    ) -> bool {
         (first..self.plan.groups.len()).all(|n| self.settle(n, engine, state).is_ok())
     }
 
@@ -114,7 +124,7 @@ impl Assembler<'_> {
         &self,
         number: usize,
         engine: &mut Engine,
-        state: &mut State,
+        state: &mut Workspace,
     ) -> Result<(), Halt> {
         self.lead_in(number, engine, state);
         let way = if self.key(number, engine).is_some() {
@@ -131,7 +141,7 @@ impl Assembler<'_> {
     }
 
     /// All ways in which a group can be placed; those before it stand.
-    pub(super) fn ways(&self, number: usize, engine: &Engine, state: &mut State) -> Vec<Way> {
+    pub(super) fn ways(&self, number: usize, engine: &Engine, state: &mut Workspace) -> Vec<Way> {
         self.lead_in(number, engine, state);
         if let Some(key) = self.key(number, engine) {
             return match self.closing(key, engine, state) {
@@ -155,12 +165,12 @@ impl Assembler<'_> {
         number: usize,
         way: &Way,
         engine: &mut Engine,
-        state: &mut State,
+        state: &mut Workspace,
     ) -> Condition {
         match way {
             Way::Only => {}
             Way::Side(sign) => {
-                state.signs[number] = *sign;
+                state.state.signs[number] = *sign;
                 engine.signs[number] = *sign;
             }
             Way::Root(z) => self.take_root(number, z, engine, state),
@@ -171,7 +181,7 @@ impl Assembler<'_> {
     // ---- the steps of a group
 
     /// Runs what a group needs before its ways part.
-    fn lead_in(&self, number: usize, engine: &Engine, state: &mut State) {
+    fn lead_in(&self, number: usize, engine: &Engine, state: &mut Workspace) {
         let steps = steps_of(engine, number);
         let parting = self
             .key(number, engine)
@@ -209,8 +219,12 @@ impl Assembler<'_> {
 
     // ---- dyads
 
-    fn closing(&self, key: usize, engine: &Engine, state: &mut State) -> Outcome {
-        engine.place_dyad(&engine.program.steps[key], self.request.at, state)
+    fn closing(&self, key: usize, engine: &Engine, state: &mut Workspace) -> Outcome {
+        engine.place_dyad(
+            &engine.program.steps[key],
+            self.request.at,
+            &mut state.state,
+        )
     }
 
     /// The side that was picked, or the one nearer to the rough places.
@@ -218,7 +232,7 @@ impl Assembler<'_> {
         &self,
         number: usize,
         engine: &mut Engine,
-        state: &mut State,
+        state: &mut Workspace,
     ) -> Result<Way, Halt> {
         let Some(key) = self.key(number, engine) else {
             return Ok(Way::Only);
@@ -247,13 +261,13 @@ impl Assembler<'_> {
         number: usize,
         key: usize,
         engine: &mut Engine,
-        state: &mut State,
+        state: &mut Workspace,
     ) -> Result<Way, Halt> {
         let wanted = self.wanted(number, engine);
         let subject = self.subject(number, engine, key);
         let mut found = [(0.0, Vec2::ZERO); 2];
         for (found, sign) in found.iter_mut().zip([1.0, -1.0]) {
-            state.signs[number] = sign;
+            state.state.signs[number] = sign;
             let steps = steps_of(engine, number);
             engine.run_steps(steps, self.request.at, Order::Position, state);
             *found = (miss(&wanted, state), state.points[subject.index()].p);
@@ -325,7 +339,7 @@ impl Assembler<'_> {
         &self,
         stretched: usize,
         engine: &mut Engine,
-        state: &mut State,
+        state: &mut Workspace,
     ) -> Result<Beginning, Fault> {
         let looking = Assembler {
             order: Order::Position,

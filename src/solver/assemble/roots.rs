@@ -6,6 +6,7 @@ use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::plan::Pick;
 use crate::solver::state::State;
+use crate::solver::workspace::Workspace;
 use crate::{PointId, Vec2};
 
 /// The grain of the order of solutions, in units of about the longest link and in degrees.
@@ -57,17 +58,16 @@ impl Assembler<'_> {
         number: usize,
         z: &[f64],
         engine: &mut Engine,
-        state: &mut State,
+        work: &mut Workspace,
     ) {
         let Some((_, index)) = self.coupled(number, engine) else {
             return;
         };
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let mut scratch = std::mem::take(&mut state.scratch);
+        let Workspace { state, scratch, .. } = work;
         let group = &mut engine.program.coupled[index];
-        group.open(&mut scratch).z.copy_from_slice(z);
-        group.side = group.correct(q, state, &mut scratch).side;
-        state.scratch = scratch;
+        group.open(scratch).z.copy_from_slice(z);
+        group.side = group.correct(q, state, scratch).side;
     }
 
     /// The solution that was picked, or the one nearest to the rough places.
@@ -75,43 +75,49 @@ impl Assembler<'_> {
         &self,
         number: usize,
         engine: &Engine,
-        state: &mut State,
+        work: &mut Workspace,
     ) -> Result<Way, Halt> {
         match self.request.picks[number] {
             Some(Pick::Number(n)) => {
-                let roots = self.all_roots(number, engine, state);
+                let roots = self.all_roots(number, engine, work);
                 let found = roots.len();
                 let root = roots.into_iter().nth(n.wrapping_sub(1));
                 let root = root.ok_or_else(|| self.no_choice(number, found))?;
                 Ok(Way::Root(root))
             }
             Some(Pick::Plus | Pick::Minus) => {
-                let found = self.all_roots(number, engine, state).len();
+                let found = self.all_roots(number, engine, work).len();
                 Err(self.no_choice(number, found).into())
             }
-            None => self.nearest_root(number, engine, state),
+            None => self.nearest_root(number, engine, work),
         }
     }
 
     /// Newton from the rough places; where they say too little, from a fan of directions.
-    fn nearest_root(&self, number: usize, engine: &Engine, state: &mut State) -> Result<Way, Halt> {
+    fn nearest_root(
+        &self,
+        number: usize,
+        engine: &Engine,
+        work: &mut Workspace,
+    ) -> Result<Way, Halt> {
         let Some(group) = self.coupled_of(number, engine) else {
             return Ok(Way::Only);
         };
         let wanted = self.wanted(number, engine);
-        let near = |care, state: &mut State| self.roots_near(number, &wanted, care, engine, state);
-        let mut roots = near(Care::Newton, state);
+        let near =
+            |care, work: &mut Workspace| self.roots_near(number, &wanted, care, engine, work);
+        let mut roots = near(Care::Newton, work);
         if roots.is_empty() {
-            roots = near(Care::TrustRegion, state);
+            roots = near(Care::TrustRegion, work);
         }
         // From far away Newton's method need not come to the nearest one.
         let allowed = ROUGH * ROUGH * wanted.len() as f64;
         let is_near = roots.iter().any(|root| {
-            self.show_root(group, root, engine, state);
-            miss(&wanted, state) <= allowed
+            self.show_root(group, root, engine, work);
+            miss(&wanted, work) <= allowed
         });
         if !is_near && !wanted.is_empty() {
-            for root in self.all_roots(number, engine, state) {
+            for root in self.all_roots(number, engine, work) {
                 if !roots.iter().any(|other| is_same(other, &root)) {
                     roots.push(root);
                 }
@@ -120,9 +126,9 @@ impl Assembler<'_> {
         let subject = self.group(number).point.unwrap_or(PointId::new(0));
         let mut found = Vec::new();
         for root in roots {
-            self.show_root(group, &root, engine, state);
-            let place = state.points[subject.index()].p;
-            found.push((miss(&wanted, state), root, place));
+            self.show_root(group, &root, engine, work);
+            let place = work.points[subject.index()].p;
+            found.push((miss(&wanted, work), root, place));
         }
         if wanted.is_empty() && found.len() > 1 {
             let choices = found.iter().map(|f| engine.frame.place(f.2)).collect();
@@ -134,7 +140,7 @@ impl Assembler<'_> {
             let (q, _) = engine.coordinate::<f64>(self.request.at);
             return Err(Fault::NotAssembled {
                 points: self.group(number).points.clone(),
-                gap: group.gap(q, state) * engine.frame.scale,
+                gap: group.gap(q, &work.state, &mut work.scratch) * engine.frame.scale,
             }
             .into());
         };
@@ -146,16 +152,15 @@ impl Assembler<'_> {
         &self,
         number: usize,
         engine: &Engine,
-        state: &mut State,
+        work: &mut Workspace,
     ) -> Vec<Vec<f64>> {
-        let roots = self.roots_near(number, &[], Care::Sparse, engine, state);
+        let roots = self.roots_near(number, &[], Care::Sparse, engine, work);
         let Some(group) = self.coupled_of(number, engine) else {
             return roots;
         };
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let mut scratch = std::mem::take(&mut state.scratch);
-        let mut roots = group.relatives(q, roots, state, &mut scratch);
-        state.scratch = scratch;
+        let Workspace { state, scratch, .. } = work;
+        let mut roots = group.relatives(q, roots, state, scratch);
         roots.sort_by_key(|z| rank(group, z));
         roots
     }
@@ -167,15 +172,15 @@ impl Assembler<'_> {
         wanted: &[(PointId, Vec2)],
         care: Care,
         engine: &Engine,
-        state: &mut State,
+        work: &mut Workspace,
     ) -> Vec<Vec<f64>> {
         let Some(group) = self.coupled_of(number, engine) else {
             return Vec::new();
         };
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let mut roots: Vec<Vec<f64>> = Vec::new();
-        let middles = self.middles(number, state, wanted);
-        let guesses = self.guesses(number, group, wanted, state);
+        let middles = self.middles(number, work, wanted);
+        let guesses = self.guesses(number, group, wanted, work);
         let (most, stride) = match care {
             Care::Newton => (usize::MAX, 1),
             Care::Sparse => (usize::MAX, stride(guesses.len())),
@@ -183,17 +188,16 @@ impl Assembler<'_> {
         };
         for directions in guesses.iter().step_by(stride).take(most) {
             for &middle in &middles {
-                let mut scratch = std::mem::take(&mut state.scratch);
+                let Workspace { state, scratch, .. } = &mut *work;
                 let near = |p: PointId| wanted.iter().find(|w| w.0 == p).map_or(middle, |w| w.1);
-                group.set_guess(group.open(&mut scratch).z, near, directions);
+                group.set_guess(group.open(scratch).z, near, directions);
                 let settled = match care {
-                    Care::Newton | Care::Sparse => group.correct(q, state, &mut scratch).settled,
-                    Care::TrustRegion => group.approach(q, state, &mut scratch),
+                    Care::Newton | Care::Sparse => group.correct(q, state, scratch).settled,
+                    Care::TrustRegion => group.approach(q, state, scratch),
                 };
                 let settled =
-                    settled && group.finish(q, crate::solver::step::POSITION, state, &mut scratch);
-                let z = group.open(&mut scratch).z.to_vec();
-                state.scratch = scratch;
+                    settled && group.finish(q, crate::solver::step::POSITION, state, scratch);
+                let z = group.open(scratch).z.to_vec();
                 if settled && !roots.iter().any(|other| is_same(other, &z)) {
                     roots.push(z);
                 }
@@ -203,12 +207,11 @@ impl Assembler<'_> {
     }
 
     /// Puts the points of a solution into the state.
-    fn show_root(&self, group: &Coupled, z: &[f64], engine: &Engine, state: &mut State) {
+    fn show_root(&self, group: &Coupled, z: &[f64], engine: &Engine, work: &mut Workspace) {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let mut scratch = std::mem::take(&mut state.scratch);
-        group.open(&mut scratch).z.copy_from_slice(z);
-        group.finish(q, crate::solver::step::POSITION, state, &mut scratch);
-        state.scratch = scratch;
+        let Workspace { state, scratch, .. } = work;
+        group.open(scratch).z.copy_from_slice(z);
+        group.finish(q, crate::solver::step::POSITION, state, scratch);
     }
 
     /// Places to begin from for joints without a start: amid what is known, and around it.

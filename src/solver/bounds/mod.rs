@@ -27,7 +27,7 @@ use super::order::Ordering;
 use super::plan::Plan;
 use super::state::{Condition, State};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
-use super::{Order, Solver};
+use super::{Order, Solver, Workspace};
 use crate::arithmetic::typed_radius;
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 use std::sync::Arc;
@@ -69,9 +69,8 @@ pub(super) fn at_once(
 impl Solver {
     /// Room for a state with bounds.
     #[must_use]
-    pub fn enclosure(&self) -> State<Ball> {
-        let mut enclosure = self.engine.enclosure(self.slides);
-        enclosure.forces = self.room_for_forces();
+    pub fn enclosure(&self) -> Workspace<Ball> {
+        let mut enclosure = self.with_forces(self.engine.enclosure(self.slides));
         let at_once = self.at_once.as_ref();
         enclosure.at_once = at_once.map(|engine| Box::new(engine.enclosure(self.slides)));
         enclosure
@@ -80,20 +79,16 @@ impl Solver {
     /// Encloses what the solver has just put into `state`: every figure that is read from
     /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
     /// proved. `order` is the one that the state was solved to, or less. Allocates nothing.
-    pub fn enclose(&self, state: &State, order: Order, enclosure: &mut State<Ball>) {
+    pub fn enclose(&self, state: &State, order: Order, enclosure: &mut Workspace<Ball>) {
         // Within rounding beyond a limit the figures are those of the limit: there is no other truth.
         let at = self.motion.within(state.at);
-        if let (Some(engine), Some(mut whole)) = (&self.at_once, enclosure.at_once.take()) {
-            let proved = engine.enclose_to(at, order, state, &mut whole);
-            if proved {
-                enclosure.take_over(&whole, engine);
-            }
-            enclosure.at_once = Some(whole);
-            if proved {
-                self.engine.enclose_helpers(enclosure);
-                self.balance(order, enclosure);
-                return;
-            }
+        if let (Some(engine), Some(whole)) = (&self.at_once, &mut enclosure.at_once)
+            && engine.enclose_to(at, order, state, whole)
+        {
+            enclosure.state.take_over(whole, engine);
+            self.engine.enclose_helpers(&mut enclosure.state);
+            self.balance(order, enclosure);
+            return;
         }
         self.engine.enclose_to(at, order, state, enclosure);
         self.balance(order, enclosure);
@@ -126,8 +121,8 @@ impl Dyad<'_> {
 }
 
 impl Engine {
-    fn enclosure(&self, slides: usize) -> State<Ball> {
-        let mut enclosure: State<Ball> = self.state(slides);
+    fn enclosure(&self, slides: usize) -> Workspace<Ball> {
+        let mut enclosure: Workspace<Ball> = self.state(slides);
         let groups = self.program.coupled.iter();
         let work = groups.map(|g| g.work()).max().unwrap_or(0);
         enclosure.scratch.work = vec![0.0; work];
@@ -145,13 +140,8 @@ impl Engine {
     }
 
     /// Encloses a state; whether every step was proved, with its rates.
-    fn enclose_to(
-        &self,
-        at: f64,
-        order: Order,
-        state: &State,
-        enclosure: &mut State<Ball>,
-    ) -> bool {
+    fn enclose_to(&self, at: f64, order: Order, state: &State, work: &mut Workspace<Ball>) -> bool {
+        let enclosure = &mut work.state;
         enclosure.at = Ball::new(at, typed_radius(at));
         enclosure.condition = state.condition;
         if state.condition == Condition::NoAssembly {
@@ -161,13 +151,18 @@ impl Engine {
             *ball = Ball::exactly(sign);
         }
         match order {
-            Order::Position => self.enclose::<POSITION>(state, enclosure),
-            Order::Velocity => self.enclose::<VELOCITY>(state, enclosure),
-            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, enclosure),
+            Order::Position => self.enclose::<POSITION>(state, work),
+            Order::Velocity => self.enclose::<VELOCITY>(state, work),
+            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, work),
         }
     }
 
-    fn enclose<const ORDER: u8>(&self, state: &State, enclosure: &mut State<Ball>) -> bool {
+    fn enclose<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Ball>) -> bool {
+        let Workspace {
+            state: enclosure,
+            scratch,
+            ..
+        } = work;
         let (q, direction) = self.coordinate(enclosure.at);
         let mut all = true;
         for step in &self.program.steps {
@@ -178,7 +173,7 @@ impl Engine {
                 Step::Cylinder(c) => c.enclose::<ORDER>(q, state, enclosure),
                 Step::Swing(s) => s.enclose::<ORDER>(state, enclosure),
                 Step::Coupled { index } => {
-                    self.program.coupled[*index].enclose(q, ORDER, state, enclosure)
+                    self.program.coupled[*index].enclose(q, ORDER, state, enclosure, scratch)
                 }
                 Step::Crank { .. }
                 | Step::Spin { .. }
@@ -262,10 +257,10 @@ mod tests {
             solver.solve(at, Order::Position, &mut state);
             assert!(solver.solve_twice(&state, Order::Position, &mut truth));
             let off = |k: usize| OFF * (1.0 + k as f64).sin();
-            for (k, point) in state.points.iter_mut().enumerate() {
+            for (k, point) in state.state.points.iter_mut().enumerate() {
                 point.p += Vec2::new(off(2 * k), off(2 * k + 1));
             }
-            for (k, link) in state.links.iter_mut().enumerate() {
+            for (k, link) in state.state.links.iter_mut().enumerate() {
                 link.d = link.d.turned(crate::angle::unit(off(3 * k).to_degrees()));
             }
             for group in &solver.engine.program.coupled {

@@ -3,7 +3,7 @@
 //! With Q what has come to the unknowns, J^T lambda = Q; an equation presses with -lambda times its
 //! gradient on what it ties together.
 
-use super::{Base, Coupled, Equation, Room, Spot, Turning};
+use super::{Base, Coupled, Equation, Room, Scratch, Spot, Turning};
 use crate::solver::forces::{Forces, Slots};
 use crate::solver::lu;
 use crate::solver::state::State;
@@ -23,11 +23,11 @@ impl Coupled {
         &self,
         q: T,
         slots: &Slots,
-        state: &mut State<T>,
+        state: &State<T>,
+        scratch: &mut Scratch<T>,
         forces: &mut Forces<T>,
     ) -> bool {
-        let mut scratch = std::mem::take(&mut state.scratch);
-        let mut room = self.open(&mut scratch);
+        let mut room = self.open(scratch);
         self.read(state, room.z);
         self.jacobian(q, state, &mut room);
         let n = self.unknowns();
@@ -43,7 +43,6 @@ impl Coupled {
             lu::solve_transposed(room.matrix, room.pivots, room.right, n);
             self.press(&room, &mut ledger);
         }
-        state.scratch = scratch;
         solved
     }
 

@@ -5,7 +5,7 @@
 //! matrix over the whole box; where this falls inside the box, there is exactly one. The rates
 //! are solutions of linear equations with the same matrix, and are enclosed likewise.
 
-use super::{Base, Coupled, Room, Scratch};
+use super::{Coupled, Room, Scratch};
 use crate::arithmetic::{U, half_ulp, two_product, two_sum};
 use crate::solver::lu;
 use crate::solver::state::State;
@@ -35,16 +35,12 @@ impl Coupled {
         order: u8,
         state: &State,
         enclosure: &mut State<Ball>,
+        scratch: &mut Scratch<Ball>,
     ) -> bool {
-        // Taken out for the while, so that the group can read the states; moves no memory.
-        let mut scratch = std::mem::take(&mut enclosure.scratch);
-        let proved = self
-            .prove(q, order, state, enclosure, &mut scratch)
-            .is_some();
+        let proved = self.prove(q, order, state, enclosure, scratch).is_some();
         if proved {
-            self.write(q, enclosure, &self.open(&mut scratch));
+            self.write(q, enclosure, &self.open(scratch));
         }
-        enclosure.scratch = scratch;
         proved
     }
 }
@@ -63,24 +59,6 @@ impl Coupled {
     pub(in crate::solver) fn work(&self) -> usize {
         let n = self.unknowns();
         2 * n * n + 2 * n + self.width() + 2 * n
-    }
-
-    /// z, z' and z'' as a state has them.
-    fn read_rates(&self, state: &State, numbers: &mut [f64]) {
-        let (z, rates) = numbers.split_at_mut(self.width());
-        let (first, second) = rates.split_at_mut(self.unknowns());
-        self.read(state, z);
-        for (point, spot) in &self.spots {
-            if let (Base::Free(i), None) = (spot.base, spot.arm) {
-                let point = &state.points[point.index()];
-                (first[2 * i], first[2 * i + 1]) = (point.v.x, point.v.y);
-                (second[2 * i], second[2 * i + 1]) = (point.a.x, point.a.y);
-            }
-        }
-        for (i, link) in self.turning.iter().enumerate() {
-            let link = &state.links[link.index()];
-            (first[2 * self.free + i], second[2 * self.free + i]) = (link.w, link.a);
-        }
     }
 
     fn prove(
@@ -106,7 +84,10 @@ impl Coupled {
                 left,
                 most: f64::INFINITY,
             };
-            self.read_rates(state, numbers);
+            let (z, rates) = numbers.split_at_mut(self.width());
+            let (first, second) = rates.split_at_mut(n);
+            self.read(state, z);
+            self.read_rates(state, first, second);
             let z = &*numbers;
             self.centre(z, &mut room);
             self.jacobian(q, enclosure, &mut room);

@@ -125,7 +125,7 @@ pub(super) struct Coupled {
     turns: Vec<Vec2<Constant>>,
     free: usize,
     equations: Vec<Equation>,
-    /// Where its room in the state's scratch begins.
+    /// Where its room in the scratch begins.
     pub offset: usize,
     /// Its place among the groups of the plan: it has a sign there, which changes where the motion
     /// passes through a change point.
@@ -392,28 +392,48 @@ impl Coupled {
 
     /// Takes z from what the group has placed: the inverse of writing it.
     pub(in crate::solver) fn read<T: Number>(&self, state: &State<T>, z: &mut [T]) {
+        self.read_as(state, z, |number| number);
+    }
+
+    /// The same in an arithmetic of more digits.
+    fn read_as<S: Number, T>(&self, state: &State<S>, z: &mut [T], exactly: impl Fn(S) -> T) {
         for (point, spot) in &self.spots {
             if let (Base::Free(i), None) = (spot.base, spot.arm) {
                 let Vec2 { x, y } = state.points[point.index()].p;
-                (z[2 * i], z[2 * i + 1]) = (x, y);
+                (z[2 * i], z[2 * i + 1]) = (exactly(x), exactly(y));
             }
         }
         for (i, (link, turn)) in self.turning.iter().zip(&self.turns).enumerate() {
             let at = 2 * (self.free + i);
             let d = state.links[link.index()].d;
             let Vec2 { x, y } = d.turned(Vec2::of(turn.conj()));
-            (z[at], z[at + 1]) = (x, y);
+            (z[at], z[at + 1]) = (exactly(x), exactly(y));
+        }
+    }
+
+    /// Takes z' and z'' from what the group has placed, as far as that has been solved.
+    fn read_rates<T: Number>(&self, state: &State, first: &mut [T], second: &mut [T]) {
+        let mut put = |i: usize, v: f64, a: f64| {
+            (first[i], second[i]) = (T::exactly(v), T::exactly(a));
+        };
+        for (point, spot) in &self.spots {
+            if let (Base::Free(i), None) = (spot.base, spot.arm) {
+                let PointState { v, a, .. } = state.points[point.index()];
+                put(2 * i, v.x, a.x);
+                put(2 * i + 1, v.y, a.y);
+            }
+        }
+        for (i, link) in self.turning.iter().enumerate() {
+            let link = &state.links[link.index()];
+            put(2 * self.free + i, link.w, link.a);
         }
     }
 
     /// How far the equations are from holding at the z in the scratch, as a length.
-    pub(super) fn gap(&self, q: f64, state: &mut State) -> f64 {
-        let mut scratch = std::mem::take(&mut state.scratch);
-        let mut room = self.open(&mut scratch);
+    pub(super) fn gap(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
+        let mut room = self.open(scratch);
         self.residuals(q, state, &mut room);
-        let gap = lu::largest(room.right);
-        state.scratch = scratch;
-        gap
+        lu::largest(room.right)
     }
 
     /// The points and links of earlier groups that this one is built on.

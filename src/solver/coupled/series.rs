@@ -10,6 +10,7 @@ use super::{Coupled, Room, Scratch};
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
+use crate::solver::workspace::Workspace;
 use crate::{Double, Number, Vec2};
 
 /// Two directions of the quadratic that differ by less than this part have become one: the branches
@@ -82,16 +83,15 @@ impl Coupled {
     pub(in crate::solver) fn follow(
         &self,
         q: Series,
-        here: &mut State,
+        here: &mut Workspace,
         toward: Option<&[f64]>,
-        state: &mut State<Series>,
+        series: &mut Workspace<Series>,
     ) -> bool {
-        let mut scratch = std::mem::take(&mut here.scratch);
-        let mut room = self.open(&mut scratch);
-        self.jacobian(q.nearest(), here, &mut room);
+        let mut room = self.open(&mut here.scratch);
+        self.jacobian(q.nearest(), &here.state, &mut room);
         let z = room.z.to_vec();
         let matrix = room.matrix.to_vec();
-        here.scratch = scratch;
+        let Workspace { state, scratch, .. } = series;
         let n = self.unknowns();
         let mut path = Path {
             group: self,
@@ -99,16 +99,14 @@ impl Coupled {
             z: &z,
             unknowns: vec![Series::default(); n],
         };
-        let mut own = std::mem::take(&mut state.scratch);
-        let done = path.solve(&matrix, toward, state, &mut own).is_some();
+        let done = path.solve(&matrix, toward, state, scratch).is_some();
         if done {
-            let mut room = self.open(&mut own);
+            let mut room = self.open(scratch);
             room.first.fill(Series::default());
             room.second.fill(Series::default());
             path.fill(&mut room);
             self.write(q, state, &room);
         }
-        state.scratch = own;
         done
     }
 }

@@ -1,6 +1,6 @@
 //! A coupled group to be read: its unknowns, and what the last step of Newton's method had before it.
 
-use super::{Base, Coupled, Equation, Spot};
+use super::{Base, Coupled, Equation, Scratch, Spot};
 use crate::solver::state::State;
 use crate::solver::{Condition, Solver};
 use crate::{LinkId, PointId, Vec2};
@@ -54,17 +54,17 @@ impl Solver {
             return Vec::new();
         }
         let (q, _) = self.engine.coordinate(state.at);
+        let mut scratch = self.engine.scratch();
         let groups = self.engine.program.coupled.iter();
         groups
-            .map(|group| group.last_step(q, &mut state.clone()))
+            .map(|group| group.last_step(q, state, &mut scratch))
             .collect()
     }
 }
 
 impl Coupled {
-    fn last_step(&self, q: f64, state: &mut State) -> Newton {
-        let mut scratch = std::mem::take(&mut state.scratch);
-        let mut room = self.open(&mut scratch);
+    fn last_step(&self, q: f64, state: &State, scratch: &mut Scratch) -> Newton {
+        let mut room = self.open(scratch);
         self.read(state, room.z);
         self.residuals(q, state, &mut room);
         self.jacobian(q, state, &mut room);

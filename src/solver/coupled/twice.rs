@@ -1,6 +1,6 @@
 //! A coupled group in twice the precision.
 
-use super::{Coupled, Room};
+use super::{Coupled, Room, Scratch};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::solver::step::{ACCELERATION, VELOCITY};
@@ -18,27 +18,17 @@ impl Coupled {
         order: u8,
         state: &State,
         twice: &mut State<Double>,
+        scratch: &mut Scratch<Double>,
     ) -> bool {
-        let mut scratch = std::mem::take(&mut twice.scratch);
         let mut work = std::mem::take(&mut scratch.work);
-        let mut room = self.open(&mut scratch);
-        let numbers = &state.scratch.numbers[self.offset..];
-        let (width, n) = (self.width(), self.unknowns());
-        let copy = |from: usize, to: &mut [Double]| {
-            let from = &numbers[from..from + to.len()];
-            to.iter_mut()
-                .zip(from)
-                .for_each(|(t, &f)| *t = Double::exactly(f));
-        };
-        copy(0, room.z);
-        copy(width, room.first);
-        copy(width + n, room.second);
+        let mut room = self.open(scratch);
+        self.read_as(state, room.z, Double::exactly);
+        self.read_rates(state, room.first, room.second);
         let solved = self.refine_in(q, order, twice, &mut room, &mut work);
         if solved {
             self.write(q, twice, &room);
         }
         scratch.work = work;
-        twice.scratch = scratch;
         solved
     }
 

@@ -30,10 +30,11 @@ pub use open::Indeterminate;
 pub use read::Residual;
 pub(super) use slots::Slots;
 
+use super::coupled::Scratch;
 use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
-use super::{Order, Solver};
+use super::{Order, Solver, Workspace};
 use crate::{Constant, LinkId, Number, PointId, SlideId, StrokeEnd, Vec2};
 use acting::Acting;
 use frame::Framed;
@@ -200,7 +201,7 @@ impl Balance {
     /// Finds what a redundant linkage leaves open, at several places of its motion.
     fn leave_open(&mut self, network: &Network<'_>, solver: &Solver) {
         let mut state = solver.state();
-        state.forces = Some(self.room(&solver.engine));
+        state.state.forces = Some(self.room(&solver.engine));
         let open = Open::find(self, network, solver, &mut state);
         self.indeterminate = open.list(network.mechanism, &self.slots);
         self.open = Arc::new(open);
@@ -252,17 +253,18 @@ impl Balance {
         balance: Option<&Balance>,
         engine: &Engine,
         order: Order,
-        state: &mut State<T>,
+        work: &mut Workspace<T>,
     ) {
         match balance {
-            Some(balance) if order == Order::Force => balance.balance(engine, state),
-            Some(_) | None => state.forget_forces(),
+            Some(balance) if order == Order::Force => balance.balance(engine, work),
+            Some(_) | None => work.state.forget_forces(),
         }
     }
 
     /// Finds the forces of a state that has been solved to its accelerations.
     #[inline(always)]
-    fn balance<T: Number>(&self, engine: &Engine, state: &mut State<T>) {
+    fn balance<T: Number>(&self, engine: &Engine, work: &mut Workspace<T>) {
+        let Workspace { state, scratch, .. } = work;
         let Some(mut forces) = state.forces.take() else {
             return;
         };
@@ -277,7 +279,7 @@ impl Balance {
         }
         if forces.extent == Extent::All {
             self.frame.note_ground(&mut forces, state);
-            if self.run_back(engine, state, &mut forces) {
+            if self.run_back(engine, state, scratch, &mut forces) {
                 if let Some(link) = engine.driven() {
                     forces.drive = forces.links[link.index()];
                 }
@@ -296,14 +298,15 @@ impl Balance {
     fn run_back<T: Number>(
         &self,
         engine: &Engine,
-        state: &mut State<T>,
+        state: &State<T>,
+        scratch: &mut Scratch<T>,
         forces: &mut Forces<T>,
     ) -> bool {
         let (q, _) = engine.coordinate(state.at);
         self.passes.iter().rev().all(|pass| match pass {
             Pass::Coupled { index } => {
                 let group = &engine.program.coupled[*index];
-                group.run_back(q, &self.slots, state, forces)
+                group.run_back(q, &self.slots, state, scratch, forces)
             }
             pass => {
                 pass.run(state, forces);

@@ -9,6 +9,7 @@ use super::{Balance, Extent, Forces, Slots};
 use crate::solver::network::Network;
 use crate::solver::plan::{Gauge, Watch};
 use crate::solver::state::{Condition, State};
+use crate::solver::workspace::Workspace;
 use crate::solver::{Order, Solver};
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
@@ -54,7 +55,7 @@ impl Open {
         balance: &Balance,
         network: &Network<'_>,
         solver: &Solver,
-        state: &mut State,
+        work: &mut Workspace,
     ) -> Open {
         let mut open = Open::none(network.mechanism, &balance.slots);
         if solver.engine.program.watches.is_empty() && network.repeated_locks.is_empty() {
@@ -63,8 +64,8 @@ impl Open {
         let (low, high) = solver.motion.range.ends();
         let places = PLACES.map(|part| low + part * (high - low));
         for at in places.into_iter().chain([solver.opening]) {
-            if solver.solve(at, Order::Position, state) == Condition::Ok {
-                open.find_at(balance, network, solver, state);
+            if solver.solve(at, Order::Position, work) == Condition::Ok {
+                open.find_at(balance, network, solver, work);
             }
         }
         open
@@ -76,10 +77,10 @@ impl Open {
         balance: &Balance,
         network: &Network<'_>,
         solver: &Solver,
-        state: &mut State,
+        work: &mut Workspace,
     ) {
         for watch in &solver.engine.program.watches {
-            self.probe(balance, solver, state, |state, forces, felt| {
+            self.probe(balance, solver, work, |state, forces, felt| {
                 press(watch, &balance.slots, network, state, forces, felt);
             });
         }
@@ -89,7 +90,7 @@ impl Open {
                 continue;
             };
             let on = network.body(given.on);
-            self.probe(balance, solver, state, |_, forces, felt| {
+            self.probe(balance, solver, work, |_, forces, felt| {
                 forces.links[link.index()] += 1.0;
                 forces.links[on.index()] += -1.0;
                 felt.moments[slide.index()] = 1.0;
@@ -102,16 +103,17 @@ impl Open {
         &mut self,
         balance: &Balance,
         solver: &Solver,
-        state: &mut State,
+        work: &mut Workspace,
         press: impl Fn(&State, &mut Forces<f64>, &mut Felt),
     ) {
+        let Workspace { state, scratch, .. } = work;
         let Some(mut forces) = state.forces.take() else {
             return;
         };
         forces.clear();
         let mut felt = Felt::new(self);
         press(state, &mut forces, &mut felt);
-        if balance.run_back(&solver.engine, state, &mut forces) {
+        if balance.run_back(&solver.engine, state, scratch, &mut forces) {
             balance.locked.finish(&mut forces);
             balance.frame.free_origins(state, &mut forces);
             self.mark(&forces, &felt);

@@ -1,6 +1,6 @@
 //! Where the stroke of a slide ends.
 
-use crate::solver::{Condition, Order, Solver, State};
+use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{Ball, Constant, SlideId, StrokeEnd};
 
 /// The motion is looked at so many times before each end that was seen is closed in on.
@@ -41,8 +41,8 @@ pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Constant {
 /// The slide at a coordinate.
 struct Look<'a> {
     solver: &'a Solver,
-    state: State,
-    enclosure: State<Ball>,
+    state: Workspace,
+    enclosure: Workspace<Ball>,
     slide: SlideId,
     /// 1 where the least position is meant, else -1.
     sign: f64,

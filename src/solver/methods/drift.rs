@@ -1,12 +1,12 @@
 //! The unknowns of all groups as a system of differential equations: an integration drifts with it.
 
 use super::{Deviation, Methods, run};
-use crate::solver::state::State;
+use crate::solver::Workspace;
 use crate::solver::step::{ACCELERATION, VELOCITY};
 
 /// Unknowns that move by their rates alone; whether the loops stay closed nobody asks.
 pub(crate) struct Drift {
-    state: State,
+    state: Workspace,
     /// z of all groups at the beginning of a step.
     base: Vec<f64>,
     /// Where each group begins in the base and among the unknowns.

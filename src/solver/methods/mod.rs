@@ -19,7 +19,7 @@ use super::engine::Engine;
 use super::network::Network;
 use super::state::State;
 use super::step::{ACCELERATION, Outcome, Step};
-use super::{Condition, Group, GroupKind, Order, Range, Solver, chain};
+use super::{Condition, Group, GroupKind, Order, Range, Solver, Workspace, chain};
 use crate::{Double, LinkId, Mechanism, Number, PointId};
 use deviation::Subjects;
 
@@ -30,9 +30,9 @@ pub(crate) struct Methods {
     /// Every group by its rows; `None` where they cannot be listed.
     rows: Option<Rows>,
     subjects: Subjects,
-    reference: State<Double>,
+    reference: Workspace<Double>,
     /// A state of the solver itself.
-    guide: State,
+    guide: Workspace,
     /// The side on which every group of rows was when it was last looked up.
     sides: Vec<f64>,
 }
@@ -41,7 +41,7 @@ pub(crate) struct Methods {
 struct Rows {
     engine: Engine,
     /// To look into.
-    probe: State,
+    probe: Workspace,
     /// What each group reads of earlier ones.
     inputs: Vec<(Vec<PointId>, Vec<LinkId>)>,
     /// The one unknown angle of each group.
@@ -119,16 +119,13 @@ impl Methods {
 
     /// Whether a state of rows is of the assembly that was looked up last, as far as the sides of its
     /// groups tell.
-    fn is_same_assembly(&self, state: &mut State) -> bool {
+    fn is_same_assembly(&self, work: &mut Workspace) -> bool {
         let Some(rows) = &self.rows else { return true };
         let (q, _) = rows.engine.coordinate(self.guide.at);
-        let mut scratch = std::mem::take(&mut state.scratch);
+        let Workspace { state, scratch, .. } = work;
         let groups = rows.engine.program.coupled.iter().zip(&self.sides);
-        let mut sides = groups.map(|(group, side)| side * group.side_at(q, state, &mut scratch));
-        let same = sides.all(|product| product >= 0.0);
-        drop(sides);
-        state.scratch = scratch;
-        same
+        let mut sides = groups.map(|(group, side)| side * group.side_at(q, state, scratch));
+        sides.all(|product| product >= 0.0)
     }
 
     /// Stands at a coordinate, for methods that begin there, without looking anything up.
@@ -143,11 +140,11 @@ impl Methods {
 }
 
 /// Begins where a state of the solver stands: its assembly, and what its coupled groups have found.
-fn follow<T: Number>(guide: &State, state: &mut State<T>) {
-    for (to, from) in state.signs.iter_mut().zip(&guide.signs) {
+fn follow<T: Number>(guide: &Workspace, work: &mut Workspace<T>) {
+    for (to, from) in work.state.signs.iter_mut().zip(&guide.signs) {
         *to = T::exactly(*from);
     }
-    let numbers = state.scratch.numbers.iter_mut();
+    let numbers = work.scratch.numbers.iter_mut();
     for (to, from) in numbers.zip(&guide.scratch.numbers) {
         *to = T::exactly(*from);
     }
@@ -158,18 +155,15 @@ fn follow<T: Number>(guide: &State, state: &mut State<T>) {
 fn run<T: Number, const ORDER: u8>(
     engine: &Engine,
     at: T,
-    state: &mut State<T>,
+    work: &mut Workspace<T>,
     mut solve: impl FnMut(&Coupled, T, &State<T>, &mut Scratch<T>) -> bool,
 ) -> bool {
     let (q, direction) = engine.coordinate(at);
+    let Workspace { state, scratch, .. } = work;
     engine.program.steps.iter().all(|step| match step {
         Step::Coupled { index } => {
             let group = &engine.program.coupled[*index];
-            let mut scratch = std::mem::take(&mut state.scratch);
-            let solved =
-                solve(group, q, state, &mut scratch) && group.finish(q, ORDER, state, &mut scratch);
-            state.scratch = scratch;
-            solved
+            solve(group, q, state, scratch) && group.finish(q, ORDER, state, scratch)
         }
         _ => step.run::<T, ORDER>(q, direction, state) == Outcome::Done,
     })

@@ -1,6 +1,7 @@
 //! A method at work: it solves one position after the other and keeps what it needs between them.
 
 use super::{Deviation, Method, Methods, Rows, Start, follow, run};
+use crate::solver::Workspace;
 use crate::solver::state::State;
 use crate::solver::step::ACCELERATION;
 use crate::solver::{Condition, Order};
@@ -17,27 +18,27 @@ pub(crate) struct Runner {
 )]
 enum Work {
     /// What the solver itself does.
-    Solver(State),
+    Solver(Workspace),
     Bounded {
-        state: State,
-        enclosure: State<Ball>,
+        state: Workspace,
+        enclosure: Workspace<Ball>,
     },
     Single {
-        guide: State,
-        state: State<f32>,
+        guide: Workspace,
+        state: Workspace<f32>,
     },
     Polished {
-        closed: State,
-        state: State,
-        exact: State<Double>,
+        closed: Workspace,
+        state: Workspace,
+        exact: Workspace<Double>,
     },
     Newton {
-        state: State,
+        state: Workspace,
         tolerance: f64,
         start: Start,
     },
     Bisection {
-        state: State,
+        state: Workspace,
         /// The signs of the dyads in closed form, which tell the side of a change point.
         signs: Vec<f64>,
     },
@@ -172,7 +173,7 @@ impl Runner {
 
 /// The closed forms in single precision; coupled groups from the solver's anchors. The assembly is
 /// that of the solver, which chooses it without solving anything.
-fn single(methods: &Methods, at: f64, guide: &mut State, state: &mut State<f32>) -> bool {
+fn single(methods: &Methods, at: f64, guide: &mut Workspace, state: &mut Workspace<f32>) -> bool {
     /// Steps of Newton's method no longer shrink below the rounding of single precision.
     const TOLERANCE: f64 = 1e-5;
     let solver = &methods.solver;
@@ -180,7 +181,7 @@ fn single(methods: &Methods, at: f64, guide: &mut State, state: &mut State<f32>)
     solver
         .motion
         .passages
-        .choose(&solver.engine, at, &mut guide.signs);
+        .choose(&solver.engine, at, &mut guide.state.signs);
     follow(guide, state);
     let at = f32::exactly(at);
     run::<_, ACCELERATION>(&solver.engine, at, state, |group, q, state, scratch| {
@@ -193,9 +194,14 @@ fn polished(
     rows: &Rows,
     at: f64,
     closed: &State,
-    state: &mut State,
-    exact: &mut State<Double>,
+    state: &mut Workspace,
+    exact: &mut Workspace<Double>,
 ) -> bool {
+    let Workspace {
+        state: exact,
+        scratch: fine,
+        ..
+    } = exact;
     let mut inputs = rows.inputs.iter();
     run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
         let (points, links) = inputs.next().map_or((&[][..], &[][..]), |(p, l)| (p, l));
@@ -206,9 +212,6 @@ fn polished(
             exact.links[link.index()].d = state.links[link.index()].d.exactly();
         }
         group.read(closed, group.open(scratch).z);
-        let mut fine = std::mem::take(&mut exact.scratch);
-        let done = group.polish(q, state, scratch, exact, &mut fine);
-        exact.scratch = fine;
-        done
+        group.polish(q, state, scratch, exact, fine)
     })
 }

@@ -2,7 +2,7 @@
 
 use super::walk::SAMPLES;
 use crate::solver::engine::Engine;
-use crate::solver::state::State;
+use crate::solver::workspace::Workspace;
 
 /// States of the coupled groups along the motion, by the driver's coordinate.
 #[derive(Clone, Debug, Default)]
@@ -25,7 +25,7 @@ impl Anchors {
     }
 
     /// Puts into the scratch what the nearest anchor predicts for `at`.
-    pub(in crate::solver) fn aim(&self, engine: &Engine, at: f64, state: &mut State) {
+    pub(in crate::solver) fn aim(&self, engine: &Engine, at: f64, work: &mut Workspace) {
         if self.at.is_empty() {
             return;
         }
@@ -44,31 +44,37 @@ impl Anchors {
         } else {
             above
         };
-        self.aim_from(nearest, engine, reduced, state);
+        self.aim_from(nearest, engine, reduced, work);
     }
 
     /// As [`Anchors::aim`], from the nearest of the anchors that were pushed last.
-    pub(super) fn aim_from_latest(&self, engine: &Engine, at: f64, state: &mut State) {
+    pub(super) fn aim_from_latest(&self, engine: &Engine, at: f64, work: &mut Workspace) {
         let latest = self.at.len().saturating_sub(SAMPLES)..self.at.len();
         let far = |&i: &usize| (self.at[i] - at).abs();
         if let Some(nearest) = latest.min_by(|i, j| far(i).total_cmp(&far(j))) {
-            self.aim_from(nearest, engine, at, state);
+            self.aim_from(nearest, engine, at, work);
         }
     }
 
     /// As [`Anchors::aim`], from the latest anchor that is not beyond a coordinate on the way.
-    pub(super) fn aim_from_before(&self, engine: &Engine, at: f64, sense: f64, state: &mut State) {
+    pub(super) fn aim_from_before(
+        &self,
+        engine: &Engine,
+        at: f64,
+        sense: f64,
+        work: &mut Workspace,
+    ) {
         let is_before = |&anchor: &f64| (anchor - at) * sense <= 0.0;
         if let Some(latest) = self.at.iter().rposition(is_before) {
-            self.aim_from(latest, engine, at, state);
+            self.aim_from(latest, engine, at, work);
         }
     }
 
-    pub(super) fn aim_from(&self, anchor: usize, engine: &Engine, at: f64, state: &mut State) {
+    pub(super) fn aim_from(&self, anchor: usize, engine: &Engine, at: f64, work: &mut Workspace) {
         let dq = engine.difference(self.at[anchor], at);
         let mut from = anchor * Anchors::stride(engine);
         for group in &engine.program.coupled {
-            let mut room = group.open(&mut state.scratch);
+            let mut room = group.open(&mut work.scratch);
             for part in [&mut *room.z, &mut *room.first, &mut *room.second] {
                 part.copy_from_slice(&self.numbers[from..from + part.len()]);
                 from += part.len();
@@ -94,13 +100,13 @@ impl Anchors {
         self.truncate(engine, kept);
     }
 
-    pub(super) fn push(&mut self, engine: &Engine, at: f64, state: &mut State) {
+    pub(super) fn push(&mut self, engine: &Engine, at: f64, work: &mut Workspace) {
         if engine.program.coupled.is_empty() {
             return;
         }
         self.at.push(at);
         for group in &engine.program.coupled {
-            let room = group.open(&mut state.scratch);
+            let room = group.open(&mut work.scratch);
             for part in [&*room.z, &*room.first, &*room.second] {
                 self.numbers.extend_from_slice(part);
             }

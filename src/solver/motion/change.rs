@@ -7,6 +7,7 @@ use crate::solver::Order;
 use crate::solver::passage::Passage;
 use crate::solver::state::{Condition, State};
 use crate::solver::step::{Dyad, Outcome, POSITION, REACH_SLACK, Step};
+use crate::solver::workspace::Workspace;
 use crate::solver::zero::zero;
 use crate::{Double, Number};
 
@@ -87,7 +88,8 @@ impl Walker<'_> {
     /// Changes the sign of the group of a step.
     pub(super) fn flip(&mut self, step: usize) {
         if let Some(group) = self.engine.group_of(step) {
-            self.state.signs[group] = -self.state.signs[group];
+            let sign = &mut self.state.state.signs[group];
+            *sign = -*sign;
         }
     }
 
@@ -130,7 +132,7 @@ impl Walker<'_> {
     pub(super) fn is_stretched(&mut self, step: usize, group: usize, at: f64) -> bool {
         let engine = self.engine;
         let step = &engine.program.steps[step];
-        let placed = engine.place_dyad(step, at, &mut self.state);
+        let placed = engine.place_dyad(step, at, &mut self.state.state);
         // Equal arms whose pivots meet have no direction, but no gap either.
         let has_no_gap = self.state.measures[group].abs() <= GAP;
         let (q, _) = engine.coordinate(at);
@@ -150,7 +152,7 @@ impl Walker<'_> {
             return None;
         }
         let engine = self.engine;
-        engine.place_dyad(&engine.program.steps[step], at, &mut self.state);
+        engine.place_dyad(&engine.program.steps[step], at, &mut self.state.state);
         engine.program.steps[step].dyad()?.stretch_rate(&self.state)
     }
 
@@ -192,10 +194,10 @@ impl Walker<'_> {
             let there = engine.moved(change.at, dq);
             self.aim_at(there);
             let side = if dq * sense < 0.0 { before } else { beyond };
-            self.state.signs.copy_from_slice(&side.signs);
+            self.state.state.signs.copy_from_slice(&side.signs);
             let steps = 0..step + 1;
             let condition = engine.run_steps(steps, there, Order::Position, &mut self.state);
-            (condition == Condition::Ok).then(|| self.state.clone())
+            (condition == Condition::Ok).then(|| self.state.state.clone())
         };
         Passage::through(change.at, group, engine.outputs(step), &series, solved)
     }
@@ -207,11 +209,11 @@ impl Walker<'_> {
         changes: &[Change],
         before: &State,
         beyond: &State,
-    ) -> Option<State<Series>> {
+    ) -> Option<Workspace<Series>> {
         let engine = self.engine;
         let up = if self.sense > 0.0 { beyond } else { before };
         let mut series = engine.state::<Series>(self.state.travels.len());
-        series.signs = up.signs.iter().map(|&s| Series::exactly(s)).collect();
+        series.state.signs = up.signs.iter().map(|&s| Series::exactly(s)).collect();
         let place = if engine.turns {
             Series::angle(change.at)
         } else {
@@ -242,10 +244,10 @@ impl Walker<'_> {
                 (_, Some(_)) => {
                     let dyad = step.dyad()?;
                     let side = up.signs[dyad.group()];
-                    dyad.run_through(q, side, &mut series) == Outcome::Done
+                    dyad.run_through(q, side, &mut series.state) == Outcome::Done
                 }
                 (_, None) => {
-                    step.run::<Series, POSITION>(q, direction, &mut series) == Outcome::Done
+                    step.run::<Series, POSITION>(q, direction, &mut series.state) == Outcome::Done
                 }
             };
             if !done {
@@ -257,10 +259,11 @@ impl Walker<'_> {
 
     /// Takes places and directions from the beginning of series.
     fn take_places(&mut self, series: &State<Series>) {
-        for (point, from) in self.state.points.iter_mut().zip(&series.points) {
+        let here = &mut self.state.state;
+        for (point, from) in here.points.iter_mut().zip(&series.points) {
             point.p = from.p.nearest();
         }
-        for (link, from) in self.state.links.iter_mut().zip(&series.links) {
+        for (link, from) in here.links.iter_mut().zip(&series.links) {
             link.d = from.d.nearest();
         }
     }

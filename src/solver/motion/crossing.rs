@@ -4,8 +4,9 @@ use super::change::{Change, PASSING};
 use super::walk::Walker;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
-use crate::solver::state::{Condition, State};
+use crate::solver::state::Condition;
 use crate::solver::step::{REACH_SLACK, Step};
+use crate::solver::workspace::Workspace;
 
 /// Newton's steps to a crossing, from a start with half of the digits.
 const STEPS: usize = 20;
@@ -72,7 +73,7 @@ impl Walker<'_> {
     }
 
     /// Where the solutions of a coupled group cross close to a limit.
-    fn crossing(&mut self, step: usize, limit: f64, before: &State) -> Option<Change> {
+    fn crossing(&mut self, step: usize, limit: f64, before: &Workspace) -> Option<Change> {
         let engine = self.engine;
         let Step::Coupled { index } = engine.program.steps[step] else {
             return None;
@@ -90,15 +91,14 @@ impl Walker<'_> {
                 return None;
             }
             let (q, _) = engine.coordinate(at);
-            let mut scratch = std::mem::take(&mut self.state.scratch);
+            let Workspace { state, scratch, .. } = &mut self.state;
             let mut start = match crossing.take() {
                 Some(crossing) => Some(crossing),
-                None => group.crossing(q, &self.state, &mut scratch),
+                None => group.crossing(q, state, scratch),
             };
-            let correction = start.as_mut().and_then(|crossing| {
-                group.approach_crossing(crossing, q, &self.state, &mut scratch)
-            });
-            self.state.scratch = scratch;
+            let correction = start
+                .as_mut()
+                .and_then(|crossing| group.approach_crossing(crossing, q, state, scratch));
             let Correction { size, dq } = correction?;
             crossing = start;
             at = engine.moved(at, dq);

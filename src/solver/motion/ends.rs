@@ -11,6 +11,7 @@ use crate::solver::Order;
 use crate::solver::coupled::Correction;
 use crate::solver::state::{Condition, State};
 use crate::solver::step::{Outcome, POSITION, Step};
+use crate::solver::workspace::Workspace;
 use crate::solver::zero::zero;
 use crate::{Double, Number};
 
@@ -26,7 +27,7 @@ const SAME_FOLD: f64 = 1e-6;
 
 impl Walker<'_> {
     /// The limit at which the motion ends, to the last digit; `state` is the last one before it.
-    pub(super) fn refined(&mut self, limit: f64, state: &State) -> f64 {
+    pub(super) fn refined(&mut self, limit: f64, state: &Workspace) -> f64 {
         self.state.clone_from(state);
         let refined = self.ending_step(limit).and_then(|step| {
             if let Step::Coupled { index } = self.engine.program.steps[step] {
@@ -67,7 +68,7 @@ impl Walker<'_> {
     /// Where a dyad's measure is zero, next to a limit; other steps have none.
     fn end_of_reach(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
-        let mut exact = self.engine.state::<Double>(self.state.travels.len());
+        let mut exact = self.engine.state::<Double>(self.state.travels.len()).state;
         let signs = self.state.signs.iter();
         exact.signs = signs.map(|&s| Double::exactly(s)).collect();
         let by = self.sense * self.ulp(limit);
@@ -111,7 +112,8 @@ impl Walker<'_> {
             if inputs == Condition::NoAssembly {
                 return None;
             }
-            self.engine.place_dyad(&steps[step], at, &mut self.state);
+            self.engine
+                .place_dyad(&steps[step], at, &mut self.state.state);
             return Some(self.state.measures[group]);
         }
         let (q, direction) = self.engine.coordinate(Double::exactly(at));
@@ -130,7 +132,7 @@ impl Walker<'_> {
 
     /// The fold of a coupled group that is next to a limit: Newton on {F = 0, J v = 0, c.v = 1}. Keeps
     /// the state there, since the group's own matrix is singular.
-    fn fold(&mut self, step: usize, index: usize, limit: f64, state: &State) -> Option<f64> {
+    fn fold(&mut self, step: usize, index: usize, limit: f64, state: &Workspace) -> Option<f64> {
         let group = &self.engine.program.coupled[index];
         self.state.clone_from(state);
         let mut fold = group.fold(&mut self.state.scratch)?;
@@ -142,9 +144,8 @@ impl Walker<'_> {
                 return None;
             }
             let (q, _) = self.engine.coordinate(at);
-            let mut scratch = std::mem::take(&mut self.state.scratch);
-            let correction = group.approach_fold(&mut fold, q, &self.state, &mut scratch);
-            self.state.scratch = scratch;
+            let Workspace { state, scratch, .. } = &mut self.state;
+            let correction = group.approach_fold(&mut fold, q, state, scratch);
             let Correction { size, dq } = correction?;
             at = self.engine.moved(at, dq);
             if size < FOLDED || size >= last && size < FOLDED.sqrt() {

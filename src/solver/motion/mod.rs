@@ -20,7 +20,7 @@ use super::angle_turn;
 use super::engine::Engine;
 use super::fault::Fault;
 use super::passage::Passages;
-use super::state::State;
+use super::workspace::Workspace;
 use walk::{End, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
@@ -159,7 +159,7 @@ const MOST_DRAWS: i32 = 24;
 ///
 /// # Errors
 /// [`Fault::OverConstrained`] where a constraint that was set aside stops holding.
-pub(super) fn explore(engine: &Engine, start: f64, state: &State) -> Result<Motion, Fault> {
+pub(super) fn explore(engine: &Engine, start: f64, state: &Workspace) -> Result<Motion, Fault> {
     let mut walker = Walker {
         engine,
         state: state.clone(),

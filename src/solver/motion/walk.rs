@@ -6,6 +6,7 @@ use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
 use crate::solver::passage::Passage;
 use crate::solver::state::{Condition, State};
+use crate::solver::workspace::Workspace;
 use crate::solver::{Order, angle_turn};
 
 /// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
@@ -49,7 +50,7 @@ pub(super) enum End {
 /// Someone who follows the motion from its start, in one direction.
 pub(super) struct Walker<'e> {
     pub(super) engine: &'e Engine,
-    pub(super) state: State,
+    pub(super) state: Workspace,
     pub(super) anchors: Anchors,
     /// The last few states, by coordinate and measures.
     pub(super) seen: Vec<(f64, Vec<f64>)>,

@@ -5,7 +5,7 @@
 //! them the ram goes one way, so that every place of it has one q.
 
 use crate::angle::radians;
-use crate::solver::{Condition, Demand, Order, Range, Solver, State, zero};
+use crate::solver::{Condition, Demand, Order, Range, Solver, Workspace, zero};
 use crate::{Body, Input, Mechanism, SlideId, StrokeEnd};
 use thiserror::Error;
 
@@ -115,7 +115,7 @@ struct Leg {
 #[derive(Clone, Debug)]
 struct Guide {
     solver: Solver,
-    state: State,
+    state: Workspace,
     slide: SlideId,
     range: Range,
     /// The driver's speed and acceleration in the units of its derivatives.

@@ -2,7 +2,7 @@
 
 use super::Effort;
 use super::course::Course;
-use crate::solver::{Condition, Order, Solver, State};
+use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{Mechanism, Vec2};
 
 /// Solves at places of a cycle, on the way back with the opposite speed.
@@ -38,11 +38,11 @@ impl Source {
     }
 
     /// States to solve into, one for each way.
-    pub(super) fn states(&self) -> [State; 2] {
+    pub(super) fn states(&self) -> [Workspace; 2] {
         self.solvers.each_ref().map(Solver::state)
     }
 
-    pub(super) fn step(&self, at: f64, back: bool, states: &mut [State; 2]) -> Step {
+    pub(super) fn step(&self, at: f64, back: bool, states: &mut [Workspace; 2]) -> Step {
         let way = usize::from(back);
         let state = &mut states[way];
         let condition = self.solvers[way].solve(at, Order::Force, state);
