@@ -112,6 +112,7 @@ pub mod drawing;
 mod explain;
 mod mechanism;
 mod nearest;
+mod numeric;
 pub mod quantity;
 mod replace;
 pub mod report;

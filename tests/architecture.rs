@@ -11,8 +11,9 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 17] = [
+const PLACES: [(&str, u8); 18] = [
     ("nearest", 0),
+    ("numeric", 0),
     ("arithmetic", 0),
     ("replace", 0),
     ("document", 1),

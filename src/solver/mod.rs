@@ -62,7 +62,6 @@ pub use plan::{Group, GroupKind, Pick, Plan};
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
 pub use workspace::Workspace;
-pub(crate) use zero::zero;
 
 use crate::{Element, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
 use assemble::Request;

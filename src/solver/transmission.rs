@@ -14,8 +14,8 @@ use super::motion::positive_remainder;
 use super::state::{Condition, State};
 use super::step::Step;
 use super::workspace::Workspace;
-use super::zero::{few_decimals, zero};
 use super::{Order, Range, Solver};
+use crate::numeric::{few_decimals, root};
 use crate::{LinkId, PointId, Vec2};
 
 /// Cosines that differ by no more are equal as far as parabolas between samples tell: brackets as
@@ -261,9 +261,8 @@ impl<'s> Joint<'s> {
             self.look(condition, state)
         };
         let finest = self.solver.engine.finest();
-        let at = zero((a.at, read(&a)?), (b.at, read(&b)?), finest, |at| {
-            read(&solved(at)?)
-        })?;
+        let ends = [(a.at, read(&a)?), (b.at, read(&b)?)];
+        let at = root(ends[0], ends[1], finest, |at| read(&solved(at)?)).ok()?;
         let round = few_decimals(at);
         let is_blurred = (round - at).abs() <= BLUR * finest.max(f64::EPSILON * at.abs());
         solved(if is_blurred { round } else { at })

@@ -1,11 +1,12 @@
 //! Reading quantities anywhere on the way: samples, jumps between them, and where exactly a figure turns.
 
 use super::super::clock::{Clock, Pace, paced};
-use super::super::extrema::{Extremum, lowest, turns};
+use super::super::extrema::Extremum;
 use super::super::{Aspect, Quantity, Subject, demand};
 use super::Curve;
 use super::span::usual;
 use crate::angle::{self, TURN};
+use crate::numeric::{Unsettled, lowest, turns};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{LANES, Lanes};
 
@@ -302,7 +303,9 @@ impl Probe {
         let here = places[sample];
         let sense = if is_peak { -1.0 } else { 1.0 };
         let f = |place| Some(sense * self.value(column, place)?);
-        let (place, value) = lowest(f, [here - step, here + step], (here, sense * value));
+        let found = lowest(f, [here - step, here + step], (here, sense * value));
+        // Beside a gap the lowest that was seen is still a value of the figure.
+        let (place, value) = found.unwrap_or_else(Unsettled::best);
         (place, sense * value)
     }
 }

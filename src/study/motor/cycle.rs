@@ -1,11 +1,11 @@
 //! The figures of a cycle.
 
-use super::chebyshev::{Basis, Sum, crossings};
 use super::course::Course;
 use super::periodic::{Means, Periodic, periodic};
 use super::pieces::{Piece, Pieces, Sampler};
 use super::{CHANNELS, Effort, MOMENT, Measure, TORQUES};
 use crate::Vec2;
+use crate::numeric::chebyshev::{Basis, crossings};
 
 /// The largest or the least value of something, and where.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -289,19 +289,15 @@ impl Cycle {
 
     fn read(&mut self, means: Option<Periodic>) {
         let means = means.map_or_else(|| self.means(), |periodic| periodic.means);
-        let mut scratch = Vec::new();
-        let mut effects = [Effect::default(); TORQUES];
-        for (channel, effect) in effects.iter_mut().enumerate() {
-            *effect = self.effect(channel, &means, &mut scratch);
-        }
-        let [all, load, gravity, inertia] = effects;
+        let effect = |channel| self.effect(channel, &means);
+        let [all, load, gravity, inertia]: [Effect; TORQUES] = std::array::from_fn(effect);
         self.all = all;
         self.parts = [load, gravity, inertia];
         if self.course.goes_round {
-            self.fluctuation = self.fluctuate(means.mean[0], &mut scratch);
+            self.fluctuation = self.fluctuate(means.mean[0]);
         }
         if !self.course.ends_dead {
-            self.shaking = self.shake(&means, &mut scratch);
+            self.shaking = self.shake(&means);
         }
     }
 
@@ -319,16 +315,13 @@ impl Cycle {
         means
     }
 
-    fn effect(&self, channel: usize, means: &Means, turns: &mut Vec<f64>) -> Effect {
+    fn effect(&self, channel: usize, means: &Means) -> Effect {
         let (mut put_in, mut given_back, mut signed) = (0.0, 0.0, 0.0);
         let mut largest: [Option<Peak>; 4] = [None; 4];
-        let mut zeros = Vec::new();
         for piece in &self.pieces.list {
             let sum = &piece.sums[channel];
-            turns.clear();
-            zeros.clear();
-            sum.turns(turns);
-            sum.zeros(turns, &mut zeros);
+            let turns = sum.turns();
+            let zeros = sum.zeros(&turns);
             let integral = sum.integral();
             let mut before = 0.0;
             for &t in zeros.iter().chain(&[1.0]) {
@@ -396,16 +389,12 @@ impl Cycle {
     }
 
     /// The extremes of the work of the torque less its mean: they lie where the two are equal.
-    fn fluctuate(&self, mean: f64, turns: &mut Vec<f64>) -> Option<Fluctuation> {
-        let mut zeros = Vec::new();
+    fn fluctuate(&self, mean: f64) -> Option<Fluctuation> {
         let (mut least, mut most) = ((0.0, 0.0), (0.0, 0.0));
         let mut before = 0.0;
         for piece in &self.pieces.list {
             let excess = piece.sums[0].less(mean);
-            turns.clear();
-            zeros.clear();
-            excess.turns(turns);
-            excess.zeros(turns, &mut zeros);
+            let zeros = excess.zeros(&excess.turns());
             let integral = excess.integral();
             for &t in zeros.iter().chain(&[1.0]) {
                 let work = before + integral.at(t) * piece.half();
@@ -425,15 +414,14 @@ impl Cycle {
         })
     }
 
-    fn shake(&self, means: &Means, turns: &mut Vec<f64>) -> Shaking {
+    fn shake(&self, means: &Means) -> Shaking {
         let (mut force, mut vector, mut moment): (Option<Peak>, _, Option<Peak>) =
             (None, None, None);
         for piece in &self.pieces.list {
             let [x, y] = [&piece.sums[TORQUES], &piece.sums[TORQUES + 1]];
             let (dx, dy) = (x.slope(), y.slope());
-            turns.clear();
             // Where the square of the force turns.
-            crossings(|t| x.at(t) * dx.at(t) + y.at(t) * dy.at(t), turns);
+            let turns = crossings(|t| x.at(t) * dx.at(t) + y.at(t) * dy.at(t));
             for &t in turns.iter().chain(&[-1.0, 1.0]) {
                 let here = Vec2::new(x.at(t), y.at(t));
                 let before = force;
@@ -442,10 +430,8 @@ impl Cycle {
                     vector = Some(here);
                 }
             }
-            turns.clear();
-            let sum: &Sum = &piece.sums[MOMENT];
-            sum.turns(turns);
-            for &t in turns.iter().chain(&[-1.0, 1.0]) {
+            let sum = &piece.sums[MOMENT];
+            for &t in sum.turns().iter().chain(&[-1.0, 1.0]) {
                 let value = sum.at(t);
                 let mut larger = moment.map(|peak| Peak {
                     value: peak.value.abs(),

@@ -4,7 +4,7 @@
 //! ```text
 //! course     the driver's way through one cycle: round, or there and back
 //! marks      where on it a load bends or jumps
-//! pieces     between these, what the driver must do as sums of Chebyshev polynomials (chebyshev)
+//! pieces     between these, what the driver must do as sums of Chebyshev polynomials
 //! periodic   where nothing bends: the trapezoid rule over the whole cycle
 //! cycle      peaks, means, energies, fluctuation, shaking: read from these
 //! duty       a mechanism and its solver over the cycle
@@ -17,7 +17,6 @@
 //! Nothing here solves a mechanism: the figures are those of any function of the coordinate, and the
 //! solver is asked for it in one place.
 
-mod chebyshev;
 mod course;
 mod cycle;
 mod duty;

@@ -4,9 +4,9 @@
 //! Chebyshev polynomials stands for what was solved there. Everything else - integrals, zeros, peaks -
 //! is read from the sums.
 
-use super::chebyshev::{Basis, Sum, TERMS};
 use super::course::{Course, Place};
 use super::{CHANNELS, Effort, Measure};
+use crate::numeric::chebyshev::{Basis, Sum, TERMS};
 
 /// A part of the way on which everything is smooth.
 #[derive(Clone, Copy, Debug)]

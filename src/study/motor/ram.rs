@@ -5,7 +5,8 @@
 //! them the ram goes one way, so that every place of it has one q.
 
 use crate::angle::radians;
-use crate::solver::{Condition, Demand, Order, Range, Solver, Workspace, zero};
+use crate::numeric::{root, roots};
+use crate::solver::{Condition, Demand, Order, Range, Solver, Workspace};
 use crate::{Body, Input, Mechanism, SlideId, StrokeEnd};
 use thiserror::Error;
 
@@ -360,9 +361,8 @@ impl Ram {
         let ends = [leg.from, leg.to].map(|centre| (centre.at, off(&centre)));
         let bottom = self.bottom.position;
         let guide = &mut self.guide;
-        zero(ends[0], ends[1], f64::EPSILON, |at| {
-            Some((guide.look(at)?.0 - bottom).abs() - height)
-        })
+        let off = |at| Some((guide.look(at)?.0 - bottom).abs() - height);
+        root(ends[0], ends[1], f64::EPSILON, off).ok()
     }
 }
 
@@ -431,25 +431,14 @@ impl Guide {
     fn legs(&mut self) -> Vec<Leg> {
         let (low, high) = self.range.ends();
         let place = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(SAMPLES);
-        let mut centres = Vec::new();
-        let mut before: Option<(f64, f64)> = None;
         // One sample more: round the end of the period.
         let last = if matches!(self.range, Range::Full { .. }) {
             SAMPLES
         } else {
             SAMPLES - 1
         };
-        for k in 0..=last {
-            let at = place(k);
-            let here = self.slope(at).map(|slope| (at, slope));
-            if let (Some(a), Some(b)) = (before, here)
-                && (a.1 < 0.0) != (b.1 < 0.0)
-            {
-                let turn = zero(a, b, f64::EPSILON, |at| self.slope(at));
-                centres.extend(turn.and_then(|at| self.centre(at)));
-            }
-            before = here;
-        }
+        let turns = roots((0..=last).map(place), f64::EPSILON, |at| self.slope(at));
+        let mut centres: Vec<Centre> = turns.into_iter().filter_map(|at| self.centre(at)).collect();
         match self.range {
             Range::Limited { .. } => {
                 let mut all: Vec<Centre> = self.centre(low).into_iter().collect();

@@ -1,4 +1,4 @@
-//! A smooth function on a piece of the way, as a sum of Chebyshev polynomials.
+//! A smooth function on an interval, as a sum of Chebyshev polynomials.
 //!
 //! On its piece a function f is c0 T0(t) + c1 T1(t) + ... with t from -1 to 1, through its values at the
 //! zeros of T24. These never include the ends of the piece, where a load may jump. How small the last
@@ -6,11 +6,11 @@
 //! Approximation Practice, chapters 3 and 8); integral, slope and places of a sum follow from its terms,
 //! and cost no state of the mechanism.
 
-use crate::solver::zero;
+use super::roots;
 use std::f64::consts::PI;
 
 /// Terms of a sum, and places at which a piece is solved.
-pub(super) const TERMS: usize = 24;
+pub(crate) const TERMS: usize = 24;
 /// The last terms, by which the rest is judged: of an even function every other one is 0.
 const LAST: usize = 4;
 /// A sum is searched for the places where it turns between so many neighbours.
@@ -19,19 +19,19 @@ const LOOKS: u32 = 64;
 const FLAT: f64 = 0.5;
 
 /// The places of a piece, and what makes terms of the values there.
-pub(super) struct Basis {
+pub(crate) struct Basis {
     /// t of every place.
-    pub(super) places: [f64; TERMS],
+    pub(crate) places: [f64; TERMS],
     /// cos of a multiple of pi / 48.
     cosines: [f64; 4 * TERMS],
 }
 
 /// A sum of Chebyshev polynomials, by the coefficients of T0, T1, ...
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Sum(pub(super) [f64; TERMS]);
+pub(crate) struct Sum(pub(crate) [f64; TERMS]);
 
 impl Basis {
-    pub(super) fn new() -> Basis {
+    pub(crate) fn new() -> Basis {
         let half = 2.0 * TERMS as f64;
         let cosines = std::array::from_fn(|m| (PI * m as f64 / half).cos());
         Basis {
@@ -41,7 +41,7 @@ impl Basis {
     }
 
     /// The sum through these values at the places.
-    pub(super) fn through(&self, values: &[f64; TERMS]) -> Sum {
+    pub(crate) fn through(&self, values: &[f64; TERMS]) -> Sum {
         Sum(std::array::from_fn(|k| {
             let cosine = |j: usize| self.cosines[(k * (2 * j + 1)) % (4 * TERMS)];
             let terms = values.iter().enumerate().map(|(j, v)| v * cosine(j));
@@ -53,7 +53,7 @@ impl Basis {
 
 impl Sum {
     /// The value at t, by Clenshaw's recurrence.
-    pub(super) fn at(&self, t: f64) -> f64 {
+    pub(crate) fn at(&self, t: f64) -> f64 {
         let (mut b1, mut b2) = (0.0, 0.0);
         for &c in self.0[1..].iter().rev() {
             (b1, b2) = (c + 2.0 * t * b1 - b2, b1);
@@ -62,7 +62,7 @@ impl Sum {
     }
 
     /// The derivative by t.
-    pub(super) fn slope(&self) -> Sum {
+    pub(crate) fn slope(&self) -> Sum {
         let mut slope = [0.0; TERMS];
         for k in (1..TERMS).rev() {
             let beyond = if k + 1 < TERMS { slope[k + 1] } else { 0.0 };
@@ -73,7 +73,7 @@ impl Sum {
     }
 
     /// The integral by t from -1; without its highest term, which is a 48th of the last one here.
-    pub(super) fn integral(&self) -> Sum {
+    pub(crate) fn integral(&self) -> Sum {
         let c = &self.0;
         let mut integral: [f64; TERMS] = std::array::from_fn(|k| {
             let beyond = if k + 1 < TERMS { c[k + 1] } else { 0.0 };
@@ -93,7 +93,7 @@ impl Sum {
     }
 
     /// The integral of the product with another sum, by t from -1 to 1.
-    pub(super) fn product(&self, other: &Sum) -> f64 {
+    pub(crate) fn product(&self, other: &Sum) -> f64 {
         // Tm Tn is half of T(m + n) + T(m - n), and only even ones have an integral: 2 / (1 - k^2).
         let even = |k: usize| 2.0 / (1.0 - (k * k) as f64);
         let mut whole = 0.0;
@@ -106,43 +106,39 @@ impl Sum {
     }
 
     /// The sum less a number.
-    pub(super) fn less(mut self, offset: f64) -> Sum {
+    pub(crate) fn less(mut self, offset: f64) -> Sum {
         self.0[0] -= offset;
         self
     }
 
     /// The largest of the terms, by which values are measured.
-    pub(super) fn size(&self) -> f64 {
+    pub(crate) fn size(&self) -> f64 {
         largest(&self.0)
     }
 
     /// The largest of the last terms: what the sum is off by is of this size.
-    pub(super) fn tail(&self) -> f64 {
+    pub(crate) fn tail(&self) -> f64 {
         largest(&self.0[TERMS - LAST..])
     }
 
     /// Whether the terms no longer become smaller: what is left is rounding, or waves much shorter than
     /// the piece.
-    pub(super) fn is_flat(&self) -> bool {
+    pub(crate) fn is_flat(&self) -> bool {
         let early = TERMS / 4;
         self.tail() >= FLAT * largest(&self.0[early..early + LAST])
     }
 
-    /// Adds where the sum turns, from the lower to the upper end.
-    pub(super) fn turns(&self, to: &mut Vec<f64>) {
+    /// Where the sum turns, from the lower to the upper end.
+    pub(crate) fn turns(&self) -> Vec<f64> {
         let slope = self.slope();
-        crossings(|t| slope.at(t), to);
+        crossings(|t| slope.at(t))
     }
 
-    /// Adds where the sum is 0, from the lower to the upper end; `turns` are those of the sum: between
-    /// them it goes one way, so that no zero is missed, not even two close together.
-    pub(super) fn zeros(&self, turns: &[f64], to: &mut Vec<f64>) {
-        let mut from = (-1.0, self.at(-1.0));
-        for &t in turns.iter().chain(&[1.0]) {
-            let next = (t, self.at(t));
-            crossing(|t| self.at(t), from, next, to);
-            from = next;
-        }
+    /// Where the sum changes its sign, from the lower to the upper end; `turns` are its own: between them
+    /// it goes one way, so that no zero is missed, not even two close together.
+    pub(crate) fn zeros(&self, turns: &[f64]) -> Vec<f64> {
+        let ends = [-1.0].into_iter().chain(turns.iter().copied()).chain([1.0]);
+        roots(ends, f64::EPSILON, |t| Some(self.at(t)))
     }
 }
 
@@ -150,23 +146,10 @@ fn largest(terms: &[f64]) -> f64 {
     terms.iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
-/// Adds the places between -1 and 1 at which a function changes its sign.
-pub(super) fn crossings(f: impl Fn(f64) -> f64, to: &mut Vec<f64>) {
+/// Where a function of the sums changes its sign between -1 and 1.
+pub(crate) fn crossings(f: impl Fn(f64) -> f64) -> Vec<f64> {
     let place = |k: u32| -(PI * f64::from(k) / f64::from(LOOKS)).cos();
-    let mut from = (-1.0, f(-1.0));
-    for k in 1..=LOOKS {
-        let next = (place(k), f(place(k)));
-        crossing(&f, from, next, to);
-        from = next;
-    }
-}
-
-/// Adds the place between two at which a function changes its sign, if it does.
-fn crossing(f: impl Fn(f64) -> f64, from: (f64, f64), next: (f64, f64), to: &mut Vec<f64>) {
-    let changes = (from.1 < 0.0) != (next.1 < 0.0);
-    if changes && let Some(t) = zero(from, next, f64::EPSILON, |t| Some(f(t))) {
-        to.push(t);
-    }
+    roots((0..=LOOKS).map(place), f64::EPSILON, |t| Some(f(t)))
 }
 
 #[cfg(test)]
@@ -208,9 +191,8 @@ mod tests {
     fn zeros_are_found_even_where_two_are_close() {
         // (t - 0.3)^2 - 1e-8: twice 0 within 2e-4.
         let sum = through(|t| (t - 0.3).powi(2) - 1e-8);
-        let (mut turns, mut zeros) = (Vec::new(), Vec::new());
-        sum.turns(&mut turns);
-        sum.zeros(&turns, &mut zeros);
+        let turns = sum.turns();
+        let zeros = sum.zeros(&turns);
         assert_eq!((turns.len(), zeros.len()), (1, 2));
         assert!((turns[0] - 0.3).abs() < 1e-12);
         assert!((zeros[0] - 0.2999).abs() < 1e-10 && (zeros[1] - 0.3001).abs() < 1e-10);

@@ -1,0 +1,23 @@
+//! Functions of one variable: where they are nought, and where they turn.
+//!
+//! Dead centres, extrema, peaks and limits are all found here. A function is asked for at a place and
+//! answers `None` where it does not exist; what it stands for, nobody here knows.
+//!
+//! ```text
+//! root       the root between two places where the signs differ, and all roots along many places
+//! turns      at which of many samples a function turns, by more than noise
+//! lowest     the minimum around a place, by values alone
+//! chebyshev  a smooth function as a sum of polynomials, whose turns, roots and integral follow from it
+//! ```
+//!
+//! Where a function is smooth and its slope is known, an extremum is a root of the slope, and as good as
+//! any root; from values alone its place is known to half of the digits, since a function is level there.
+
+pub(crate) mod chebyshev;
+mod lowest;
+mod root;
+mod turns;
+
+pub(crate) use lowest::{Unsettled, lowest};
+pub(crate) use root::{few_decimals, root, roots};
+pub(crate) use turns::turns;
