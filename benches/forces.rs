@@ -51,7 +51,7 @@ fn sweep(name: &str, solver: &Solver) {
         }));
         bounds.push(time(solver, |at| {
             solve(solver, at, Order::Force, &mut state);
-            solver.enclose(&state, Order::Force, &mut enclosure);
+            solver.enclose(&mut state, Order::Force, &mut enclosure);
         }));
     }
     let [kinematics, forces, bounds] = samples.map(median);
@@ -67,10 +67,10 @@ fn motor(name: &str, scene: &Scene, solver: &Solver) {
     let mut samples = Vec::new();
     for _ in 0..SAMPLES {
         let begun = Instant::now();
-        black_box(study());
+        let _ = black_box(study());
         samples.push(begun.elapsed().as_secs_f64() * 1e3);
     }
-    if let Some(Duty { cycle, .. }) = study() {
+    if let Ok(Duty { cycle, .. }) = study() {
         let (states, error) = (cycle.states, cycle.error);
         println!(
             "{name:36} {:9.3} {states:11} {error:10.1e}",

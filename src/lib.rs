@@ -60,7 +60,7 @@
 //!
 //! // What their errors cannot exceed, looked at from the outside.
 //! let mut enclosure = solver.enclosure();
-//! solver.enclose(&state, Order::Acceleration, &mut enclosure);
+//! solver.enclose(&mut state, Order::Acceleration, &mut enclosure);
 //! let bound = enclosure.velocity(c).x.bound(v.x).expect("no dead point is near");
 //! assert!(bound < 1e-11);
 //! ```

@@ -100,7 +100,8 @@ impl Trial {
         {
             return;
         }
-        self.solver.enclose(&self.state, order, &mut self.enclosure);
+        self.solver
+            .enclose(&mut self.state, order, &mut self.enclosure);
         tally.states += 1;
         for &(subject, aspect) in &self.figures {
             let value = quantity::value(subject, aspect, &self.state);
@@ -161,7 +162,7 @@ fn an_angle_just_below_a_turn_is_within_its_bound_of_zero() {
     );
     for below in [1e-300, 1e-20, 1e-14, 2.8e-14] {
         solver.solve(-below, Order::Position, &mut state);
-        solver.enclose(&state, Order::Position, &mut balls);
+        solver.enclose(&mut state, Order::Position, &mut balls);
         let value = quantity::value(figure.0, figure.1, &state).unwrap();
         let bound = quantity::bound(figure.0, figure.1, &state, &balls).unwrap();
         let off = if value == 0.0 { below } else { 0.0 };
@@ -176,7 +177,7 @@ fn a_speed_that_was_converted_is_within_its_bound() {
     let solver = Solver::new(&scene.mechanism).unwrap();
     let (mut state, mut balls) = (solver.state(), solver.enclosure());
     solver.solve(60.0, Order::Velocity, &mut state);
-    solver.enclose(&state, Order::Velocity, &mut balls);
+    solver.enclose(&mut state, Order::Velocity, &mut balls);
     let speed = quantity::value(Subject::Driver, Aspect::Omega, &state).unwrap();
     let bound = quantity::bound(Subject::Driver, Aspect::Omega, &state, &balls).unwrap();
     let pi = Double {
@@ -205,7 +206,7 @@ fn just_beyond_a_limit_the_bounds_are_those_of_the_limit() {
         let mut bounds_at = |at: f64| -> Vec<(f64, f64)> {
             let condition = solver.solve(at, Order::Position, &mut state);
             assert_eq!(condition, Condition::DeadPoint, "{at}");
-            solver.enclose(&state, Order::Position, &mut balls);
+            solver.enclose(&mut state, Order::Position, &mut balls);
             let points = scene.mechanism.point_ids();
             let figure = |p| {
                 let subject = Subject::Point(p);

@@ -278,7 +278,7 @@ fn measure(case: &Case) -> BTreeMap<Kind, Worst> {
         let at = row[0].hi;
         let condition = solver.solve(at, Order::Acceleration, &mut state);
         assert_eq!(condition, Condition::Ok, "{} at {at}", case.name);
-        solver.enclose(&state, Order::Acceleration, &mut enclosure);
+        solver.enclose(&mut state, Order::Acceleration, &mut enclosure);
         for column in &table.columns {
             let scale = match column.kind {
                 Kind::Position => length,

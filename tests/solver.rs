@@ -652,7 +652,7 @@ fn solving_and_bounding_allocate_nothing() {
         let info = allocation_counter::measure(|| {
             for q in 0..100 {
                 s.solve(60.0 + 0.1 * f64::from(q), order, &mut state);
-                s.enclose(&state, order, &mut enclosure);
+                s.enclose(&mut state, order, &mut enclosure);
                 s.solve_twice(&state, order, &mut twice);
             }
         });

@@ -5,12 +5,12 @@ use super::failure::{Failure, note};
 use super::output::{replace, write_text, write_to};
 use super::screen::Screen;
 use super::source::Opened;
-use crate::quantity::{Catalogue, MOST_DERIVATIVES, Sensitivity};
+use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Sensitivity};
 use crate::report::{
     Answers, Check, Forces, NO_ANSWER, TableStyle, Tables, limits_text, near_misses,
 };
 use crate::scene::{Scene, harmless, presets};
-use crate::solver::{Condition, Order, Solver};
+use crate::solver::{Condition, Order, Solver, State};
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 
@@ -48,7 +48,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     }
     tell_of_near_misses(&scene, &solver, screen);
     let mut enclosure = solver.enclosure();
-    solver.enclose(&state, Order::Force, &mut enclosure);
+    solver.enclose(&mut state, Order::Force, &mut enclosure);
     let mut tables = Tables::bounded(&scene, &state, &enclosure);
     tables.forces = Forces::new(&scene, &solver, &state, Some(&enclosure));
     if args.figures.bounds {
@@ -75,7 +75,17 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         Format::Text => out.write_all(tables.to_text(style).as_bytes()),
         Format::Csv => tables.write_csv(style, out),
         Format::Json => writeln!(out, "{:#}", tables.to_json(style)),
-    })
+    })?;
+    nothing_hidden(&scene, &state)
+}
+
+/// What exists in a state and is not shown makes the command fail, once all else has been written.
+pub(super) fn nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure> {
+    let catalogue = Catalogue::new(scene);
+    match Hidden::of(catalogue.all(), state) {
+        None => Ok(()),
+        Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
+    }
 }
 
 /// There is no state here.

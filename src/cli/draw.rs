@@ -1,7 +1,7 @@
 //! `krank draw`: the linkage at one coordinate of its driver, in characters or as SVG.
 
 use super::args::{DrawArgs, Names, PictureFormat, Size};
-use super::commands::out_of_reach;
+use super::commands::{nothing_hidden, out_of_reach};
 use super::failure::{Failure, note};
 use super::output::write_text;
 use super::picture::{ASPECT, glyphs, size};
@@ -43,7 +43,8 @@ pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
         ),
         PictureFormat::Svg => picture.svg(args.size, at),
     };
-    write_text(args.output.output.as_deref(), &text)
+    write_text(args.output.output.as_deref(), &text)?;
+    nothing_hidden(&scene, &state)
 }
 
 /// A scene in a state, ready to be drawn.

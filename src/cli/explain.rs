@@ -1,7 +1,7 @@
 //! `krank explain`: the working of one state.
 
 use super::args::{ExplainArgs, TextFormat};
-use super::commands::{out_of_reach, tell_of_near_misses};
+use super::commands::{nothing_hidden, out_of_reach, tell_of_near_misses};
 use super::failure::Failure;
 use super::output::write_text;
 use super::screen::Screen;
@@ -18,6 +18,7 @@ pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure>
     let at = args.place.in_scene(&scene);
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);
+    solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
     let working = Working::new(&scene, &solver);
     let worked = working.of(&scene, &solver, &state, usize::from(args.digits));
     let text = match args.format {
@@ -32,5 +33,5 @@ pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure>
         return Err(out_of_reach(&scene, &solver, at));
     }
     tell_of_near_misses(&scene, &solver, screen);
-    Ok(())
+    nothing_hidden(&scene, &state)
 }

@@ -11,7 +11,7 @@ use crate::quantity::Catalogue;
 use crate::report::{MotorReport, MotorWishes, limits_text};
 use crate::scene::{Motor, Scene};
 use crate::solver::{Range, Solver};
-use crate::study::motor::{Duty, is_within};
+use crate::study::motor::{Duty, NoDuty, is_within};
 use crate::{Body, SlideId};
 
 pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
@@ -31,11 +31,12 @@ pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
     let report = MotorReport::new(&scene, &solver, wishes);
     tell_of_no_ram(args, &report, screen);
     let output = args.output.output.as_deref();
-    if report.duty.is_none() {
-        if args.format == Format::Csv || report.ram.is_err() {
+    match &report.duty {
+        Ok(_) | Err(NoDuty::Withheld(_)) => {}
+        Err(NoDuty::NothingActs) if args.format == Format::Csv || report.ram.is_err() => {
             return Err(Failure::Cannot(NOTHING_ACTS.into()));
         }
-        note(NOTHING_ACTS, screen);
+        Err(NoDuty::NothingActs) => note(NOTHING_ACTS, screen),
     }
     match args.format {
         Format::Text => write_text(output, &report.to_text(screen.ascii))?,
@@ -43,8 +44,12 @@ pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
         Format::Csv => write_to(output, |out| report.write_csv(out))?,
     }
     match &report.duty {
-        None => Ok(()),
-        Some(duty) => judge(duty),
+        Ok(duty) => judge(duty),
+        Err(NoDuty::NothingActs) => Ok(()),
+        Err(NoDuty::Withheld(hidden)) => {
+            let catalogue = Catalogue::new(&scene);
+            Err(Failure::Cannot(hidden.text(&catalogue.driver().unit)))
+        }
     }
 }
 

@@ -50,7 +50,11 @@ pub(super) fn plot(args: &PlotArgs, screen: Screen) -> Result<(), Failure> {
             drawn.svg(&scene.name, size, !args.no_extrema, None)
         }
     };
-    write_text(args.output.output.as_deref(), &text)
+    write_text(args.output.output.as_deref(), &text)?;
+    match &curves.hidden {
+        None => Ok(()),
+        Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
+    }
 }
 
 fn text(args: &PlotArgs, plot: &Plot, screen: Screen) -> Result<String, Failure> {

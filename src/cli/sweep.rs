@@ -57,7 +57,17 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     progress.end();
     let outcome = outcome?;
     tell_of_near_misses(&scene, &solver, screen);
-    judge(outcome, &limits_text(range, catalogue.driver()), screen)
+    let driver = catalogue.driver();
+    judge(&outcome, &limits_text(range, driver), screen)?;
+    match &outcome.first_hidden {
+        None => Ok(()),
+        Some(first) => Err(Failure::Cannot(format!(
+            "in {} of {} rows figures are withheld; {}",
+            outcome.hidden,
+            outcome.rows,
+            first.text(&driver.unit)
+        ))),
+    }
 }
 
 /// The figures that the patterns name; all where there are none. The driver and the state may be
@@ -76,11 +86,12 @@ pub(super) fn figures(
 }
 
 /// Says which rows have no values; a sweep without any has failed.
-fn judge(outcome: Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
-    let Outcome {
+fn judge(outcome: &Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
+    let &Outcome {
         rows,
         valued,
         missing,
+        ..
     } = outcome;
     note_missing(missing, valued, screen);
     if valued == rows {

@@ -38,6 +38,9 @@ impl Default for Builder {
     }
 }
 
+/// No link may be shorter than this part of the longest length: products of four lengths stay normal.
+const SHORTEST: f64 = 1e-75;
+
 impl Builder {
     /// A point fixed in the ground at (x, y).
     pub fn ground_point(&mut self, x: f64, y: f64) -> PointId {
@@ -198,6 +201,7 @@ impl Builder {
         for (i, link) in self.links.iter().enumerate() {
             check_link(LinkId::new(i), link, &mut found);
         }
+        self.check_proportions(&mut found);
         self.check_slides(&mut found);
         self.check_driver(&mut found);
         let is_unit = self.metres > 0.0 && self.metres.is_finite();
@@ -229,6 +233,37 @@ impl Builder {
                 let of = Element::Point(point);
                 found.push(Defect::Coordinates { of });
             }
+        }
+    }
+
+    /// The shortest link beside the longest length there is.
+    fn check_proportions(&self, found: &mut Vec<Defect>) {
+        let origin = self.points.iter().find_map(|point| point.ground);
+        let origin = origin.unwrap_or_default();
+        let ground = self.points.iter().filter_map(|point| point.ground);
+        let guides = self.slides.iter().map(|slide| match slide.on {
+            Body::Ground => slide.through - origin,
+            Body::Link(_) => slide.through,
+        });
+        let members = self.links.iter().flat_map(reaches).map(|(_, reach)| reach);
+        let places = ground.map(|place| place - origin).chain(guides);
+        let lengths = places.map(Vec2::norm).chain(members);
+        let longest = lengths.fold(0.0, f64::max);
+        let links = (0..self.links.len()).map(LinkId::new);
+        let arms = links.flat_map(|id| {
+            let link = &self.links[id.index()];
+            let arms =
+                reaches(link).filter(|&(point, reach)| Some(point) != link.com && reach > 0.0);
+            arms.map(move |(_, reach)| (id, reach))
+        });
+        if let Some((link, length)) = arms.min_by(|a, b| a.1.total_cmp(&b.1))
+            && length < SHORTEST * longest
+        {
+            found.push(Defect::Proportion {
+                link,
+                length,
+                longest,
+            });
         }
     }
 
@@ -272,6 +307,13 @@ impl Builder {
             }
         }
     }
+}
+
+/// How far each point of a link is from its first one.
+fn reaches(link: &Link) -> impl Iterator<Item = (PointId, f64)> + '_ {
+    let first = link.members.first().map_or(Vec2::ZERO, |m| m.local);
+    let members = link.members.iter();
+    members.map(move |member| (member.point, (member.local - first).norm()))
 }
 
 fn check_link(id: LinkId, link: &Link, found: &mut Vec<Defect>) {

@@ -314,6 +314,17 @@ pub enum Defect {
         /// The length given.
         length: f64,
     },
+    /// A link far too short beside the longest length of the mechanism: the square of its square is less than
+    /// any double in units of that.
+    #[error("the length {length} is out of all proportion to the longest one, {longest}")]
+    Proportion {
+        /// The link.
+        link: LinkId,
+        /// Its length, or the least distance of its points.
+        length: f64,
+        /// The longest length, or the largest distance on the ground or on a link.
+        longest: f64,
+    },
     /// A coordinate of a ground point, a member, a guide or a start that is not finite.
     #[error("the coordinates must be finite numbers")]
     Coordinates {

@@ -9,13 +9,18 @@ use crate::{Ball, LinkId, Number, PointId, SlideId, Vec2, angle};
 /// not its own (a point does not turn, a link keeps its length).
 #[must_use]
 pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> Option<T> {
+    found(subject, aspect, state).filter(|v| v.is_finite())
+}
+
+/// The same, though it may be too large for a number.
+pub(super) fn found<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> Option<T> {
     let exists = match state.condition() {
         Condition::Ok | Condition::ChangePoint => true,
         // Which forces exist there, the state itself knows.
         Condition::DeadPoint => matches!(aspect.order(), Order::Position | Order::Force),
         Condition::NoAssembly => false,
     };
-    let value = match subject {
+    match subject {
         Subject::Driver => Some(driver_value(aspect, state)),
         _ if !exists => None,
         Subject::Point(point) => point_value(point, aspect, state),
@@ -34,8 +39,7 @@ pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> O
                 plane(force, aspect)
             }
         }
-    };
-    value.filter(|v| v.is_finite())
+    }
 }
 
 /// How far a figure of this state can be from the true one, if that can be proved; `enclosure` is

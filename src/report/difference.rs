@@ -191,7 +191,7 @@ mod tests {
         let mut state = solver.state();
         solver.solve(at, Order::Acceleration, &mut state);
         let mut enclosure = solver.enclosure();
-        solver.enclose(&state, Order::Acceleration, &mut enclosure);
+        solver.enclose(&mut state, Order::Acceleration, &mut enclosure);
         Tables::bounded(&scene, &state, &enclosure)
     }
 

@@ -2,7 +2,7 @@
 //! and how far the two checks miss.
 
 use super::tables::{Entry, Plane, Reading};
-use crate::quantity::{Aspect, Share, Subject, value};
+use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
 use crate::scene::Scene;
 use crate::solver::{Condition, Indeterminate, Solver, State};
 use crate::{Ball, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
@@ -89,6 +89,8 @@ pub struct Forces {
     pub frame: Shaking,
     /// The two checks.
     pub checks: Checks,
+    /// Why they are withheld, though they were found: then the checks are all that is shown.
+    pub withheld: Option<String>,
     /// Reactions that a redundant linkage leaves open, as columns are named: `r5.D`, `r6.normal`.
     pub indeterminate: Vec<String>,
 }
@@ -100,6 +102,8 @@ pub enum Existence {
     Everything,
     /// What the driver must do, and no reaction.
     DriveAlone,
+    /// They were found and are withheld; the checks say why.
+    Withheld,
     /// Nothing.
     Nothing,
 }
@@ -129,6 +133,7 @@ impl Forces {
                 moment: found(Subject::Frame, Aspect::Moment, &reading),
             },
             checks: checks(scene, &reading),
+            withheld: withheld(scene, state),
             indeterminate: indeterminate(scene, solver),
         })
     }
@@ -137,6 +142,7 @@ impl Forces {
     #[must_use]
     pub fn existence(&self) -> Existence {
         match (self.drive.total.value, self.frame.force) {
+            _ if self.withheld.is_some() => Existence::Withheld,
             (None, _) => Existence::Nothing,
             (Some(_), None) => Existence::DriveAlone,
             (Some(_), Some(_)) => Existence::Everything,
@@ -146,9 +152,10 @@ impl Forces {
     /// What is to be said about figures that are missing, in whole sentences.
     #[must_use]
     pub fn remarks(&self) -> Vec<String> {
-        let mut remarks = Vec::new();
+        let mut remarks: Vec<String> = Vec::new();
         match (self.existence(), self.condition) {
             (Existence::Everything, _) => {}
+            (Existence::Withheld, _) => remarks.extend(self.withheld.clone()),
             (Existence::DriveAlone, _) => remarks.push(format!(
                 "Of the forces only the driver's {} has a value here: at a change point the links lie \
                  so that any force can run round among them.",
@@ -208,6 +215,19 @@ impl Forces {
         }
         all
     }
+}
+
+/// Why the forces of a state are withheld, in a whole sentence.
+pub(super) fn withheld(scene: &Scene, state: &State) -> Option<String> {
+    let hidden = Hidden::of_forces(state)?;
+    Some(sentence(&hidden.text(&Catalogue::new(scene).driver().unit)))
+}
+
+/// A clause as a sentence of its own.
+pub(super) fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|c| c.to_ascii_uppercase());
+    first.into_iter().chain(letters).chain(['.']).collect()
 }
 
 /// The parts of what the driver must do, and what the checks miss, as columns name them.

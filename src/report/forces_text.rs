@@ -27,6 +27,7 @@ impl Writer<'_> {
         let remarks = remarks.iter().flat_map(|text| wrapped(text, WIDTH));
         let mut parts = match forces.existence() {
             Existence::Nothing => Vec::new(),
+            Existence::Withheld => vec![self.check_table(forces)],
             Existence::DriveAlone => vec![self.drive_table(forces)],
             Existence::Everything => vec![
                 self.drive_table(forces),
@@ -182,6 +183,9 @@ impl Forces {
             if bounds {
                 object.insert(format!("{name}.bound"), number(entry.proved()));
             }
+        }
+        if let Some(why) = &self.withheld {
+            object.insert("withheld".into(), why.clone().into());
         }
         object.insert("indeterminate".into(), self.indeterminate.clone().into());
         Value::Object(object)

@@ -6,8 +6,8 @@ use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
 use crate::solver::Solver;
 use crate::study::motor::{
-    Asked, Centre, Course, Duty, Dwell, Effect, Fit, NoRam, Passing, Peak, Ram, RamEnd, Rule,
-    SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
+    Asked, Centre, Course, Duty, Dwell, Effect, Fit, NoDuty, NoRam, Passing, Peak, Ram, RamEnd,
+    Rule, SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
 };
 use crate::{Input, Load, SlideId, StrokeEnd};
 use serde_json::{Value, json};
@@ -32,8 +32,8 @@ pub struct MotorWishes {
 /// What was found of a scene.
 #[derive(Clone, Debug)]
 pub struct MotorReport {
-    /// What the driver must do; `None` where nothing acts.
-    pub duty: Option<Duty>,
+    /// What the driver must do; the reason where there is nothing to tell.
+    pub duty: Result<Duty, NoDuty>,
     /// The ram; the reason where there is none.
     pub ram: Result<RamReport, String>,
     pub(super) wishes: MotorWishes,
@@ -124,7 +124,7 @@ impl MotorReport {
 
     /// What a flywheel makes of the fluctuation, and the flywheel that the wished one takes.
     pub(super) fn evenness(&self) -> Option<Evenness> {
-        let cycle = &self.duty.as_ref()?.cycle;
+        let cycle = &self.duty.as_ref().ok()?.cycle;
         let energy = cycle.fluctuation?.energy;
         let Motor {
             flywheel,
@@ -141,7 +141,7 @@ impl MotorReport {
     /// it takes and gives the rest.
     pub(super) fn with_flywheel(&self) -> Option<Asked> {
         let (_, fluctuation) = self.evenness()?.with?;
-        let all = &self.duty.as_ref()?.cycle.all;
+        let all = &self.duty.as_ref().ok()?.cycle.all;
         let mean = all.mean?.abs();
         // Where the cycle takes nothing in the mean, rounding is no torque.
         let asked = if mean <= NOTHING * all.rms? {
@@ -156,7 +156,7 @@ impl MotorReport {
     /// Everything as JSON; what does not exist is null.
     #[must_use]
     pub fn to_json(&self) -> Value {
-        let ram = self.ram.as_ref().ok();
+        let (duty, ram) = (self.duty.as_ref().ok(), self.ram.as_ref().ok());
         json!({
             "scene": self.scene,
             "unit": self.unit,
@@ -165,11 +165,11 @@ impl MotorReport {
                 "kind": if self.turns { "link" } else { "slide" },
                 "speed": self.speed,
             },
-            "cycle": self.duty.as_ref().map(cycle_json),
-            (self.effort_word()): self.duty.as_ref().map(|duty| self.effects_json(duty)),
+            "cycle": duty.map(cycle_json),
+            (self.effort_word()): duty.map(|duty| self.effects_json(duty)),
             "evenness": self.evenness_json(),
-            "frame": self.duty.as_ref().map(|duty| shaking_json(&duty.cycle.shaking)),
-            "motor": self.duty.as_ref().map(|_| self.fit_json()),
+            "frame": duty.map(|duty| shaking_json(&duty.cycle.shaking)),
+            "motor": duty.map(|_| self.fit_json()),
             "ram": ram.map(|ram| self.ram_json(ram)),
         })
     }
@@ -185,7 +185,11 @@ impl MotorReport {
     }
 
     fn evenness_json(&self) -> Value {
-        let fluctuation = self.duty.as_ref().and_then(|duty| duty.cycle.fluctuation);
+        let fluctuation = self
+            .duty
+            .as_ref()
+            .ok()
+            .and_then(|duty| duty.cycle.fluctuation);
         let Some(fluctuation) = fluctuation else {
             return Value::Null;
         };
@@ -268,7 +272,7 @@ impl MotorReport {
     /// # Errors
     /// Where it cannot be written.
     pub fn write_csv(&self, out: &mut dyn io::Write) -> io::Result<()> {
-        let Some(duty) = &self.duty else {
+        let Ok(duty) = &self.duty else {
             return Ok(());
         };
         let mut csv = csv::Writer::from_writer(out);

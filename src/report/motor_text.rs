@@ -4,7 +4,7 @@ use super::motor::{MotorReport, NOTHING, RamReport, end_word};
 use super::number::{concise, significant};
 use super::text::{WIDTH, wrapped};
 use crate::scene::harmless;
-use crate::study::motor::{Asked, Cycle, Duty, Effect, Peak, Rule, SMALL_FLUCTUATION};
+use crate::study::motor::{Asked, Cycle, Duty, Effect, NoDuty, Peak, Rule, SMALL_FLUCTUATION};
 
 /// Digits of a figure, and decimals of where it is in degrees.
 const DIGITS: usize = 6;
@@ -53,16 +53,25 @@ impl MotorReport {
     pub fn lines(&self) -> Vec<MotorLine> {
         let mut lines = Vec::new();
         match &self.duty {
-            Some(duty) => self.duty_lines(duty, &mut lines),
-            None => lines.push(MotorLine::Text(
-                "nothing acts: the scene has no load and no mass, so the driver does no work"
-                    .into(),
-            )),
+            Ok(duty) => self.duty_lines(duty, &mut lines),
+            Err(why) => lines.push(MotorLine::Text(self.nothing(why))),
         }
         if let Ok(ram) = &self.ram {
             self.ram_lines(ram, &mut lines);
         }
         lines
+    }
+
+    /// Why there are no figures.
+    pub(crate) fn nothing(&self, why: &NoDuty) -> String {
+        match why {
+            NoDuty::NothingActs => {
+                "nothing acts: the scene has no load and no mass, so the driver does no work".into()
+            }
+            NoDuty::Withheld(hidden) => {
+                format!("no figures: {}", hidden.text(&self.driver_unit))
+            }
+        }
     }
 
     fn duty_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {

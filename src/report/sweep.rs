@@ -6,7 +6,7 @@ use super::columns::{Beside, Columns};
 use super::errors::{Errors, Missing};
 use super::rows::{CsvRows, JsonRows, Rows, TextRows};
 use super::steps::Steps;
-use crate::quantity::{Quantity, demand};
+use crate::quantity::{Hidden, Quantity, demand};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{LANES, Lanes};
@@ -27,7 +27,7 @@ pub enum RowFormat {
 }
 
 /// What a sweep came to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outcome {
     /// Rows written.
     pub rows: u64,
@@ -35,6 +35,10 @@ pub struct Outcome {
     pub valued: u64,
     /// What could not be said beside the figures.
     pub missing: Missing,
+    /// Rows in which figures that exist are not shown, and why not in the first of them.
+    pub hidden: u64,
+    /// See there.
+    pub first_hidden: Option<Hidden>,
 }
 
 /// What is swept, and how it is written.
@@ -89,6 +93,7 @@ impl<'a> Sweep<'a> {
             }
         }
         rows.finish()?;
+        (outcome.hidden, outcome.first_hidden) = (reader.hidden, reader.first_hidden);
         let errors = reader.errors;
         outcome.missing = errors.map_or(Missing::default(), |errors| errors.missing());
         Ok(outcome)
@@ -116,6 +121,9 @@ struct Reader<'a> {
     columns: Vec<Lanes>,
     /// The row that is being read.
     cells: Vec<Option<f64>>,
+    /// Rows with figures that are not shown, and the first of them.
+    hidden: u64,
+    first_hidden: Option<Hidden>,
 }
 
 impl<'a> Reader<'a> {
@@ -131,6 +139,8 @@ impl<'a> Reader<'a> {
             lanes: solver.lanes(),
             columns: Vec::with_capacity(quantities.len()),
             cells: Vec::with_capacity(quantities.len()),
+            hidden: 0,
+            first_hidden: None,
             solver,
         }
     }
@@ -157,13 +167,24 @@ impl<'a> Reader<'a> {
                     self.cells.extend(cells);
                 }
                 Some(errors) => {
-                    errors.fill(&self.solver, self.order, &self.state, &mut self.cells);
+                    errors.fill(&self.solver, self.order, &mut self.state, &mut self.cells);
                 }
             }
+            self.look_for_hidden();
             rows.row(&self.cells, condition)?;
             valued += u64::from(condition != Condition::NoAssembly);
         }
         Ok(valued)
+    }
+
+    /// Counts the row if figures that exist are not shown in it.
+    fn look_for_hidden(&mut self) {
+        let cells = self.quantities.iter().zip(&self.cells);
+        let empty = cells.filter(|(_, cell)| cell.is_none()).map(|(q, _)| q);
+        if let Some(hidden) = Hidden::of(empty, &self.state) {
+            self.hidden += 1;
+            self.first_hidden.get_or_insert(hidden);
+        }
     }
 
     /// Whether every figure exists at each coordinate; then they are in the columns.

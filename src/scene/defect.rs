@@ -36,6 +36,11 @@ impl<'t> Drafted<'_, 't> {
             Defect::Twice { link, point } => Some(self.twice(self.sound(link)?, point)),
             Defect::OnItself { slide } => Some(self.on_itself(slide)),
             Defect::NoPivot { link } => self.no_pivot(self.sound(link)?),
+            Defect::Proportion {
+                link,
+                length,
+                longest,
+            } => Some(proportion(self.sound(link)?, length, longest)),
             Defect::NoDriver => self.no_driver(),
             Defect::NoCentre { link } => Some(no_centre(self.sound(link)?)),
             // Refused while reading, with the literal of the file; an element without points or a
@@ -170,6 +175,15 @@ impl<'t> Drafted<'_, 't> {
             "add, for example:\n[driver]\nlink = \"{crank}\"\nangle = 60\nspeed = \"15 rad/s\""
         )))
     }
+}
+
+fn proportion(link: &Link<'_>, length: f64, longest: f64) -> Diagnostic {
+    let of = &link.name;
+    Diagnostic::new(format!(
+        "link {of} is out of all proportion: {length:e} long, where the longest length of the scene is {longest:e}"
+    ))
+    .at(link.name.span.clone(), "less than 1e-75 of the longest")
+    .help("no double holds products of both; look for a coordinate, a `com` or a length that is mistyped")
 }
 
 fn no_centre(link: &Link<'_>) -> Diagnostic {

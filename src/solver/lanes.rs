@@ -39,7 +39,7 @@ impl Solver {
         if self.balance.is_some() {
             self.balance_lanes(order, work);
         }
-        solved
+        solved && !work.state.withholds()
     }
 
     /// With the instructions that the steps are run with.

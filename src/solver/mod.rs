@@ -53,7 +53,9 @@ pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
 pub use fault::Fault;
-pub use forces::{Acted, Indeterminate, Residual};
+#[cfg(test)]
+pub(crate) use forces::falsified;
+pub use forces::{Acted, Check, Indeterminate, Residual, Withheld};
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};

@@ -3,6 +3,7 @@
 mod chance;
 mod fuzz;
 mod scenes;
+mod unbalanced;
 
 pub(crate) use chance::Chance;
 #[cfg(feature = "tui")]

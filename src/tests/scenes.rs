@@ -142,7 +142,7 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
                 "{place:?} at {at}"
             );
         }
-        solver.enclose(&state, Order::Force, &mut enclosure);
+        solver.enclose(&mut state, Order::Force, &mut enclosure);
         let forces = Forces::new(scene, &solver, &state, Some(&enclosure));
         let figures = forces.iter().flat_map(Forces::figures);
         for (name, _, entry) in figures {

@@ -43,7 +43,11 @@ impl MotorStudy {
         let coordinate = catalogue.driver();
         let names = [coordinate.name.as_str(), coordinate.unit.as_str()];
         let what = report.effort_name();
-        let plot = report.duty.as_ref().map(|duty| effort(duty, names, what));
+        let plot = report
+            .duty
+            .as_ref()
+            .ok()
+            .map(|duty| effort(duty, names, what));
         self.studied = Some(Studied {
             opened,
             lines: report.lines(),
@@ -57,6 +61,13 @@ impl MotorStudy {
         self.studied.as_ref().map_or(&[], |studied| &studied.lines)
     }
 
+    /// Why there is neither curve nor figures.
+    pub(crate) fn nothing(&self) -> String {
+        let report = self.studied.as_ref().map(|studied| &studied.report);
+        let why = report.and_then(|report| Some(report.nothing(report.duty.as_ref().err()?)));
+        why.unwrap_or_default()
+    }
+
     /// The curve over the cycle; `None` where nothing acts.
     pub(crate) fn plot(&self) -> Option<&Plot> {
         self.studied.as_ref()?.plot.as_ref()
@@ -64,7 +75,7 @@ impl MotorStudy {
 
     /// Where the driver is in the cycle, and what it must do there.
     pub(crate) fn here(&self, at: f64) -> Option<Here> {
-        let duty = self.studied.as_ref()?.report.duty.as_ref()?;
+        let duty = self.studied.as_ref()?.report.duty.as_ref().ok()?;
         let course = &duty.cycle.course;
         let along = if course.goes_round {
             duty.cycle.coordinate(course.way(at)?)
@@ -90,7 +101,7 @@ impl MotorStudy {
     /// The cycle step by step as comma separated values.
     pub(crate) fn csv(&self) -> Option<String> {
         let report = &self.studied.as_ref()?.report;
-        report.duty.as_ref()?;
+        report.duty.as_ref().ok()?;
         let mut text = Vec::new();
         report.write_csv(&mut text).ok()?;
         String::from_utf8(text).ok()

@@ -197,6 +197,13 @@ impl Plots {
         self.curves().map(|curves| curves.here(state))
     }
 
+    /// Why a part of what is plotted is not shown.
+    pub(crate) fn hidden(&self) -> Option<String> {
+        let curves = self.curves()?;
+        let hidden = curves.hidden.as_ref()?;
+        Some(hidden.text(&curves.driver.unit))
+    }
+
     /// What was sampled; `None` where there is nothing.
     pub(crate) fn curves(&self) -> Option<&Curves> {
         match self.sampled.as_ref().map(|s| &s.outcome) {
@@ -250,9 +257,12 @@ fn sampled(
         .all(|curve| curve.values.iter().all(Option::is_none))
     {
         let names: Vec<&str> = figures.iter().map(|q| q.name.as_str()).collect();
+        let hidden = curves.hidden.as_ref();
+        let why = hidden.map(|hidden| format!("; {}", hidden.text(&curves.driver.unit)));
         return Err(format!(
-            "no value anywhere in this motion: {}",
-            names.join(", ")
+            "no value anywhere in this motion: {}{}",
+            names.join(", "),
+            why.unwrap_or_default()
         ));
     }
     Ok(curves)

@@ -1,6 +1,7 @@
 //! The working of the present state, while it is looked at.
 
 use super::Opened;
+use crate::Ball;
 use crate::report::{Document, Worked, Working};
 use crate::solver::{Order, Workspace};
 
@@ -14,6 +15,7 @@ const MOST_LINKS: usize = 64;
 pub(crate) struct Explained {
     working: Working,
     state: Workspace,
+    enclosure: Workspace<Ball>,
     document: Document,
 }
 
@@ -27,6 +29,7 @@ impl Explained {
         let mut explained = Explained {
             working: Working::new(scene, solver),
             state: solver.state(),
+            enclosure: solver.enclosure(),
             document: Document::default(),
         };
         explained.go(opened, at);
@@ -37,6 +40,7 @@ impl Explained {
     pub(crate) fn go(&mut self, opened: &Opened, at: f64) {
         let Opened { scene, solver, .. } = opened;
         solver.solve(at, Order::Force, &mut self.state);
+        solver.enclose(&mut self.state, Order::Force, &mut self.enclosure);
         let Worked { document, .. } = self.working.of(scene, solver, &self.state, DIGITS);
         self.document = document;
     }

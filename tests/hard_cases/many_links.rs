@@ -228,12 +228,12 @@ fn h30_a_scissor_of_fifty_stages() {
         ));
         assert!(worst <= slack, "{worst:e} at {at}");
     }
-    let state = solved(&of.solver, 40.0);
+    let mut state = solved(&of.solver, 40.0);
     let top = of.right[STAGES];
     // A hundred dyads in series would leave no bound; at once they have one.
     let mut enclosure = of.solver.enclosure();
     let order = Order::Acceleration;
-    of.solver.enclose(&state, order, &mut enclosure);
+    of.solver.enclose(&mut state, order, &mut enclosure);
     for (aspect, value) in [
         (Aspect::Y, "64.27876096865393263226"),
         (Aspect::Ay, "-64.27876096865393263226"),

@@ -7,6 +7,7 @@ mod tests;
 
 use super::clock::{Clock, paced};
 use super::extrema::Extremum;
+use super::hidden::Hidden;
 use super::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
@@ -54,6 +55,8 @@ pub struct Curves {
     pub conditions: Vec<Condition>,
     /// The quantities, in the order in which they were asked for.
     pub curves: Vec<Curve>,
+    /// Why figures that exist are not shown, at the first sample where that is so.
+    pub hidden: Option<Hidden>,
     /// Between which samples what stands along x jumps.
     breaks: Vec<bool>,
     clock: Option<Clock>,
@@ -188,6 +191,7 @@ impl Curves {
             along,
             conditions,
             curves,
+            hidden: probe.hidden.take(),
             breaks: along_breaks,
             clock,
             period,

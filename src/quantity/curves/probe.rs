@@ -2,7 +2,7 @@
 
 use super::super::clock::{Clock, Pace, paced};
 use super::super::extrema::Extremum;
-use super::super::{Aspect, Quantity, Subject, demand};
+use super::super::{Aspect, Hidden, Quantity, Subject, demand};
 use super::Curve;
 use super::span::usual;
 use crate::angle::{self, TURN};
@@ -45,6 +45,8 @@ pub(super) struct Probe {
     clock: Option<Clock>,
     state: Workspace,
     lanes: Workspace<Lanes>,
+    /// Why figures are not shown, at the first sample where that is so.
+    pub(super) hidden: Option<Hidden>,
 }
 
 impl Probe {
@@ -63,6 +65,7 @@ impl Probe {
             clock,
             state: solver.state(),
             lanes: solver.lanes(),
+            hidden: None,
             solver,
         }
     }
@@ -111,6 +114,9 @@ impl Probe {
             }
             for &place in block {
                 conditions.push(self.solve(place));
+                if self.hidden.is_none() {
+                    self.hidden = Hidden::of(&self.columns, &self.state);
+                }
                 let pace = self.pace(place);
                 for (quantity, values) in self.columns.iter().zip(&mut columns) {
                     values.push(paced(quantity, &self.state, pace));
@@ -241,7 +247,8 @@ impl Probe {
     fn bound(&mut self, column: usize, place: f64) -> Option<f64> {
         self.solve(place);
         let mut enclosure = self.solver.enclosure();
-        self.solver.enclose(&self.state, self.order, &mut enclosure);
+        self.solver
+            .enclose(&mut self.state, self.order, &mut enclosure);
         self.columns[column].bound(&self.state, &enclosure)
     }
 

@@ -13,7 +13,9 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
     }
     page.document.part("Forces");
     let Some(torque) = context.state.drive() else {
-        page.document.text(absent(context.state.condition()));
+        let withheld = crate::report::forces::withheld(context.scene, context.state);
+        let absent = || absent(context.state.condition()).to_owned();
+        page.document.text(withheld.unwrap_or_else(absent));
         return;
     };
     let acted = context.solver.acted(context.state);

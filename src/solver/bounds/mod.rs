@@ -21,6 +21,7 @@ mod stretched;
 
 use super::chain;
 use super::engine::Engine;
+use super::forces::Balance;
 use super::frame::Frame;
 use super::network::Network;
 use super::order::Ordering;
@@ -79,7 +80,10 @@ impl Solver {
     /// Encloses what the solver has just put into `state`: every figure that is read from
     /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
     /// proved. `order` is the one that the state was solved to, or less. Allocates nothing.
-    pub fn enclose(&self, state: &State, order: Order, enclosure: &mut Workspace<Ball>) {
+    ///
+    /// Where forces are among them, the bounds of what their checks miss by decide whether rounding
+    /// explains it: `state` withholds its forces where they do not.
+    pub fn enclose(&self, state: &mut State, order: Order, enclosure: &mut Workspace<Ball>) {
         // Within rounding beyond a limit the figures are those of the limit: there is no other truth.
         let at = self.motion.within(state.at);
         if let (Some(engine), Some(whole)) = (&self.at_once, &mut enclosure.at_once)
@@ -87,11 +91,21 @@ impl Solver {
         {
             enclosure.state.take_over(whole, engine);
             self.engine.enclose_helpers(&mut enclosure.state);
-            self.balance(order, enclosure);
+            self.enclose_forces(order, state, enclosure);
             return;
         }
         self.engine.enclose_to(at, order, state, enclosure);
-        self.balance(order, enclosure);
+        self.enclose_forces(order, state, enclosure);
+    }
+
+    fn enclose_forces(&self, order: Order, state: &mut State, enclosure: &mut Workspace<Ball>) {
+        Balance::enclose(
+            self.balance.as_deref(),
+            &self.engine,
+            order,
+            state,
+            enclosure,
+        );
     }
 }
 
@@ -269,7 +283,7 @@ mod tests {
                     state.scratch.numbers[group.offset + k] += off(k);
                 }
             }
-            solver.enclose(&state, Order::Position, &mut balls);
+            solver.enclose(&mut state, Order::Position, &mut balls);
             let check = |ball: Ball, truth: Double, of: &str| {
                 let miss = (truth - Double::exactly(ball.mid)).abs().hi;
                 assert!(

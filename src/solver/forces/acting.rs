@@ -8,15 +8,27 @@ mod shown;
 
 pub use shown::Acted;
 
+use super::Part;
 use super::profile::Curve;
 use super::slots::{Slot, Slots};
-use super::{Forces, Part};
 use crate::solver::frame::Frame;
 use crate::solver::state::State;
 use crate::{
     Body, Constant, Input, LinkId, Load, Mechanism, Number, PointId, SlideId, Slider, StrokeEnd,
     Vec2,
 };
+
+/// What bears that something acts: the forces of a state, or whoever asks how large they are.
+pub(super) trait Bears<T: Number> {
+    /// A force at a point.
+    fn push(&mut self, part: Part, point: PointId, force: Vec2<T>, state: &State<T>);
+
+    /// A couple on a link.
+    fn twist(&mut self, part: Part, link: LinkId, couple: T, state: &State<T>);
+
+    /// A force on a link at one of its points that is none of the pin's there.
+    fn note_apart(&mut self, slot: Slot, force: Vec2<T>);
+}
 
 /// Everything that acts, ready to be asked at a state.
 #[derive(Clone, Debug)]
@@ -127,7 +139,7 @@ impl Acting {
 
     /// Puts everything that acts at this state upon the points and links of `forces`.
     #[inline(always)]
-    pub(super) fn act<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    pub(super) fn act<T: Number>(&self, state: &State<T>, forces: &mut impl Bears<T>) {
         for load in &self.loads {
             self.load(load, state, forces);
         }
@@ -150,7 +162,7 @@ impl Acting {
     }
 
     #[inline(always)]
-    fn load<T: Number>(&self, load: &Act, state: &State<T>, forces: &mut Forces<T>) {
+    fn load<T: Number>(&self, load: &Act, state: &State<T>, forces: &mut impl Bears<T>) {
         match load {
             Act::Force {
                 point,
@@ -203,7 +215,7 @@ impl Acting {
                 let force = against * size;
                 forces.push(Part::Load, *point, force, state);
                 if let Some((_, slot)) = on {
-                    forces.note(*slot, -force);
+                    forces.note_apart(*slot, -force);
                 }
             }
             Act::Spring {

@@ -14,6 +14,7 @@
 
 mod acting;
 mod backwards;
+mod checks;
 mod frame;
 mod locked;
 mod open;
@@ -25,7 +26,11 @@ mod stroke;
 #[cfg(test)]
 mod tests;
 
+#[cfg(test)]
+pub(crate) use tests::falsified;
+
 pub use acting::Acted;
+pub use checks::{Check, Withheld};
 pub use open::Indeterminate;
 pub use read::Residual;
 pub(super) use slots::Slots;
@@ -35,12 +40,13 @@ use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
-use crate::{Constant, LinkId, Number, PointId, SlideId, StrokeEnd, Vec2};
-use acting::Acting;
+use crate::{Ball, Constant, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
+use acting::{Acting, Bears};
 use frame::Framed;
 use locked::Locked;
 use open::Open;
 use pass::Pass;
+use slots::Slot;
 use std::sync::Arc;
 
 /// How the torque is split.
@@ -52,14 +58,24 @@ enum Part {
 }
 
 /// How much of the forces exists at a state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Extent {
     /// Nothing: they were not asked for, or there are none.
     #[default]
     Nothing,
     /// What the driver must do, from the virtual work: at a change point the reactions need not exist.
     Drive,
+    /// They were found, and cannot be right: nobody gets them but for the residuals that say so.
+    Withheld(Withheld),
     All,
+}
+
+/// What slides: the point, and the link where it does not turn.
+fn slider(slider: Slider) -> (PointId, Option<LinkId>) {
+    match slider {
+        Slider::Pin(point) => (point, None),
+        Slider::Link { link, origin, .. } => (origin, Some(link)),
+    }
 }
 
 /// The forces of a state, and the room to find them.
@@ -102,8 +118,7 @@ struct Scale<T> {
     origin: Vec2<T>,
 }
 
-impl<T: Number> Forces<T> {
-    /// A force at a point.
+impl<T: Number> Bears<T> for Forces<T> {
     #[inline(always)]
     fn push(&mut self, part: Part, point: PointId, force: Vec2<T>, state: &State<T>) {
         let at = &state.points[point.index()];
@@ -113,7 +128,6 @@ impl<T: Number> Forces<T> {
         self.work[part as usize] += force.dot(at.v);
     }
 
-    /// A couple on a link.
     #[inline(always)]
     fn twist(&mut self, part: Part, link: LinkId, couple: T, state: &State<T>) {
         self.links[link.index()] += couple;
@@ -121,6 +135,13 @@ impl<T: Number> Forces<T> {
         self.work[part as usize] += couple * state.links[link.index()].w;
     }
 
+    #[inline(always)]
+    fn note_apart(&mut self, slot: Slot, force: Vec2<T>) {
+        self.note(slot, force);
+    }
+}
+
+impl<T: Number> Forces<T> {
     fn clear(&mut self) {
         self.points.fill(Vec2::default());
         self.links.fill(T::default());
@@ -150,6 +171,8 @@ pub(super) struct Balance {
     acting: Acting,
     passes: Vec<Pass>,
     slots: Arc<Slots>,
+    /// What slides, by slide: the point, and the link where it does not turn.
+    sliders: Vec<(PointId, Option<LinkId>)>,
     locked: Locked,
     /// Reactions that a redundant linkage leaves open.
     open: Arc<Open>,
@@ -187,13 +210,21 @@ impl Balance {
             return None;
         }
         let slots = Arc::new(Slots::new(mechanism));
+        let passes = pass::passes(network, &engine.program, &slots);
+        #[cfg(test)]
+        let passes = tests::perhaps_falsified(passes);
         Some(Balance {
             acting: Acting::new(mechanism, engine.frame, &slots, bottom),
-            passes: pass::passes(network, &engine.program, &slots),
+            passes,
             locked: Locked::new(network, &engine.program),
             open: Arc::new(Open::none(mechanism, &slots)),
             indeterminate: Vec::new(),
             frame: Framed::new(mechanism, &slots),
+            sliders: mechanism
+                .slides()
+                .iter()
+                .map(|s| slider(s.slider))
+                .collect(),
             slots,
         })
     }
@@ -247,9 +278,40 @@ impl Balance {
         self.acting.is_smooth()
     }
 
-    /// What follows a solve: the forces where anything acts and they were asked for, none otherwise.
+    /// What follows a solve: the forces, checked, where anything acts and they were asked for, none
+    /// otherwise.
     #[inline(always)]
     pub(super) fn follow<T: Number>(
+        balance: Option<&Balance>,
+        engine: &Engine,
+        order: Order,
+        work: &mut Workspace<T>,
+    ) {
+        Balance::find(balance, engine, order, work);
+        let state = &mut work.state;
+        if let Some(balance) = balance
+            && let Some(mut forces) = state.forces.take()
+        {
+            balance.check(state, &mut forces);
+            state.forces = Some(forces);
+        }
+    }
+
+    /// Encloses the forces of a state; the bounds of the residuals then say whether it keeps its own.
+    pub(super) fn enclose(
+        balance: Option<&Balance>,
+        engine: &Engine,
+        order: Order,
+        state: &mut State,
+        enclosure: &mut Workspace<Ball>,
+    ) {
+        Balance::find(balance, engine, order, enclosure);
+        state.check_by_bounds(enclosure);
+    }
+
+    /// The forces as they are found.
+    #[inline(always)]
+    fn find<T: Number>(
         balance: Option<&Balance>,
         engine: &Engine,
         order: Order,
@@ -275,7 +337,7 @@ impl Balance {
         };
         if forces.extent != Extent::Nothing {
             forces.clear();
-            self.acting.act(state, &mut forces);
+            self.acting.act(state, &mut *forces);
         }
         if forces.extent == Extent::All {
             self.frame.note_ground(&mut forces, state);

@@ -35,7 +35,7 @@ impl<T: Number> State<T> {
     pub fn drive(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
         let drive = match forces.extent {
-            Extent::Nothing => None,
+            Extent::Nothing | Extent::Withheld(_) => None,
             Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
             // Subtracted, so that nothing has no sign.
             Extent::All => Some(T::default() - forces.drive * forces.scale.drive),
@@ -48,7 +48,8 @@ impl<T: Number> State<T> {
     pub fn drive_parts(&self) -> Option<[T; 3]> {
         let forces = self.forces.as_deref()?;
         let parts = [Part::Load, Part::Gravity, Part::Inertia];
-        (forces.extent != Extent::Nothing).then(|| parts.map(|part| forces.against(part)))
+        let parts = parts.map(|part| forces.against(part));
+        matches!(forces.extent, Extent::Drive | Extent::All).then_some(parts)
     }
 
     /// The power of the driver in W: positive where it gives energy to the linkage.
@@ -106,22 +107,20 @@ impl<T: Number> State<T> {
         Some(forces.frame_moment * couple + origin.cross(forces.frame))
     }
 
-    /// How far the two checks miss.
+    /// How far the two checks miss; also where the forces are withheld for it.
     #[must_use]
     pub fn residual(&self) -> Option<Residual<T>> {
-        let forces = self.balanced()?;
-        let Scale {
-            couple,
+        let forces = self.forces.as_deref()?;
+        let scale = &forces.scale;
+        let Residual {
             drive,
-            origin,
-        } = forces.scale;
-        let [load, gravity, inertia] = forces.work;
-        let force = forces.frame - forces.sum;
-        let moment = forces.frame_moment - forces.sum_moment;
-        Some(Residual {
-            drive: -((forces.drive - (load + gravity + inertia)) * drive),
             force,
-            moment: moment * couple + origin.cross(force),
+            moment,
+        } = forces.misses();
+        matches!(forces.extent, Extent::All | Extent::Withheld(_)).then(|| Residual {
+            drive: -(drive * scale.drive),
+            force,
+            moment: moment * scale.couple + scale.origin.cross(force),
         })
     }
 }

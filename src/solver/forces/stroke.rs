@@ -98,7 +98,7 @@ impl Look<'_> {
     fn position(&mut self, at: f64) -> Constant {
         self.solve(at, Order::Position);
         self.solver
-            .enclose(&self.state, Order::Position, &mut self.enclosure);
+            .enclose(&mut self.state, Order::Position, &mut self.enclosure);
         let position = self.state.travel(self.slide).position;
         let ball = self.enclosure.travel(self.slide).position;
         Constant {

@@ -7,6 +7,27 @@ use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Order};
 use crate::tests::Chance;
 use crate::{Body, Input, Mechanism, Slider, Vec2};
+use std::cell::Cell;
+
+thread_local!(static IS_FALSIFIED: Cell<bool> = const { Cell::new(false) });
+
+/// Runs `f` where every solver that is made, on this thread, finds false forces.
+pub(crate) fn falsified<T>(is_so: bool, f: impl FnOnce() -> T) -> T {
+    let before = IS_FALSIFIED.replace(is_so);
+    let done = f();
+    IS_FALSIFIED.set(before);
+    done
+}
+
+/// Hands what the last group bears down twice.
+pub(super) fn perhaps_falsified(mut passes: Vec<Pass>) -> Vec<Pass> {
+    let is_group = |pass: &&Pass| !matches!(pass, Pass::Carry { .. } | Pass::Lock { .. });
+    if IS_FALSIFIED.get() {
+        let last = passes.iter().rev().find(is_group).cloned();
+        passes.extend(last);
+    }
+    passes
+}
 
 /// A preset with a mass for every link, weights, a force, a torque, a spring and a damper.
 fn loaded(text: &str, chance: &mut Chance) -> String {
@@ -622,7 +643,7 @@ fn no_bound_of_a_force_is_smaller_than_its_error() {
             {
                 continue;
             }
-            solver.enclose(&state, Order::Force, &mut balls);
+            solver.enclose(&mut state, Order::Force, &mut balls);
             for figure in &figures {
                 let Some(value) = figure.value(&state) else {
                     continue;

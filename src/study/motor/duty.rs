@@ -5,9 +5,19 @@ use super::cycle::{Cycle, Effect, Shaking};
 use super::fitting::Fit;
 use super::source::{Source, Step};
 use super::{Measure, marks};
+use crate::quantity::Hidden;
 use crate::scene::Motor;
 use crate::solver::{Range, Solver};
 use crate::{Input, Link, LinkId, Mechanism, angle};
+
+/// Why there is nothing to tell of a cycle.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoDuty {
+    /// Nothing acts on the mechanism.
+    NothingActs,
+    /// Forces that the cycle is made of are withheld; this is the first state of which they are.
+    Withheld(Hidden),
+}
 
 /// What a mechanism asks of its driver over a cycle, and where it is singular.
 #[derive(Clone, Debug)]
@@ -35,15 +45,17 @@ pub struct Duty {
 
 impl Duty {
     /// Goes through a cycle: the period of the motion and of the loads, or the range there and back, or
-    /// the part of the motion between two coordinates there and back. `None` where nothing acts.
-    #[must_use]
+    /// the part of the motion between two coordinates there and back.
+    ///
+    /// # Errors
+    /// Where nothing acts, or where what does is withheld somewhere.
     pub fn new(
         mechanism: &Mechanism,
         solver: &Solver,
         between: Option<(f64, f64)>,
-    ) -> Option<Duty> {
+    ) -> Result<Duty, NoDuty> {
         if !solver.has_forces() {
-            return None;
+            return Err(NoDuty::NothingActs);
         }
         let driver = mechanism.driver();
         let motion = solver.motion();
@@ -73,12 +85,19 @@ impl Duty {
         let runs_dead = course.ends_dead && has_inertia(mechanism) && driver.speed != 0.0;
         let source = Source::new(mechanism, solver);
         let (mut states, mut has_no_ground) = (source.states(), false);
+        let mut withheld = None;
         let marks = marks::marks(mechanism, solver, &course);
         let mut cycle = Cycle::new(course, &marks, measure, &mut |at, back| {
             let step = source.step(at, back, &mut states);
             has_no_ground |= step.ground.is_none();
+            if withheld.is_none() {
+                withheld = Hidden::of_forces(&states[usize::from(back)]);
+            }
             step.effort(runs_dead)
         });
+        if let Some(hidden) = withheld {
+            return Err(NoDuty::Withheld(hidden));
+        }
         if runs_dead {
             (cycle.all, cycle.parts[2]) = (Effect::default(), Effect::default());
         }
@@ -87,7 +106,7 @@ impl Duty {
         }
         let ends = [course.low, course.high];
         let dead_points = motion.dead_points.iter().filter(|at| ends.contains(at));
-        Some(Duty {
+        Ok(Duty {
             cycle,
             dead_points: dead_points.copied().collect(),
             change_points: motion.change_points.clone(),

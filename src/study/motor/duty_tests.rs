@@ -344,7 +344,10 @@ fn a_change_point_is_named_and_passed() {
     let text = presets::find("parallelogram").unwrap().text;
     let (bare, bare_solver) = of(text);
     assert!(
-        Duty::new(&bare.mechanism, &bare_solver, None).is_none(),
+        matches!(
+            Duty::new(&bare.mechanism, &bare_solver, None),
+            Err(NoDuty::NothingActs)
+        ),
         "nothing acts"
     );
     let link = "r4";

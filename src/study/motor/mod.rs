@@ -29,7 +29,7 @@ mod source;
 
 pub use course::Course;
 pub use cycle::{Cycle, Effect, Fluctuation, Peak, Rule, Shaking};
-pub use duty::{Duty, is_within};
+pub use duty::{Duty, NoDuty, is_within};
 pub use fitting::{Asked, Fit, Geared, SMALL_FLUCTUATION, fluctuation_with, flywheel_for};
 pub use marks::repeats;
 pub use ram::{Centre, Dwell, NoRam, Passing, Ram, RamEnd, rams};

@@ -12,8 +12,6 @@ use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
 
 /// Why there is nothing to take out of the plots.
 const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
-/// Why the motor view has nothing to give.
-const NOTHING_ACTS: &str = "nothing acts: the scene has no load and no mass";
 
 impl App {
     pub(super) fn take_out(&mut self, action: Action) -> Effect {
@@ -125,7 +123,7 @@ impl App {
             | View::Scene
             | View::Lengths
             | View::Working => self.row_of_sweep(),
-            View::Motor => self.motor.csv().ok_or_else(|| NOTHING_ACTS.into()),
+            View::Motor => self.motor.csv().ok_or_else(|| self.motor.nothing()),
         };
         self.offer_file(text, "the figures", "csv");
     }
@@ -181,7 +179,7 @@ impl App {
             }
             View::Motor => {
                 let text = self.motor.svg(&self.stage);
-                let text = text.ok_or_else(|| NOTHING_ACTS.into());
+                let text = text.ok_or_else(|| self.motor.nothing());
                 self.offer_file(text, "the curve", "svg");
             }
             View::Tables

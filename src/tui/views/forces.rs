@@ -86,6 +86,7 @@ fn blocks(balance: &Balance) -> Vec<Block> {
     let (forces, formats) = (balance.forces(), balance.formats());
     match forces.existence() {
         Existence::Nothing => Vec::new(),
+        Existence::Withheld => vec![checks(forces)],
         Existence::DriveAlone => vec![driver(forces, formats)],
         Existence::Everything => {
             let mut blocks = vec![driver(forces, formats), reactions(forces, formats)];

@@ -88,6 +88,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
             return;
         }
     };
+    let area = tell_what_is_hidden(app, area, buffer);
     let look = Look {
         cols: area.width,
         rows: area.height,
@@ -100,6 +101,24 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     let raster = plot.render(&look, here.as_ref());
     show(&raster, area, buffer);
     mark_panels(plot, &look, area, buffer);
+}
+
+/// Above the plot, why a part of it is not shown; gives the room that is left.
+fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
+    let Some(why) = app.plots().hidden() else {
+        return area;
+    };
+    let lines = crate::report::wrapped(&shown(&why, app.glyphs()), area.width.into());
+    let height = u16::try_from(lines.len()).unwrap_or(area.height);
+    let height = height.min(area.height / 2);
+    for (y, line) in (area.top()..area.top() + height).zip(&lines) {
+        print(buffer, area.x, y, area.width, line, theme::part(Part::Text));
+    }
+    Rect {
+        y: area.y + height,
+        height: area.height - height,
+        ..area
+    }
 }
 
 /// Marks at the right edge that there are more panels above or below.

@@ -1,0 +1,124 @@
+//! Figures that exist in a state and are not shown: what does not balance, and what no double holds.
+
+use super::{Aspect, Quantity, Share, Subject};
+use crate::solver::{Check, Order, State, Withheld};
+
+/// Why some figures of a state are not shown.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hidden {
+    /// The driver's coordinate.
+    pub at: f64,
+    /// The reason.
+    pub why: Reason,
+}
+
+/// Why a figure is not shown.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reason {
+    /// Two ways to find the forces disagree: no force, torque or power of the state is shown.
+    Unbalanced {
+        /// What is left of the check, as columns are named, and its unit.
+        residual: [String; 2],
+        /// How much that is.
+        missed: f64,
+        /// What rounding explains of it.
+        most: f64,
+    },
+    /// Some force is too large for a double: none is shown.
+    Forces,
+    /// This figure is too large for a double.
+    Figure(String),
+}
+
+impl Hidden {
+    /// What is not shown of these figures in this state; `None` where all that exist are.
+    #[must_use]
+    pub fn of<'a>(
+        quantities: impl IntoIterator<Item = &'a Quantity>,
+        state: &State,
+    ) -> Option<Hidden> {
+        quantities.into_iter().find_map(|quantity| {
+            if quantity.aspect.order() == Order::Force
+                && let Some(hidden) = Hidden::of_forces(state)
+            {
+                return Some(hidden);
+            }
+            let name = || Reason::Figure(quantity.name.clone());
+            let why = quantity.overflows(state).then(name)?;
+            Some(Hidden {
+                at: state.at(),
+                why,
+            })
+        })
+    }
+
+    /// Why the forces of this state are withheld; `None` where they are not.
+    #[must_use]
+    pub fn of_forces(state: &State) -> Option<Hidden> {
+        let why = match state.withheld()? {
+            Withheld::Overflow => Reason::Forces,
+            Withheld::Unbalanced { check, most } => Reason::Unbalanced {
+                residual: residual(check, state),
+                missed: state.residual().map_or(f64::NAN, |of| of.of(check).abs()),
+                most,
+            },
+        };
+        Some(Hidden {
+            at: state.at(),
+            why,
+        })
+    }
+
+    /// The reason in a sentence without its full stop; `unit` is that of the driver's coordinate.
+    #[must_use]
+    pub fn text(&self, unit: &str) -> String {
+        let at = format!("at {} {unit}", self.at);
+        match &self.why {
+            Reason::Unbalanced {
+                residual: [name, unit],
+                missed,
+                most,
+            } => format!(
+                "the forces {at} are withheld: {name} is {missed:.1e} {unit}, and rounding explains no more than \
+                 {most:.1e}; two ways to find them disagree, which is a fault of krank and not of the scene: please \
+                 report it"
+            ),
+            Reason::Forces => format!(
+                "the forces {at} are withheld: some are too large for a number; choose ordinary speeds, masses and \
+                 loads"
+            ),
+            Reason::Figure(name) => {
+                format!("{name} {at} is too large for a number; choose ordinary lengths and speeds")
+            }
+        }
+    }
+}
+
+/// What a check leaves, as columns are named, with its unit.
+fn residual(check: Check, state: &State) -> [String; 2] {
+    let (of, aspect) = match check {
+        Check::Drive if state.turns() => ("driver", Aspect::Torque),
+        Check::Drive => ("driver", Aspect::Force),
+        Check::ForceX => ("ground", Aspect::Fx),
+        Check::ForceY => ("ground", Aspect::Fy),
+        Check::Moment => ("ground", Aspect::Moment),
+    };
+    let residual = Share::Residual.name().unwrap_or_default();
+    // Forces have their units whatever that of lengths is.
+    [
+        format!("{of}.{}.{residual}", aspect.name()),
+        aspect.unit(""),
+    ]
+}
+
+impl Quantity {
+    /// Whether the figure exists in this state and is too large for a double.
+    pub(crate) fn overflows(&self, state: &State) -> bool {
+        let found = super::value::found(self.subject, self.aspect, state);
+        match self.subject {
+            // Of two points in one place no direction exists: that is no number, and none too large.
+            Subject::Between(..) => found.is_some_and(f64::is_infinite),
+            _ => found.is_some_and(|value| !value.is_finite()),
+        }
+    }
+}

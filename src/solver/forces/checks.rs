@@ -1,0 +1,239 @@
+//! The checks rule: forces that do not come out in the balance of the whole are not shown.
+//!
+//! Each check is a sum that is nothing but for rounding:
+//!
+//! ```text
+//! drive    what has come to the driver  - sum F.v + M w     of all that acts
+//! force    what the frame feels         - sum F
+//! moment   what the frame feels of it   - sum p x F + M
+//! ```
+//!
+//! It is the equilibrium of every link and pin added up, so that its terms are the forces at all joints
+//! and guides besides those that act. Where bounds are known they say what rounding may leave of it;
+//! where they are not, a part of its terms, and not of its result: terms that cancel hide nothing.
+
+use super::acting::Bears;
+use super::slots::Slot;
+use super::{Balance, Extent, Forces, Part, Residual};
+use crate::solver::state::{PointState, State};
+use crate::{Ball, LinkId, Number, PointId, Vec2};
+
+/// What rounding may leave of a sum, as a part of its terms, where no bound is known: 1e7 roundings. What
+/// is so close to a singular place that it leaves more has few digits; a fault of a millionth is found.
+const ROUNDING: f64 = 1e-9;
+
+/// A check of the forces of a state: see [`Residual`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Check {
+    /// The driver against the virtual work of all that acts.
+    Drive,
+    /// The force on the frame along x against the sum of all that acts.
+    ForceX,
+    /// The same along y.
+    ForceY,
+    /// The moment on the frame against that of all that acts.
+    Moment,
+}
+
+/// Why the forces of a state are not shown, though they were found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Withheld {
+    /// A check misses by more than rounding explains.
+    Unbalanced {
+        /// The check: [`State::residual`] has what it misses by.
+        check: Check,
+        /// What rounding explains, in N m or N: the bound of the residual where that is known, or else a
+        /// part of the terms.
+        most: f64,
+    },
+    /// A force, or a torque, is too large for a double.
+    Overflow,
+}
+
+impl Check {
+    /// All of them.
+    pub const ALL: [Check; 4] = [Check::Drive, Check::ForceX, Check::ForceY, Check::Moment];
+}
+
+impl<T: Number> Residual<T> {
+    /// What one of the checks misses by.
+    #[must_use]
+    pub fn of(&self, check: Check) -> T {
+        match check {
+            Check::Drive => self.drive,
+            Check::ForceX => self.force.x,
+            Check::ForceY => self.force.y,
+            Check::Moment => self.moment,
+        }
+    }
+}
+
+/// The sizes of the terms of each check.
+#[derive(Clone, Copy, Debug, Default)]
+struct Terms<T> {
+    drive: T,
+    force: T,
+    moment: T,
+}
+
+impl<T: Number> Terms<T> {
+    fn force(&mut self, at: &PointState<T>, force: Vec2<T>) {
+        let size = extent(force);
+        self.force += size;
+        self.moment += extent(at.p) * size;
+        self.drive += extent(at.v) * size;
+    }
+
+    fn couple(&mut self, turning: T, couple: T) {
+        self.moment += couple.abs();
+        self.drive += (turning * couple).abs();
+    }
+}
+
+/// The size of a vector, quickly.
+fn extent<T: Number>(vector: Vec2<T>) -> T {
+    vector.x.abs() + vector.y.abs()
+}
+
+impl<T: Number> Bears<T> for Terms<T> {
+    fn push(&mut self, _: Part, point: PointId, force: Vec2<T>, state: &State<T>) {
+        self.force(&state.points[point.index()], force);
+    }
+
+    fn twist(&mut self, _: Part, link: LinkId, couple: T, state: &State<T>) {
+        self.couple(state.links[link.index()].w, couple);
+    }
+
+    fn note_apart(&mut self, _: Slot, _: Vec2<T>) {}
+}
+
+/// Whether a sum is what rounding may leave of its terms, in every lane; what is no number is not.
+#[inline(always)]
+fn is_rounding<T: Number>(miss: T, terms: T) -> bool {
+    // A sum of nothing misses by nothing.
+    (terms * T::exactly(ROUNDING) + T::exactly(f64::MIN_POSITIVE)).exceeds(miss.abs())
+}
+
+impl<T: Number> Forces<T> {
+    /// What each check misses by, in the solver's lengths about its origin.
+    #[inline(always)]
+    pub(super) fn misses(&self) -> Residual<T> {
+        let [load, gravity, inertia] = self.work;
+        Residual {
+            drive: self.drive - (load + gravity + inertia),
+            force: self.frame - self.sum,
+            moment: self.frame_moment - self.sum_moment,
+        }
+    }
+
+    /// Whether all checks hold against the part of their terms that is at hand.
+    #[inline(always)]
+    fn is_plainly_balanced(&self) -> bool {
+        let Residual {
+            drive,
+            force,
+            moment,
+        } = self.misses();
+        let [load, gravity, inertia] = self.work;
+        let work = load.abs() + gravity.abs() + inertia.abs();
+        let forces = extent(self.frame);
+        is_rounding(drive, work)
+            && is_rounding(force.x, forces)
+            && is_rounding(force.y, forces)
+            && is_rounding(moment, self.frame_moment.abs())
+    }
+}
+
+impl Balance {
+    /// Withholds forces whose checks miss by more than a part of their terms.
+    #[inline(always)]
+    pub(super) fn check<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        if forces.extent == Extent::All && !forces.is_plainly_balanced() {
+            self.check_closely(state, forces);
+        }
+    }
+
+    /// The same with all terms.
+    #[cold]
+    #[inline(never)]
+    fn check_closely<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        let terms = self.terms(state, forces);
+        let (misses, scale) = (forces.misses(), &forces.scale);
+        let checks = [
+            (Check::Drive, misses.drive, terms.drive, scale.drive),
+            (Check::ForceX, misses.force.x, terms.force, T::exactly(1.0)),
+            (Check::ForceY, misses.force.y, terms.force, T::exactly(1.0)),
+            (Check::Moment, misses.moment, terms.moment, scale.couple),
+        ];
+        let fails = |&(_, miss, terms, _): &(Check, T, T, T)| !is_rounding(miss, terms);
+        if let Some((check, _, terms, unit)) = checks.into_iter().find(fails) {
+            let most = (terms * unit).nearest() * ROUNDING;
+            forces.extent = Extent::Withheld(if most.is_finite() {
+                Withheld::Unbalanced { check, most }
+            } else {
+                Withheld::Overflow
+            });
+        }
+    }
+
+    /// All that acts, and all that joints and guides carry.
+    fn terms<T: Number>(&self, state: &State<T>, forces: &Forces<T>) -> Terms<T> {
+        let mut terms = Terms::default();
+        self.acting.act(state, &mut terms);
+        let joints = self.slots.members.iter().zip(&forces.joints);
+        for (point, &force) in joints {
+            terms.force(&state.points[point.index()], force);
+        }
+        for (slide, &(point, link)) in self.sliders.iter().enumerate() {
+            let along = Vec2::new(forces.normals[slide], T::default());
+            terms.force(&state.points[point.index()], along);
+            if let Some(link) = link {
+                terms.couple(state.links[link.index()].w, forces.moments[slide]);
+            }
+        }
+        terms.drive += forces.drive.abs();
+        terms
+    }
+}
+
+impl<T: Number> State<T> {
+    /// Whether forces were found that are not shown.
+    pub(in crate::solver) fn withholds(&self) -> bool {
+        let forces = self.forces.as_deref();
+        forces.is_some_and(|forces| matches!(forces.extent, Extent::Withheld(_)))
+    }
+}
+
+impl State {
+    /// Why the forces of this state are not shown; `None` where they are, or where there are none.
+    #[must_use]
+    pub fn withheld(&self) -> Option<Withheld> {
+        match self.forces.as_deref()?.extent {
+            Extent::Withheld(why) => Some(why),
+            Extent::Nothing | Extent::Drive | Extent::All => None,
+        }
+    }
+
+    /// Where the residuals have bounds, these decide whether rounding explains them.
+    pub(in crate::solver) fn check_by_bounds(&mut self, enclosure: &State<Ball>) {
+        let Some((found, proved)) = self.residual().zip(enclosure.residual()) else {
+            return;
+        };
+        let bound = |check| Some((check, proved.of(check).bound(found.of(check))?));
+        let bounds = Check::ALL.map(bound);
+        let missed = bounds.into_iter().flatten();
+        let missed = missed.filter(|&(check, bound)| found.of(check).abs() > bound);
+        let missed = missed.map(|(check, most)| Withheld::Unbalanced { check, most });
+        let Some(forces) = &mut self.forces else {
+            return;
+        };
+        let is_proved = bounds.iter().all(Option::is_some);
+        match (missed.into_iter().next(), forces.extent) {
+            (Some(why), _) => forces.extent = Extent::Withheld(why),
+            (None, Extent::Withheld(Withheld::Unbalanced { .. })) if is_proved => {
+                forces.extent = Extent::All;
+            }
+            (None, _) => {}
+        }
+    }
+}
