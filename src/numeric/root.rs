@@ -78,12 +78,16 @@ pub(crate) fn roots(
     let mut before: Option<(f64, f64)> = None;
     for at in places {
         let here = f(at).map(|value| (at, value));
-        // What comes behind a root tells whether the sign has changed there.
-        if here.is_some_and(|(_, value)| value == 0.0) {
-            continue;
-        }
-        if let (Some(a), Some(b)) = (before, here) {
-            found.extend(root(a, b, finest, &mut f));
+        if let (Some(a), Some(b)) = (before, here)
+            && (a.1 < 0.0) != (b.1 < 0.0)
+            && let Ok(at) = root(a, b, finest, &mut f)
+        {
+            // Touched from below, a root was met as the end of the last two places already.
+            if a.1 == 0.0 && found.last() == Some(&at) {
+                found.pop();
+            } else {
+                found.push(at);
+            }
         }
         before = here;
     }
@@ -178,8 +182,9 @@ mod tests {
         let places = || (0..=10).map(f64::from);
         let all = |f: fn(f64) -> Option<f64>| roots(places(), f64::EPSILON, f);
         assert_eq!(all(|x| Some((x - 2.5) * (x - 7.0))), [2.5, 7.0]);
-        // One is touched, the other passed on two places that are roots both.
+        // Touched from above and from below, and passed on two places that are roots both.
         assert_eq!(all(|x| Some((x - 3.0).powi(2))), [0.0; 0]);
+        assert_eq!(all(|x| Some(-(x - 3.0).powi(2))), [0.0; 0]);
         let flat = all(|x| Some((x - 5.0).max(0.0) + (x - 4.0).min(0.0)));
         assert!(
             flat.len() == 1 && (4.0..=5.0).contains(&flat[0]),

@@ -4,10 +4,10 @@ use super::number::shortest;
 use super::rows::plain;
 use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
-use crate::solver::Solver;
+use crate::solver::{DeadCentre, Solver};
 use crate::study::motor::{
-    Asked, Centre, Course, Duty, Dwell, Effect, Fit, NoDuty, NoRam, Passing, Peak, Ram, RamEnd,
-    Rule, SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
+    Asked, Course, Duty, Dwell, Effect, Fit, NoDuty, NoRam, Passing, Peak, Ram, RamEnd, Rule,
+    SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
 };
 use crate::{Input, Load, SlideId, StrokeEnd};
 use serde_json::{Value, json};
@@ -219,7 +219,7 @@ impl MotorReport {
 
     fn ram_json(&self, report: &RamReport) -> Value {
         let ram = &report.ram;
-        let centre = |c: &Centre| json!({"at": c.at, "position": c.position});
+        let centre = |c: &DeadCentre| json!({"at": c.at, "position": c.position});
         let passing = |p: &Passing| {
             json!({
                 "at": p.at,

@@ -16,7 +16,8 @@
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
 //!            forces    the steps backwards: what joints carry and the driver must do
-//! besides    transmission, classify, neighbour (other lengths), methods (other ways to solve, to compare)
+//! besides    transmission, dead_centres (of slides), classify, neighbour (other lengths), methods (other
+//!            ways to solve, to compare)
 //! ```
 //!
 //! Formulas of steps and coupled groups are written once, over [`crate::Number`].
@@ -27,6 +28,7 @@ mod chain;
 mod choices;
 mod classify;
 mod coupled;
+mod dead_centres;
 mod demand;
 mod engine;
 mod fault;
@@ -52,6 +54,7 @@ mod zero;
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
+pub use dead_centres::DeadCentre;
 pub use fault::Fault;
 #[cfg(test)]
 pub(crate) use forces::falsified;

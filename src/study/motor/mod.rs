@@ -10,7 +10,8 @@
 //! duty       a mechanism and its solver over the cycle
 //! source     what is asked in one state of it
 //! fitting    a flywheel and a motor against it
-//! ram        stroke, dead centres, speed and force of a slide
+//! ram        what a slide does as the ram of a press: stroke, dwell, speed and force at a height
+//! guide      the slide wherever the driver is
 //! ```
 //!
 //! Torque stands for what the driver does: N m where a link is turned, N where a slide is pushed.
@@ -21,6 +22,7 @@ mod course;
 mod cycle;
 mod duty;
 mod fitting;
+mod guide;
 mod marks;
 mod periodic;
 mod pieces;
@@ -31,8 +33,9 @@ pub use course::Course;
 pub use cycle::{Cycle, Effect, Fluctuation, Peak, Rule, Shaking};
 pub use duty::{Duty, NoDuty, is_within};
 pub use fitting::{Asked, Fit, Geared, SMALL_FLUCTUATION, fluctuation_with, flywheel_for};
+pub use guide::Passing;
 pub use marks::repeats;
-pub use ram::{Centre, Dwell, NoRam, Passing, Ram, RamEnd, rams};
+pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};
 pub use source::Step;
 
 use crate::Vec2;

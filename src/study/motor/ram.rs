@@ -1,22 +1,15 @@
 //! What a ram does: a slide whose guide is on the ground, in the words of presses.
 //!
-//! Position s, derivative s' and second derivative s'' by the driver's coordinate q come from the solver
-//! at a speed of 1. The dead centres are the zeros of s', solved for to the last digits; between two of
-//! them the ram goes one way, so that every place of it has one q.
+//! Between two dead centres it goes one way, so that every height of it has one coordinate of the driver.
 
-use crate::angle::radians;
-use crate::numeric::{root, roots};
-use crate::solver::{Condition, Demand, Order, Range, Solver, Workspace};
+use super::guide::{Guide, Leg, Passing};
+use crate::numeric::root;
+use crate::solver::{DeadCentre, Range, Solver};
 use crate::{Body, Input, Mechanism, SlideId, StrokeEnd};
 use thiserror::Error;
 
-/// Samples over the motion between which dead centres are sought.
-const SAMPLES: u32 = 720;
 /// Dead centres that differ by less than this part of the stroke are as deep as each other.
 const SAME: f64 = 1e-9;
-/// Within this part of the stroke per radian, or per range of a driven slide, the ram does not move.
-const STILL: f64 = 1e-12;
-
 /// Why there is no ram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum NoRam {
@@ -40,31 +33,6 @@ pub struct RamEnd {
     pub is_known: bool,
 }
 
-/// A dead centre of the ram: it turns there.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Centre {
-    /// The driver's coordinate, in degrees or in the scene's length unit.
-    pub at: f64,
-    /// The position along the guide.
-    pub position: f64,
-}
-
-/// The ram where it passes a place.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Passing {
-    /// The driver's coordinate.
-    pub at: f64,
-    /// The position along the guide.
-    pub position: f64,
-    /// Its velocity along the guide, in the scene's length unit per s.
-    pub velocity: f64,
-    /// Its acceleration along the guide.
-    pub acceleration: f64,
-    /// |dq/ds| in rad/m, or without a unit where a slide is driven: what a torque or force of the driver
-    /// is multiplied by for the force of the ram that holds it in balance. Infinite at a dead centre.
-    pub leverage: f64,
-}
-
 /// How long the ram stays near the bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dwell {
@@ -86,11 +54,11 @@ pub struct Ram {
     /// Where it works.
     pub end: RamEnd,
     /// Bottom dead centre: the deepest.
-    pub bottom: Centre,
+    pub bottom: DeadCentre,
     /// Top dead centre.
-    pub top: Centre,
+    pub top: DeadCentre,
     /// Other places where it turns, in the order of the coordinate.
-    pub others: Vec<Centre>,
+    pub others: Vec<DeadCentre>,
     /// From the top to the bottom, in the scene's length unit.
     pub stroke: f64,
     /// The way of the driver over one period while the ram closes, and while it opens.
@@ -103,27 +71,6 @@ pub struct Ram {
     /// Which of the places where it turns is the bottom, in the order of the legs.
     deepest: usize,
     guide: Guide,
-}
-
-/// A stretch of the driver's coordinate on which the ram goes one way.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Leg {
-    from: Centre,
-    to: Centre,
-}
-
-/// Solves for a slide.
-#[derive(Clone, Debug)]
-struct Guide {
-    solver: Solver,
-    state: Workspace,
-    slide: SlideId,
-    range: Range,
-    /// The driver's speed and acceleration in the units of its derivatives.
-    rates: [f64; 2],
-    turns: bool,
-    /// Lengths of the scene in m.
-    metres: f64,
 }
 
 /// The slides that can be rams: on the ground, and not driven.
@@ -169,10 +116,10 @@ impl Ram {
         if mechanism.slide(slide).on != Body::Ground {
             return Err(NoRam::Moves);
         }
-        let mut guide = Guide::new(mechanism, solver, slide);
+        let guide = Guide::new(mechanism, solver, slide);
         let legs = guide.legs();
         // Deeper is less.
-        let depth = |centre: &Centre| match end.end {
+        let depth = |centre: &DeadCentre| match end.end {
             StrokeEnd::Least => centre.position,
             StrokeEnd::Greatest => -centre.position,
         };
@@ -181,7 +128,7 @@ impl Ram {
             Range::Full { .. } => None,
             Range::Limited { .. } => legs.last().map(|leg| leg.to),
         };
-        let mut turns: Vec<Centre> = legs.iter().map(|leg| leg.from).chain(last).collect();
+        let mut turns: Vec<DeadCentre> = legs.iter().map(|leg| leg.from).chain(last).collect();
         let by_depth = |a: &usize, b: &usize| depth(&turns[*a]).total_cmp(&depth(&turns[*b]));
         let deepest = (0..turns.len()).min_by(by_depth);
         let highest = (0..turns.len()).max_by(by_depth);
@@ -208,7 +155,7 @@ impl Ram {
             let both = closing + opening;
             (closing, opening) = (both, both);
         }
-        let deep = |c: &&Centre| depth(c) - depth(&bottom) <= SAME * stroke;
+        let deep = |c: &&DeadCentre| depth(c) - depth(&bottom) <= SAME * stroke;
         let bottoms = turns.iter().filter(deep).count();
         let [bottom, top] = [bottom, top].map(|centre| guide.reduced(centre));
         turns
@@ -333,7 +280,7 @@ impl Ram {
         to.extend(self.legs.iter().flat_map(|leg| [leg.from.at, leg.to.at]));
     }
 
-    fn height(&self, centre: &Centre) -> f64 {
+    fn height(&self, centre: &DeadCentre) -> f64 {
         (centre.position - self.bottom.position).abs()
     }
 
@@ -357,138 +304,12 @@ impl Ram {
 
     /// Where on a leg the ram is at this height above the bottom.
     fn crossing(&mut self, leg: Leg, height: f64) -> Option<f64> {
-        let off = |centre: &Centre| self.height(centre) - height;
+        let off = |centre: &DeadCentre| self.height(centre) - height;
         let ends = [leg.from, leg.to].map(|centre| (centre.at, off(&centre)));
         let bottom = self.bottom.position;
         let guide = &mut self.guide;
         let off = |at| Some((guide.look(at)?.0 - bottom).abs() - height);
         root(ends[0], ends[1], f64::EPSILON, off).ok()
-    }
-}
-
-impl Guide {
-    fn new(mechanism: &Mechanism, solver: &Solver, slide: SlideId) -> Guide {
-        let demand = Demand {
-            slides: vec![slide],
-            ..Demand::default()
-        };
-        let solver = solver.only(&demand).at_speed(1.0, 0.0);
-        let driver = mechanism.driver();
-        Guide {
-            state: solver.state(),
-            range: solver.motion().range,
-            solver,
-            slide,
-            rates: [driver.speed, driver.acceleration],
-            turns: matches!(driver.input, Input::Turn(_)),
-            metres: mechanism.metres(),
-        }
-    }
-
-    /// Position, and where they exist the first and second derivative by the driver's coordinate in
-    /// radians or in the scene's length unit.
-    fn look(&mut self, at: f64) -> Option<(f64, Option<[f64; 2]>)> {
-        let condition = self.solver.solve(at, Order::Acceleration, &mut self.state);
-        let travel = self.state.travel(self.slide);
-        let rates = Some([travel.rate, travel.accel]);
-        match condition {
-            Condition::Ok | Condition::ChangePoint => Some((travel.position, rates)),
-            Condition::DeadPoint => Some((travel.position, None)),
-            Condition::NoAssembly => None,
-        }
-    }
-
-    fn slope(&mut self, at: f64) -> Option<f64> {
-        self.look(at)?.1.map(|[slope, _]| slope)
-    }
-
-    fn backwards(&self) -> bool {
-        self.rates[0] < 0.0
-    }
-
-    /// How long the driver takes for a way, in s.
-    fn seconds(&self, way: f64) -> Option<f64> {
-        let way = if self.turns { radians(way) } else { way };
-        let seconds = way / self.rates[0].abs();
-        seconds.is_finite().then_some(seconds)
-    }
-
-    fn wrapped(&self, at: f64) -> f64 {
-        match self.range {
-            Range::Full { period } => at.rem_euclid(period),
-            Range::Limited { .. } => at,
-        }
-    }
-
-    fn reduced(&self, centre: Centre) -> Centre {
-        Centre {
-            at: self.wrapped(centre.at),
-            ..centre
-        }
-    }
-
-    /// The stretches between the places where the slide turns, over one period or over the range.
-    fn legs(&mut self) -> Vec<Leg> {
-        let (low, high) = self.range.ends();
-        let place = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(SAMPLES);
-        // One sample more: round the end of the period.
-        let last = if matches!(self.range, Range::Full { .. }) {
-            SAMPLES
-        } else {
-            SAMPLES - 1
-        };
-        let turns = roots((0..=last).map(place), f64::EPSILON, |at| self.slope(at));
-        let mut centres: Vec<Centre> = turns.into_iter().filter_map(|at| self.centre(at)).collect();
-        match self.range {
-            Range::Limited { .. } => {
-                let mut all: Vec<Centre> = self.centre(low).into_iter().collect();
-                all.extend(centres);
-                all.extend(self.centre(high));
-                centres = all;
-            }
-            Range::Full { period } => {
-                let first = centres.first().map(|first| Centre {
-                    at: first.at + period,
-                    ..*first
-                });
-                centres.extend(first);
-            }
-        }
-        let legs = centres.windows(2).map(|pair| Leg {
-            from: pair[0],
-            to: pair[1],
-        });
-        legs.collect()
-    }
-
-    fn centre(&mut self, at: f64) -> Option<Centre> {
-        let (position, _) = self.look(at)?;
-        Some(Centre { at, position })
-    }
-
-    /// The slide at a coordinate, with the driver's speed or on the way back.
-    fn passing(&mut self, at: f64, back: bool, stroke: f64) -> Option<Passing> {
-        let (position, rates) = self.look(at)?;
-        let [slope, second] = rates?;
-        let span = match self.range {
-            Range::Limited { low, high } if !self.turns => high - low,
-            Range::Limited { .. } | Range::Full { .. } => 1.0,
-        };
-        // A dead centre is known to the last digit of the coordinate, and there the slope is 0.
-        let still = STILL * (stroke / span).max(second.abs() * span);
-        let first = if slope.abs() <= still { 0.0 } else { slope };
-        let [speed, acceleration] = self.rates;
-        let speed = if back { -speed } else { speed };
-        Some(Passing {
-            at: self.wrapped(at),
-            position,
-            velocity: first * speed + 0.0,
-            acceleration: second * speed * speed + first * acceleration,
-            leverage: match self.turns {
-                true => 1.0 / (first * self.metres).abs(),
-                false => 1.0 / first.abs(),
-            },
-        })
     }
 }
 
