@@ -5,7 +5,6 @@
 mod catalogue;
 mod clock;
 mod curves;
-mod extrema;
 mod hidden;
 mod sensitivity;
 mod subject;
@@ -13,8 +12,7 @@ mod value;
 
 pub use catalogue::{Catalogue, UnknownColumn};
 pub use clock::Clock;
-pub use curves::{Abscissa, Curve, Curves, Here, NoTime};
-pub use extrema::Extremum;
+pub use curves::{Abscissa, Curve, Curves, Extremum, Here, NoTime};
 pub use hidden::{Hidden, Reason};
 pub use sensitivity::{Derivatives, MOST_DERIVATIVES, Sensitivity};
 pub use subject::{Aspect, Share, Subject};
@@ -48,6 +46,16 @@ impl Quantity {
     #[must_use]
     pub fn bound(&self, state: &State, enclosure: &State<Ball>) -> Option<f64> {
         bound(self.subject, self.aspect, state, enclosure)
+    }
+
+    /// What its slope over time is, if that is a quantity of a state: of a place the velocity, of that the
+    /// acceleration. Its name and unit are still those of this one.
+    fn rate(&self) -> Option<Quantity> {
+        let aspect = self.aspect.rate()?;
+        Some(Quantity {
+            aspect,
+            ..self.clone()
+        })
     }
 
     /// The name with the unit in brackets, as a column's header.

@@ -174,6 +174,28 @@ impl Aspect {
         }
     }
 
+    /// What its slope over time is, if a state has that.
+    pub(super) fn rate(self) -> Option<Aspect> {
+        match self {
+            Aspect::X => Some(Aspect::Vx),
+            Aspect::Y => Some(Aspect::Vy),
+            Aspect::Vx => Some(Aspect::Ax),
+            Aspect::Vy => Some(Aspect::Ay),
+            Aspect::Angle => Some(Aspect::Omega),
+            Aspect::Omega => Some(Aspect::Alpha),
+            Aspect::Length => Some(Aspect::Rate),
+            Aspect::Rate => Some(Aspect::Accel),
+            Aspect::Ax | Aspect::Ay | Aspect::Alpha | Aspect::Accel => None,
+            Aspect::Torque
+            | Aspect::Force
+            | Aspect::Power
+            | Aspect::Fx
+            | Aspect::Fy
+            | Aspect::Normal
+            | Aspect::Moment => None,
+        }
+    }
+
     /// Its unit, in a scene whose lengths are in `length`.
     #[must_use]
     pub fn unit(self, length: &str) -> String {

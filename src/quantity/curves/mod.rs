@@ -1,16 +1,17 @@
 //! Quantities over the motion: samples to draw, the gaps between them, and where they turn.
 
+mod extrema;
 mod probe;
 mod span;
 #[cfg(test)]
 mod tests;
 
 use super::clock::{Clock, paced};
-use super::extrema::Extremum;
 use super::hidden::Hidden;
 use super::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver, State};
+pub use extrema::Extremum;
 use probe::{Probe, beside, wraps};
 use span::{NEAR, shown};
 use thiserror::Error;
@@ -95,6 +96,8 @@ pub struct Here {
 /// would be seen as a delay.
 const SAMPLES: usize = 720;
 const FEWEST_SAMPLES: usize = 180;
+/// This near to the end of a period, as a part of it, is where the next one begins.
+const SEAM: f64 = 1e-9;
 /// Points and links of all samples together.
 const MOST_ROWS: usize = 400_000;
 
@@ -201,7 +204,8 @@ impl Curves {
         Ok(all)
     }
 
-    /// Finds what stands along x at each extremum; one that lies beyond an end is one period before.
+    /// Finds what stands along x at each extremum; one that lies beyond an end is one period before, and
+    /// one where a period ends and begins is at the beginning.
     fn place_extrema(&mut self, probe: &mut Probe) {
         let (first, last) = (self.places(0), self.places(usize::MAX));
         let figure = self.curves.len();
@@ -210,11 +214,13 @@ impl Curves {
                 // Until here, the place is that of the probe.
                 let mut place = extremum.at;
                 if let Some(period) = self.period {
-                    if place < first {
+                    let seam = SEAM * period;
+                    if place < first - seam {
                         place += period;
-                    } else if place > last {
+                    } else if place > last - seam {
                         place -= period;
                     }
+                    place = place.max(first);
                 }
                 extremum.at = probe.coordinate(place);
                 extremum.along = match self.abscissa {

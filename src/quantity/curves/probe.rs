@@ -1,12 +1,9 @@
-//! Reading quantities anywhere on the way: samples, jumps between them, and where exactly a figure turns.
+//! Reading quantities anywhere on the way: samples, slopes, and jumps between samples.
 
 use super::super::clock::{Clock, Pace, paced};
-use super::super::extrema::Extremum;
 use super::super::{Aspect, Hidden, Quantity, Subject, demand};
-use super::Curve;
 use super::span::usual;
 use crate::angle::{self, TURN};
-use crate::numeric::{Unsettled, lowest, turns};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{LANES, Lanes};
 
@@ -15,8 +12,6 @@ use crate::{LANES, Lanes};
 const STEEP: f64 = 0.2;
 /// Halvings by which a jump is told from a steep slope: a millionth of the way between two samples.
 const HALVINGS: u32 = 20;
-/// A turn counts where the curve goes away from it by this part of its range.
-const LEAST_TURN: f64 = 2e-3;
 /// A change that is less than this part of the values is the rounding of what they come from.
 const ROUNDING: f64 = 1e-11;
 /// A change is one where it is more than so many times what an error may be.
@@ -45,6 +40,8 @@ pub(super) struct Probe {
     clock: Option<Clock>,
     state: Workspace,
     lanes: Workspace<Lanes>,
+    /// The same over what a place is: of a coordinate with a speed of 1, of a time with the scene's.
+    slopes: (Solver, Workspace),
     /// Why figures are not shown, at the first sample where that is so.
     pub(super) hidden: Option<Hidden>,
 }
@@ -58,6 +55,10 @@ impl Probe {
     ) -> Self {
         let (wanted, order) = demand(columns);
         let solver = solver.only(&wanted);
+        let slopes = match clock {
+            Some(_) => solver.clone(),
+            None => solver.at_speed(1.0, 0.0),
+        };
         Probe {
             order,
             columns: columns.to_vec(),
@@ -65,6 +66,7 @@ impl Probe {
             clock,
             state: solver.state(),
             lanes: solver.lanes(),
+            slopes: (slopes.clone(), slopes.state()),
             hidden: None,
             solver,
         }
@@ -101,6 +103,16 @@ impl Probe {
     pub(super) fn value(&mut self, column: usize, place: f64) -> Option<f64> {
         self.solve(place);
         paced(&self.columns[column], &self.state, self.pace(place))
+    }
+
+    /// The slope of a column over its place, but for a factor that is the same everywhere; `None` where
+    /// it has none, and of what no rate is known.
+    pub(super) fn slope(&mut self, column: usize, place: f64) -> Option<f64> {
+        let rate = self.columns[column].rate()?;
+        let (at, pace) = (self.coordinate(place), self.pace(place));
+        let (solver, state) = &mut self.slopes;
+        solver.solve(at, rate.aspect.order(), state);
+        paced(&rate, state, pace)
     }
 
     /// Every column at these places, and what the states are.
@@ -250,104 +262,5 @@ impl Probe {
         self.solver
             .enclose(&mut self.state, self.order, &mut enclosure);
         self.columns[column].bound(&self.state, &enclosure)
-    }
-
-    /// Where a curve turns. `at` of each is still the place, and `along` is not yet known.
-    pub(super) fn extrema(
-        &mut self,
-        column: usize,
-        curve: &Curve,
-        places: &[f64],
-        goes_round: bool,
-        ends_are_limits: bool,
-    ) -> Vec<Extremum> {
-        let size = curve.range().map_or(0.0, |(low, high)| high - low);
-        if curve.is_level() || size <= 0.0 {
-            return Vec::new();
-        }
-        let mut found = Vec::new();
-        for piece in runs(&curve.values, &curve.breaks) {
-            let values: Vec<f64> = curve.values[piece.clone()]
-                .iter()
-                .copied()
-                .flatten()
-                .collect();
-            let goes_round = goes_round && values.len() == places.len();
-            for turn in turns(&values, LEAST_TURN * size, goes_round) {
-                let sample = piece.start + turn.sample;
-                let is_limit = ends_are_limits && (sample == 0 || sample + 1 == places.len());
-                if turn.is_end && !is_limit {
-                    continue;
-                }
-                let (at, value) = if turn.is_end {
-                    (places[sample], values[turn.sample])
-                } else {
-                    self.refined(column, sample, turn.is_peak, values[turn.sample], places)
-                };
-                found.push(Extremum {
-                    is_peak: turn.is_peak,
-                    at,
-                    along: f64::NAN,
-                    value,
-                    is_extreme: false,
-                });
-            }
-        }
-        mark_extremes(&mut found);
-        found
-    }
-
-    /// The place and the value of a turn near a sample.
-    fn refined(
-        &mut self,
-        column: usize,
-        sample: usize,
-        is_peak: bool,
-        value: f64,
-        places: &[f64],
-    ) -> (f64, f64) {
-        let step = (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
-        let here = places[sample];
-        let sense = if is_peak { -1.0 } else { 1.0 };
-        let f = |place| Some(sense * self.value(column, place)?);
-        let found = lowest(f, [here - step, here + step], (here, sense * value));
-        // Beside a gap the lowest that was seen is still a value of the figure.
-        let (place, value) = found.unwrap_or_else(Unsettled::best);
-        (place, sense * value)
-    }
-}
-
-/// The samples that hang together.
-fn runs(values: &[Option<f64>], breaks: &[bool]) -> Vec<std::ops::Range<usize>> {
-    let mut runs = Vec::new();
-    let mut start = None;
-    for (i, value) in values.iter().enumerate() {
-        if value.is_some() {
-            start = start.or(Some(i));
-        }
-        let ends = value.is_none() || breaks.get(i).copied().unwrap_or(true);
-        if ends && let Some(start) = start.take() {
-            runs.push(start..i + usize::from(value.is_some()));
-        }
-    }
-    runs
-}
-
-/// Marks the largest of the maxima and the smallest of the minima.
-fn mark_extremes(extrema: &mut [Extremum]) {
-    for is_peak in [true, false] {
-        let sense = if is_peak { 1.0 } else { -1.0 };
-        let all = extrema.iter_mut().filter(|e| e.is_peak == is_peak);
-        // Of equals the first.
-        let most = all.reduce(|best, e| {
-            if sense * e.value > sense * best.value {
-                e
-            } else {
-                best
-            }
-        });
-        if let Some(most) = most {
-            most.is_extreme = true;
-        }
     }
 }

@@ -1,7 +1,9 @@
 use super::super::Aspect;
+use super::extrema::LEAST_TURN;
 use super::span::ends;
 use super::*;
 use crate::angle::TURN;
+use crate::numeric::turns as turning;
 use crate::scene::presets;
 use crate::solver::Order;
 
@@ -26,12 +28,12 @@ fn turns(curve: &Curve) -> Vec<(f64, f64)> {
     all
 }
 
-/// What is promised: the value to rounding, the place to 1e-5 deg.
+/// What is promised of places and velocities: the value and where it is, to rounding.
 fn close(found: &[(f64, f64)], wanted: &[(f64, f64)]) {
     assert_eq!(found.len(), wanted.len(), "{found:?}");
     for (f, w) in found.iter().zip(wanted) {
         let apart = (f.0 - w.0).rem_euclid(TURN);
-        assert!(apart.min(TURN - apart) < 1e-5, "{f:?} {w:?}");
+        assert!(apart.min(TURN - apart) < 1e-11, "{f:?} {w:?}");
         assert!((f.1 - w.1).abs() <= 1e-13 * w.1.abs(), "{f:?} {w:?}");
     }
 }
@@ -69,6 +71,81 @@ fn a_rocker_turns_back_where_crank_and_coupler_are_in_line() {
             values.iter().any(|v| (v - wanted).abs() < 1e-11),
             "{values:?} {wanted}"
         );
+    }
+}
+
+/// Every figure of scenes with dwells, stops, loads and two turns to a period: it turns nowhere else
+/// between samples that are eight times as dense, and nowhere they go beyond an extremum. The slope of
+/// what has one is 0 there; over time, too, where the driver is as fast as its coordinate says.
+#[test]
+fn denser_samples_know_no_other_extrema() {
+    const DENSER: usize = 8;
+    for (name, abscissa) in [
+        ("four-bar-load", Abscissa::Driver),
+        ("toggle-press", Abscissa::Driver),
+        ("kite", Abscissa::Driver),
+        ("excavator-boom", Abscissa::Driver),
+        ("jansen-leg", Abscissa::Driver),
+        ("whitworth", Abscissa::Time),
+        ("four-bar", Abscissa::Time),
+    ] {
+        let text = presets::find(name).unwrap().text;
+        let text = text.replace(
+            "15 rad/s\"\n",
+            "15 rad/s\"\nacceleration = \"40 rad/s^2\"\n",
+        );
+        let (scene, solver) = opened(&text);
+        let figures = Catalogue::new(&scene).figures();
+        let curves = Curves::new(&scene, &solver, &figures, abscissa.clone(), None).unwrap();
+        let clock = curves.clock;
+        let mut probe = Probe::new(&solver, &figures, solver.motion().range, clock);
+        let (first, last) = (curves.places(0), curves.places(usize::MAX));
+        let count = DENSER * (curves.at.len() - 1);
+        let step = (last - first) / count as f64;
+        let places: Vec<f64> = (0..=count).map(|k| first + step * k as f64).collect();
+        let (dense, _) = probe.sample(&places);
+        let mut seen = 0;
+        for (i, curve) in curves.curves.iter().enumerate() {
+            let dense: Vec<f64> = dense[i].iter().copied().flatten().collect();
+            let whole = dense.len() == places.len() && !curve.breaks.contains(&true);
+            if curve.is_level() || !whole {
+                continue;
+            }
+            let size = curve.range().map_or(0.0, |(low, high)| high - low);
+            let denser = turning(&dense, LEAST_TURN * size, curves.period.is_some());
+            let denser: Vec<_> = denser.into_iter().filter(|turn| !turn.is_end).collect();
+            let of = |e: &&Extremum| first < e.along && e.along < last;
+            let found: Vec<&Extremum> = curve.extrema.iter().filter(of).collect();
+            let about = format!("{name} {} {found:?} {denser:?}", curve.quantity.name);
+            for turn in &denser {
+                let (at, value) = (places[turn.sample], dense[turn.sample]);
+                let near = |e: &&Extremum| {
+                    let apart = (e.along - at).abs();
+                    apart.min((last - first).abs() - apart) <= 2.0 * step.abs()
+                };
+                let Some(extremum) = curve.extrema.iter().find(near) else {
+                    panic!("nothing at {at}: {about}");
+                };
+                let beyond = if turn.is_peak {
+                    value - extremum.value
+                } else {
+                    extremum.value - value
+                };
+                assert!(
+                    beyond <= 1e-12 * size,
+                    "{beyond:e} beyond {extremum:?}: {about}"
+                );
+                let slopes = [-1.0, 0.0, 1.0].map(|k| probe.slope(i, at + k * step).unwrap_or(0.0));
+                let slope = probe.slope(i, extremum.along).unwrap_or(0.0);
+                let most = slopes
+                    .iter()
+                    .fold(0.0_f64, |most, slope| most.max(slope.abs()));
+                assert!(slope.abs() <= 1e-6 * most, "{slope:e} of {most:e}: {about}");
+                seen += 1;
+            }
+            assert!(found.len() <= denser.len(), "{about}");
+        }
+        assert!(seen >= 10, "{name}: {seen}");
     }
 }
 

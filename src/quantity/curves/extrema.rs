@@ -1,0 +1,134 @@
+//! Where a curve turns, and where exactly.
+
+use super::Curve;
+use super::probe::Probe;
+use crate::numeric::{Unsettled, lowest, roots, turns};
+
+/// A place at which a figure is largest or smallest among its neighbours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extremum {
+    /// A maximum, or else a minimum.
+    pub is_peak: bool,
+    /// The driver's coordinate there, in degrees or in the scene's length unit.
+    pub at: f64,
+    /// What stands along x there.
+    pub along: f64,
+    /// The figure there.
+    pub value: f64,
+    /// Whether it is the largest of the maxima, or the smallest of the minima.
+    pub is_extreme: bool,
+}
+
+/// A turn counts where the curve goes away from it by this part of its range.
+pub(super) const LEAST_TURN: f64 = 2e-3;
+
+impl Probe {
+    /// Where a curve turns. `at` of each is still the place, and `along` is not yet known.
+    pub(super) fn extrema(
+        &mut self,
+        column: usize,
+        curve: &Curve,
+        places: &[f64],
+        goes_round: bool,
+        ends_are_limits: bool,
+    ) -> Vec<Extremum> {
+        let size = curve.range().map_or(0.0, |(low, high)| high - low);
+        if curve.is_level() || size <= 0.0 {
+            return Vec::new();
+        }
+        let mut found = Vec::new();
+        for piece in runs(&curve.values, &curve.breaks) {
+            let values: Vec<f64> = curve.values[piece.clone()]
+                .iter()
+                .copied()
+                .flatten()
+                .collect();
+            let goes_round = goes_round && values.len() == places.len();
+            for turn in turns(&values, LEAST_TURN * size, goes_round) {
+                let sample = piece.start + turn.sample;
+                let is_limit = ends_are_limits && (sample == 0 || sample + 1 == places.len());
+                if turn.is_end && !is_limit {
+                    continue;
+                }
+                let (at, value) = if turn.is_end {
+                    (places[sample], values[turn.sample])
+                } else {
+                    self.refined(column, sample, turn.is_peak, values[turn.sample], places)
+                };
+                found.push(Extremum {
+                    is_peak: turn.is_peak,
+                    at,
+                    along: f64::NAN,
+                    value,
+                    is_extreme: false,
+                });
+            }
+        }
+        mark_extremes(&mut found);
+        found
+    }
+
+    /// The place and the value of a turn near a sample: where the slope is 0, if that is known.
+    fn refined(
+        &mut self,
+        column: usize,
+        sample: usize,
+        is_peak: bool,
+        value: f64,
+        places: &[f64],
+    ) -> (f64, f64) {
+        let step = (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
+        let here = places[sample];
+        let around = [here - step, here, here + step];
+        let sense = if is_peak { -1.0 } else { 1.0 };
+        let finest = f64::EPSILON * step.abs();
+        let level = roots(around, finest, |place| self.slope(column, place));
+        let level = level
+            .into_iter()
+            .filter_map(|place| Some((place, self.value(column, place)?)))
+            .min_by(|a, b| (sense * a.1).total_cmp(&(sense * b.1)));
+        if let Some(level) = level.filter(|level| sense * level.1 <= sense * value) {
+            return level;
+        }
+        let f = |place| Some(sense * self.value(column, place)?);
+        let found = lowest(f, [around[0], around[2]], (here, sense * value));
+        // Beside a gap the lowest that was seen is still a value of the figure.
+        let (place, value) = found.unwrap_or_else(Unsettled::best);
+        (place, sense * value)
+    }
+}
+
+/// The samples that hang together.
+fn runs(values: &[Option<f64>], breaks: &[bool]) -> Vec<std::ops::Range<usize>> {
+    let mut runs = Vec::new();
+    let mut start = None;
+    for (i, value) in values.iter().enumerate() {
+        if value.is_some() {
+            start = start.or(Some(i));
+        }
+        let ends = value.is_none() || breaks.get(i).copied().unwrap_or(true);
+        if ends && let Some(start) = start.take() {
+            runs.push(start..i + usize::from(value.is_some()));
+        }
+    }
+    runs
+}
+
+/// Marks the largest of the maxima and the smallest of the minima.
+fn mark_extremes(extrema: &mut [Extremum]) {
+    for is_peak in [true, false] {
+        let sense = if is_peak { 1.0 } else { -1.0 };
+        let all = extrema.iter_mut().filter(|e| e.is_peak == is_peak);
+        // Of equals the first.
+        let most = all.reduce(|best, e| {
+            if sense * e.value > sense * best.value {
+                e
+            } else {
+                best
+            }
+        });
+        if let Some(most) = most {
+            most.is_extreme = true;
+        }
+    }
+}
