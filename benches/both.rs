@@ -62,13 +62,13 @@ impl<const P: usize, const L: usize> General<P, L> {
     #[inline]
     fn read(&self, state: &State) -> Figures<P, L> {
         let joint = |id| Joint {
-            p: state.position(id),
-            v: state.velocity(id),
-            a: state.acceleration(id),
+            p: state.position(id).expect("solved"),
+            v: state.velocity(id).expect("solved"),
+            a: state.acceleration(id).expect("solved"),
         };
         let turning = |id| Turning {
-            omega: state.omega(id),
-            alpha: state.alpha(id),
+            omega: state.omega(id).expect("solved"),
+            alpha: state.alpha(id).expect("solved"),
         };
         (self.points.map(joint), self.links.map(turning))
     }
@@ -77,14 +77,17 @@ impl<const P: usize, const L: usize> General<P, L> {
     fn read_lanes(&self, state: &State<Lanes>, (joints, links): &mut LaneFigures<P, L>) {
         for (joint, &id) in joints.iter_mut().zip(&self.points) {
             let (p, v, a) = (
-                state.position(id),
-                state.velocity(id),
-                state.acceleration(id),
+                state.position(id).expect("solved"),
+                state.velocity(id).expect("solved"),
+                state.acceleration(id).expect("solved"),
             );
             *joint = [p, v, a];
         }
         for (turning, &id) in links.iter_mut().zip(&self.links) {
-            *turning = [state.omega(id), state.alpha(id)];
+            *turning = [
+                state.omega(id).expect("solved"),
+                state.alpha(id).expect("solved"),
+            ];
         }
     }
 
@@ -123,7 +126,7 @@ impl<const P: usize, const L: usize> General<P, L> {
         enclosure: &mut Workspace<Ball>,
     ) {
         for &at in angles {
-            self.solver.solve(black_box(at), Order::Acceleration, state);
+            let _ = self.solver.solve(black_box(at), Order::Acceleration, state);
             self.solver.enclose(state, Order::Acceleration, enclosure);
             black_box((&*state, &*enclosure));
         }
@@ -132,7 +135,7 @@ impl<const P: usize, const L: usize> General<P, L> {
     /// Solves at all angles, without reading anything.
     pub(crate) fn sweep(&self, angles: &[f64], state: &mut Workspace) {
         for &at in angles {
-            self.solver.solve(black_box(at), Order::Acceleration, state);
+            let _ = self.solver.solve(black_box(at), Order::Acceleration, state);
             black_box(&*state);
         }
     }
@@ -140,7 +143,7 @@ impl<const P: usize, const L: usize> General<P, L> {
     /// Solves at all angles and reads everything.
     pub(crate) fn sweep_and_read(&self, angles: &[f64], state: &mut Workspace) {
         for &at in angles {
-            self.solver.solve(black_box(at), Order::Acceleration, state);
+            let _ = self.solver.solve(black_box(at), Order::Acceleration, state);
             black_box(&self.read(state));
         }
     }
@@ -210,7 +213,7 @@ fn agree_in_lanes<const P: usize, const L: usize>(name: &str, general: &General<
         general.read_lanes(&lanes, &mut figures);
         let (joints, links) = figures;
         for (lane, at) in at.into_iter().enumerate() {
-            general.solver.solve(at, Order::Acceleration, &mut state);
+            let _ = general.solver.solve(at, Order::Acceleration, &mut state);
             let here = |v: Vec2<Lanes>| v.map(|v| v.0[lane]);
             let joints = joints.map(|[p, v, a]| Joint {
                 p: here(p),

@@ -80,7 +80,7 @@ fn motor(name: &str, scene: &Scene, solver: &Solver) {
 }
 
 fn solve(solver: &Solver, at: f64, order: Order, state: &mut Workspace) {
-    black_box(solver.solve(black_box(at), order, state));
+    let _ = black_box(solver.solve(black_box(at), order, state));
 }
 
 /// Nanoseconds a state.

@@ -182,7 +182,7 @@ fn print_chains() {
             let begin = Instant::now();
             for _ in 0..REPEATS {
                 at += 1.0;
-                solver.solve(black_box(at), Order::Acceleration, &mut state);
+                let _ = solver.solve(black_box(at), Order::Acceleration, &mut state);
             }
             begin.elapsed().as_nanos() as f64 / f64::from(REPEATS)
         });

@@ -189,7 +189,10 @@ impl Scene {
                 }
             }
         }
-        points.iter().map(|&p| (p, state.position(p))).collect()
+        points
+            .into_iter()
+            .filter_map(|p| Some((p, state.position(p)?)))
+            .collect()
     }
 
     /// Centres of mass have a name of their own making, which `[start]` does not know.
@@ -200,10 +203,10 @@ impl Scene {
 
     /// Whether two states are the same but for rounding.
     pub(crate) fn agree(&self, one: &State, other: &State) -> bool {
-        let place = |state: &State, p| state.position(p);
+        let (one, other) = (one.known(), other.known());
         let points = || self.mechanism.point_ids();
-        let largest = points().map(|p| place(one, p).norm()).fold(0.0, f64::max);
-        points().all(|p| (place(one, p) - place(other, p)).norm() <= SAME * largest)
+        let largest = points().map(|p| one.position(p).norm()).fold(0.0, f64::max);
+        points().all(|p| (one.position(p) - other.position(p)).norm() <= SAME * largest)
     }
 }
 

@@ -161,7 +161,7 @@ fn an_angle_just_below_a_turn_is_within_its_bound_of_zero() {
         Aspect::Angle,
     );
     for below in [1e-300, 1e-20, 1e-14, 2.8e-14] {
-        solver.solve(-below, Order::Position, &mut state);
+        let _ = solver.solve(-below, Order::Position, &mut state);
         solver.enclose(&mut state, Order::Position, &mut balls);
         let value = quantity::value(figure.0, figure.1, &state).unwrap();
         let bound = quantity::bound(figure.0, figure.1, &state, &balls).unwrap();
@@ -176,7 +176,7 @@ fn a_speed_that_was_converted_is_within_its_bound() {
     let scene = four_bar_of(["15 rad/s", "37.45989650588049 rpm"]);
     let solver = Solver::new(&scene.mechanism).unwrap();
     let (mut state, mut balls) = (solver.state(), solver.enclosure());
-    solver.solve(60.0, Order::Velocity, &mut state);
+    let _ = solver.solve(60.0, Order::Velocity, &mut state);
     solver.enclose(&mut state, Order::Velocity, &mut balls);
     let speed = quantity::value(Subject::Driver, Aspect::Omega, &state).unwrap();
     let bound = quantity::bound(Subject::Driver, Aspect::Omega, &state, &balls).unwrap();

@@ -18,7 +18,7 @@ fn picture(
     let scene = Scene::parse(&text, preset).expect("the scene reads");
     let solver = Solver::new(&scene.mechanism).expect("the scene moves");
     let mut state = solver.state();
-    solver.solve(at, Order::Position, &mut state);
+    let _ = solver.solve(at, Order::Position, &mut state);
     let reach = Reach::of(&scene, &solver);
     let view = View::fit(&reach, cols, rows, 2.0);
     let figure = linkage(&scene, &reach, &state, layers);
@@ -77,7 +77,7 @@ fn a_raster_can_be_used_again_for_another_size() {
     let scene = Scene::parse(text, "four-bar").expect("the scene reads");
     let solver = Solver::new(&scene.mechanism).expect("the scene moves");
     let mut state = solver.state();
-    solver.solve(60.0, Order::Position, &mut state);
+    let _ = solver.solve(60.0, Order::Position, &mut state);
     let reach = Reach::of(&scene, &solver);
     let figure = linkage(&scene, &reach, &state, Layers::default());
     let mut raster = Raster::new();

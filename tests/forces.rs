@@ -403,7 +403,7 @@ fn a_scene_on_which_nothing_acts_has_no_forces() {
     let names = Catalogue::new(&scene);
     assert!(names.all().iter().all(|q| q.aspect.order() < Order::Force));
     let mut state = solver.state();
-    solver.solve(60.0, Order::Force, &mut state);
+    let _ = solver.solve(60.0, Order::Force, &mut state);
     assert_eq!(state.drive(), None);
 }
 
@@ -434,14 +434,14 @@ struct Energy {
 fn energy(scene: &Scene, solver: &Solver, at: f64, point: &str, force: V) -> Energy {
     let mechanism = &scene.mechanism;
     let mut state = solver.state();
-    solver.solve(at, Order::Velocity, &mut state);
+    let _ = solver.solve(at, Order::Velocity, &mut state);
     let metres = mechanism.metres();
     let mut stored = 0.0;
     for id in mechanism.link_ids() {
         let link = mechanism.link(id);
         let Some(com) = link.com else { continue };
-        let (p, v) = (state.position(com), state.velocity(com));
-        let omega = state.omega(id);
+        let (p, v) = (state.position(com).unwrap(), state.velocity(com).unwrap());
+        let omega = state.omega(id).unwrap();
         stored += 0.5 * link.mass * (v.x * v.x + v.y * v.y) * metres * metres;
         stored += 0.5 * link.inertia * omega * omega;
         let g = mechanism.gravity();
@@ -449,7 +449,7 @@ fn energy(scene: &Scene, solver: &Solver, at: f64, point: &str, force: V) -> Ene
     }
     let named = |id: &krank::PointId| scene.point_name(*id) == Some(point);
     let loaded = mechanism.point_ids().find(named).unwrap();
-    let v = state.velocity(loaded);
+    let v = state.velocity(loaded).unwrap();
     Energy {
         stored,
         given: (force[0] * v.x + force[1] * v.y) * metres,
@@ -558,7 +558,7 @@ fn at_a_change_point_the_torque_exists_and_the_reactions_do_not() {
     assert_eq!(state.joint_force(link, pin), None);
     assert_eq!(state.frame_force(), None);
     for beside in [at - 1.0, at + 1.0] {
-        solver.solve(beside, Order::Force, &mut state);
+        let _ = solver.solve(beside, Order::Force, &mut state);
         let beside = state.drive().unwrap();
         assert!(
             (beside - there).abs() < 0.2 * there.abs().max(1.0),

@@ -103,7 +103,7 @@ fn row(screen: &str, name: &str) -> Vec<f64> {
 fn the_figures_are_those_of_the_state() {
     let opened = preset("press-ram");
     let mut state = opened.solver.state();
-    opened.solver.solve(20.0, Order::Force, &mut state);
+    let _ = opened.solver.solve(20.0, Order::Force, &mut state);
     let forces = Forces::new(&opened.scene, &opened.solver, &state, None).unwrap();
     let mut session = session("press-ram", 120, 40);
     session.press("5 g").type_in("20").press("Enter");

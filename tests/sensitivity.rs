@@ -269,7 +269,7 @@ fn a_coupled_group_follows_its_lengths() {
         let read = |by: f64| {
             let solver = Solver::new(&scene.mechanism.changed(length, by)).unwrap();
             let mut state = solver.state();
-            solver.solve(at, krank::solver::Order::Acceleration, &mut state);
+            let _ = solver.solve(at, krank::solver::Order::Acceleration, &mut state);
             figures
                 .iter()
                 .map(|f| f.value(&state).unwrap())

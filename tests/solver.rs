@@ -56,14 +56,14 @@ fn assert_assembled(mechanism: &Mechanism, state: &State, size: f64) {
     for id in mechanism.link_ids() {
         let members = &mechanism.link(id).members;
         for m in members {
-            let seen = state.position(m.point) - state.position(members[0].point);
-            let expected = (m.local - members[0].local).turned(state.direction(id));
+            let seen = state.position(m.point).unwrap() - state.position(members[0].point).unwrap();
+            let expected = (m.local - members[0].local).turned(state.direction(id).unwrap());
             assert!(
                 (seen - expected).norm() < tolerance,
                 "{id:?} {seen:?} {expected:?}"
             );
         }
-        assert!((state.direction(id).norm() - 1.0).abs() < 1e-13);
+        assert!((state.direction(id).unwrap().norm() - 1.0).abs() < 1e-13);
     }
     for id in mechanism.slide_ids() {
         assert_on_guide(mechanism, state, id, tolerance);
@@ -76,13 +76,13 @@ fn assert_on_guide(mechanism: &Mechanism, state: &State, id: SlideId, tolerance:
         Body::Ground => (Vec2::ZERO, Vec2::X),
         Body::Link(on) => {
             let m = mechanism.link(on).members[0];
-            let d = state.direction(on);
-            (state.position(m.point) - m.local.turned(d), d)
+            let d = state.direction(on).unwrap();
+            (state.position(m.point).unwrap() - m.local.turned(d), d)
         }
     };
     let guide = slide.direction().turned(d);
-    let expected = origin + slide.through.turned(d) + guide * state.travel(id).position;
-    let seen = state.position(slide.slider.point());
+    let expected = origin + slide.through.turned(d) + guide * state.travel(id).unwrap().position;
+    let seen = state.position(slide.slider.point()).unwrap();
     assert!(
         (seen - expected).norm() < tolerance,
         "{id:?} {seen:?} {expected:?}"
@@ -91,7 +91,7 @@ fn assert_on_guide(mechanism: &Mechanism, state: &State, id: SlideId, tolerance:
         assert!(
             krank::angle::unit(turn)
                 .turned(guide)
-                .cross(state.direction(link))
+                .cross(state.direction(link).unwrap())
                 .abs()
                 < 1e-13,
             "{id:?}"
@@ -120,9 +120,9 @@ fn assert_rates(mechanism: &Mechanism, solver: &Solver, q: f64, tolerance: f64) 
         );
     };
     for p in mechanism.point_ids() {
-        let (v, a) = (now.velocity(p), now.acceleration(p));
-        let place = |s: &State| s.position(p);
-        let rate = |s: &State, t: f64| s.velocity(p) * speed(t);
+        let (v, a) = (now.velocity(p).unwrap(), now.acceleration(p).unwrap());
+        let place = |s: &State| s.position(p).unwrap();
+        let rate = |s: &State, t: f64| s.velocity(p).unwrap() * speed(t);
         let scale = v.norm() + a.norm();
         agree(slope(place(&before).x, place(&after).x), v.x, scale, "vx");
         agree(slope(place(&before).y, place(&after).y), v.y, scale, "vy");
@@ -142,20 +142,30 @@ fn assert_rates(mechanism: &Mechanism, solver: &Solver, q: f64, tolerance: f64) 
     for l in mechanism.link_ids() {
         let turned = after
             .direction(l)
-            .turned(before.direction(l).conj())
+            .unwrap()
+            .turned(before.direction(l).unwrap().conj())
             .angle();
-        let scale = now.omega(l).abs() + now.alpha(l).abs();
-        agree(turned / (2.0 * dt), now.omega(l), scale, "omega");
-        let alpha = slope(before.omega(l) * speed(-dt), after.omega(l) * speed(dt));
-        agree(alpha, now.alpha(l), scale, "alpha");
+        let scale = now.omega(l).unwrap().abs() + now.alpha(l).unwrap().abs();
+        agree(turned / (2.0 * dt), now.omega(l).unwrap(), scale, "omega");
+        let alpha = slope(
+            before.omega(l).unwrap() * speed(-dt),
+            after.omega(l).unwrap() * speed(dt),
+        );
+        agree(alpha, now.alpha(l).unwrap(), scale, "alpha");
     }
     for s in mechanism.slide_ids() {
-        let (a, b, c) = (before.travel(s), now.travel(s), after.travel(s));
-        let scale = b.rate.abs() + b.accel.abs();
-        agree(slope(a.position, c.position), b.rate, scale, "rate");
+        let (a, b, c) = (
+            before.travel(s).unwrap(),
+            now.travel(s).unwrap(),
+            after.travel(s).unwrap(),
+        );
+        let [early, rate, late] = [a, b, c].map(|travel| travel.rate.unwrap());
+        let accel = b.accel.unwrap();
+        let scale = rate.abs() + accel.abs();
+        agree(slope(a.position, c.position), rate, scale, "rate");
         agree(
-            slope(a.rate * speed(-dt), c.rate * speed(dt)),
-            b.accel,
+            slope(early * speed(-dt), late * speed(dt)),
+            accel,
             scale,
             "accel",
         );
@@ -259,7 +269,7 @@ fn an_arm_without_a_point_of_its_own_runs_towards_its_pin() {
     b.carry(arm, o, Vec2::ZERO);
     let slide = b.pin_in_slot(pin, Body::Link(arm), Vec2::ZERO, 0.0);
     let (m, s) = solver(b);
-    assert!(at(&s, 40.0).travel(slide).position > 0.0);
+    assert!(at(&s, 40.0).travel(slide).unwrap().position > 0.0);
     check(&m, &s);
 }
 
@@ -616,10 +626,127 @@ fn only_what_is_asked_for_is_solved() {
         ..Demand::default()
     });
     let (full, part) = (at(&whole, 77.0), at(&some, 77.0));
-    assert_eq!(full.acceleration(first), part.acceleration(first));
-    // The points of the last dyad were never placed.
+    assert_eq!(
+        full.acceleration(first).unwrap(),
+        part.acceleration(first).unwrap()
+    );
+    // The points of the last dyad were never placed, and nothing is said of them.
     let last = whole.plan().groups[3].point.unwrap();
-    assert_ne!(full.position(last), part.position(last));
+    assert!(full.position(last).is_some() && full.velocity(last).is_some());
+    assert_eq!((part.position(last), part.velocity(last)), (None, None));
+    let link = whole.plan().groups[3].links[0];
+    assert!(full.omega(link).is_some());
+    assert_eq!((part.angle(link), part.omega(link)), (None, None));
+    assert_ne!(full, part);
+    // What is left out twice is left out.
+    let other = whole.plan().groups[2].point.unwrap();
+    let less = whole
+        .only(&Demand {
+            points: vec![other],
+            ..Demand::default()
+        })
+        .only(&Demand {
+            points: vec![first],
+            ..Demand::default()
+        });
+    let less = at(&less, 77.0);
+    assert_eq!(less.position(first), part.position(first));
+    assert_eq!((less.position(other), less.position(last)), (None, None));
+}
+
+/// A state solved to its positions used to read as one at rest.
+#[test]
+fn what_was_not_solved_reads_as_nothing() {
+    let (builder, points) = stephenson(true);
+    let (mechanism, solver) = solver(builder);
+    let link = mechanism.link_ids().last().unwrap();
+    let mut work = solver.state();
+    let read = |state: &State| {
+        let point = points[0];
+        [
+            state.position(point).is_some() && state.angle(link).is_some(),
+            state.velocity(point).is_some() && state.omega(link).is_some(),
+            state.acceleration(point).is_some() && state.alpha(link).is_some(),
+            state.drive().is_some(),
+        ]
+    };
+    assert_eq!(read(&work), [false; 4], "before anything is solved");
+    // Downwards, so that what is of a higher order is still there from before.
+    for (order, there) in [
+        (Order::Force, [true, true, true, false]),
+        (Order::Acceleration, [true, true, true, false]),
+        (Order::Velocity, [true, true, false, false]),
+        (Order::Position, [true, false, false, false]),
+    ] {
+        assert_eq!(solver.solve(211.5, order, &mut work), Condition::Ok);
+        assert_eq!((work.order(), read(&work)), (order, there));
+        // Of bounds and of twice the digits there is no more than of the state itself.
+        let (mut balls, mut twice) = (solver.enclosure(), solver.twice());
+        solver.enclose(&mut work, Order::Force, &mut balls);
+        assert!(solver.solve_twice(&work, Order::Force, &mut twice));
+        let velocity = balls.velocity(points[0]).is_some();
+        assert_eq!(
+            [velocity, twice.velocity(points[0]).is_some()],
+            [there[1]; 2]
+        );
+    }
+    assert_eq!(
+        solver.solve(f64::NAN, Order::Acceleration, &mut work),
+        Condition::NoAssembly
+    );
+    assert_eq!(read(&work), [false; 4], "without an assembly");
+}
+
+/// At a dead point there are places, and no rates; nor in the bounds of it.
+#[test]
+fn a_dead_point_has_no_rates() {
+    let mut builder = Mechanism::builder();
+    let (a, d) = (
+        builder.ground_point(0.0, 0.0),
+        builder.ground_point(4.0, 0.0),
+    );
+    let (b, c) = (builder.moving_point(), builder.moving_point());
+    let crank = builder.link(a, b, 3.0);
+    builder.link(b, c, 2.0);
+    builder.link(c, d, 2.5);
+    builder.driver(turn(crank, 60.0));
+    builder.start(c, Vec2::new(3.0, 3.0));
+    let (_, solver) = self::solver(builder);
+    let dead = solver.motion().dead_points[0];
+    let (mut work, mut balls) = (solver.state(), solver.enclosure());
+    let condition = solver.solve(dead, Order::Acceleration, &mut work);
+    assert_eq!(condition, Condition::DeadPoint);
+    solver.enclose(&mut work, Order::Acceleration, &mut balls);
+    assert!(work.position(c).is_some() && balls.position(c).is_some());
+    assert_eq!((work.velocity(c), work.acceleration(c)), (None, None));
+    assert_eq!((work.omega(crank), work.alpha(crank)), (None, None));
+    assert_eq!((balls.velocity(c), balls.omega(crank)), (None, None));
+}
+
+/// A state is a value: kept, it stays, and it is equal where all that it says is.
+#[test]
+fn states_are_kept_and_compared() {
+    let (builder, _) = stephenson(true);
+    let (_, solver) = solver(builder);
+    let mut work = solver.state();
+    let mut solved = |at: f64, order: Order| {
+        assert_eq!(solver.solve(at, order, &mut work), Condition::Ok);
+        work.state().clone()
+    };
+    let here = solved(40.0, Order::Acceleration);
+    let there = solved(41.0, Order::Acceleration);
+    let places = solved(40.0, Order::Position);
+    assert_ne!(here, there);
+    assert_ne!(here, places, "an order is a part of what a state says");
+    // What is left over from the state before is none of it.
+    let again = at(&solver, 40.0);
+    assert_eq!(here, again);
+    let mut fresh = solver.state();
+    assert_eq!(
+        solver.solve(40.0, Order::Position, &mut fresh),
+        Condition::Ok
+    );
+    assert_eq!(places, *fresh.state());
 }
 
 #[test]
@@ -629,12 +756,15 @@ fn a_state_depends_on_the_coordinate_alone() {
     let fresh = at(&s, 211.5);
     let mut used = s.state();
     for q in [10.0, 350.0, -720.25, 211.5 + 360.0e6] {
-        s.solve(q, Order::Acceleration, &mut used);
+        let _ = s.solve(q, Order::Acceleration, &mut used);
     }
     for p in points {
-        assert_eq!(fresh.position(p), used.position(p));
-        assert_eq!(fresh.velocity(p), used.velocity(p));
-        assert_eq!(fresh.acceleration(p), used.acceleration(p));
+        assert_eq!(fresh.position(p).unwrap(), used.position(p).unwrap());
+        assert_eq!(fresh.velocity(p).unwrap(), used.velocity(p).unwrap());
+        assert_eq!(
+            fresh.acceleration(p).unwrap(),
+            used.acceleration(p).unwrap()
+        );
     }
 }
 
@@ -651,7 +781,7 @@ fn solving_and_bounding_allocate_nothing() {
         let (mut enclosure, mut twice) = (s.enclosure(), s.twice());
         let info = allocation_counter::measure(|| {
             for q in 0..100 {
-                s.solve(60.0 + 0.1 * f64::from(q), order, &mut state);
+                let _ = s.solve(60.0 + 0.1 * f64::from(q), order, &mut state);
                 s.enclose(&mut state, order, &mut enclosure);
                 s.solve_twice(&state, order, &mut twice);
             }
@@ -891,14 +1021,14 @@ fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
         let mut limit = s.state();
         let condition = s.solve(end, Order::Acceleration, &mut limit);
         assert_eq!(condition, Condition::DeadPoint, "at {end}");
-        let mut last = limit.position(e);
+        let mut last = limit.position(e).unwrap();
         for k in 1..400 {
             let x = f64::from(k) / 400.0;
             let state = at(&s, end - (end - 180.0).signum() * x * x);
             assert_assembled(&m, &state, 4.0);
-            let moved = (state.position(e) - last).norm();
+            let moved = (state.position(e).unwrap() - last).norm();
             assert!(moved < 2e-3, "{moved} at {x} from {end}");
-            last = state.position(e);
+            last = state.position(e).unwrap();
         }
     }
 }
@@ -913,11 +1043,11 @@ fn a_walk_from_beside_a_dead_point_does_not_reach_across_it() {
     };
     for start in (0..120).map(|k| low + 3.0 * 0.85_f64.powi(k)) {
         let state = at(&s, start);
-        let (_, beside, _) = limited_triad(start, points.map(|p| state.position(p)));
+        let (_, beside, _) = limited_triad(start, points.map(|p| state.position(p).unwrap()));
         for q in [low + 0.5, low + 1.0, 60.0, 200.0, high - 0.1] {
             let (one, other) = (at(&s, q), at(&beside, q));
             for p in points {
-                let apart = (one.position(p) - other.position(p)).norm();
+                let apart = (one.position(p).unwrap() - other.position(p).unwrap()).norm();
                 assert!(apart < 1e-11, "{apart} at {q} from {start}");
             }
         }

@@ -36,7 +36,7 @@ impl Bench {
     }
 
     fn at(&mut self, at: f64, digits: usize) -> Worked {
-        self.solver.solve(at, Order::Force, &mut self.state);
+        let _ = self.solver.solve(at, Order::Force, &mut self.state);
         self.working
             .of(&self.scene, &self.solver, &self.state, digits)
     }

@@ -127,7 +127,7 @@ fn follow(name: &str, text: &str) -> Vec<String> {
     let mut count = 0;
     for k in 1..24 {
         let at = low + (high - low) * f64::from(k) / 24.0 + 0.01;
-        solver.solve(at, Order::Force, &mut state);
+        let _ = solver.solve(at, Order::Force, &mut state);
         let worked = working.of(&scene, &solver, &state, 12);
         for agreement in &worked.agreements {
             let off = agreement.part();

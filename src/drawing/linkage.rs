@@ -4,7 +4,7 @@ use super::figure::{Figure, Role, Shape};
 use super::outline::{self, Corner};
 use super::reach::Reach;
 use crate::scene::Scene;
-use crate::solver::{Condition, State};
+use crate::solver::{Condition, Known, State};
 use crate::{Body, Input, LinkId, Mechanism, Member, Point, SlideId, Slider, Vec2};
 
 /// What of a linkage is shown beside its links and joints.
@@ -40,7 +40,7 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
         scene,
         mechanism: &scene.mechanism,
         reach,
-        state,
+        state: state.known(),
         layers,
         figure: Figure::new(),
     };
@@ -68,6 +68,7 @@ pub(super) fn add_moved(
     other: &State,
     role: Role,
 ) {
+    let (now, other) = (now.known(), other.known());
     let mechanism = &scene.mechanism;
     let points = || mechanism.point_ids();
     let size = points()
@@ -94,6 +95,7 @@ pub fn add_other(figure: &mut Figure, scene: &Scene, state: &State, scale: f64) 
     if state.condition() == Condition::NoAssembly {
         return;
     }
+    let state = state.known();
     let mechanism = &scene.mechanism;
     let roles = roles(mechanism);
     for link in mechanism.links() {
@@ -137,7 +139,7 @@ struct Sketch<'a> {
     scene: &'a Scene,
     mechanism: &'a Mechanism,
     reach: &'a Reach,
-    state: &'a State,
+    state: Known<'a>,
     layers: Layers,
     figure: Figure,
 }

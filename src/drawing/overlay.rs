@@ -7,7 +7,7 @@ use super::linkage::add_moved;
 use super::reach::Reach;
 use super::view::{Bounds, View};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Range, Solver, State, Workspace};
+use crate::solver::{Condition, Known, Order, Range, Solver, State, Workspace};
 use crate::{PointId, Vec2};
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -103,12 +103,10 @@ impl Overlay {
         for at in course(scene, solver) {
             let condition = solver.solve(at, order, &mut state);
             for (trace, &point) in traces.iter_mut().zip(&wanted.traces) {
-                trace.push(match condition {
-                    Condition::NoAssembly => Vec2::new(f64::NAN, f64::NAN),
-                    _ => state.position(point),
-                });
+                trace.push(state.known().position(point));
             }
             if has_rates(condition) {
+                let state = state.known();
                 let from = |p: &PointId| state.position(*p);
                 let velocities = wanted.velocities.iter();
                 rates[0].extend(velocities.map(|p| (from(p), state.velocity(*p))));
@@ -161,6 +159,7 @@ impl Overlay {
         if !has_rates(state.condition()) {
             return;
         }
+        let state = state.known();
         let accelerations = |p| state.acceleration(p);
         self.accelerations
             .add_to(figure, Role::Acceleration, state, zoom, accelerations);
@@ -199,7 +198,7 @@ impl Arrows {
         &self,
         figure: &mut Figure,
         role: Role,
-        state: &State,
+        state: Known<'_>,
         zoom: f64,
         rate: impl Fn(PointId) -> Vec2,
     ) {
@@ -383,12 +382,12 @@ mod tests {
             });
             let start = stage.scene.mechanism.driver().start;
             let mut state = stage.solver.state();
-            stage.solver.solve(start, Order::Position, &mut state);
+            let _ = stage.solver.solve(start, Order::Position, &mut state);
             let mut figure = Figure::new();
             overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
             let size = stage.reach.bounds().size().norm();
             for (course, &point) in traces(&figure).iter().zip(&points) {
-                let at = state.position(point);
+                let at = state.position(point).unwrap();
                 let distances = course.iter().map(|p| (*p - at).norm());
                 let nearest = distances.fold(f64::INFINITY, f64::min);
                 assert!(nearest < 0.01 * size, "{}: {nearest}", preset.name);
@@ -421,7 +420,7 @@ mod tests {
         });
         let mut state = stage.solver.state();
         for at in [0.0, 60.0, 200.0] {
-            stage.solver.solve(at, Order::Velocity, &mut state);
+            let _ = stage.solver.solve(at, Order::Velocity, &mut state);
             let mut figure = Figure::new();
             overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
             let [Shape::Arrow { from, to, cut, .. }] = figure.shapes() else {
@@ -474,7 +473,7 @@ mod tests {
         let longest = LONGEST * stage.reach.bounds().size().norm();
         let arrows = |at: f64| {
             let mut state = stage.solver.state();
-            stage.solver.solve(at, Order::Acceleration, &mut state);
+            let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
             let mut figure = Figure::new();
             overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
             let arrow = |shape: &Shape| match *shape {
@@ -503,7 +502,7 @@ mod tests {
             let view = View::fit(&reach, 80, 24, 2.0);
             let mut state = stage.solver.state();
             for at in course(&stage.scene, &stage.solver).step_by(31) {
-                stage.solver.solve(at, Order::Acceleration, &mut state);
+                let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
                 let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
                 overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
                 for shape in figure.shapes() {

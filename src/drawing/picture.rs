@@ -338,7 +338,7 @@ mod tests {
         };
         let overlay = Overlay::of(&scene, &solver, &reach, &wanted);
         let mut state = solver.state();
-        solver.solve(
+        let _ = solver.solve(
             scene.mechanism.driver().start,
             Order::Acceleration,
             &mut state,

@@ -62,7 +62,7 @@ impl Reach {
         let mut reach = self.clone();
         for state in states {
             for point in scene.mechanism.point_ids() {
-                reach.moving.include(state.position(point));
+                reach.moving.include(state.known().position(point));
             }
         }
         reach
@@ -109,10 +109,10 @@ impl Reach {
 
     fn include(&mut self, scene: &Scene, state: &State) {
         for point in scene.mechanism.point_ids() {
-            self.moving.include(state.position(point));
+            self.moving.include(state.known().position(point));
         }
         for slide in scene.mechanism.slide_ids() {
-            let at = state.travel(slide).position;
+            let at = state.known().travel(slide).position;
             if at.is_finite() {
                 let (low, high) = self.travel[slide.index()].unwrap_or((at, at));
                 self.travel[slide.index()] = Some((low.min(at), high.max(at)));

@@ -214,7 +214,7 @@ fn four_bar(scale: f64, x: f64, y: f64) -> Stage {
 fn size_and_place_do_not_show() {
     let picture = |stage: &Stage| {
         let mut state = stage.solver.state();
-        stage.solver.solve(60.0, Order::Position, &mut state);
+        let _ = stage.solver.solve(60.0, Order::Position, &mut state);
         let view = View::fit(&stage.reach, 80, 24, 2.0);
         render(&stage.figure(&state), &view, Glyphs::Ascii).text()
     };
@@ -248,7 +248,7 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
         .text;
     let stage = Stage::of("watt-six-bar", text);
     let mut state = stage.solver.state();
-    stage.solver.solve(100.0, Order::Position, &mut state);
+    let _ = stage.solver.solve(100.0, Order::Position, &mut state);
     let mut figure = Figure::new();
     add_other(&mut figure, &stage.scene, &state, 25.4);
     let ghost = corners(&figure, Role::Ghost);

@@ -253,7 +253,7 @@ mod tests {
         let scene = slider_crank();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let mut state = solver.state();
-        solver.solve(30.0, Order::Acceleration, &mut state);
+        let _ = solver.solve(30.0, Order::Acceleration, &mut state);
         let catalogue = Catalogue::new(&scene);
         assert!(catalogue.all().iter().all(|q| q.value(&state).is_some()));
         let point = |name| {

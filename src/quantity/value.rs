@@ -14,15 +14,8 @@ pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> O
 
 /// The same, though it may be too large for a number.
 pub(super) fn found<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> Option<T> {
-    let exists = match state.condition() {
-        Condition::Ok | Condition::ChangePoint => true,
-        // Which forces exist there, the state itself knows.
-        Condition::DeadPoint => matches!(aspect.order(), Order::Position | Order::Force),
-        Condition::NoAssembly => false,
-    };
     match subject {
         Subject::Driver => Some(driver_value(aspect, state)),
-        _ if !exists => None,
         Subject::Point(point) => point_value(point, aspect, state),
         Subject::Link(link) => link_value(link, aspect, state),
         Subject::Slide(slide) => slide_value(slide, aspect, state),
@@ -83,35 +76,35 @@ fn driver_value<T: Number>(aspect: Aspect, state: &State<T>) -> T {
 
 fn point_value<T: Number>(point: PointId, aspect: Aspect, state: &State<T>) -> Option<T> {
     match aspect {
-        Aspect::X => Some(state.position(point).x),
-        Aspect::Y => Some(state.position(point).y),
-        Aspect::Vx => Some(state.velocity(point).x),
-        Aspect::Vy => Some(state.velocity(point).y),
-        Aspect::Ax => Some(state.acceleration(point).x),
-        Aspect::Ay => Some(state.acceleration(point).y),
+        Aspect::X => Some(state.position(point)?.x),
+        Aspect::Y => Some(state.position(point)?.y),
+        Aspect::Vx => Some(state.velocity(point)?.x),
+        Aspect::Vy => Some(state.velocity(point)?.y),
+        Aspect::Ax => Some(state.acceleration(point)?.x),
+        Aspect::Ay => Some(state.acceleration(point)?.y),
         _ => None,
     }
 }
 
 fn link_value<T: Number>(link: LinkId, aspect: Aspect, state: &State<T>) -> Option<T> {
     match aspect {
-        Aspect::Angle => Some(state.angle(link)),
-        Aspect::Omega => Some(state.omega(link)),
-        Aspect::Alpha => Some(state.alpha(link)),
+        Aspect::Angle => state.angle(link),
+        Aspect::Omega => state.omega(link),
+        Aspect::Alpha => state.alpha(link),
         _ => None,
     }
 }
 
 fn slide_value<T: Number>(slide: SlideId, aspect: Aspect, state: &State<T>) -> Option<T> {
-    let travel = state.travel(slide);
+    let travel = state.travel(slide)?;
     match aspect {
         Aspect::Length => Some(travel.position),
-        Aspect::Rate => Some(travel.rate),
-        Aspect::Accel => Some(travel.accel),
+        Aspect::Rate => travel.rate,
+        Aspect::Accel => travel.accel,
         // The vector runs from the sliding point back to `through`, against the guide.
         Aspect::Angle => Some(T::degrees(-travel.guide)),
-        Aspect::Omega => Some(travel.omega),
-        Aspect::Alpha => Some(travel.alpha),
+        Aspect::Omega => travel.omega,
+        Aspect::Alpha => travel.alpha,
         Aspect::Normal => state.normal(slide),
         Aspect::Moment => state.moment(slide),
         _ => None,
@@ -155,25 +148,25 @@ fn between_value<T: Number>(
     aspect: Aspect,
     state: &State<T>,
 ) -> Option<T> {
-    let r = state.position(head) - state.position(tail);
+    let r = state.position(head)? - state.position(tail)?;
     let length = r.norm();
     // Velocity and acceleration of the head as seen from the tail, along r and across it.
     let split = |vector: Vec2<T>| ((r / length).dot(vector), (r / length).cross(vector));
-    let first = || split(state.velocity(head) - state.velocity(tail));
-    let second = || split(state.acceleration(head) - state.acceleration(tail));
+    let first = || Some(split(state.velocity(head)? - state.velocity(tail)?));
+    let second = || Some(split(state.acceleration(head)? - state.acceleration(tail)?));
     match aspect {
         Aspect::Length => Some(length),
-        Aspect::Rate => Some(first().0),
+        Aspect::Rate => Some(first()?.0),
         Aspect::Accel => {
-            let omega = first().1 / length;
-            Some(second().0 + length * omega * omega)
+            let omega = first()?.1 / length;
+            Some(second()?.0 + length * omega * omega)
         }
         Aspect::Angle => Some(T::degrees(r)),
-        Aspect::Omega => Some(first().1 / length),
+        Aspect::Omega => Some(first()?.1 / length),
         Aspect::Alpha => {
-            let (rate, across) = first();
+            let (rate, across) = first()?;
             let omega = across / length;
-            Some((second().1 - (rate * omega).scaled(2.0)) / length)
+            Some((second()?.1 - (rate * omega).scaled(2.0)) / length)
         }
         _ => None,
     }

@@ -147,13 +147,13 @@ impl Serialize for ChoiceList {
 fn facts(group: &Group, choice: &Choice) -> ChoiceFacts {
     let arm = group.links.first().filter(|_| group.kind == GroupKind::Rpr);
     let at = group.point.filter(|_| arm.is_none());
-    let at = at.map(|point| choice.state.position(point));
+    let at = at.and_then(|point| choice.state.position(point));
     ChoiceFacts {
         choice: pick_text(choice.pick),
         current: choice.is_current,
         closes: choice.closes,
         at: at.map(|p| [p.x + 0.0, p.y + 0.0]),
-        angle: arm.map(|&link| choice.state.angle(link)),
+        angle: arm.and_then(|&link| choice.state.angle(link)),
     }
 }
 

@@ -189,7 +189,7 @@ mod tests {
         let scene = Scene::parse(text, "test").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let mut state = solver.state();
-        solver.solve(at, Order::Acceleration, &mut state);
+        let _ = solver.solve(at, Order::Acceleration, &mut state);
         let mut enclosure = solver.enclosure();
         solver.enclose(&mut state, Order::Acceleration, &mut enclosure);
         Tables::bounded(&scene, &state, &enclosure)

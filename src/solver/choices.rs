@@ -67,7 +67,7 @@ impl Solver {
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
         engine.signs.clone_from(&present.signs);
         state.state.signs.clone_from(&present.signs);
-        state.state.at = at;
+        state.state.begin(at, Order::Position);
         let ways = assembler.ways(group, &engine, &mut state);
         let numbered = ways.iter().enumerate();
         numbered
@@ -106,7 +106,7 @@ impl Solver {
             order: Order::Position,
         };
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
-        state.state.at = at;
+        state.state.begin(at, Order::Position);
         // The ways of each group so far, and which of them is taken: an odometer.
         let mut taken: Vec<(Vec<Way>, usize)> = Vec::new();
         let mut tried = 0;
@@ -282,7 +282,7 @@ impl Solver {
         };
         self.motion.passages.choose(&self.engine, place, &mut signs);
         let points = 0..mechanism.points().len();
-        let near = points.map(|i| (PointId::new(i), state.position(PointId::new(i))));
+        let near = points.map(|i| (PointId::new(i), state.place(PointId::new(i))));
         let numbered = signs.iter().enumerate();
         let picks = numbered.map(|(n, &sign)| self.side_pick(n, sign));
         Some(Present {

@@ -55,7 +55,7 @@ impl Solver {
         };
         let centre = |at| {
             let exists = solver.solve(at, Order::Position, &mut state) != Condition::NoAssembly;
-            let position = state.travel(slide).position;
+            let position = state.sliding(slide).position;
             exists.then_some(DeadCentre { at, position })
         };
         turns.into_iter().filter_map(centre).collect()

@@ -4,22 +4,47 @@ use super::Demand;
 use super::coupled::Coupled;
 use super::plan::Program;
 use super::step::{Line, Step};
-use crate::{LinkId, PointId};
+use crate::{LinkId, PointId, SlideId};
 
-/// What has been found to be needed.
-struct Needed {
-    points: Vec<bool>,
-    links: Vec<bool>,
-    slides: Vec<bool>,
+/// Some of the points, links and slides of a program.
+#[derive(Clone, Debug)]
+pub(super) struct Marks {
+    pub points: Vec<bool>,
+    pub links: Vec<bool>,
+    pub slides: Vec<bool>,
 }
 
-impl Needed {
+/// What a step places.
+#[derive(Clone, Copy, Debug)]
+enum Part {
+    Point(PointId),
+    Link(LinkId),
+    Slide(SlideId),
+}
+
+impl Marks {
+    pub(super) fn none(program: &Program, slides: usize) -> Marks {
+        Marks {
+            points: vec![false; program.points.len()],
+            links: vec![false; program.links.len()],
+            slides: vec![false; slides],
+        }
+    }
+
+    fn of(&mut self, part: Part) -> &mut bool {
+        match part {
+            Part::Point(point) => &mut self.points[point.index()],
+            Part::Link(link) => &mut self.links[link.index()],
+            Part::Slide(slide) => &mut self.slides[slide.index()],
+        }
+    }
+
     fn point(&mut self, point: PointId) {
-        self.points[point.index()] = true;
+        *self.of(Part::Point(point)) = true;
     }
 
     fn link(&mut self, link: LinkId) {
-        self.links[link.index()] = true;
+        *self.of(Part::Link(link)) = true;
     }
 
     fn line(&mut self, line: &Line) {
@@ -28,62 +53,52 @@ impl Needed {
     }
 }
 
-/// For every step whether the demand needs it.
-pub(super) fn needed_steps(program: &Program, demand: &Demand) -> Vec<bool> {
-    if demand.forces {
-        return vec![true; program.steps.len()];
-    }
-    let slides = demand
-        .slides
-        .iter()
-        .map(|s| s.index() + 1)
-        .max()
-        .unwrap_or(0);
-    let mut needed = Needed {
-        points: vec![false; program.points.len()],
-        links: vec![false; program.links.len()],
-        slides: vec![false; slides],
-    };
+/// Takes the steps that the demand does not need out of a program, and marks what they placed.
+pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks) {
+    let mut needed = Marks::none(program, left_out.slides.len());
     demand.points.iter().for_each(|&p| needed.point(p));
     demand.links.iter().for_each(|&l| needed.link(l));
-    demand
-        .slides
-        .iter()
-        .for_each(|s| needed.slides[s.index()] = true);
-    let mut keep = vec![false; program.steps.len()];
-    for (i, step) in program.steps.iter().enumerate().rev() {
-        keep[i] = is_needed(step, &program.coupled, &needed);
-        if keep[i] {
-            mark_inputs(step, &program.coupled, &mut needed);
+    let slides = demand.slides.iter().map(|&s| Part::Slide(s));
+    slides.for_each(|slide| *needed.of(slide) = true);
+    let mut kept = Vec::new();
+    for &step in program.steps.iter().rev() {
+        let parts = parts(&step, &program.coupled);
+        if demand.forces || parts.iter().any(|&part| *needed.of(part)) {
+            mark_inputs(&step, &program.coupled, &mut needed);
+            kept.push(step);
+        } else {
+            parts.iter().for_each(|&part| *left_out.of(part) = true);
         }
     }
-    keep
+    kept.reverse();
+    program.steps = kept;
 }
 
-fn is_needed(step: &Step, coupled: &[Coupled], needed: &Needed) -> bool {
-    let point = |p: &PointId| needed.points[p.index()];
-    let link = |l: &LinkId| needed.links[l.index()];
+/// What a step places.
+fn parts(step: &Step, coupled: &[Coupled]) -> Vec<Part> {
+    let (point, link) = (Part::Point, Part::Link);
     match step {
-        Step::Crank { link: l } | Step::Lock { link: l, .. } => link(l),
+        Step::Crank { link: l } | Step::Lock { link: l, .. } => vec![link(*l)],
         Step::Ride { point: p, .. }
         | Step::Push { point: p, .. }
-        | Step::Lines { point: p, .. } => point(p),
-        Step::Aim { arm, .. } => link(&arm.link),
-        Step::Circles(c) => point(&c.point) || link(&c.near.link) || link(&c.far.link),
-        Step::CircleLine(c) => point(&c.point) || link(&c.arm.link),
-        Step::CircleRail(c) => point(&c.point) || link(&c.arm.link),
-        Step::Spin { point: p, .. } => point(p),
-        Step::Swing(s) => link(&s.link),
-        Step::Cylinder(c) => point(&c.point) || link(&c.link) || link(&c.far.link),
+        | Step::Spin { point: p, .. }
+        | Step::Lines { point: p, .. } => vec![point(*p)],
+        Step::Aim { arm, .. } => vec![link(arm.link)],
+        Step::Circles(c) => vec![point(c.point), link(c.near.link), link(c.far.link)],
+        Step::CircleLine(c) => vec![point(c.point), link(c.arm.link)],
+        Step::CircleRail(c) => vec![point(c.point), link(c.arm.link)],
+        Step::Swing(s) => vec![link(s.link)],
+        Step::Cylinder(c) => vec![point(c.point), link(c.link), link(c.far.link)],
         Step::Coupled { index } => {
             let group = &coupled[*index];
-            group.joints().any(|p| point(&p)) || group.turning().iter().any(link)
+            let turning = group.turning().iter().copied();
+            group.joints().map(point).chain(turning.map(link)).collect()
         }
-        Step::Travel { slide, .. } => needed.slides.get(slide.index()).copied().unwrap_or(false),
+        Step::Travel { slide, .. } => vec![Part::Slide(*slide)],
     }
 }
 
-fn mark_inputs(step: &Step, coupled: &[Coupled], needed: &mut Needed) {
+fn mark_inputs(step: &Step, coupled: &[Coupled], needed: &mut Marks) {
     match step {
         Step::Crank { .. } => {}
         Step::Spin { pivot, .. } => needed.point(*pivot),

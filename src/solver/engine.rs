@@ -1,6 +1,7 @@
 //! Runs a program at one coordinate of the driver.
 
 use super::coupled::Scratch;
+use super::demand::{Marks, prune};
 use super::frame::Frame;
 use super::motion::Folded;
 use super::passage::Passages;
@@ -10,6 +11,7 @@ use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::workspace::Workspace;
 use super::{Demand, Order};
 use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle};
+use std::sync::Arc;
 
 /// A rate may have been given in rpm or degrees and converted: reading, two operations and the constant
 /// pi round by less than 3.4 u in all, and u is up to two halves of an ulp.
@@ -25,6 +27,8 @@ pub(super) struct Engine {
     pub named_points: usize,
     /// For every group the sign that its assembly has at the start.
     pub signs: Vec<f64>,
+    /// What is not placed, because nobody asked for it.
+    left_out: Option<Arc<Marks>>,
     driven: Option<LinkId>,
     /// The driver's speed and acceleration, in radians or scaled lengths.
     driver_rates: [f64; 2],
@@ -42,6 +46,7 @@ impl Engine {
         let driver_rates = [inner(driver.speed), inner(driver.acceleration)];
         let mut engine = Engine {
             signs: vec![1.0; program.group_starts.len()],
+            left_out: None,
             program,
             frame,
             turns,
@@ -81,6 +86,7 @@ impl Engine {
         let rates = Rates::new(speed, acceleration);
         let state = State {
             condition: Condition::NoAssembly,
+            order: Order::Position,
             at: T::default(),
             points: self.program.points.iter().map(fixed_point).collect(),
             links: self.program.links.iter().map(fixed_link).collect(),
@@ -89,6 +95,7 @@ impl Engine {
             signs: self.signs.iter().map(|&s| T::exactly(s)).collect(),
             forces: None,
             frame: self.frame,
+            left_out: self.left_out.clone(),
             rates,
             length_rates: rates.times(self.frame.scale),
             driven: self.driven,
@@ -139,7 +146,7 @@ impl Engine {
     /// Runs every step; a coupled group starts from the z that is in the scratch.
     pub(super) fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         let steps = 0..self.program.steps.len();
-        work.state.at = at;
+        work.state.begin(at, order);
         work.state.condition = self.run_steps(steps, at, order, work);
         work.condition
     }
@@ -185,7 +192,7 @@ impl Engine {
         passages: &Passages,
         work: &mut Workspace,
     ) -> Condition {
-        work.state.at = at;
+        work.state.begin(at, order);
         work.state.condition = Condition::Ok;
         for i in 0..self.program.steps.len() {
             let condition = self.run_steps(i..i + 1, at, order, work);
@@ -220,7 +227,7 @@ impl Engine {
     /// Positions at a limit at which a coupled group folds: it stands as it was found.
     pub(super) fn run_folded(&self, fold: &Folded, work: &mut Workspace) -> Condition {
         let (q, _) = self.coordinate(fold.at);
-        work.state.at = fold.at;
+        work.state.begin(fold.at, Order::Position);
         work.state.condition = Condition::DeadPoint;
         for (i, step) in self.program.steps.iter().enumerate() {
             let is_folded = matches!(step, Step::Coupled { index } if *index == fold.index);
@@ -318,14 +325,16 @@ impl Engine {
     }
 
     /// The same engine without the steps that `demand` does not need.
-    pub(super) fn only(&self, demand: &Demand) -> Engine {
+    pub(super) fn only(&self, demand: &Demand, slides: usize) -> Engine {
         let mut engine = self.clone();
-        let needed = super::demand::needed_steps(&self.program, demand);
-        let mut needed = needed.into_iter();
-        engine
-            .program
-            .steps
-            .retain(|_| needed.next().unwrap_or(true));
+        let mut left_out = match &self.left_out {
+            Some(marks) => (**marks).clone(),
+            None => Marks::none(&self.program, slides),
+        };
+        prune(&mut engine.program, demand, &mut left_out);
+        if engine.program.steps.len() < self.program.steps.len() {
+            engine.left_out = Some(Arc::new(left_out));
+        }
         engine
     }
 }

@@ -90,7 +90,7 @@ impl Engine {
     /// With the instructions that the code around is compiled for.
     #[inline(always)]
     fn run_lanes_here(&self, at: Lanes, order: Order, state: &mut State<Lanes>) -> bool {
-        state.at = at;
+        state.begin(at, order);
         match order {
             Order::Position => self.run_lanes_to::<POSITION>(at, state),
             Order::Velocity => self.run_lanes_to::<VELOCITY>(at, state),

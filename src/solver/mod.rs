@@ -34,6 +34,7 @@ mod engine;
 mod fault;
 mod forces;
 mod frame;
+mod known;
 mod lanes;
 mod lu;
 mod methods;
@@ -59,11 +60,13 @@ pub use fault::Fault;
 #[cfg(test)]
 pub(crate) use forces::falsified;
 pub use forces::{Acted, Check, Indeterminate, Residual, Withheld};
+pub(crate) use known::Known;
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
 pub use neighbour::Neighbour;
 pub use plan::{Group, GroupKind, Pick, Plan};
+pub(crate) use state::Sliding;
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
 pub use workspace::Workspace;
@@ -239,7 +242,7 @@ impl Solver {
     #[must_use]
     pub fn only(&self, demand: &Demand) -> Solver {
         Solver {
-            engine: self.engine.only(demand),
+            engine: self.engine.only(demand, self.slides),
             balance: self.balance.clone().filter(|_| demand.forces),
             ..self.clone()
         }
@@ -287,12 +290,12 @@ impl Solver {
     /// The result depends on `at` alone, never on what the room held before. Allocates nothing.
     pub fn solve(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         if self.motion.covers(at) {
-            match self.motion.range {
+            let _ = match self.motion.range {
                 Range::Full { .. } => self.run(at, order, work),
                 Range::Limited { .. } => self.solve_between_limits(at, order, work),
             };
         } else {
-            work.state.at = at;
+            work.state.begin(at, order);
             work.state.condition = Condition::NoAssembly;
         }
         self.balance(order, work);

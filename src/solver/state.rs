@@ -1,11 +1,15 @@
 //! The result of a solve: kinematic coefficients inside, figures in the scene's units outside.
 
+use super::Order;
+use super::demand::Marks;
 use super::forces::Forces;
 use super::frame::Frame;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
+use std::sync::Arc;
 
 /// What a state is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[must_use = "a state may have no rates, or nothing at all"]
 pub enum Condition {
     /// Solved.
     Ok,
@@ -73,14 +77,19 @@ pub(super) struct Rates<T = f64> {
 /// Position, velocity and acceleration of every point and link, in the scene's units and frame.
 ///
 /// Velocities and accelerations are for the driver's speed and acceleration: with x' and x'' the
-/// kinematic coefficients of first and second order, v = x' q' and a = x'' q'^2 + x' q''. Whoever
-/// reads asks [`State::condition`] first, or reads through a `Quantity`, which does.
+/// kinematic coefficients of first and second order, v = x' q' and a = x'' q'^2 + x' q''.
+///
+/// What there is not reads as `None`: everything without an assembly, rates at a dead point, what is of a
+/// higher order than was solved, and what a solver leaves out ([`Solver::only`](super::Solver::only)).
+/// Two states are equal where everything that can be read is.
 ///
 /// `T` is the arithmetic: doubles for figures, balls for figures with a bound, lanes for the figures
 /// of several states at once.
 #[derive(Clone, Debug)]
 pub struct State<T = f64> {
     pub(super) condition: Condition,
+    /// How far it has been solved.
+    pub(super) order: Order,
     pub(super) at: T,
     pub(super) points: Vec<PointState<T>>,
     pub(super) links: Vec<LinkState<T>>,
@@ -93,6 +102,8 @@ pub struct State<T = f64> {
     /// The forces, where anything acts.
     pub(super) forces: Option<Box<Forces<T>>>,
     pub(super) frame: Frame,
+    /// What the solver never places.
+    pub(super) left_out: Option<Arc<Marks>>,
     /// For angles, and for lengths in the scene's unit.
     pub(super) rates: Rates<T>,
     pub(super) length_rates: Rates<T>,
@@ -103,10 +114,44 @@ pub struct State<T = f64> {
 }
 
 impl<T: Number> State<T> {
+    /// Begins a solve: to this order, at this coordinate.
+    #[inline(always)]
+    pub(super) fn begin(&mut self, at: T, order: Order) {
+        (self.at, self.order) = (at, order);
+    }
+
     /// What this state is.
-    #[must_use]
     pub fn condition(&self) -> Condition {
         self.condition
+    }
+
+    /// How far it has been solved.
+    #[must_use]
+    pub fn order(&self) -> Order {
+        self.order
+    }
+
+    /// Whether figures of an order exist.
+    #[inline]
+    #[must_use]
+    pub fn has(&self, order: Order) -> bool {
+        match self.condition {
+            Condition::Ok | Condition::ChangePoint => order <= self.order,
+            Condition::DeadPoint => order == Order::Position,
+            Condition::NoAssembly => false,
+        }
+    }
+
+    #[inline]
+    fn has_point(&self, point: PointId, order: Order) -> bool {
+        let is_placed = |out: &Arc<Marks>| !out.points[point.index()];
+        self.has(order) && self.left_out.as_ref().is_none_or(is_placed)
+    }
+
+    #[inline]
+    fn has_link(&self, link: LinkId, order: Order) -> bool {
+        let is_placed = |out: &Arc<Marks>| !out.links[link.index()];
+        self.has(order) && self.left_out.as_ref().is_none_or(is_placed)
     }
 
     /// Whether the driver turns a link, and does not push a slide.
@@ -136,64 +181,97 @@ impl<T: Number> State<T> {
     /// The position of a point.
     #[inline]
     #[must_use]
-    pub fn position(&self, point: PointId) -> Vec2<T> {
+    pub fn position(&self, point: PointId) -> Option<Vec2<T>> {
+        self.has_point(point, Order::Position)
+            .then(|| self.place(point))
+    }
+
+    /// Where a point has been put, by whoever has just put it there.
+    #[inline(always)]
+    pub(super) fn place(&self, point: PointId) -> Vec2<T> {
         self.frame.place(self.points[point.index()].p)
     }
 
     /// Its velocity, per second.
     #[inline]
     #[must_use]
-    pub fn velocity(&self, point: PointId) -> Vec2<T> {
-        self.points[point.index()].v * self.length_rates.speed
+    pub fn velocity(&self, point: PointId) -> Option<Vec2<T>> {
+        self.has_point(point, Order::Velocity)
+            .then(|| self.points[point.index()].v * self.length_rates.speed)
     }
 
     /// Its acceleration, per second squared.
     #[inline]
     #[must_use]
-    pub fn acceleration(&self, point: PointId) -> Vec2<T> {
-        let point = &self.points[point.index()];
+    pub fn acceleration(&self, point: PointId) -> Option<Vec2<T>> {
         let rates = &self.length_rates;
-        point.a * rates.square + point.v * rates.acceleration
+        self.has_point(point, Order::Acceleration).then(|| {
+            let point = &self.points[point.index()];
+            point.a * rates.square + point.v * rates.acceleration
+        })
     }
 
     /// The direction of a link's x axis: a unit vector.
     #[inline]
     #[must_use]
-    pub fn direction(&self, link: LinkId) -> Vec2<T> {
-        self.links[link.index()].d
+    pub fn direction(&self, link: LinkId) -> Option<Vec2<T>> {
+        self.has_link(link, Order::Position)
+            .then(|| self.links[link.index()].d)
     }
 
     /// The angle of a link's x axis in degrees, from 0 to below 360.
     #[must_use]
-    pub fn angle(&self, link: LinkId) -> T {
-        if self.driven == Some(link) {
+    pub fn angle(&self, link: LinkId) -> Option<T> {
+        let direction = self.direction(link)?;
+        Some(if self.driven == Some(link) {
             T::wrapped(self.at)
         } else {
-            T::degrees(self.direction(link))
-        }
+            T::degrees(direction)
+        })
     }
 
     /// Angular velocity in rad/s.
     #[inline]
     #[must_use]
-    pub fn omega(&self, link: LinkId) -> T {
-        self.links[link.index()].w * self.rates.speed
+    pub fn omega(&self, link: LinkId) -> Option<T> {
+        self.has_link(link, Order::Velocity)
+            .then(|| self.links[link.index()].w * self.rates.speed)
     }
 
     /// Angular acceleration in rad/s^2.
     #[inline]
     #[must_use]
-    pub fn alpha(&self, link: LinkId) -> T {
-        let link = &self.links[link.index()];
-        self.rates.second(link.w, link.a)
+    pub fn alpha(&self, link: LinkId) -> Option<T> {
+        self.has_link(link, Order::Acceleration).then(|| {
+            let link = &self.links[link.index()];
+            self.rates.second(link.w, link.a)
+        })
     }
 
     /// Where a slide is along its guide, and how the guide lies.
     #[must_use]
-    pub fn travel(&self, slide: SlideId) -> Travel<T> {
-        let travel = &self.travels[slide.index()];
-        let TravelState { s, v, a, guide } = *travel;
-        Travel {
+    pub fn travel(&self, slide: SlideId) -> Option<Travel<T>> {
+        let is_placed = |out: &Arc<Marks>| !out.slides[slide.index()];
+        if !self.has(Order::Position) || !self.left_out.as_ref().is_none_or(is_placed) {
+            return None;
+        }
+        let sliding = self.sliding(slide);
+        let (velocity, acceleration) = (self.has(Order::Velocity), self.has(Order::Acceleration));
+        Some(Travel {
+            position: sliding.position,
+            guide: sliding.guide,
+            rate: velocity.then_some(sliding.rate),
+            omega: velocity.then_some(sliding.omega),
+            accel: acceleration.then_some(sliding.accel),
+            alpha: acceleration.then_some(sliding.alpha),
+        })
+    }
+
+    /// A slide as it has been put, by whoever has just put it there.
+    #[inline(always)]
+    pub(super) fn sliding(&self, slide: SlideId) -> Sliding<T> {
+        let TravelState { s, v, a, guide } = self.travels[slide.index()];
+        Sliding {
             position: s.scaled(self.frame.scale),
             rate: v * self.length_rates.speed,
             accel: self.length_rates.second(v, a),
@@ -201,6 +279,32 @@ impl<T: Number> State<T> {
             omega: guide.w * self.rates.speed,
             alpha: self.rates.second(guide.w, guide.a),
         }
+    }
+}
+
+impl<T: Number + PartialEq> PartialEq for State<T> {
+    fn eq(&self, other: &State<T>) -> bool {
+        let points = self.points.len() == other.points.len()
+            && (0..self.points.len()).map(PointId::new).all(|p| {
+                self.position(p) == other.position(p)
+                    && self.velocity(p) == other.velocity(p)
+                    && self.acceleration(p) == other.acceleration(p)
+            });
+        let links = self.links.len() == other.links.len()
+            && (0..self.links.len()).map(LinkId::new).all(|l| {
+                self.angle(l) == other.angle(l)
+                    && self.omega(l) == other.omega(l)
+                    && self.alpha(l) == other.alpha(l)
+            });
+        let slides = self.travels.len() == other.travels.len()
+            && (0..self.travels.len())
+                .map(SlideId::new)
+                .all(|s| self.travel(s) == other.travel(s));
+        (self.condition, self.order, self.at) == (other.condition, other.order, other.at)
+            && points
+            && links
+            && slides
+            && self.forces == other.forces
     }
 }
 
@@ -236,13 +340,24 @@ pub struct Travel<T = f64> {
     /// The sliding point's signed position along the guide, counted from `through`.
     pub position: T,
     /// Its rate, per second.
-    pub rate: T,
+    pub rate: Option<T>,
     /// The rate of its rate, per second squared.
-    pub accel: T,
+    pub accel: Option<T>,
     /// The guide's direction in the ground frame: a unit vector.
     pub guide: Vec2<T>,
     /// The guide's angular velocity in rad/s.
-    pub omega: T,
+    pub omega: Option<T>,
     /// The guide's angular acceleration in rad/s^2.
-    pub alpha: T,
+    pub alpha: Option<T>,
+}
+
+/// The same with all rates.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sliding<T = f64> {
+    pub(crate) position: T,
+    pub(crate) rate: T,
+    pub(crate) accel: T,
+    pub(crate) guide: Vec2<T>,
+    pub(crate) omega: T,
+    pub(crate) alpha: T,
 }

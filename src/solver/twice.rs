@@ -22,7 +22,8 @@ impl Solver {
     /// limits of the motion, and not at change points. Allocates nothing.
     pub fn solve_twice(&self, state: &State, order: Order, work: &mut Workspace<Double>) -> bool {
         let twice = &mut work.state;
-        twice.at = Double::exactly(state.at);
+        let order = order.min(state.order);
+        twice.begin(Double::exactly(state.at), order);
         twice.condition = state.condition;
         if state.condition != Condition::Ok {
             twice.forget_forces();

@@ -136,7 +136,7 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
             "at {at}"
         );
         for point in mechanism.point_ids() {
-            let place = state.position(point);
+            let place = state.position(point).unwrap();
             assert!(
                 place.x.is_finite() && place.y.is_finite(),
                 "{place:?} at {at}"

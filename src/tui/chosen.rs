@@ -116,7 +116,7 @@ mod tests {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
             let solver = Solver::new(&scene.mechanism).unwrap();
             let mut state = solver.state();
-            solver.solve(scene.mechanism.driver().start, Order::Position, &mut state);
+            let _ = solver.solve(scene.mechanism.driver().start, Order::Position, &mut state);
             let tables = crate::report::Tables::new(&scene, &state);
             for (row, point) in tables.points.iter().enumerate() {
                 let found = points_of(&scene, Part::Points, row);

@@ -136,7 +136,7 @@ mod tests {
             Condition::NoAssembly
         );
         let points = scene.mechanism.point_ids();
-        points.map(|point| state.position(point)).collect()
+        points.map(|point| state.position(point).unwrap()).collect()
     }
 
     /// A length that is a ten-thousandth longer moves no point far: in another assembly some would be
@@ -223,7 +223,7 @@ mod nudges {
                 continue;
             }
             for point in one.scene().mechanism.point_ids() {
-                let moved = (here.position(point) - there.position(point)).norm();
+                let moved = (here.position(point).unwrap() - there.position(point).unwrap()).norm();
                 most = most.max(moved / size);
             }
         }

@@ -46,13 +46,13 @@ impl Panel {
             for choice in solver.choices(&scene.mechanism, at, number) {
                 let place = match group.name() {
                     Some(Element::Point(point)) => {
-                        let p = choice.state.position(point);
+                        let p = choice.state.known().position(point);
                         let decimals = decimals(reach);
                         let [x, y] = [p.x, p.y].map(|v| figure(v, decimals));
                         format!("({x}, {y})")
                     }
                     Some(Element::Link(link)) => {
-                        format!("{} deg", figure(choice.state.angle(link), 2))
+                        format!("{} deg", figure(choice.state.known().angle(link), 2))
                     }
                     Some(Element::Slide(_) | Element::Driver) | None => String::new(),
                 };

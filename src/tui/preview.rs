@@ -139,7 +139,7 @@ impl Sample {
         let Opened { scene, solver, .. } = opened;
         let mut state = solver.state();
         let start = scene.mechanism.driver().start;
-        solver.solve(start, Order::Position, &mut state);
+        let _ = solver.solve(start, Order::Position, &mut state);
         Sample {
             reach: Reach::of(&scene, &solver),
             parts: parts(&scene),

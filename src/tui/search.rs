@@ -90,7 +90,7 @@ mod tests {
         let scene = Scene::parse(text, "four-bar").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let mut state = solver.state();
-        solver.solve(60.0, Order::Position, &mut state);
+        let _ = solver.solve(60.0, Order::Position, &mut state);
         Tables::new(&scene, &state)
     }
 

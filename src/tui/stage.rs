@@ -163,12 +163,12 @@ impl Stage {
         let Opened { scene, solver, .. } = &self.opened;
         let mut state = solver.state();
         let samples = self.places().into_iter().filter_map(|at| {
-            solver.solve(at, Order::Force, &mut state);
+            let _ = solver.solve(at, Order::Force, &mut state);
             Forces::new(scene, solver, &state, None)
         });
         let samples: Vec<Forces> = samples.collect();
         let (state, enclosure) = (&mut self.state, &mut self.enclosure);
-        solver.solve(self.at, Order::Force, state);
+        let _ = solver.solve(self.at, Order::Force, state);
         solver.enclose(state, Order::Force, enclosure);
         let forces = Forces::new(scene, solver, state, Some(enclosure));
         self.balance = forces.map(|forces| Balance::new(forces, &samples));
@@ -197,7 +197,7 @@ impl Stage {
             opened, at, state, ..
         } = self;
         self.cost.measure(|| {
-            opened.solver.solve(*at, Order::Acceleration, state);
+            let _ = opened.solver.solve(*at, Order::Acceleration, state);
         });
     }
 
@@ -324,7 +324,7 @@ pub(crate) fn solved(
     state: &mut Workspace,
     enclosure: &mut Workspace<Ball>,
 ) -> Tables {
-    opened.solver.solve(at, order, state);
+    let _ = opened.solver.solve(at, order, state);
     opened.solver.enclose(state, order, enclosure);
     Tables::bounded(&opened.scene, state, enclosure)
 }
@@ -334,7 +334,7 @@ fn samples(opened: &Opened, course: &Course, state: &mut Workspace) -> Vec<Table
     let places = places(&opened.scene, course).into_iter();
     places
         .map(|at| {
-            opened.solver.solve(at, Order::Acceleration, state);
+            let _ = opened.solver.solve(at, Order::Acceleration, state);
             Tables::new(&opened.scene, state)
         })
         .collect()

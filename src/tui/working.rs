@@ -39,7 +39,7 @@ impl Explained {
     /// The driver is somewhere else.
     pub(crate) fn go(&mut self, opened: &Opened, at: f64) {
         let Opened { scene, solver, .. } = opened;
-        solver.solve(at, Order::Force, &mut self.state);
+        let _ = solver.solve(at, Order::Force, &mut self.state);
         solver.enclose(&mut self.state, Order::Force, &mut self.enclosure);
         let Worked { document, .. } = self.working.of(scene, solver, &self.state, DIGITS);
         self.document = document;

@@ -22,7 +22,7 @@ fn h11_a_billion_turns_on_the_bits_are_the_same() {
     }
     let later = opened.at(360e9 + 60.0);
     let slack = opened.position_slack(&later);
-    let c = later.position(opened.joint);
+    let c = later.position(opened.joint).unwrap();
     assert_near("C.x", c.x, "311.416953239068390194", slack);
     assert_near("C.y", c.y, "233.7799046679389075852", slack);
 }
@@ -49,26 +49,26 @@ fn h15_a_slider_crank_at_a_right_angle_has_exact_zeros() {
     let solver = Solver::new(&mechanism).expect("it closes");
     for turns in [0.0, 1e9] {
         let state = solved(&solver, 90.0 + 360.0 * turns);
-        assert_eq!(state.omega(rod), 0.0);
-        let off = (state.angle(rod) - 330.0).abs();
+        assert_eq!(state.omega(rod).unwrap(), 0.0);
+        let off = (state.angle(rod).unwrap() - 330.0).abs();
         assert!(off <= 4.0 * U * 330.0, "theta3 {off:e}");
-        let travel = state.travel(slide);
+        let travel = state.travel(slide).unwrap();
         assert_near(
             "r4",
             travel.position,
             "17.32050807568877293527",
             4.0 * U * 20.0,
         );
-        assert_eq!(travel.rate, -2000.0);
+        assert_eq!(travel.rate, Some(-2000.0));
         assert_near(
             "a4",
-            travel.accel,
+            travel.accel.unwrap(),
             "230940.1076758503058037",
             8.0 * U * 230_940.0,
         );
         assert_near(
             "alpha3",
-            state.alpha(rod),
+            state.alpha(rod).unwrap(),
             "23094.01076758503058037",
             8.0 * U * 23_094.0,
         );
@@ -95,10 +95,10 @@ fn h27_a_follower_that_turns_fully_is_read_from_0_to_360() {
         (180.0, "2.183400474843519100526"),
     ] {
         let state = opened.at(at);
-        let found = state.direction(opened.rocker).angle();
+        let found = state.direction(opened.rocker).unwrap().angle();
         let slack = opened.position_slack(&state) / 2.2 + 2.0 * U;
         assert_near("theta4", found, decimal, slack);
-        let shown = state.angle(opened.rocker);
+        let shown = state.angle(opened.rocker).unwrap();
         let expected = exact(decimal).hi.rem_euclid(TAU).to_degrees();
         assert!(
             (shown - expected).abs() <= 8.0 * U * 360.0,
@@ -119,15 +119,15 @@ fn h27_the_turning_of_a_follower_knows_no_wrap() {
     let mut last = opened.at(0.0);
     for degrees in 1..=360 {
         let state = opened.at(f64::from(degrees));
-        let angle = state.angle(opened.rocker);
+        let angle = state.angle(opened.rocker).unwrap();
         assert!((0.0..360.0).contains(&angle), "{angle}");
-        wraps += i32::from(angle < last.angle(opened.rocker));
-        assert!(state.omega(opened.rocker) > 0.0, "at {degrees}");
+        wraps += i32::from(angle < last.angle(opened.rocker).unwrap());
+        assert!(state.omega(opened.rocker).unwrap() > 0.0, "at {degrees}");
         // From one degree to the next alpha explains the change of omega: also at the wrap.
-        let mean = 0.5 * (state.alpha(opened.rocker) + last.alpha(opened.rocker));
-        let change = state.omega(opened.rocker) - last.omega(opened.rocker);
+        let mean = 0.5 * (state.alpha(opened.rocker).unwrap() + last.alpha(opened.rocker).unwrap());
+        let change = state.omega(opened.rocker).unwrap() - last.omega(opened.rocker).unwrap();
         assert!((change - mean.to_radians()).abs() < 1e-4, "at {degrees}");
-        turned += 0.5 * (state.omega(opened.rocker) + last.omega(opened.rocker));
+        turned += 0.5 * (state.omega(opened.rocker).unwrap() + last.omega(opened.rocker).unwrap());
         last = state;
     }
     assert_eq!(wraps, 1);
@@ -150,9 +150,9 @@ fn h28_a_driver_that_gathers_speed_from_a_standstill() {
         let state = opened.at(60.0);
         for (link, alpha) in [(opened.coupler, alpha3), (opened.rocker, alpha4)] {
             let slack = opened.alpha_slack(&state, exact(alpha).hi);
-            assert_near("alpha", state.alpha(link), alpha, slack);
+            assert_near("alpha", state.alpha(link).unwrap(), alpha, slack);
             if speed == 0.0 {
-                assert_eq!(state.omega(link), 0.0);
+                assert_eq!(state.omega(link).unwrap(), 0.0);
             }
         }
     }
@@ -172,7 +172,7 @@ fn h29_a_state_has_no_history() {
     for way in ways {
         let mut state = opened.solver.state();
         for at in way {
-            opened.solver.solve(at, Order::Acceleration, &mut state);
+            let _ = opened.solver.solve(at, Order::Acceleration, &mut state);
             assert_eq!(bits(&opened.mechanism, &state, 1.0), fresh(at), "at {at}");
         }
     }
@@ -187,10 +187,10 @@ fn h29_one_step_of_half_a_turn_keeps_the_branch() {
         let opened = FourBar { side, ..LECTURE }.open();
         let mut state = opened.solver.state();
         for at in [60.0, 240.0] {
-            opened.solver.solve(at, Order::Acceleration, &mut state);
+            let _ = opened.solver.solve(at, Order::Acceleration, &mut state);
         }
         let slack = opened.position_slack(&state);
-        let c = state.position(opened.joint);
+        let c = state.position(opened.joint).unwrap();
         assert_near("C.x", c.x, x, slack);
         assert_near("C.y", c.y, y, slack);
     }

@@ -136,7 +136,8 @@ impl Opened {
     pub(crate) fn sin_mu(&self, state: &State) -> f64 {
         let cross = state
             .direction(self.coupler)
-            .cross(state.direction(self.rocker));
+            .unwrap()
+            .cross(state.direction(self.rocker).unwrap());
         cross.abs()
     }
 

@@ -56,7 +56,10 @@ fn between(solver: &Solver, at: f64, [coupler, follower]: [LinkId; 2]) -> f64 {
         solver.solve(at, Order::Position, &mut state),
         Condition::NoAssembly
     );
-    let (e, f) = (state.direction(coupler), state.direction(follower));
+    let (e, f) = (
+        state.direction(coupler).unwrap(),
+        state.direction(follower).unwrap(),
+    );
     e.cross(f).abs().atan2(e.dot(f)).to_degrees()
 }
 

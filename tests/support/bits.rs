@@ -3,8 +3,8 @@
 use krank::Mechanism;
 use krank::solver::State;
 
-/// Every figure of a state, in the order of the mechanism, as bits.
-pub(crate) fn bits(mechanism: &Mechanism, state: &State, length: f64) -> Vec<u64> {
+/// Every figure of a state, in the order of the mechanism, as bits; none where it does not exist.
+pub(crate) fn bits(mechanism: &Mechanism, state: &State, length: f64) -> Vec<Option<u64>> {
     let mut figures = Vec::new();
     for id in mechanism.point_ids() {
         let vectors = [
@@ -12,11 +12,13 @@ pub(crate) fn bits(mechanism: &Mechanism, state: &State, length: f64) -> Vec<u64
             state.velocity(id),
             state.acceleration(id),
         ];
-        figures.extend(vectors.iter().flat_map(|v| [v.x / length, v.y / length]));
+        let vectors = vectors.into_iter();
+        figures.extend(vectors.flat_map(|v| [v.map(|v| v.x / length), v.map(|v| v.y / length)]));
     }
     for id in mechanism.link_ids() {
         let direction = state.direction(id);
-        figures.extend([direction.x, direction.y, state.omega(id), state.alpha(id)]);
+        figures.extend([direction.map(|d| d.x), direction.map(|d| d.y)]);
+        figures.extend([state.omega(id), state.alpha(id)]);
     }
-    figures.iter().map(|v| v.to_bits()).collect()
+    figures.iter().map(|v| v.map(f64::to_bits)).collect()
 }

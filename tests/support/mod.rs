@@ -27,7 +27,7 @@ pub(crate) fn closure_error(mechanism: &Mechanism, state: &State) -> f64 {
     let slides = slides_error(mechanism, state);
     let grounds = mechanism.point_ids().filter_map(|id| {
         let place = mechanism.point(id).ground?;
-        Some((state.position(id) - place).norm())
+        Some((state.position(id).unwrap() - place).norm())
     });
     let worst = grounds.fold(links.max(slides), f64::max);
     worst.max(driver_error(mechanism, state))
@@ -37,11 +37,11 @@ fn links_error(mechanism: &Mechanism, state: &State) -> f64 {
     let mut worst: f64 = 0.0;
     for id in mechanism.link_ids() {
         let members = &mechanism.link(id).members;
-        let direction = state.direction(id);
+        let direction = state.direction(id).unwrap();
         worst = worst.max((direction.norm() - 1.0).abs() * longest_link(mechanism));
         for a in members {
             for b in members {
-                let apart = state.position(b.point) - state.position(a.point);
+                let apart = state.position(b.point).unwrap() - state.position(a.point).unwrap();
                 let local = b.local - a.local;
                 worst = worst
                     .max((apart.norm() - local.norm()).abs())
@@ -61,22 +61,22 @@ fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
             Body::Link(on) => {
                 // Any point of the link leads to its frame; it has one, or it could not be built.
                 let member = mechanism.link(on).members[0];
-                let turn = state.direction(on);
-                let origin = state.position(member.point) - member.local.turned(turn);
+                let turn = state.direction(on).unwrap();
+                let origin = state.position(member.point).unwrap() - member.local.turned(turn);
                 (
                     origin + slide.through.turned(turn),
                     slide.direction().turned(turn),
                 )
             }
         };
-        let apart = state.position(slide.slider.point()) - through;
-        let travel = state.travel(id);
+        let apart = state.position(slide.slider.point()).unwrap() - through;
+        let travel = state.travel(id).unwrap();
         worst = worst
             .max(along.cross(apart).abs())
             .max((travel.position - along.dot(apart)).abs())
             .max((travel.guide - along).norm() * longest_link(mechanism));
         if let Slider::Link { link, turn, .. } = slide.slider {
-            let off = state.direction(link) - krank::angle::unit(turn).turned(along);
+            let off = state.direction(link).unwrap() - krank::angle::unit(turn).turned(along);
             worst = worst.max(off.norm() * longest_link(mechanism));
         }
     }
@@ -86,9 +86,9 @@ fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
 fn driver_error(mechanism: &Mechanism, state: &State) -> f64 {
     match mechanism.driver().input {
         Input::Turn(link) => {
-            let off: Vec2 = state.direction(link) - angle::unit(state.at());
+            let off: Vec2 = state.direction(link).unwrap() - angle::unit(state.at());
             off.norm() * longest_link(mechanism)
         }
-        Input::Push(slide) => (state.travel(slide).position - state.at()).abs(),
+        Input::Push(slide) => (state.travel(slide).unwrap().position - state.at()).abs(),
     }
 }

@@ -101,7 +101,7 @@ impl Probe {
     }
 
     pub(super) fn value(&mut self, column: usize, place: f64) -> Option<f64> {
-        self.solve(place);
+        let _ = self.solve(place);
         paced(&self.columns[column], &self.state, self.pace(place))
     }
 
@@ -111,7 +111,7 @@ impl Probe {
         let rate = self.columns[column].rate()?;
         let (at, pace) = (self.coordinate(place), self.pace(place));
         let (solver, state) = &mut self.slopes;
-        solver.solve(at, rate.aspect.order(), state);
+        let _ = solver.solve(at, rate.aspect.order(), state);
         paced(&rate, state, pace)
     }
 
@@ -257,7 +257,7 @@ impl Probe {
 
     /// What the error of a column does not exceed at a place, if that can be proved.
     fn bound(&mut self, column: usize, place: f64) -> Option<f64> {
-        self.solve(place);
+        let _ = self.solve(place);
         let mut enclosure = self.solver.enclosure();
         self.solver
             .enclose(&mut self.state, self.order, &mut enclosure);

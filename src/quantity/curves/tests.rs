@@ -304,7 +304,7 @@ fn rounding_turns_nowhere_and_is_drawn_as_nothing() {
         assert!(pieces[0].iter().all(|p| p[1].to_bits() == low.to_bits()));
         let mut state = solver.state();
         for at in [1.0, 33.3, 60.0] {
-            solver.solve(at, Order::Acceleration, &mut state);
+            let _ = solver.solve(at, Order::Acceleration, &mut state);
             let here = curves.here(&state).values[0].unwrap();
             assert!((here - low).abs() < 1e-9, "{name} {column} {here}");
         }
@@ -375,7 +375,7 @@ fn over_time_the_cursor_is_on_the_curve_of_an_uneven_driver() {
         for at in [
             -700.0, -30.0, 0.0, 30.0, 59.0, 60.0, 61.0, 180.0, 419.0, 421.0, 7000.0,
         ] {
-            solver.solve(at, Order::Acceleration, &mut state);
+            let _ = solver.solve(at, Order::Acceleration, &mut state);
             let here = curves.here(&state);
             let time = here.along.unwrap_or_else(|| panic!("{speed} {at}"));
             let apart = (clock.coordinate(time) - at).rem_euclid(TURN);

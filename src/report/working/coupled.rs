@@ -11,7 +11,7 @@ const MOST_COLUMNS: usize = 12;
 
 /// Positions of a group that is solved at once.
 pub(super) fn position(context: &Context<'_>, page: &mut Page, stage: &Stage) {
-    let newton = context.solver.newton(context.state);
+    let newton = context.solver.newton(&context.state);
     let own = newton
         .into_iter()
         .find(|newton| Some(newton.group) == stage.group);

@@ -13,12 +13,12 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
     }
     page.document.part("Forces");
     let Some(torque) = context.state.drive() else {
-        let withheld = crate::report::forces::withheld(context.scene, context.state);
+        let withheld = crate::report::forces::withheld(context.scene, &context.state);
         let absent = || absent(context.state.condition()).to_owned();
         page.document.text(withheld.unwrap_or_else(absent));
         return;
     };
-    let acted = context.solver.acted(context.state);
+    let acted = context.solver.acted(&context.state);
     loads(context, page, &acted);
     super::acting::laws(context, page, &acted);
     if context.state.residual().is_none() {

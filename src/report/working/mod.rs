@@ -80,7 +80,7 @@ impl Working {
         let mut context = Context {
             scene,
             solver,
-            state,
+            state: state.known(),
             polygon: &self.polygon,
             schedule: &self.schedule,
             stages: &self.stages,

@@ -7,14 +7,14 @@ use super::polygon::{Loop, Polygon, Term};
 use super::sides::{Reading, Shape, Turns};
 use super::stages::{Schedule, Stage};
 use crate::scene::Scene;
-use crate::solver::{Condition, Group, GroupKind, Solver, State};
+use crate::solver::{Condition, Group, GroupKind, Known, Order, Solver};
 use crate::{Mechanism, angle};
 
 /// What the working is written from.
 pub(super) struct Context<'a> {
     pub scene: &'a Scene,
     pub solver: &'a Solver,
-    pub state: &'a State,
+    pub state: Known<'a>,
     pub polygon: &'a Polygon,
     pub schedule: &'a Schedule,
     pub stages: &'a [Stage],
@@ -62,10 +62,7 @@ impl<'a> Context<'a> {
 
     /// Whether velocities and accelerations exist.
     pub(super) fn has_rates(&self) -> bool {
-        matches!(
-            self.state.condition(),
-            Condition::Ok | Condition::ChangePoint
-        )
+        self.state.has(Order::Acceleration)
     }
 
     /// Reads every side; without an assembly what the scene and the driver give.

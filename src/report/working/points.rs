@@ -5,7 +5,7 @@ use super::figures::{Sum, factor};
 use super::page::{Context, Page};
 use super::sides::Turns;
 use super::symbols::{self, of_point};
-use crate::solver::Travel;
+use crate::solver::Sliding;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// What a point's motion is told from.
@@ -383,7 +383,7 @@ fn on_guide(
     };
     page.document
         .section(format!("{name} along the guide of {slide_name} on {body}"));
-    let Travel {
+    let Sliding {
         guide: t,
         rate,
         accel,

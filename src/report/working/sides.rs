@@ -5,7 +5,7 @@ use super::symbols;
 use crate::quantity::{Aspect, Subject, value};
 use crate::report::tables::shared_body;
 use crate::scene::{Scene, Vector, VectorKind};
-use crate::solver::State;
+use crate::solver::Known;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2, angle};
 
 /// What a side is.
@@ -199,8 +199,8 @@ impl Side {
     }
 
     /// Its figures in a state that has an assembly; rates are 0 where none exist.
-    pub(super) fn read(&self, mechanism: &Mechanism, state: &State) -> Reading {
-        let figure = |subject, aspect| value(subject, aspect, state).unwrap_or(0.0);
+    pub(super) fn read(&self, mechanism: &Mechanism, state: Known<'_>) -> Reading {
+        let figure = |subject, aspect| value(subject, aspect, &state).unwrap_or(0.0);
         let turning = |subject, reading: Reading| Reading {
             omega: figure(subject, Aspect::Omega),
             alpha: figure(subject, Aspect::Alpha),

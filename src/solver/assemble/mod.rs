@@ -105,7 +105,7 @@ impl Assembler<'_> {
         for number in 0..self.plan.groups.len() {
             self.settle(number, engine, state)?;
         }
-        engine.run(self.request.at, self.order, state);
+        let _ = engine.run(self.request.at, self.order, state);
         Ok(())
     }
 
@@ -187,7 +187,7 @@ impl Assembler<'_> {
             .key(number, engine)
             .or_else(|| Some(self.coupled(number, engine)?.0));
         if let Some(parting) = parting {
-            engine.run_steps(steps.start..parting, self.request.at, self.order, state);
+            let _ = engine.run_steps(steps.start..parting, self.request.at, self.order, state);
         }
     }
 
@@ -269,7 +269,7 @@ impl Assembler<'_> {
         for (found, sign) in found.iter_mut().zip([1.0, -1.0]) {
             state.state.signs[number] = sign;
             let steps = steps_of(engine, number);
-            engine.run_steps(steps, self.request.at, Order::Position, state);
+            let _ = engine.run_steps(steps, self.request.at, Order::Position, state);
             *found = (miss(&wanted, state), state.points[subject.index()].p);
         }
         let [(plus, p_plus), (minus, p_minus)] = found;
@@ -353,7 +353,7 @@ impl Assembler<'_> {
         let here = PointId::new;
         let points = self.network.mechanism.points().len();
         let near: Vec<_> = (0..points)
-            .map(|i| (here(i), state.position(here(i))))
+            .map(|i| (here(i), state.place(here(i))))
             .collect();
         let picked = self.request.picks[stretched];
         let mut picks = self.request.picks.clone();
@@ -382,7 +382,7 @@ impl Assembler<'_> {
         let passes = ends.iter().all(Option::is_some);
         // Stretched wherever it goes, or only here.
         let point = self.group(stretched).point.unwrap_or(here(0));
-        let choices = vec![state.position(point); 2];
+        let choices = vec![state.place(point); 2];
         let stuck = Fault::Vague { point, choices };
         let Some((at, there, found)) = ends.into_iter().flatten().next() else {
             return Err(stuck);

@@ -79,13 +79,14 @@ impl Solver {
 
     /// Encloses what the solver has just put into `state`: every figure that is read from
     /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
-    /// proved. `order` is the one that the state was solved to, or less. Allocates nothing.
+    /// proved. It goes as far as `order`, and as the state was solved. Allocates nothing.
     ///
     /// Where forces are among them, the bounds of what their checks miss by decide whether rounding
     /// explains it: `state` withholds its forces where they do not.
     pub fn enclose(&self, state: &mut State, order: Order, enclosure: &mut Workspace<Ball>) {
         // Within rounding beyond a limit the figures are those of the limit: there is no other truth.
         let at = self.motion.within(state.at);
+        let order = order.min(state.order);
         if let (Some(engine), Some(whole)) = (&self.at_once, &mut enclosure.at_once)
             && engine.enclose_to(at, order, state, whole)
         {
@@ -112,7 +113,8 @@ impl Solver {
 impl State<Ball> {
     /// Takes what belongs to the mechanism from a state of another program of it.
     fn take_over(&mut self, from: &State<Ball>, engine: &Engine) {
-        (self.at, self.condition) = (from.at, from.condition);
+        self.begin(from.at, from.order);
+        self.condition = from.condition;
         let named = engine.named_points;
         self.points[..named].copy_from_slice(&from.points[..named]);
         self.links.copy_from_slice(&from.links);
@@ -156,7 +158,7 @@ impl Engine {
     /// Encloses a state; whether every step was proved, with its rates.
     fn enclose_to(&self, at: f64, order: Order, state: &State, work: &mut Workspace<Ball>) -> bool {
         let enclosure = &mut work.state;
-        enclosure.at = Ball::new(at, typed_radius(at));
+        enclosure.begin(Ball::new(at, typed_radius(at)), order);
         enclosure.condition = state.condition;
         if state.condition == Condition::NoAssembly {
             return false;
@@ -268,7 +270,7 @@ mod tests {
             let (mut state, mut balls) = (solver.state(), solver.enclosure());
             let mut truth = solver.twice();
             let at = scene.mechanism.driver().start;
-            solver.solve(at, Order::Position, &mut state);
+            let _ = solver.solve(at, Order::Position, &mut state);
             assert!(solver.solve_twice(&state, Order::Position, &mut truth));
             let off = |k: usize| OFF * (1.0 + k as f64).sin();
             for (k, point) in state.state.points.iter_mut().enumerate() {

@@ -194,7 +194,7 @@ impl Acting {
                 bottom,
                 curve,
             } => {
-                let travel = state.travel(*slide);
+                let travel = state.sliding(*slide);
                 // A driver that stands is taken for one that goes forward.
                 let stands = state.rates.speed.nearest() == 0.0;
                 let rate = if stands {

@@ -16,6 +16,24 @@ pub struct Residual<T = f64> {
     pub moment: T,
 }
 
+/// Equal where all that is read is.
+impl<T: Number + PartialEq> PartialEq for Forces<T> {
+    fn eq(&self, other: &Forces<T>) -> bool {
+        let drive = || (&self.drive, &self.work) == (&other.drive, &other.work);
+        let reactions = || {
+            (&self.joints, &self.normals, &self.moments)
+                == (&other.joints, &other.normals, &other.moments)
+                && (&self.frame, &self.frame_moment) == (&other.frame, &other.frame_moment)
+        };
+        self.extent == other.extent
+            && match self.extent {
+                Extent::Nothing => true,
+                Extent::Drive => self.work == other.work,
+                Extent::Withheld(_) | Extent::All => drive() && reactions(),
+            }
+    }
+}
+
 impl<T: Number> State<T> {
     /// The state has been solved without its forces.
     #[inline]

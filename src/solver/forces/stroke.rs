@@ -18,10 +18,10 @@ pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Constant {
     // One that never turns stands still, and is everywhere at its end.
     let at = last.map_or(solver.opening, |centre| centre.at);
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
-    solver.solve(at, Order::Position, &mut state);
+    let _ = solver.solve(at, Order::Position, &mut state);
     solver.enclose(&mut state, Order::Position, &mut enclosure);
-    let position = state.travel(slide).position;
-    let ball = enclosure.travel(slide).position;
+    let position = state.sliding(slide).position;
+    let ball = enclosure.sliding(slide).position;
     Constant {
         hi: position,
         lo: 0.0,

@@ -130,7 +130,7 @@ impl Methods {
 
     /// Stands at a coordinate, for methods that begin there, without looking anything up.
     pub(crate) fn guide_to(&mut self, at: f64) {
-        self.solver.solve(at, Order::Position, &mut self.guide);
+        let _ = self.solver.solve(at, Order::Position, &mut self.guide);
     }
 
     /// The largest velocity and acceleration of the last state that was looked up.
@@ -191,7 +191,7 @@ impl Rows {
     /// Finds z and the side of every group where the scene opens.
     fn open(&mut self, start: f64, solver: &Solver) -> Option<()> {
         let (mut guide, mut sides) = (solver.state(), Vec::new());
-        solver.solve(start, Order::Acceleration, &mut guide);
+        let _ = solver.solve(start, Order::Acceleration, &mut guide);
         let solved = self.look(start, &guide, &mut sides);
         for (group, side) in self.engine.program.coupled.iter_mut().zip(sides) {
             group.side = side;

@@ -237,7 +237,8 @@ impl Walker<'_> {
                         &rate[..]
                     });
                     if toward.is_none() {
-                        engine.run_steps(i..i + 1, change.at, Order::Position, &mut self.state);
+                        let _ =
+                            engine.run_steps(i..i + 1, change.at, Order::Position, &mut self.state);
                     }
                     group.follow(q, &mut self.state, toward, &mut series)
                 }

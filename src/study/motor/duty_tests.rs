@@ -206,7 +206,7 @@ fn peaks_are_where_the_solver_has_them() {
         let duty = Duty::new(&scene.mechanism, &solver, None).unwrap();
         let mut state = solver.state();
         let mut torque = |at: f64| {
-            solver.solve(at, Order::Force, &mut state);
+            let _ = solver.solve(at, Order::Force, &mut state);
             state.drive().unwrap()
         };
         let all = duty.cycle.all;
@@ -321,8 +321,8 @@ fn a_boom_is_lifted_and_let_down_between_its_dead_points() {
     };
     let tip = point("T");
     let mut height = |at: f64| {
-        solver.solve(at, Order::Position, &mut state);
-        state.position(tip).y
+        let _ = solver.solve(at, Order::Position, &mut state);
+        state.position(tip).unwrap().y
     };
     let heights: Vec<f64> = (0..=1000)
         .map(|k| height(1.8 + f64::from(k) / 1000.0))

@@ -69,13 +69,13 @@ impl Guide {
     /// Position, and where they exist the first and second derivative by the driver's coordinate in
     /// radians or in the scene's length unit.
     pub(super) fn look(&mut self, at: f64) -> Option<(f64, Option<[f64; 2]>)> {
-        let condition = self.solver.solve(at, Order::Acceleration, &mut self.state);
-        let travel = self.state.travel(self.slide);
-        let rates = Some([travel.rate, travel.accel]);
-        match condition {
-            Condition::Ok | Condition::ChangePoint => Some((travel.position, rates)),
-            Condition::DeadPoint => Some((travel.position, None)),
+        match self.solver.solve(at, Order::Acceleration, &mut self.state) {
             Condition::NoAssembly => None,
+            Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => {
+                let travel = self.state.travel(self.slide)?;
+                let rates = travel.rate.zip(travel.accel);
+                Some((travel.position, rates.map(<[f64; 2]>::from)))
+            }
         }
     }
 

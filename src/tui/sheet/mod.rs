@@ -300,7 +300,7 @@ mod tests {
             let solver = Solver::new(&scene.mechanism).unwrap();
             let mut state = solver.state();
             let start = scene.mechanism.driver().start;
-            solver.solve(start, Order::Acceleration, &mut state);
+            let _ = solver.solve(start, Order::Acceleration, &mut state);
             Tables::new(&scene, &state)
         });
         all.collect()

@@ -1,9 +1,9 @@
 //! What each load does at a state, one by one, to be read.
 
 use super::{Act, Acting};
-use crate::solver::Solver;
 use crate::solver::forces::Forces;
-use crate::solver::state::{Condition, State};
+use crate::solver::state::State;
+use crate::solver::{Order, Solver};
 use crate::{LinkId, PointId, Vec2};
 
 /// What one load does at a state.
@@ -22,7 +22,7 @@ impl Solver {
     /// nothing where there are no velocities.
     #[must_use]
     pub fn acted(&self, state: &State) -> Vec<Acted> {
-        let exists = matches!(state.condition(), Condition::Ok | Condition::ChangePoint);
+        let exists = state.has(Order::Velocity);
         let Some(balance) = self.balance.as_ref().filter(|_| exists) else {
             return Vec::new();
         };
