@@ -124,15 +124,22 @@ impl<'a> Maker<'a> {
     /// Whether a link has a joint in the group, or a known one. A link that is merely locked to one
     /// of the group's has its place found later, and would bring unknowns without equations.
     fn is_reached(&self, link: LinkId) -> bool {
+        !self.joints(link).is_empty()
+    }
+
+    /// The joints of a link that are known or the group's own. Its others are joints of later groups
+    /// alone: they ride on the link once it has its place, and hand it their forces themselves.
+    fn joints(&self, link: LinkId) -> Vec<PointId> {
         let is_here =
-            |p: PointId| self.part.point_known[p.index()] || self.part.points.contains(&p);
-        self.part.network.joints(link).any(|m| is_here(m.point))
+            |p: &PointId| self.part.point_known[p.index()] || self.part.points.contains(p);
+        let joints = self.part.network.joints(link).map(|m| m.point);
+        joints.filter(is_here).collect()
     }
 
     /// Gives every joint of the group a spot: on a frame where it can be, free otherwise.
     pub(super) fn place_joints(&mut self) {
         for link in self.frames() {
-            let joints: Vec<PointId> = self.part.network.joints(link).map(|m| m.point).collect();
+            let joints = self.joints(link);
             let foot = self.foot(link, &joints);
             for &point in &joints {
                 let local = self.local(link, point);

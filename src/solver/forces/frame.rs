@@ -14,6 +14,8 @@ pub(super) struct Framed {
     points: Vec<PointId>,
     /// The slides whose guide is on the ground, with the point that slides; and whether it is driven.
     guides: Vec<(SlideId, PointId, bool)>,
+    /// The slides whose pin is a point of the ground: the frame feels what the guide does to that.
+    held: Vec<(SlideId, PointId, bool)>,
     /// The slides of links, with the place of the origin's force; the guide's own is none of it.
     origins: Vec<(SlideId, Slot, bool)>,
 }
@@ -26,6 +28,10 @@ impl Framed {
         let is_driven = |slide| mechanism.driver().input == Input::Push(slide);
         let slides = || mechanism.slide_ids().map(|id| (id, mechanism.slide(id)));
         let guides = slides().filter(|(_, slide)| slide.on == Body::Ground);
+        let held = slides().filter_map(|(id, slide)| match slide.slider {
+            Slider::Pin(pin) if is_ground(pin) => Some((id, pin, is_driven(id))),
+            Slider::Pin(_) | Slider::Link { .. } => None,
+        });
         let origins = slides().filter_map(|(id, slide)| match slide.slider {
             Slider::Pin(_) => None,
             Slider::Link { link, origin, .. } => Some((id, slots.of(link, origin), is_driven(id))),
@@ -36,6 +42,7 @@ impl Framed {
             guides: guides
                 .map(|(id, slide)| (id, slide.slider.point(), is_driven(id)))
                 .collect(),
+            held: held.collect(),
             origins: origins.collect(),
         }
     }
@@ -70,6 +77,14 @@ impl Framed {
                 forces,
             );
             forces.frame_moment = forces.frame_moment - forces.moments[slide.index()];
+        }
+        for &(slide, point, is_driven) in &self.held {
+            feel(
+                point,
+                -guided(slide, is_driven, state, forces),
+                state,
+                forces,
+            );
         }
         if state.turns() {
             // The motor stands on the frame.

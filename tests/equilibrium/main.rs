@@ -1,0 +1,221 @@
+//! Forces in machines of every topology, against the power of all that acts and against the equations of
+//! motion of every link.
+//!
+//! `cargo test --test equilibrium` grows 200 machines; `KRANK_MACHINES=20000 cargo test --release
+//! --test equilibrium` as many as are wanted. A failure prints the seed of its machine, and
+//! `KRANK_MACHINES_SEED` begins with that one.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod chance;
+mod grow;
+mod newton_euler;
+
+use chance::Chance;
+use grow::{Machine, machine};
+use krank::Input;
+use krank::scene::Scene;
+use krank::solver::{Condition, GroupKind, Order, Solver, State};
+use std::collections::BTreeMap;
+
+/// Machines of an ordinary run.
+const ORDINARY: u64 = 200;
+/// Groups of a machine, at most.
+const MOST_GROUPS: usize = 4;
+/// Two ways may differ by this part of the largest term.
+const AGREE: f64 = 1e-9;
+/// Of equations worse than this nothing so fine can be asked.
+const WORST: f64 = 1e6;
+
+/// What was seen of all machines.
+#[derive(Debug, Default)]
+struct Seen {
+    machines: u64,
+    states: u64,
+    /// States that are too near to a singular place to be held against anything.
+    vague: u64,
+    /// Machines with open reactions.
+    redundant: u64,
+    /// Groups by their kind.
+    kinds: BTreeMap<String, u64>,
+    /// The largest miss, as a part of the largest term.
+    worst: f64,
+}
+
+fn number(name: &str) -> Option<u64> {
+    std::env::var(name).ok()?.parse().ok()
+}
+
+#[test]
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
+fn forces_are_right_in_every_topology() {
+    let wanted = number("KRANK_MACHINES").unwrap_or(ORDINARY);
+    let first = number("KRANK_MACHINES_SEED").unwrap_or(1);
+    let mut seen = Seen::default();
+    for seed in first.. {
+        if seen.machines >= wanted {
+            break;
+        }
+        let Some(machine) = machine(&mut Chance(seed), MOST_GROUPS) else {
+            continue;
+        };
+        if let Err(why) = hold(&machine, &mut seen) {
+            panic!("KRANK_MACHINES_SEED={seed}: {why}\n{:?}", machine.groups);
+        }
+    }
+    println!("{seen:#?}");
+    let coupled = (3..=7).map(|n| format!("{:?}", GroupKind::Coupled { unknowns: n }));
+    let dyads = ["Rrr", "Rrp", "Rpr", "Prp", "Rpp"].map(str::to_owned);
+    for kind in coupled.chain(dyads) {
+        assert!(seen.kinds.contains_key(&kind), "no {kind}: {seen:?}");
+    }
+    assert!(seen.states > wanted, "{seen:?}");
+    assert!(wanted < ORDINARY || seen.redundant > 0, "{seen:?}");
+}
+
+/// Holds a machine at a few places of its motion.
+fn hold(machine: &Machine, seen: &mut Seen) -> Result<(), String> {
+    let mechanism = &machine.mechanism;
+    // What was grown into a singular pose, or with a guide along another one, is no machine.
+    let Ok(solver) = Solver::new(mechanism) else {
+        return Ok(());
+    };
+    let mut state = solver.state();
+    let start = mechanism.driver().start;
+    let step = match mechanism.driver().input {
+        Input::Turn(_) => 1.0,
+        Input::Push(_) => 0.01,
+    };
+    let mut any = false;
+    for at in [0.0, 0.31, -0.7].map(|part| start + part * step) {
+        if solver.solve(at, Order::Force, &mut state) == Condition::Ok {
+            any |=
+                hold_at(machine, &solver, &state, seen).map_err(|why| format!("at {at}: {why}"))?;
+        }
+    }
+    if any {
+        seen.machines += 1;
+        seen.redundant += u64::from(!solver.indeterminate().is_empty());
+        for group in &solver.plan().groups {
+            *seen.kinds.entry(format!("{:?}", group.kind)).or_default() += 1;
+        }
+    }
+    Ok(())
+}
+
+/// Whether the state could be held against anything.
+fn hold_at(
+    machine: &Machine,
+    solver: &Solver,
+    state: &State,
+    seen: &mut Seen,
+) -> Result<bool, String> {
+    let mechanism = &machine.mechanism;
+    let Some(compared) = newton_euler::compared(mechanism, state) else {
+        seen.vague += 1;
+        return Ok(false);
+    };
+    if compared.condition > WORST {
+        seen.vague += 1;
+        return Ok(false);
+    }
+    if let Some(why) = state.withheld() {
+        return Err(format!("{why:?} of {:?}", state.residual()));
+    }
+    let most = AGREE * compared.largest;
+    for pair in &compared.pairs {
+        let name = &pair.name;
+        match (pair.found, pair.wanted) {
+            (Some(found), Some(wanted)) if (found - wanted).abs() <= most => {
+                seen.worst = seen.worst.max((found - wanted).abs() / compared.largest);
+            }
+            (None, None) => {}
+            (found, wanted) => {
+                let indeterminate = solver.indeterminate();
+                return Err(format!(
+                    "{name}: {found:?} and not {wanted:?}, of {} {indeterminate:?}",
+                    compared.largest
+                ));
+            }
+        }
+    }
+    let (wanted, largest) = newton_euler::power(mechanism, state);
+    let found = state.power().unwrap();
+    if !((found - wanted).abs() <= AGREE * largest.max(found.abs())) {
+        return Err(format!("power: {found} and not {wanted}, of {largest}"));
+    }
+    seen.states += 1;
+    Ok(true)
+}
+
+/// A later group on a point of a coupled group's link that is none of the group's joints: what it bears used
+/// to reach that link twice, and the torque was 2.12541 N m.
+#[test]
+fn a_dyad_on_a_plain_point_of_a_coupled_link_is_borne_once() {
+    let text = include_str!("../../presets/stephenson-six-bar.toml")
+        .replace("E = [90, 100] }", "E = [90, 100], X = [50, 80] }")
+        .replace("[driver]", "H = [-100, 300]\n[driver]")
+        .replace(
+            "[start]",
+            r#"r7 = { from = "X", to = "T", length = 200 }
+r8 = { from = "H", to = "T", length = 150 }
+[[loads]]
+point = "T"
+force = [0, -100]
+[start]
+T = [0, 412]"#,
+        );
+    let torque = held(&text).abs();
+    assert!((torque - 1.06270).abs() < 5e-6, "{torque} N m");
+}
+
+/// The cylinder of a lift between two of its arms, on plain points of both: it used to bear twice its load.
+#[test]
+fn a_cylinder_between_two_arms_of_a_lift_bears_its_load() {
+    held(
+        r#"
+unit = "m"
+[ground]
+O = [0, 0]
+[driver]
+slide = "cylinder"
+position = 1.3537
+speed = "50 mm/s"
+[links]
+a1 = { from = "O", to = "R1", length = 2, points = { M1 = [1, 0], U = [0.5, 0] } }
+b1 = { from = "R0", to = "L1", length = 2, points = { M1 = [1, 0] } }
+a2 = { from = "L1", to = "R2", length = 2, points = { M2 = [1, 0] } }
+b2 = { from = "R1", to = "L2", length = 2, points = { M2 = [1, 0], V = [0.5, 0] } }
+barrel = { points = { U = [0, 0] } }
+[slides]
+floor = { point = "R0", on = "ground", through = "O", angle = 0 }
+cylinder = { point = "V", on = "barrel", through = "U", angle = 0 }
+[start]
+M1 = [0.85, 0.53]
+M2 = [0.85, 1.58]
+R0 = [1.7, 0]
+[[loads]]
+point = "L2"
+force = [0, -1000]
+[[loads]]
+point = "R2"
+force = [0, -1000]
+"#,
+    );
+}
+
+/// What the driver must do where a scene opens, held against all that can be.
+fn held(text: &str) -> f64 {
+    let scene = Scene::parse(text, "test").unwrap_or_else(|e| panic!("{e}"));
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let mut state = solver.state();
+    let at = scene.mechanism.driver().start;
+    assert_eq!(solver.solve(at, Order::Force, &mut state), Condition::Ok);
+    let machine = Machine {
+        mechanism: scene.mechanism,
+        groups: Vec::new(),
+    };
+    let held = hold_at(&machine, &solver, &state, &mut Seen::default());
+    assert_eq!(held, Ok(true));
+    state.drive().unwrap()
+}

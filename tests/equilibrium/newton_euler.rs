@@ -1,0 +1,438 @@
+//! The equations of motion of every link and the equilibrium of every pin, all solved at once.
+//!
+//! Nothing of the solver is used but where points are and how they move. Unknown are the force of the pin
+//! on each link at each of its points, the normal force of each guide, its moment on a link that does not
+//! turn, and what the driver does. Couples are in N times the machine's unit of length, of which it has a
+//! few: so they may stand beside forces.
+
+use krank::solver::State;
+use krank::{Body, Input, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
+use nalgebra::{DMatrix, DVector};
+
+/// What acts in one state: forces at points in N, and couples on links.
+pub(crate) struct Acting {
+    points: Vec<Vec2>,
+    links: Vec<f64>,
+}
+
+impl Acting {
+    /// Loads, springs and dampers.
+    pub(crate) fn of(mechanism: &Mechanism, state: &State) -> Acting {
+        let mut acting = Acting {
+            points: vec![Vec2::ZERO; mechanism.points().len()],
+            links: vec![0.0; mechanism.links().len()],
+        };
+        for load in mechanism.loads() {
+            match *load {
+                Load::Force {
+                    point,
+                    force,
+                    frame,
+                    ..
+                } => {
+                    let force = match frame {
+                        Body::Ground => force,
+                        Body::Link(link) => turned(force, state.direction(link).unwrap()),
+                    };
+                    acting.points[point.index()] += force;
+                }
+                Load::Torque { link, torque, .. } => {
+                    acting.links[link.index()] += torque / mechanism.metres();
+                }
+                Load::Spring {
+                    from,
+                    to,
+                    stiffness,
+                    length,
+                    damping,
+                } => {
+                    let e = state.position(to).unwrap() - state.position(from).unwrap();
+                    let along = e / e.norm();
+                    let rate =
+                        along.dot(state.velocity(to).unwrap() - state.velocity(from).unwrap());
+                    let tension = stiffness * (e.norm() - length) + damping * rate;
+                    let pull = along * (tension * mechanism.metres());
+                    acting.points[from.index()] += pull;
+                    acting.points[to.index()] += -pull;
+                }
+                Load::Press { .. } => unreachable!("no machine of these tests has a press"),
+            }
+        }
+        acting
+    }
+}
+
+/// What a link's mass asks for: m (a - g) at its centre of mass, and the couple I alpha.
+fn needed(mechanism: &Mechanism, link: LinkId, state: &State) -> Option<(PointId, Vec2, f64)> {
+    let given = mechanism.link(link);
+    let (com, metres) = (given.com?, mechanism.metres());
+    let a = state.acceleration(com).unwrap() * metres - mechanism.gravity();
+    Some((
+        com,
+        a * given.mass,
+        given.inertia * state.alpha(link).unwrap() / metres,
+    ))
+}
+
+/// The power of the driver in W by the power of all that acts, and the largest power of anything.
+pub(crate) fn power(mechanism: &Mechanism, state: &State) -> (f64, f64) {
+    let acting = Acting::of(mechanism, state);
+    let mut powers = Vec::new();
+    for point in mechanism.point_ids() {
+        powers.push(-acting.points[point.index()].dot(state.velocity(point).unwrap()));
+    }
+    for link in mechanism.link_ids() {
+        let omega = state.omega(link).unwrap();
+        powers.push(-acting.links[link.index()] * omega);
+        if let Some((com, force, couple)) = needed(mechanism, link, state) {
+            powers.push(force.dot(state.velocity(com).unwrap()));
+            powers.push(couple * omega);
+        }
+    }
+    let metres = mechanism.metres();
+    let largest = powers.iter().fold(0.0, |most: f64, p| most.max(p.abs()));
+    (powers.iter().sum::<f64>() * metres, largest * metres)
+}
+
+fn turned(vector: Vec2, direction: Vec2) -> Vec2 {
+    direction * vector.x + direction.perp() * vector.y
+}
+
+/// Where the unknowns stand, and their equations.
+struct System<'a> {
+    mechanism: &'a Mechanism,
+    state: &'a State,
+    /// The first unknown of every link, two for each of its points, and of every slide.
+    joints: Vec<usize>,
+    slides: Vec<usize>,
+    driver: usize,
+    matrix: DMatrix<f64>,
+    right: DVector<f64>,
+}
+
+impl<'a> System<'a> {
+    fn new(mechanism: &'a Mechanism, state: &'a State) -> Self {
+        let mut unknowns = 0;
+        let mut take = |count: usize| {
+            unknowns += count;
+            unknowns - count
+        };
+        let joints = mechanism.links().iter();
+        let joints = joints.map(|link| take(2 * link.members.len())).collect();
+        let slides = mechanism.slides().iter().map(|slide| match slide.slider {
+            Slider::Pin(_) => take(1),
+            Slider::Link { .. } => take(2),
+        });
+        let slides = slides.collect();
+        let driver = take(1);
+        let pins = mechanism.points().iter().filter(|p| p.ground.is_none());
+        let equations = 3 * mechanism.links().len() + 2 * pins.count();
+        let mut system = System {
+            mechanism,
+            state,
+            joints,
+            slides,
+            driver,
+            matrix: DMatrix::zeros(equations, unknowns),
+            right: DVector::zeros(equations),
+        };
+        system.links();
+        system.pins();
+        system.guides();
+        system
+    }
+
+    /// The first of the two unknowns of a link at a point of it.
+    fn joint(&self, link: LinkId, point: PointId) -> usize {
+        let members = &self.mechanism.link(link).members;
+        let place = members.iter().position(|m| m.point == point).unwrap();
+        self.joints[link.index()] + 2 * place
+    }
+
+    /// The first of the equations of a link (forces along x and y, moments about its first point), or of
+    /// a pin.
+    fn rows(&self, link: LinkId) -> usize {
+        3 * link.index()
+    }
+
+    fn pin_rows(&self, point: PointId) -> Option<usize> {
+        let points = &self.mechanism.points()[..point.index()];
+        let before = points.iter().filter(|p| p.ground.is_none()).count();
+        let moves = self.mechanism.point(point).ground.is_none();
+        moves.then_some(3 * self.mechanism.links().len() + 2 * before)
+    }
+
+    fn arm(&self, link: LinkId, place: Vec2) -> Vec2 {
+        place
+            - self
+                .state
+                .position(self.mechanism.link(link).members[0].point)
+                .unwrap()
+    }
+
+    /// An unknown acts on a link, by a unit force at a place.
+    fn on_link(&mut self, link: LinkId, unknown: usize, place: Vec2, force: Vec2) {
+        let (row, arm) = (self.rows(link), self.arm(link, place));
+        self.matrix[(row, unknown)] += force.x;
+        self.matrix[(row + 1, unknown)] += force.y;
+        self.matrix[(row + 2, unknown)] += arm.cross(force);
+    }
+
+    fn links(&mut self) {
+        let acting = Acting::of(self.mechanism, self.state);
+        for link in self.mechanism.link_ids() {
+            for member in &self.mechanism.link(link).members {
+                let unknown = self.joint(link, member.point);
+                let place = self.state.position(member.point).unwrap();
+                self.on_link(link, unknown, place, Vec2::new(1.0, 0.0));
+                self.on_link(link, unknown + 1, place, Vec2::new(0.0, 1.0));
+            }
+            let row = self.rows(link);
+            self.right[row + 2] -= acting.links[link.index()];
+            if let Some((com, force, couple)) = needed(self.mechanism, link, self.state) {
+                let arm = self.arm(link, self.state.position(com).unwrap());
+                self.right[row] += force.x;
+                self.right[row + 1] += force.y;
+                self.right[row + 2] += couple + arm.cross(force);
+            }
+        }
+        if let Input::Turn(link) = self.mechanism.driver().input {
+            let row = self.rows(link);
+            self.matrix[(row + 2, self.driver)] += 1.0;
+        }
+    }
+
+    /// What acts at a pin, and guides that press on it, the links that it joins bear.
+    fn pins(&mut self) {
+        let acting = Acting::of(self.mechanism, self.state);
+        for point in self.mechanism.point_ids() {
+            let Some(row) = self.pin_rows(point) else {
+                continue;
+            };
+            for &link in &self.mechanism.point(point).links {
+                let unknown = self.joint(link, point);
+                self.matrix[(row, unknown)] -= 1.0;
+                self.matrix[(row + 1, unknown + 1)] -= 1.0;
+            }
+            self.right[row] -= acting.points[point.index()].x;
+            self.right[row + 1] -= acting.points[point.index()].y;
+        }
+    }
+
+    fn guides(&mut self) {
+        for slide in self.mechanism.slide_ids() {
+            let given = self.mechanism.slide(slide);
+            let t = along(self.mechanism, slide, self.state);
+            let unknown = self.slides[slide.index()];
+            self.press(slide, unknown, t.perp());
+            if self.mechanism.driver().input == Input::Push(slide) {
+                self.press(slide, self.driver, t);
+            }
+            if let Slider::Link { link, .. } = given.slider {
+                let row = self.rows(link);
+                self.matrix[(row + 2, unknown + 1)] += 1.0;
+                if let Body::Link(on) = given.on {
+                    let row = self.rows(on);
+                    self.matrix[(row + 2, unknown + 1)] -= 1.0;
+                }
+            }
+        }
+    }
+
+    /// A guide presses on what slides, and that on the guide.
+    fn press(&mut self, slide: SlideId, unknown: usize, force: Vec2) {
+        let given = self.mechanism.slide(slide);
+        let place = self.state.position(given.slider.point()).unwrap();
+        match given.slider {
+            Slider::Link { link, .. } => self.on_link(link, unknown, place, force),
+            Slider::Pin(pin) => {
+                if let Some(row) = self.pin_rows(pin) {
+                    self.matrix[(row, unknown)] += force.x;
+                    self.matrix[(row + 1, unknown)] += force.y;
+                }
+            }
+        }
+        if let Body::Link(on) = given.on {
+            self.on_link(on, unknown, place, -force);
+        }
+    }
+}
+
+/// The direction of a guide.
+fn along(mechanism: &Mechanism, slide: SlideId, state: &State) -> Vec2 {
+    let given = mechanism.slide(slide);
+    match given.on {
+        Body::Ground => given.direction(),
+        Body::Link(link) => turned(given.direction(), state.direction(link).unwrap()),
+    }
+}
+
+/// A figure of the solver beside that of the equations.
+pub(crate) struct Pair {
+    pub(crate) name: String,
+    /// `None` where the solver has none.
+    pub(crate) found: Option<f64>,
+    /// `None` where the equations leave it open.
+    pub(crate) wanted: Option<f64>,
+}
+
+/// All figures of a state.
+pub(crate) struct Compared {
+    pub(crate) pairs: Vec<Pair>,
+    /// The largest of all forces and couples, and of what acts.
+    pub(crate) largest: f64,
+    /// By how much errors of the equations may grow.
+    pub(crate) condition: f64,
+}
+
+/// A singular value below this part of the largest is none: a reaction is open.
+const NOTHING: f64 = 1e-11;
+/// A reaction with so little part in what is open is told.
+const UNMOVED: f64 = 1e-8;
+
+/// Holds the solver's forces against the equations; `None` where these have no solution at all.
+pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared> {
+    let system = System::new(mechanism, state);
+    let (x, is_told, condition) = solved(&system)?;
+    let largest = x.amax().max(system.right.amax());
+    let mut pairs = Vec::new();
+    let mut pair = |name: String, unknown: usize, found: Option<f64>| {
+        pairs.push(Pair {
+            name,
+            found,
+            wanted: is_told[unknown].then(|| x[unknown]),
+        });
+    };
+    let metres = mechanism.metres();
+    let drive = match mechanism.driver().input {
+        Input::Turn(_) => state.drive().map(|torque| torque / metres),
+        Input::Push(_) => state.drive(),
+    };
+    pair("driver".into(), system.driver, drive);
+    for link in mechanism.link_ids() {
+        for point in mechanism.pins(link) {
+            let unknown = system.joint(link, point);
+            let force = state.joint_force(link, point);
+            let name = format!("link {} at {}", link.index(), point.index());
+            pair(format!("{name} x"), unknown, force.map(|f| f.x));
+            pair(format!("{name} y"), unknown + 1, force.map(|f| f.y));
+        }
+    }
+    for slide in mechanism.slide_ids() {
+        let unknown = system.slides[slide.index()];
+        let name = format!("slide {}", slide.index());
+        pair(format!("{name} normal"), unknown, state.normal(slide));
+        if matches!(mechanism.slide(slide).slider, Slider::Link { .. }) {
+            let moment = state.moment(slide).map(|m| m / metres);
+            pair(format!("{name} moment"), unknown + 1, moment);
+        }
+    }
+    if is_told.iter().all(|&told| told) {
+        pairs.extend(frame(&system, &x));
+    }
+    Some(Compared {
+        pairs,
+        largest,
+        condition,
+    })
+}
+
+/// The solution, what of it is told, and the condition.
+fn solved(system: &System<'_>) -> Option<(DVector<f64>, Vec<bool>, f64)> {
+    let unknowns = system.matrix.ncols();
+    if system.matrix.is_square()
+        && let Some(inverse) = system.matrix.clone().try_inverse()
+    {
+        let norm = |m: &DMatrix<f64>| m.row_iter().map(|row| row.lp_norm(1)).fold(0.0, f64::max);
+        let condition = norm(&system.matrix) * norm(&inverse);
+        if condition < 1.0 / NOTHING {
+            let x = system.matrix.clone().full_piv_lu().solve(&system.right)?;
+            return Some((x, vec![true; unknowns], condition));
+        }
+    }
+    // Square, so that all of the null space is among the vectors.
+    let rows = system.matrix.nrows().max(unknowns);
+    let matrix = system.matrix.clone().resize_vertically(rows, 0.0);
+    let right = system.right.clone().resize_vertically(rows, 0.0);
+    let svd = matrix.clone().svd(true, true);
+    let most = svd.singular_values.max();
+    let x = svd.solve(&right, NOTHING * most).ok()?;
+    let vectors = svd.v_t.as_ref()?;
+    let mut is_told = vec![true; unknowns];
+    let mut least = most;
+    for (k, &value) in svd.singular_values.iter().enumerate() {
+        if value > NOTHING * most {
+            least = least.min(value);
+            continue;
+        }
+        for (told, part) in is_told.iter_mut().zip(vectors.row(k).iter()) {
+            *told &= part.abs() < UNMOVED;
+        }
+    }
+    let misses = (&matrix * &x - &right).amax();
+    let holds = misses <= 1e-8 * x.amax().max(right.amax());
+    holds.then_some((x, is_told, most / least))
+}
+
+/// What the frame feels, by all that stands on it.
+fn frame(system: &System<'_>, x: &DVector<f64>) -> [Pair; 3] {
+    let System {
+        mechanism, state, ..
+    } = *system;
+    let acting = Acting::of(mechanism, state);
+    let (mut force, mut moment) = (Vec2::ZERO, 0.0);
+    let mut feel = |place: Vec2, by: Vec2| {
+        force += by;
+        moment += place.cross(by);
+    };
+    for point in mechanism.point_ids() {
+        let given = mechanism.point(point);
+        let Some(place) = given.ground else { continue };
+        feel(place, acting.points[point.index()]);
+        for &link in &given.links {
+            let unknown = system.joint(link, point);
+            feel(place, -Vec2::new(x[unknown], x[unknown + 1]));
+        }
+    }
+    let mut couple = 0.0;
+    for slide in mechanism.slide_ids() {
+        let given = mechanism.slide(slide);
+        let t = along(mechanism, slide, state);
+        let unknown = system.slides[slide.index()];
+        let place = state.position(given.slider.point()).unwrap();
+        let mut force = t.perp() * x[unknown];
+        if mechanism.driver().input == Input::Push(slide) {
+            force += t * x[system.driver];
+        }
+        // On a pin of the frame as on any other, and back on a guide of it.
+        let pin = match given.slider {
+            Slider::Pin(pin) => mechanism.point(pin).ground.is_some(),
+            Slider::Link { .. } => false,
+        };
+        if pin {
+            feel(place, force);
+        }
+        if given.on == Body::Ground {
+            feel(place, -force);
+            if let Slider::Link { .. } = given.slider {
+                couple -= x[unknown + 1];
+            }
+        }
+    }
+    if let Input::Turn(_) = mechanism.driver().input {
+        couple -= x[system.driver];
+    }
+    let found = state.frame_force();
+    let found = [
+        found.map(|f| f.x),
+        found.map(|f| f.y),
+        state.frame_moment().map(|m| m / mechanism.metres()),
+    ];
+    let wanted = [force.x, force.y, moment + couple];
+    let names = ["frame x", "frame y", "frame moment"];
+    std::array::from_fn(|i| Pair {
+        name: names[i].into(),
+        found: found[i],
+        wanted: Some(wanted[i]),
+    })
+}
