@@ -101,7 +101,8 @@
 //! - Names are made of ASCII letters, digits, `_`, `-` and `'` (such a key is quoted: `"B'"`), at most 64
 //!   of them. Points, links, slides and vectors share one set of names; `driver`, `ground`, `com` and
 //!   `state` are reserved. Tables and columns keep the order of the file.
-//! - Lengths lie between 1e-300 and 1e300; every number is finite.
+//! - Lengths lie between 1e-300 and 1e300, and no link is shorter than 1e-75 of the longest length; every
+//!   number is finite.
 //!
 //! # Faults
 //!
