@@ -12,39 +12,46 @@ impl Scene {
     #[must_use]
     pub fn explain(&self, fault: &Fault) -> Diagnostics {
         let item = match fault {
-            Fault::Mobility {
-                mobility,
-                redundant,
-                floating,
-            } => mobility_fault(self, *mobility, *redundant, floating),
+            Fault::Mobility { .. } => mobility_fault(self, fault),
             Fault::OverConstrained {
                 element,
+                others,
                 misfit,
                 at,
-            } => over_constrained(self, *element, *misfit, *at),
+            } => over_constrained(self, *element, others, *misfit, *at),
             Fault::Open { point, links, gap } => open(self, *point, links, *gap),
             Fault::Vague { point, choices } => vague(self, *point, choices),
             Fault::ChangePoint { group } => change_point(self, *group),
             Fault::NoChoice { group, found } => no_choice(self, *group, *found),
             Fault::NotAssembled { points, gap } => not_assembled(self, points, *gap),
-            Fault::Singular { elements } => singular(self, elements),
+            Fault::Singular {
+                elements,
+                is_here_only,
+            } => singular(self, elements, *is_here_only),
         };
         self.diagnostics(vec![item])
     }
 }
 
-fn mobility_fault(
-    scene: &Scene,
-    mobility: usize,
-    redundant: usize,
-    floating: &[LinkId],
-) -> Diagnostic {
-    let says = if mobility == 0 {
-        "nothing can move"
-    } else {
-        "the driver does not determine every link"
+fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
+    let Fault::Mobility {
+        mobility,
+        redundant,
+        repeating,
+        floating,
+        is_unclear,
+    } = fault
+    else {
+        return Diagnostic::new(fault.to_string());
     };
-    let mut item = Diagnostic::new(format!("the mobility is {mobility}, not 1: {says}"));
+    let (mobility, redundant) = (*mobility, *redundant);
+    let mut item = Diagnostic::new(match mobility {
+        0 => "the mobility is 0, not 1: nothing can move".to_owned(),
+        1 => {
+            "the mobility is 1, but the driver is held, and other links move without it".to_owned()
+        }
+        n => format!("the mobility is {n}, not 1: the driver does not determine every link"),
+    });
     item = match floating.split_first() {
         None => item.at(scene.place(Element::Driver), "driven here"),
         Some((&first, rest)) => {
@@ -57,11 +64,19 @@ fn mobility_fault(
         }
     };
     if redundant > 0 {
-        item = item.note(plural(
+        let count = plural(
             redundant,
-            "constraint repeats others and was set aside",
-            "constraints repeat others and were set aside",
-        ));
+            "constraint repeats others and holds nothing",
+            "constraints repeat others and hold nothing",
+        );
+        item = item.note(if repeating.is_empty() {
+            count
+        } else {
+            format!("{count}, among {}", element_list(scene, repeating))
+        });
+    }
+    if *is_unclear {
+        item = item.note(UNCLEAR);
     }
     if mobility == 0 {
         return item.help("take out a link or a joint: one that holds what should move");
@@ -75,10 +90,37 @@ fn mobility_fault(
                 "if {name} and {twin} are the same point, give it one name"
             ));
     }
-    let missing = plural(mobility - 1, "constraint is", "constraints are");
-    item.help(format!(
+    if let Some(help) = parallel_guides(scene, repeating) {
+        return item.help(help);
+    }
+    let missing = plural(mobility.max(2) - 1, "constraint is", "constraints are");
+    let item = item.help(format!(
         "{missing} missing: join a floating link to another by a common point, or add a slide"
-    ))
+    ));
+    if redundant == 0 {
+        return item;
+    }
+    item.help("what repeats others may be what is missing elsewhere: are its dimensions meant to be equal?")
+}
+
+/// Why a rank may be told wrongly.
+const UNCLEAR: &str = "this cannot be told for certain: dimensions that differ by rounding alone would hold what seems free";
+
+/// The mend where guides repeat each other.
+fn parallel_guides(scene: &Scene, elements: &[Element]) -> Option<&'static str> {
+    let of_slides = elements.iter().filter(|e| matches!(e, Element::Slide(_)));
+    let all = guides(scene, elements);
+    (of_slides.count() >= 2 && all.len() >= 2)
+        .then_some("guides that are parallel hold nothing along them: turn one by its `angle`")
+}
+
+fn element_list(scene: &Scene, elements: &[Element]) -> String {
+    let named = elements.iter().take(4 * POINTED_AT);
+    let mut names: Vec<String> = named.map(|&e| element_name(scene, e)).collect();
+    if elements.len() > names.len() {
+        names.push(format!("and {} more", elements.len() - names.len()));
+    }
+    names.join(", ")
 }
 
 /// Points at which a floating link ends in nothing, each with another moving point whose name differs
@@ -110,14 +152,20 @@ fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
     found
 }
 
-fn over_constrained(scene: &Scene, element: Element, misfit: f64, at: f64) -> Diagnostic {
+fn over_constrained(
+    scene: &Scene,
+    element: Element,
+    others: &[Element],
+    misfit: f64,
+    at: f64,
+) -> Diagnostic {
     if let Element::Link(link) = element
         && let Some(pins) = pinned_twice(scene, link)
     {
         return frame_as_link(scene, link, pins, misfit);
     }
     let name = element_name(scene, element);
-    Diagnostic::new(format!(
+    let mut item = Diagnostic::new(format!(
         "over-constrained: with {name} nothing can move, it does not fit the others by {}",
         length(scene, misfit)
     ))
@@ -128,8 +176,30 @@ fn over_constrained(scene: &Scene, element: Element, misfit: f64, at: f64) -> Di
     .note(format!(
         "found with the driver at {}",
         coordinate(scene, at)
+    ));
+    if !others.is_empty() {
+        item = item.note(format!("the others are {}", element_list(scene, others)));
+    }
+    let item =
+        item.help("correct its dimensions so that they agree with the others, or take it out");
+    // A misfit grows on the way: what is proposed is a power of ten of at least this many times its size.
+    let accepted = 10.0_f64.powf((GROWTH * misfit).log10().ceil());
+    if accepted > FEW_DIGITS * longest(scene) {
+        return item;
+    }
+    item.help(format!(
+        "or accept what a drawing of few digits leaves:\n[redundant]\nmisfit = {accepted:e}"
     ))
-    .help("correct its dimensions so that they agree with the others, or take it out")
+}
+
+const GROWTH: f64 = 5.0;
+/// A misfit of up to this part of the longest link may be one of digits.
+const FEW_DIGITS: f64 = 1e-3;
+
+fn longest(scene: &Scene) -> f64 {
+    let links = scene.mechanism.links().iter();
+    let lengths = links.flat_map(|link| link.members.iter().map(|m| m.local.norm()));
+    lengths.fold(0.0, f64::max)
 }
 
 /// Two points of the ground that a link joins, with their places.
@@ -297,14 +367,21 @@ fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
     item.help(help)
 }
 
-fn singular(scene: &Scene, elements: &[Element]) -> Diagnostic {
+fn singular(scene: &Scene, elements: &[Element], is_here_only: bool) -> Diagnostic {
     let guides = guides(scene, elements);
     let elements = if guides.len() >= 2 { &guides } else { elements };
     let names: Vec<String> = elements.iter().map(|&e| element_name(scene, e)).collect();
-    let mut item = Diagnostic::new(format!(
-        "{} never determine a position, wherever the driver stands",
-        names.join(" and ")
-    ));
+    let mut item = Diagnostic::new(if is_here_only {
+        format!(
+            "the scene opens where {} determine no position: at a change point or a dead point",
+            names.join(" and ")
+        )
+    } else {
+        format!(
+            "{} never determine a position, wherever the driver stands",
+            names.join(" and ")
+        )
+    });
     for (i, &element) in elements.iter().take(POINTED_AT).enumerate() {
         let place = scene.place(element);
         item = if i == 0 {
@@ -313,7 +390,9 @@ fn singular(scene: &Scene, elements: &[Element]) -> Diagnostic {
             item.and(place, "with this")
         };
     }
-    if guides.len() >= 2 {
+    if is_here_only {
+        item.help("open the scene elsewhere, at another `angle` or `position` of the driver")
+    } else if guides.len() >= 2 {
         item.help("guides that are parallel hold nothing along them: turn one by its `angle`")
     } else {
         item.help("no dimension mends this: join these parts in another way")

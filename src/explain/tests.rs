@@ -32,24 +32,29 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
     let fault = Fault::Mobility {
         mobility: 2,
         redundant: 1,
+        repeating: Vec::new(),
         floating,
+        is_unclear: false,
     };
     let phrases = [
         "the mobility is 2, not 1",
         "`r3` floats",
         "`r4` floats",
-        "1 constraint repeats others and was set aside",
+        "1 constraint repeats others and holds nothing",
         "1 constraint is missing",
     ];
     says(&scene, &fault, &phrases);
     let fault = Fault::Mobility {
         mobility: 0,
         redundant: 2,
+        repeating: vec![Element::Link(link(&scene, "r3"))],
         floating: Vec::new(),
+        is_unclear: true,
     };
     let phrases = [
         "the mobility is 0, not 1: nothing can move",
-        "2 constraints repeat others",
+        "2 constraints repeat others and hold nothing, among link `r3`",
+        "this cannot be told for certain",
         "take out a link or a joint",
     ];
     says(&scene, &fault, &phrases);
@@ -144,13 +149,20 @@ fn a_misfit_names_its_element_and_size() {
     let scene = scene("excavator-boom");
     let fault = Fault::OverConstrained {
         element: Element::Slide(scene.mechanism.slide_ids().next().unwrap()),
+        others: vec![Element::Link(LinkId::new(0))],
         misfit: 1e-9,
         at: 1.25,
     };
     let unit = scene.unit.symbol();
     let size = format!("by 1e-9 {unit}");
     let place = format!("the driver at 1.25 {unit}");
-    says(&scene, &fault, &["over-constrained", &size, &place]);
+    let others = format!("the others are link `{}`", scene.link_name(LinkId::new(0)));
+    let accepted = "[redundant]\n           misfit = 1e-8";
+    says(
+        &scene,
+        &fault,
+        &["over-constrained", &size, &place, &others, accepted],
+    );
 }
 
 #[test]
@@ -180,11 +192,21 @@ fn a_singular_group_names_its_elements() {
     let point = scene.mechanism.slide(slide).slider.point();
     let fault = Fault::Singular {
         elements: vec![Element::Point(point), Element::Driver],
+        is_here_only: false,
     };
     says(
         &scene,
         &fault,
         &["never determine a position", "the driver"],
+    );
+    let fault = Fault::Singular {
+        elements: vec![Element::Point(point)],
+        is_here_only: true,
+    };
+    says(
+        &scene,
+        &fault,
+        &["the scene opens where", "open the scene elsewhere"],
     );
 }
 

@@ -21,6 +21,7 @@ pub struct Builder {
     loads: Vec<Load>,
     gravity: Vec2,
     metres: f64,
+    misfit: f64,
 }
 
 impl Default for Builder {
@@ -34,6 +35,7 @@ impl Default for Builder {
             loads: Vec::new(),
             gravity: Vec2::ZERO,
             metres: 1.0,
+            misfit: 0.0,
         }
     }
 }
@@ -174,6 +176,12 @@ impl Builder {
         self.metres = metres;
     }
 
+    /// Accepts that constraints which repeat others disagree with them by so much, in the unit of all
+    /// lengths: for drawings of few digits. 0 if it is not said.
+    pub fn misfit(&mut self, misfit: f64) {
+        self.misfit = misfit;
+    }
+
     /// Checks every element by itself.
     ///
     /// # Errors
@@ -190,6 +198,7 @@ impl Builder {
                 loads: self.loads,
                 gravity: self.gravity,
                 metres: self.metres,
+                misfit: self.misfit,
             }),
             _ => Err(defects),
         }
@@ -212,6 +221,10 @@ impl Builder {
         let are_sound = self.loads.iter().all(|l| l.is_sound() && on_ground(l));
         if !(are_sound && self.gravity.is_finite() && is_unit) {
             found.push(Defect::Load);
+        }
+        // Written so that NaN is refused too.
+        if !(self.misfit >= 0.0 && self.misfit.is_finite()) {
+            found.push(Defect::Misfit);
         }
         found
     }

@@ -192,6 +192,7 @@ pub struct Mechanism {
     loads: Vec<Load>,
     gravity: Vec2,
     metres: f64,
+    misfit: f64,
 }
 
 impl Mechanism {
@@ -247,6 +248,13 @@ impl Mechanism {
     #[must_use]
     pub fn metres(&self) -> f64 {
         self.metres
+    }
+
+    /// By how much constraints that repeat others may disagree with them, in the scene's length unit: 0
+    /// where they may by rounding alone.
+    #[must_use]
+    pub fn misfit(&self) -> f64 {
+        self.misfit
     }
 
     /// Whether anything acts on it: a load, a weight, or what resists being accelerated.
@@ -381,6 +389,9 @@ pub enum Defect {
         /// The link.
         link: LinkId,
     },
+    /// An accepted misfit that is negative or not finite.
+    #[error("the accepted misfit must be finite and not negative")]
+    Misfit,
     /// A load, the gravity or the unit that is not finite, or negative where it must not be; a spring
     /// from a point to itself; a press whose guide moves.
     #[error(

@@ -50,6 +50,7 @@ impl<'t> Drafted<'_, 't> {
             | Defect::Driver
             | Defect::Mass { .. }
             | Defect::Load
+            | Defect::Misfit
             | Defect::Empty { .. }
             | Defect::Stray { .. } => None,
         }

@@ -3,7 +3,6 @@
 use super::assemble::{Assembler, Request, Way, handedness};
 use super::engine::Engine;
 use super::fault::Fault;
-use super::motion::MISFIT;
 use super::network::Network;
 use super::plan::Pick;
 use super::state::{Condition, State};
@@ -78,7 +77,7 @@ impl Solver {
                 let taken = assembler.take(group, way, &mut engine, &mut state);
                 let closes = taken != Condition::NoAssembly
                     && assembler.settle_from(group + 1, &mut engine, &mut state)
-                    && engine.misfit(&state, MISFIT).is_none();
+                    && engine.misfit(&state).is_none();
                 state.state.condition = Condition::Ok;
                 Choice {
                     pick: self.pick_of(group, way, i),
@@ -116,7 +115,7 @@ impl Solver {
                 let ways = assembler.ways(number, &engine, &mut state);
                 taken.push((ways, 0));
             } else {
-                if engine.misfit(&state, MISFIT).is_none() {
+                if engine.misfit(&state).is_none() {
                     if found.list.len() == MOST_ASSEMBLIES {
                         return found;
                     }

@@ -17,6 +17,10 @@ use std::sync::Arc;
 /// pi round by less than 3.4 u in all, and u is up to two halves of an ulp.
 const CONVERSION: f64 = 7.0;
 
+/// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
+/// in units of about the longest link.
+const MISFIT: f64 = 1e-11;
+
 /// A program, and what its driver's coordinate means.
 #[derive(Clone, Debug)]
 pub(super) struct Engine {
@@ -30,6 +34,8 @@ pub(super) struct Engine {
     /// What is not placed, because nobody asked for it.
     left_out: Option<Arc<Marks>>,
     driven: Option<LinkId>,
+    /// By how much more a watched constraint may miss, in the solver's unit.
+    accepted: f64,
     /// The driver's speed and acceleration, in radians or scaled lengths.
     driver_rates: [f64; 2],
 }
@@ -52,6 +58,7 @@ impl Engine {
             turns,
             named_points: mechanism.points().len(),
             driven,
+            accepted: frame.length(mechanism.misfit()),
             driver_rates,
         };
         let starts = engine.program.group_starts.clone();
@@ -309,19 +316,23 @@ impl Engine {
         if solved { Outcome::Done } else { Outcome::Open }
     }
 
-    /// The first watched constraint that misses by more than `tolerance`, in parts of the solver's
-    /// unit or, where the mechanism reaches further, of the distance; and by how much.
-    pub(super) fn misfit(&self, state: &State, tolerance: f64) -> Option<(Watch, f64)> {
-        let misses = self
-            .program
-            .watches
-            .iter()
-            .map(|w| (*w, w.gauge.misfit(state)));
+    /// By how much each watched constraint misses, and how far out: rounding grows with the distance.
+    pub(super) fn misses(&self, state: &State) -> impl Iterator<Item = (Watch, f64, f64)> {
+        let watches = self.program.watches.iter();
+        watches.map(|watch| {
+            let (miss, reach) = watch.gauge.misfit(state);
+            (*watch, miss, reach)
+        })
+    }
+
+    /// The first watched constraint that misses by more than rounding, or than the scene accepts, and
+    /// by how much, in the solver's unit.
+    pub(super) fn misfit(&self, state: &State) -> Option<(Watch, f64)> {
         // Written so that NaN counts as a misfit.
-        misses
-            .into_iter()
-            .find(|(_, (miss, reach))| !(miss.abs() <= tolerance * reach))
-            .map(|(watch, (miss, _))| (watch, miss))
+        let fits = |miss: f64, reach: f64| miss.abs() <= (MISFIT * reach).max(self.accepted);
+        let mut misses = self.misses(state);
+        let found = misses.find(|&(_, miss, reach)| !fits(miss, reach));
+        found.map(|(watch, miss, _)| (watch, miss))
     }
 
     /// The same engine without the steps that `demand` does not need.

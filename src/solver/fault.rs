@@ -11,15 +11,22 @@ pub enum Fault {
         mobility: usize,
         /// Constraints that repeat others.
         redundant: usize,
+        /// What these belong to, and what they repeat.
+        repeating: Vec<Element>,
         /// Links that the driver does not determine.
         floating: Vec<LinkId>,
+        /// Whether rounding hides what is free: a mechanism next to this one may have none.
+        is_unclear: bool,
     },
     /// More constraints than the motion allows, and they do not agree (an immobile structure).
     #[error("over-constrained: the parts do not fit by {misfit:e}")]
     OverConstrained {
         /// The element set aside as redundant that does not fit.
         element: Element,
-        /// By how much, in the scene's length unit (or rad).
+        /// What it repeats at the start, where that can be told: any of these may be the wrong one.
+        others: Vec<Element>,
+        /// By how much, in the scene's length unit; of slides that hold one link at two angles, at the
+        /// end of the longest length.
         misfit: f64,
         /// At which coordinate of the driver.
         at: f64,
@@ -65,10 +72,12 @@ pub enum Fault {
         /// The smallest misfit reached, in the scene's length unit.
         gap: f64,
     },
-    /// Constraints that never determine a position: parallel guides, mostly.
-    #[error("the group is singular in every position")]
+    /// Constraints that determine no position: parallel guides, mostly.
+    #[error("the group is singular")]
     Singular {
         /// The elements of the group.
         elements: Vec<Element>,
+        /// Whether it is so only where the scene opens: at a change point or a dead point.
+        is_here_only: bool,
     },
 }

@@ -8,6 +8,7 @@
 //! ```text
 //! once       network   points, links and slides as constraints: what is known, what is sought
 //!            order     which constraints are solved together, and in which order
+//!            rank      which of them repeat others, and what is left free: by their dimensions
 //!            chain     groups become steps: dyads in closed form, the rest coupled -> plan
 //!            assemble  the assembly that is meant, at the start        choices  the others
 //!            motion    the range, its limits and change points         passage  the way through these
@@ -44,6 +45,7 @@ mod network;
 mod order;
 mod passage;
 mod plan;
+mod rank;
 mod speed;
 mod state;
 mod step;
@@ -66,6 +68,7 @@ pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
 pub use neighbour::Neighbour;
 pub use plan::{Group, GroupKind, Pick, Plan};
+pub use rank::{Rank, Redundancy};
 pub(crate) use state::Sliding;
 pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
@@ -106,11 +109,6 @@ pub struct Demand {
     pub forces: bool,
 }
 
-/// How many constraints are tried in the place of the one that was set aside first.
-const MOST_RIVALS: usize = 64;
-/// The same where each trial costs a search for assemblies or a walk.
-const FEW_RIVALS: usize = 8;
-
 /// A mechanism made ready to be solved at any coordinate of its driver.
 #[derive(Clone)]
 pub struct Solver {
@@ -125,6 +123,8 @@ pub struct Solver {
     slides: usize,
     /// Where the scene opens, if the motion comes there.
     opening: f64,
+    /// What the rank of the constraints says.
+    rank: Rank,
     /// How forces are found, where anything acts.
     balance: Option<Arc<Balance>>,
 }
@@ -161,34 +161,21 @@ impl Solver {
         let network = Network::new(mechanism);
         if let Some(clash) = network.clash {
             let element = Element::Slide(clash.slide);
-            let misfit = clash.misfit.abs();
+            let frame = Frame::of(mechanism);
+            let misfit = clash.misfit.abs() * frame.longest * frame.scale;
             return Err(Fault::OverConstrained {
                 element,
+                others: Vec::new(),
                 misfit,
                 at,
             });
         }
-        let ordering = order::ordering(&network, None)?;
-        let with = |ordering: &Ordering| Solver::with(&network, ordering, at, near, picks);
-        let first = with(&ordering);
-        // Only numbers tell which of several constraints repeats the others: where the one that was
-        // set aside leaves a group that cannot be solved, another is tried in its stead.
-        let tries = match first {
-            Err(Fault::Singular { .. }) => MOST_RIVALS,
-            Err(Fault::NotAssembled { .. } | Fault::OverConstrained { .. }) => FEW_RIVALS,
-            Ok(_)
-            | Err(
-                Fault::Mobility { .. }
-                | Fault::Open { .. }
-                | Fault::Vague { .. }
-                | Fault::ChangePoint { .. }
-                | Fault::NoChoice { .. },
-            ) => 0,
+        let with = |ordering: &Ordering, near: &[(PointId, Vec2)]| {
+            let solver = Solver::with(&network, ordering, at, near, picks)?;
+            rank::judged(&network, solver)
         };
-        let mut rivals = ordering.rivals.iter().rev().take(tries);
-        rivals
-            .find_map(|&row| with(&order::ordering(&network, Some(row)).ok()?).ok())
-            .map_or(first, Ok)
+        let first = order::ordering(&network, &[]).and_then(|ordering| with(&ordering, near));
+        first.or_else(|fault| rank::reopened(&network, fault, at, near, with))
     }
 
     fn with(
@@ -220,6 +207,7 @@ impl Solver {
             motion,
             slides,
             opening: begun.at,
+            rank: Rank::default(),
             balance: None,
         };
         solver.balance = Balance::new(network, &solver);
@@ -230,6 +218,12 @@ impl Solver {
     #[must_use]
     pub fn plan(&self) -> &Plan {
         &self.plan
+    }
+
+    /// What the rank of the constraints says: which repeat others, and whether that is certain.
+    #[must_use]
+    pub fn rank(&self) -> &Rank {
+        &self.rank
     }
 
     /// The whole motion: the driver's range.

@@ -3,7 +3,6 @@
 
 use super::engine::Engine;
 use super::forces::Balance;
-use super::motion::MISFIT;
 use super::network::Network;
 use super::plan::Program;
 use super::step::Step;
@@ -97,7 +96,7 @@ impl Neighbour {
             group.read(beside, group.open(&mut work.scratch).z);
         }
         let condition = self.engine.run(beside.at, order, work);
-        if condition == Condition::Ok && self.engine.misfit(work, MISFIT).is_some() {
+        if condition == Condition::Ok && self.engine.misfit(work).is_some() {
             work.state.condition = Condition::NoAssembly;
         }
         Balance::follow(self.balance.as_deref(), &self.engine, order, work);

@@ -4,6 +4,7 @@
 //! links that keep their angles to each other (links locked on slides). A link of k joints gives
 //! 2 (k - 1) equations, a slot one. Points that are no joints take no part: they ride.
 
+use super::frame::Frame;
 use crate::{
     Body, Constant, Element, Input, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
 };
@@ -16,7 +17,7 @@ pub(super) struct ClassId(pub(super) usize);
 pub(super) const GROUND: ClassId = ClassId(0);
 
 /// One scalar equation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Row {
     /// The distance of a link's joint from the link's centre joint.
     Along { link: LinkId, end: PointId },
@@ -68,9 +69,13 @@ pub(super) struct Network<'m> {
     centre: Vec<Option<PointId>>,
     joint: Vec<bool>,
     pub rows: Vec<Row>,
-    /// Locks that repeat others, and agree with them.
+    /// Locks that repeat others, and agree with them as far as it matters.
     pub repeated_locks: Vec<SlideId>,
+    /// The largest sine by which these disagree.
+    pub locks_apart: f64,
     pub clash: Option<LockClash>,
+    /// By what sine two locks of one link may disagree.
+    slack: f64,
 }
 
 impl<'m> Network<'m> {
@@ -85,7 +90,9 @@ impl<'m> Network<'m> {
             joint: Vec::new(),
             rows: Vec::new(),
             repeated_locks: Vec::new(),
+            locks_apart: 0.0,
             clash: None,
+            slack: slack(mechanism),
         };
         network.find_classes();
         network.find_joints();
@@ -108,6 +115,11 @@ impl<'m> Network<'m> {
 
     pub(super) fn link(&self, link: LinkId) -> Option<&'m Link> {
         self.mechanism.links().get(link.index())
+    }
+
+    /// The joint from which a body's other joints are seen; the ground has none.
+    pub(super) fn centre(&self, body: LinkId) -> Option<PointId> {
+        self.centre.get(body.index()).copied().flatten()
     }
 
     pub(super) fn class(&self, link: LinkId) -> ClassId {
@@ -185,10 +197,10 @@ impl<'m> Network<'m> {
 
     /// A lock between two bodies whose angle is settled already.
     fn note_repeated_lock(&mut self, slide: SlideId, misfit: f64) {
-        // The rounding of a few products of unit vectors.
-        if misfit.abs() > 16.0 * f64::EPSILON {
+        if misfit.abs() > self.slack {
             self.clash = Some(LockClash { slide, misfit });
         } else {
+            self.locks_apart = self.locks_apart.max(misfit.abs());
             self.repeated_locks.push(slide);
         }
     }
@@ -263,8 +275,7 @@ impl<'m> Network<'m> {
                 (self.body(slide.on), slide.slider.point())
             }
         };
-        let centre = self.centre.get(body.index()).copied().flatten();
-        let points = [Some(point), centre].into_iter().flatten();
+        let points = [Some(point), self.centre(body)].into_iter().flatten();
         let mut unknowns: Vec<Unknown> = points
             .filter(|&p| !self.is_ground(p))
             .map(Unknown::Point)
@@ -310,5 +321,18 @@ impl<'m> Network<'m> {
             && !carries_guide
             && self.members[self.class(link).0].len() == 1
             && !self.is_given(self.class(link))
+    }
+}
+
+/// By what sine two locks of one link may disagree: by the rounding of a few products of unit vectors, or
+/// by what the misfit that a scene accepts is at the end of its longest length.
+fn slack(mechanism: &Mechanism) -> f64 {
+    const ROUNDING: f64 = 16.0 * f64::EPSILON;
+    let frame = Frame::of(mechanism);
+    let accepted = frame.length(mechanism.misfit()) / frame.longest;
+    if accepted > ROUNDING {
+        accepted
+    } else {
+        ROUNDING
     }
 }

@@ -30,8 +30,8 @@ pub(super) struct Ordering {
     pub blocks: Vec<Block>,
     /// Equations that repeat others.
     pub set_aside: Vec<Row>,
-    /// Equations that could have been set aside in their stead.
-    pub rivals: Vec<Row>,
+    /// These, and those that could have been set aside in their stead: what stands over its unknowns.
+    pub over: Vec<Row>,
 }
 
 /// The unknowns as scalars: a point twice, a class once.
@@ -153,26 +153,26 @@ fn matching(scalars: &Scalars) -> Matching {
 ///
 /// Where equations are too many, those easiest to set aside go, one by one, until the rest can all
 /// be matched (the over-determined part of Dulmage and Mendelsohn, 1958). Which of them really repeat
-/// others is a matter of numbers that the structure does not show: `preferred` is set aside first.
+/// others is a matter of numbers that the structure does not show: those `preferred` are set aside first.
 ///
 /// # Errors
 /// [`Fault::Mobility`] where unknowns remain that no equation settles.
-pub(super) fn ordering(network: &Network<'_>, preferred: Option<Row>) -> Result<Ordering, Fault> {
+pub(super) fn ordering(network: &Network<'_>, preferred: &[Row]) -> Result<Ordering, Fault> {
     let scalars = Scalars::of(network);
     let mut matched = matching(&scalars);
-    let (mut set_aside, mut rivals) = (Vec::new(), Vec::new());
-    let readiness = |row: Row| (Some(row) == preferred, network.readiness(row));
+    let (mut set_aside, mut over) = (Vec::new(), Vec::new());
+    let readiness = |row: Row| (preferred.contains(&row), network.readiness(row));
     for free in 0..network.rows.len() {
-        if matched.scalar_of[free].is_some() {
+        // One that was set aside for an earlier one is met again here.
+        if matched.scalar_of[free].is_some() || set_aside.contains(&network.rows[free]) {
             continue;
         }
         let part = over_determined(&scalars, &matched, free);
-        let rows = || part.iter().map(|reached| network.rows[reached.row]);
         let gone = (0..part.len())
             .max_by_key(|&i| (readiness(network.rows[part[i].row]), part[i].row))
             .unwrap_or(0);
         let gone_row = network.rows[part[gone].row];
-        rivals.extend(rows().filter(|&r| r != gone_row));
+        over.extend(part.iter().map(|reached| network.rows[reached.row]));
         set_aside.push(gone_row);
         matched.hand_on(&part, gone);
     }
@@ -183,14 +183,15 @@ pub(super) fn ordering(network: &Network<'_>, preferred: Option<Row>) -> Result<
         return Err(Fault::Mobility {
             mobility: 1 + loose.len(),
             redundant: set_aside.len() + network.repeated_locks.len(),
+            repeating: elements(&set_aside),
+            is_unclear: false,
             floating: floating(network, &scalars, &matched, loose),
         });
     }
-    rivals.retain(|&row| network.readiness(row) > 0);
     Ok(Ordering {
         blocks: blocks(network, &scalars, &matched),
         set_aside,
-        rivals,
+        over,
     })
 }
 

@@ -101,7 +101,7 @@ impl Plan {
     /// What makes the mechanism impossible by its structure: see [`Fault`].
     pub fn of(mechanism: &Mechanism) -> Result<Plan, Fault> {
         let network = Network::new(mechanism);
-        let ordering = super::order::ordering(&network, None)?;
+        let ordering = super::order::ordering(&network, &[])?;
         let dyads = super::chain::Dyads::Closed;
         let (plan, _) = super::chain::build(&network, Frame::of(mechanism), &ordering, dyads)?;
         Ok(plan)

@@ -14,6 +14,7 @@ mod exact;
 mod change_points;
 mod closed_form;
 mod driver;
+mod lifts;
 mod limits;
 mod many_links;
 mod others;

@@ -15,6 +15,7 @@ mod coupled;
 mod dyads;
 mod four_bar;
 mod invariance;
+mod mobility;
 mod passages;
 mod plant;
 mod transmission;

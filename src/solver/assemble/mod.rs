@@ -214,6 +214,7 @@ impl Assembler<'_> {
         let elements = links.chain(group.point.map(crate::Element::Point));
         Fault::Singular {
             elements: elements.collect(),
+            is_here_only: false,
         }
     }
 

@@ -434,6 +434,7 @@ impl<'n> Chain<'n> {
         };
         let singular = || Fault::Singular {
             elements: order::elements(&block.rows),
+            is_here_only: false,
         };
         let group = Coupled::new(&part).ok_or_else(singular)?;
         let kind = GroupKind::Coupled {

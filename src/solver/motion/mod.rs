@@ -14,7 +14,6 @@ mod limits;
 mod walk;
 
 pub(super) use anchors::{Anchors, positive_remainder};
-pub(super) use walk::MISFIT;
 
 use super::angle_turn;
 use super::engine::Engine;
@@ -80,6 +79,8 @@ pub struct Motion {
     pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
     pub(super) passages: Passages,
+    /// How far each watched constraint was from holding at the most, in the solver's unit.
+    pub(super) misfits: Vec<f64>,
     /// The rounding of a coordinate.
     finest: f64,
     /// A limited range with the rounding of its dead points.
@@ -171,6 +172,7 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &Workspace) -> Result<
         passages: Vec::new(),
         samples: Vec::new(),
         misses: Vec::new(),
+        misfits: vec![0.0; engine.program.watches.len()],
         folds: Vec::new(),
     };
     walker.check_fit()?;
@@ -197,6 +199,7 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &Workspace) -> Result<
     Ok(Motion {
         near_misses: near_misses(walker.misses, range),
         samples: walker.samples,
+        misfits: walker.misfits,
         range,
         dead_points,
         reach,

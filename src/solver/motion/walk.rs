@@ -9,9 +9,6 @@ use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 use crate::solver::{Order, angle_turn};
 
-/// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
-/// in units of about the longest link.
-pub(in crate::solver) const MISFIT: f64 = 1e-11;
 /// No link turns more than this (as the length of the change of its unit vector) in one step.
 const TURN_STEP: f64 = 0.2;
 /// A coupled group's first correction may be this part of the predicted move: else the step could
@@ -62,6 +59,8 @@ pub(super) struct Walker<'e> {
     /// The coordinates that have been reached.
     pub(super) samples: Vec<f64>,
     pub(super) misses: Vec<NearMiss>,
+    /// How far each watched constraint was from holding at the most.
+    pub(super) misfits: Vec<f64>,
     pub(super) folds: Vec<Folded>,
 }
 
@@ -103,6 +102,7 @@ impl Walker<'_> {
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
                     return Ok(End::Closed(turns));
                 }
+                self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
                 let Some(beyond) = self.pass(limit) else {
                     return Ok(End::Limit(self.refined(limit, &last)));
@@ -182,15 +182,32 @@ impl Walker<'_> {
             })
     }
 
-    pub(super) fn check_fit(&self) -> Result<(), Fault> {
-        match self.engine.misfit(&self.state, MISFIT) {
+    pub(super) fn check_fit(&mut self) -> Result<(), Fault> {
+        let misses = self.engine.misses(&self.state);
+        for (largest, (_, miss, _)) in self.misfits.iter_mut().zip(misses) {
+            *largest = largest.max(miss.abs());
+        }
+        match self.engine.misfit(&self.state) {
             None => Ok(()),
             Some((watch, miss)) => Err(Fault::OverConstrained {
                 element: watch.element,
+                others: Vec::new(),
                 misfit: miss.abs() * self.engine.frame.scale,
                 at: self.state.at,
             }),
         }
+    }
+
+    /// Whether what was set aside fits on the last part of a way, be it shorter than a step. At its end
+    /// rounding grows beyond what may be asked: halfway there it does not.
+    fn check_fit_between(&mut self, from: f64, limit: f64) -> Result<(), Fault> {
+        let last = self.state.clone();
+        let middle = from + 0.5 * (limit - from);
+        self.aim_at(middle);
+        let exists = self.engine.run(middle, Order::Position, &mut self.state) == Condition::Ok;
+        let fits = if exists { self.check_fit() } else { Ok(()) };
+        self.state = last;
+        fits
     }
 
     /// Goes from one coordinate, at which the state is, to another by as many steps as the motion

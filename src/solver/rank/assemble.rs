@@ -1,0 +1,259 @@
+//! Puts all constraints together at once, those that repeat others included: by least squares, from
+//! rough places.
+//!
+//! The steps of the plan cannot do it where the structure set the wrong constraints aside; and which
+//! are the right ones only an assembled mechanism tells. Levenberg's and Marquardt's method needs no
+//! regular matrix: it comes to one of the poses near by whatever repeats, and whatever is left free.
+
+use super::rows::{Pose, Rows};
+use crate::solver::network::GROUND;
+use crate::{LinkId, PointId, Vec2, angle};
+use nalgebra::{Cholesky, DMatrix, DVector};
+
+/// Steps at the most.
+const MOST_STEPS: usize = 200;
+/// The damping to begin with, as a part of the squares of rows of unit length, and the least: below the
+/// square root of the rounding no regular direction feels it, and a free one still does.
+const DAMPING: f64 = 1e-3;
+const LEAST_DAMPING: f64 = 1e-13;
+/// In so many steps what is missed, squared, must fall to half: else it comes to rest elsewhere.
+const PATIENCE: usize = 20;
+/// Damped more than this nothing moves any more.
+const MOST_DAMPING: f64 = 1e9;
+/// Steps shorter than this, in units of about the longest link, are rounding.
+const STILL: f64 = 4.0 * f64::EPSILON;
+/// A pose is assembled where no equation misses by more than the rounding of what it is made from.
+const ASSEMBLED: f64 = 1e-12;
+/// From one first direction to the next, in degrees: the golden angle never comes back to an old one.
+const GOLDEN: f64 = 137.507_764_050_037_85;
+
+/// An assembled pose, and how far it may be from the true one.
+pub(super) struct Assembled {
+    pub(super) pose: Pose,
+    pub(super) slack: f64,
+}
+
+/// Moves a pose to where all equations hold, to `misfit`; `None` where it comes to no such place.
+pub(super) fn assemble(rows: &Rows<'_>, at: f64, misfit: f64, mut pose: Pose) -> Option<Assembled> {
+    rows.drive(at, &mut pose);
+    let mut damping = DAMPING;
+    let mut system = Normal::of(rows, at, &pose);
+    let mut before = f64::INFINITY;
+    for k in 0..MOST_STEPS {
+        if k % PATIENCE == 0 {
+            if system.cost > 0.5 * before {
+                break;
+            }
+            before = system.cost;
+        }
+        let Some((next, step)) = system.step(rows, at, &pose, &mut damping) else {
+            break;
+        };
+        pose = next;
+        system = Normal::of(rows, at, &pose);
+        if step <= STILL {
+            break;
+        }
+    }
+    let reach = pose.points.iter().map(|p| p.norm()).fold(1.0, f64::max);
+    let allowed = misfit.max(ASSEMBLED * reach);
+    let slack = system.largest.max(STILL * reach);
+    (system.largest <= allowed).then_some(Assembled { pose, slack })
+}
+
+/// The normal equations at a pose.
+struct Normal {
+    matrix: DMatrix<f64>,
+    downhill: DVector<f64>,
+    /// Half the squares of all misses, and the largest miss.
+    cost: f64,
+    largest: f64,
+}
+
+impl Normal {
+    fn of(rows: &Rows<'_>, at: f64, pose: &Pose) -> Normal {
+        let n = rows.width;
+        let mut normal = Normal {
+            matrix: DMatrix::zeros(n, n),
+            downhill: DVector::zeros(n),
+            cost: 0.0,
+            largest: 0.0,
+        };
+        for (miss, mut terms) in rows.linear(at, pose) {
+            // The driver stands still.
+            terms.retain(|term| term.0 < n);
+            for &(i, a) in &terms {
+                normal.downhill[i] -= a * miss;
+                for &(j, b) in &terms {
+                    normal.matrix[(i, j)] += a * b;
+                }
+            }
+            normal.cost += 0.5 * miss * miss;
+            normal.largest = normal.largest.max(miss.abs());
+        }
+        normal
+    }
+
+    /// The next pose, and the length of the way there; `None` where nothing is better.
+    fn step(
+        &self,
+        rows: &Rows<'_>,
+        at: f64,
+        pose: &Pose,
+        damping: &mut f64,
+    ) -> Option<(Pose, f64)> {
+        while *damping < MOST_DAMPING {
+            let mut damped = self.matrix.clone();
+            for i in 0..rows.width {
+                damped[(i, i)] += *damping;
+            }
+            if let Some(factors) = Cholesky::new(damped) {
+                let step = factors.solve(&self.downhill);
+                let mut next = pose.clone();
+                rows.step(&mut next, step.as_slice());
+                let misses = rows.linear(at, &next).into_iter().map(|(miss, _)| miss);
+                let cost: f64 = misses.map(|miss| 0.5 * miss * miss).sum();
+                if cost < self.cost {
+                    *damping = (0.1 * *damping).max(LEAST_DAMPING);
+                    return Some((next, step.norm()));
+                }
+            }
+            *damping *= 10.0;
+        }
+        None
+    }
+}
+
+/// A rough pose: what is given stands where it is, the rest follows from link to link. Where nothing says
+/// how a link lies, its direction is another one in every trial.
+pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: usize) -> Pose {
+    let network = rows.network;
+    let mechanism = network.mechanism;
+    let mut pose = Pose {
+        points: vec![Vec2::ZERO; mechanism.points().len()],
+        classes: vec![Vec2::X; network.members.len()],
+    };
+    rows.drive(at, &mut pose);
+    let mut placing = Placing {
+        rows,
+        point_known: vec![false; pose.points.len()],
+        class_known: vec![false; pose.classes.len()],
+        pose,
+        next: angle::unit(GOLDEN * trial as f64),
+    };
+    for (class, _) in network.members.iter().enumerate() {
+        placing.class_known[class] = network.is_given(crate::solver::network::ClassId(class));
+    }
+    placing.class_known[GROUND.0] = true;
+    let given = mechanism.point_ids().filter_map(|p| {
+        let ground = mechanism.point(p).ground;
+        let near = || near.iter().find(|(of, _)| *of == p).map(|(_, at)| *at);
+        Some((p, ground.or_else(near)?))
+    });
+    for (point, place) in given {
+        let place = rows.frame.inner(place).nearest();
+        placing.put(point, place);
+    }
+    placing.place_all();
+    placing.pose
+}
+
+/// Someone who places links roughly, one after another.
+struct Placing<'r, 'n> {
+    rows: &'r Rows<'n>,
+    pose: Pose,
+    point_known: Vec<bool>,
+    class_known: Vec<bool>,
+    /// The next direction to try.
+    next: Vec2,
+}
+
+impl Placing<'_, '_> {
+    fn put(&mut self, point: PointId, place: Vec2) {
+        self.pose.points[point.index()] = place;
+        self.point_known[point.index()] = true;
+    }
+
+    fn place_all(&mut self) {
+        loop {
+            while self.follow() {}
+            if !(self.turn_one() || self.drop_one()) {
+                return;
+            }
+        }
+    }
+
+    /// The joints of a link that are placed, and one that is not.
+    fn joints(&self, link: LinkId) -> (Vec<PointId>, Option<PointId>) {
+        let joints = self.rows.network.joints(link).map(|m| m.point);
+        let (known, unknown): (Vec<_>, Vec<_>) = joints.partition(|p| self.point_known[p.index()]);
+        (known, unknown.first().copied())
+    }
+
+    /// Places what follows from what is placed.
+    fn follow(&mut self) -> bool {
+        let network = self.rows.network;
+        let mut any = false;
+        for link in network.mechanism.link_ids() {
+            let class = network.class(link).0;
+            let (known, _) = self.joints(link);
+            if let (false, [from, to, ..]) = (self.class_known[class], &known[..]) {
+                let seen = self.pose.points[to.index()] - self.pose.points[from.index()];
+                let local = self.rows.local(link, *to) - self.rows.local(link, *from);
+                let own = seen.turned(local.conj());
+                let own = own.turned(network.turn[link.index()].nearest().conj());
+                if own.norm() > 0.0 {
+                    self.pose.classes[class] = own / own.norm();
+                    (self.class_known[class], any) = (true, true);
+                }
+            }
+            let Some(&base) = known.first().filter(|_| self.class_known[class]) else {
+                continue;
+            };
+            while let (_, Some(next)) = self.joints(link) {
+                let local = self.rows.local(link, next) - self.rows.local(link, base);
+                let arm = local.turned(self.pose.direction(network, link));
+                self.put(next, self.pose.points[base.index()] + arm);
+                any = true;
+            }
+        }
+        any
+    }
+
+    /// Gives a direction to a link that is placed but for that, or to any other.
+    fn turn_one(&mut self) -> bool {
+        let network = self.rows.network;
+        let free = |link: &LinkId| !self.class_known[network.class(*link).0];
+        let mut links = network.mechanism.link_ids().filter(free).peekable();
+        let any = links.peek().copied();
+        let hangs = |link: &LinkId| !self.joints(*link).0.is_empty();
+        let Some(link) = links.find(hangs).or(any) else {
+            return false;
+        };
+        let class = network.class(link).0;
+        self.next = self.next.turned(angle::unit(GOLDEN));
+        self.pose.classes[class] = self.next;
+        self.class_known[class] = true;
+        true
+    }
+
+    /// Puts a joint of which nothing is known amid what is, a little aside.
+    fn drop_one(&mut self) -> bool {
+        let network = self.rows.network;
+        let mut points = network.mechanism.point_ids();
+        let open = |p: &PointId| network.is_joint(*p) && !self.point_known[p.index()];
+        let Some(point) = points.find(open) else {
+            return false;
+        };
+        let placed = self.pose.points.iter().zip(&self.point_known);
+        let placed: Vec<Vec2> = placed
+            .filter(|(_, known)| **known)
+            .map(|(p, _)| *p)
+            .collect();
+        let middle = placed.iter().fold(Vec2::ZERO, |sum, &p| sum + p);
+        let middle = middle / placed.len().max(1) as f64;
+        self.next = self.next.turned(angle::unit(GOLDEN));
+        self.put(point, middle + self.next * 0.5);
+        true
+    }
+}

@@ -1,0 +1,74 @@
+//! Of all that could be set aside, what leaves the smallest groups.
+//!
+//! Any constraint may be set aside for one that it takes part in the sum of. Which of them is good for the
+//! steps of a plan only the structure tells: dyads are solved in closed form, and the work of a coupled
+//! group grows with its cube.
+
+use super::rows::Rows;
+use super::spectrum::Choice;
+use crate::solver::order;
+use nalgebra::DMatrix;
+use std::cmp::Reverse;
+
+/// A constraint is exchanged only for one that has this part in its sum, of the largest: what is kept must
+/// stand on its own about as well as before.
+const STEADY: f64 = 0.05;
+/// Exchanges one after another.
+const MOST_ROUNDS: usize = 6;
+/// The constraints of all exchanges that are looked at in one round.
+const MOST_WORK: usize = 60_000;
+
+/// Exchanges what is set aside as long as the groups that are left become smaller.
+pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, mut choice: Choice) -> Choice {
+    let mut least = work(rows, &choice.set_aside);
+    for _ in 0..MOST_ROUNDS {
+        let Some((found, exchange)) = best(rows, &choice) else {
+            break;
+        };
+        if least.is_some_and(|least| found >= least) {
+            break;
+        }
+        least = Some(found);
+        let (kept, set_aside) = exchanged(&choice, exchange);
+        choice = Choice::new(matrix, kept, set_aside);
+    }
+    choice
+}
+
+/// The exchange that leaves the least work; of equal ones that for a constraint more readily set aside.
+fn best(rows: &Rows<'_>, choice: &Choice) -> Option<(usize, (usize, usize))> {
+    let readiness = |row: usize| rows.network.readiness(rows.rows[row]);
+    let mut exchanges = Vec::new();
+    for place in 0..choice.set_aside.len() {
+        let repeated = choice.repeated_by(place, STEADY * choice.largest_of(place));
+        let ready = repeated.into_iter().filter(|&row| readiness(row) > 0);
+        exchanges.extend(ready.map(|row| (place, row)));
+    }
+    let most = (MOST_WORK / rows.rows.len().max(1)).max(1);
+    let step = exchanges.len().div_ceil(most).max(1);
+    let tried = exchanges.into_iter().step_by(step).filter_map(|exchange| {
+        let (_, set_aside) = exchanged(choice, exchange);
+        Some((work(rows, &set_aside)?, exchange))
+    });
+    tried.min_by_key(|&(work, (_, row))| (work, Reverse((readiness(row), row))))
+}
+
+/// What is kept and what is set aside after one of those set aside was exchanged for one that is kept.
+fn exchanged(choice: &Choice, (place, row): (usize, usize)) -> (Vec<usize>, Vec<usize>) {
+    let mut set_aside = choice.set_aside.clone();
+    let back = std::mem::replace(&mut set_aside[place], row);
+    let mut kept = choice.kept.clone();
+    for kept in kept.iter_mut().filter(|kept| **kept == row) {
+        *kept = back;
+    }
+    set_aside.sort_unstable();
+    kept.sort_unstable();
+    (kept, set_aside)
+}
+
+/// The cubes of the sizes of all groups; `None` where what is kept does not settle everything.
+fn work(rows: &Rows<'_>, set_aside: &[usize]) -> Option<usize> {
+    let set_aside: Vec<_> = set_aside.iter().map(|&i| rows.rows[i]).collect();
+    let ordering = order::ordering(rows.network, &set_aside).ok()?;
+    Some(ordering.blocks.iter().map(|b| b.rows.len().pow(3)).sum())
+}

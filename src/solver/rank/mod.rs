@@ -1,0 +1,233 @@
+//! What the rank of the constraints says: how many motions there are, which constraints repeat each
+//! other, and which links the driver leaves free.
+//!
+//! The structure (who shares unknowns with whom) orders the groups, and knows no more: whether constraints
+//! repeat each other is a matter of dimensions. With J the derivatives of all constraints by all
+//! unknowns at an assembled pose, the driver held, d those by its coordinate, and r the rank of J:
+//!
+//! ```text
+//! free       n - r        motions that the driver does not determine (right null space: which links)
+//! redundant  m - r        constraints that repeat others             (left null space: which ones)
+//! held       rank of [J d] - r: 1 where they let the driver not move either
+//! mobility   1 + free - held
+//! ```
+//!
+//! Where every group of a plan is regular, J is block triangular with regular blocks and r = n without a
+//! look at it; only what structure leaves open is decomposed. The rank at one pose may be lower than
+//! elsewhere (a change point): the greatest of several poses counts.
+
+mod assemble;
+mod exchange;
+mod redundancy;
+mod rows;
+mod spectrum;
+mod verdict;
+
+use super::Solver;
+use super::fault::Fault;
+use super::network::{Network, Row};
+use super::order::{self, Ordering};
+use crate::{Element, PointId, Vec2};
+use verdict::{Verdict, Whole};
+
+/// Unknowns of which a dense decomposition is made, at the most: it costs their cube, and this many
+/// take about a second. Above it the structure's answer stands.
+const MOST_UNKNOWNS: usize = 420;
+
+/// Choices of what to set aside that are tried.
+const MOST_TRIED: usize = 6;
+
+/// A constraint that repeats others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Redundancy {
+    /// What was set aside for it.
+    pub element: Element,
+    /// How many constraints of this element were.
+    pub constraints: usize,
+    /// What else takes part: any of these could have been set aside in its stead. Empty where the
+    /// mechanism is too large to tell.
+    pub repeats: Vec<Element>,
+    /// By how much they disagree at the most over the motion, in the scene's length unit; of slides that
+    /// hold one link at one angle, at the end of the longest length.
+    pub misfit: f64,
+}
+
+/// What the rank of the constraints says of a mechanism that moves.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Rank {
+    /// The constraints that repeat others.
+    pub redundancies: Vec<Redundancy>,
+    /// Whether a singular value at the start lies so near zero that rounding, or the misfit that is
+    /// accepted, could hide a motion that the driver does not determine.
+    pub is_unclear: bool,
+    /// Whether more can move where the scene opens than elsewhere: a change point, or a dead point.
+    pub is_lower_at_start: bool,
+}
+
+impl Fault {
+    /// Whether it may come from constraints that repeat others where the structure sees none, or others
+    /// than it set aside.
+    fn asks_for_the_rank(&self, ordering: Option<&Ordering>) -> bool {
+        match self {
+            Fault::Singular { .. }
+            | Fault::NotAssembled { .. }
+            | Fault::OverConstrained { .. }
+            | Fault::Mobility { .. } => true,
+            Fault::Open { .. } => ordering.is_some_and(|o| !o.set_aside.is_empty()),
+            Fault::Vague { .. } | Fault::ChangePoint { .. } | Fault::NoChoice { .. } => false,
+        }
+    }
+}
+
+/// Opens a mechanism that did not open with what the structure set aside: with what the rank does, or
+/// says what the rank says.
+pub(super) fn reopened(
+    network: &Network<'_>,
+    fault: Fault,
+    at: f64,
+    near: &[(PointId, Vec2)],
+    open: impl Fn(&Ordering, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
+) -> Result<Solver, Fault> {
+    let structure = order::ordering(network, &[]).ok();
+    if !fault.asks_for_the_rank(structure.as_ref()) {
+        return Err(fault);
+    }
+    if verdict::is_too_large(network) {
+        return by_trial(network, structure, |ordering| open(ordering, near)).ok_or(fault);
+    }
+    let Some(whole) = Whole::new(network, at, near) else {
+        return Err(fault);
+    };
+    let Some(verdict) = whole.verdict() else {
+        return Err(fault);
+    };
+    if verdict.free > 0 {
+        return Err(verdict.free_motions(network));
+    }
+    let mut tried: Vec<Vec<Row>> = Vec::new();
+    let mut fault = fault;
+    let mut next = Some(verdict.set_aside.clone());
+    while let Some(set_aside) = next.filter(|s| tried.len() < MOST_TRIED && !tried.contains(s)) {
+        let Ok(ordering) = order::ordering(network, &set_aside) else {
+            break;
+        };
+        tried.push(set_aside);
+        match opened(&ordering, at, near, &verdict, &open) {
+            Ok(solver) => return Ok(solver),
+            Err(again) => fault = better(fault, again),
+        }
+        // Those that are kept may be singular where all together are not: then others lead on.
+        next = match fault {
+            Fault::OverConstrained { at, .. } if !verdict.is_held => whole.set_aside_at(at),
+            _ => None,
+        };
+    }
+    Err(verdict.named(fault))
+}
+
+/// Above the size of a decomposition: sets others aside in the place of the first one, one after another.
+fn by_trial(
+    network: &Network<'_>,
+    structure: Option<Ordering>,
+    open: impl Fn(&Ordering) -> Result<Solver, Fault>,
+) -> Option<Solver> {
+    let structure = structure?;
+    let could = structure.over.iter().rev();
+    let rivals =
+        could.filter(|&&row| network.readiness(row) > 0 && !structure.set_aside.contains(&row));
+    let mut rivals = rivals.take(MOST_TRIED);
+    rivals.find_map(|&row| open(&order::ordering(network, &[row]).ok()?).ok())
+}
+
+/// Rough places choose where they can; where the assembly that they choose does not fit what was set
+/// aside, the one does in which everything fits.
+fn opened(
+    ordering: &Ordering,
+    start: f64,
+    near: &[(PointId, Vec2)],
+    verdict: &Verdict,
+    open: impl Fn(&Ordering, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
+) -> Result<Solver, Fault> {
+    match open(ordering, near) {
+        Err(Fault::OverConstrained { at, .. }) if at == start => open(ordering, &verdict.places),
+        Err(Fault::NotAssembled { .. } | Fault::Open { .. }) => open(ordering, &verdict.places),
+        other => other,
+    }
+}
+
+/// Of two faults of one mechanism the one that says more.
+fn better(first: Fault, again: Fault) -> Fault {
+    match again {
+        Fault::OverConstrained { .. } | Fault::Vague { .. } | Fault::ChangePoint { .. } => again,
+        _ => first,
+    }
+}
+
+/// What the rank says of a mechanism that opened; a fault where it only seemed to be determined.
+///
+/// The dyads of a plan are regular where they are placed, and need no second look.
+pub(super) fn judged(network: &Network<'_>, mut solver: Solver) -> Result<Solver, Fault> {
+    let groups = verdict::groups(network, &solver);
+    // What is kept may hold the driver where it opens: with others set aside it may move.
+    let set_aside = &solver.ordering.set_aside;
+    let (low, high) = solver.motion.range.ends();
+    let is_stuck = low == high && !set_aside.is_empty();
+    let stuck = is_stuck.then(|| order::elements(set_aside));
+    if let Some(elements) = groups.singular.or(stuck) {
+        return Err(Fault::Singular {
+            elements,
+            is_here_only: false,
+        });
+    }
+    solver.rank = Rank {
+        redundancies: redundancy::redundancies(network, &solver),
+        is_unclear: groups.is_unclear,
+        is_lower_at_start: groups.is_lower_at_start,
+    };
+    Ok(solver)
+}
+
+impl Verdict {
+    /// That the driver does not determine every link.
+    fn free_motions(self, network: &Network<'_>) -> Fault {
+        Fault::Mobility {
+            mobility: self.mobility(),
+            redundant: self.redundant + network.repeated_locks.len(),
+            repeating: self.repeating,
+            floating: self.floating,
+            is_unclear: self.is_unclear,
+        }
+    }
+
+    /// A fault with the names that the rank knows.
+    fn named(&self, fault: Fault) -> Fault {
+        match fault {
+            Fault::OverConstrained {
+                element,
+                misfit,
+                at,
+                ..
+            } => {
+                let others = self.repeating.iter().copied();
+                Fault::OverConstrained {
+                    element,
+                    others: others.filter(|&other| other != element).collect(),
+                    misfit,
+                    at,
+                }
+            }
+            Fault::Singular { .. } if self.is_held => Fault::Mobility {
+                mobility: self.mobility(),
+                redundant: self.redundant,
+                repeating: self.repeating.clone(),
+                floating: Vec::new(),
+                is_unclear: self.is_unclear,
+            },
+            Fault::Singular { elements, .. } => Fault::Singular {
+                elements,
+                is_here_only: self.is_change_point,
+            },
+            other => other,
+        }
+    }
+}

@@ -1,0 +1,147 @@
+//! What the constraints that were set aside repeat, and by how much they disagree.
+
+use super::rows::{Pose, Rows};
+use super::spectrum::Choice;
+use super::{MOST_UNKNOWNS, Redundancy};
+use crate::solver::network::{Network, Row};
+use crate::solver::order;
+use crate::solver::state::{Condition, State};
+use crate::solver::{Order, Range, Solver};
+use crate::{Element, Vec2};
+
+/// Where else than at the start a motion is looked at, as parts of its range: at no place of symmetry.
+const ELSEWHERE: [f64; 2] = [0.291, 0.637];
+/// Parts in a sum up to this size are far from a change point.
+const CALM: f64 = 1e3;
+/// A part in the sum that a row repeats, below which it is rounding.
+const PART: f64 = 1e-8;
+
+/// States of the motion: at the start, and at two other places.
+pub(super) fn reached(solver: &Solver) -> impl Iterator<Item = State> + '_ {
+    let (low, high) = match solver.motion.range {
+        Range::Full { period } => (solver.opening, solver.opening + period),
+        Range::Limited { low, high } => (low, high),
+    };
+    let elsewhere = ELSEWHERE.map(|part| low + part * (high - low));
+    let places = std::iter::once(solver.opening).chain(elsewhere);
+    places.filter_map(|at| {
+        let mut work = solver.state();
+        let solved = solver.solve(at, Order::Position, &mut work) != Condition::NoAssembly;
+        solved.then(|| work.into_state())
+    })
+}
+
+/// Where a state has every joint and every class of links.
+pub(super) fn pose_of(network: &Network<'_>, state: &State) -> Pose {
+    let points = network.mechanism.points().len();
+    let class = |members: &Vec<crate::LinkId>| {
+        let first = members.first().map(|&link| {
+            let turn = network.turn[link.index()].nearest();
+            state.links[link.index()].d.turned(turn.conj())
+        });
+        first.unwrap_or(Vec2::X)
+    };
+    Pose {
+        points: state.points.iter().take(points).map(|p| p.p).collect(),
+        classes: network.members.iter().map(class).collect(),
+    }
+}
+
+/// Every element with constraints that repeat others.
+pub(super) fn redundancies(network: &Network<'_>, solver: &Solver) -> Vec<Redundancy> {
+    let set_aside = &solver.ordering.set_aside;
+    let sums = sums(network, solver);
+    let mut found: Vec<Redundancy> = Vec::new();
+    for (i, row) in set_aside.iter().enumerate() {
+        let element = row.element();
+        let repeats = sums.get(i).map_or(&[][..], |rows| rows);
+        let known = found.iter().position(|r| r.element == element);
+        let redundancy = match known {
+            Some(known) => &mut found[known],
+            None => {
+                found.push(Redundancy {
+                    element,
+                    constraints: 0,
+                    repeats: Vec::new(),
+                    misfit: 0.0,
+                });
+                let last = found.len() - 1;
+                &mut found[last]
+            }
+        };
+        redundancy.constraints += 1;
+        for other in order::elements(repeats) {
+            if other != element && !redundancy.repeats.contains(&other) {
+                redundancy.repeats.push(other);
+            }
+        }
+    }
+    for redundancy in &mut found {
+        redundancy.misfit = misfit(solver, redundancy);
+    }
+    let scale = solver.engine.frame.scale * solver.engine.frame.longest;
+    found.extend(network.repeated_locks.iter().map(|&slide| Redundancy {
+        element: Element::Slide(slide),
+        constraints: 1,
+        repeats: Vec::new(),
+        misfit: network.locks_apart * scale,
+    }));
+    found
+}
+
+/// For every constraint that was set aside the others that it is the sum of.
+fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<Row>> {
+    let ordering = &solver.ordering;
+    if ordering.set_aside.is_empty() {
+        return Vec::new();
+    }
+    let mut over: Vec<Row> = Vec::new();
+    let mut seen = std::collections::HashSet::new();
+    over.extend(ordering.over.iter().filter(|&&row| seen.insert(row)));
+    let unknowns = over.iter().flat_map(|&row| network.unknowns(row));
+    let unknowns: Vec<_> = unknowns.collect();
+    let rows = Rows::new(network, solver.engine.frame, over, unknowns);
+    if rows.width > MOST_UNKNOWNS {
+        return Vec::new();
+    }
+    let place = |row: &Row| rows.rows.iter().position(|r| r == row);
+    let aside: Vec<usize> = ordering.set_aside.iter().filter_map(place).collect();
+    let kept = (0..rows.rows.len())
+        .filter(|i| !aside.contains(i))
+        .collect::<Vec<_>>();
+    // At a change point of those that are kept the parts grow beyond bounds: the calmest place tells.
+    let mut choices = reached(solver).map(|state| {
+        let matrix = rows.matrix(state.at, &pose_of(network, &state));
+        let matrix = matrix.columns(0, rows.width).into_owned();
+        Choice::new(&matrix, kept.clone(), aside.clone())
+    });
+    let Some(mut calmest) = choices.next() else {
+        return Vec::new();
+    };
+    while calmest.largest() > CALM {
+        match choices.next() {
+            Some(other) if other.largest() < calmest.largest() => calmest = other,
+            Some(_) => {}
+            None => break,
+        }
+    }
+    let sum = |i| {
+        let rows = calmest
+            .repeated_by(i, PART)
+            .into_iter()
+            .map(|i| rows.rows[i]);
+        rows.collect()
+    };
+    (0..aside.len()).map(sum).collect()
+}
+
+/// By how much the constraints of what repeats each other failed to hold at the most over the motion.
+fn misfit(solver: &Solver, redundancy: &Redundancy) -> f64 {
+    let watches = solver.engine.program.watches.iter();
+    let of = |element| element == redundancy.element || redundancy.repeats.contains(&element);
+    let ours = watches
+        .zip(&solver.motion.misfits)
+        .filter(|(w, _)| of(w.element));
+    let largest = ours.map(|(_, &miss)| miss).fold(0.0, f64::max);
+    largest * solver.engine.frame.scale
+}

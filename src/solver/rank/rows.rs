@@ -1,0 +1,296 @@
+//! The constraints as dense rows over the coordinates of joints and the directions of links.
+//!
+//! With R the rotation of a body, c its centre joint, l the local vector from there to another joint e,
+//! u = R l / |l| and k x u its normal, and with v = e - c:
+//!
+//! ```text
+//! along    u . v - |l|            de: u        dc: -u        dtheta:  (k x u) . v
+//! across   (k x u) . v            de: k x u    dc: -k x u    dtheta: -u . v
+//! slot     n . (p - T)            dp: n        dc: -n        dtheta: -t . (p - c)
+//! push     t . (p - T) - q        dp: t        dc: -t        dtheta:  n . (p - c)       dq: -1
+//! ```
+//!
+//! where a guide of the direction t, with n = k x t, runs through T = c + R l_T of its body.
+
+use crate::solver::frame::Frame;
+use crate::solver::network::{ClassId, GROUND, Network, Row, Unknown};
+use crate::{Body, Input, LinkId, PointId, SlideId, Vec2, angle};
+use nalgebra::DMatrix;
+
+/// Where every joint is, and every class of links, in the solver's frame.
+#[derive(Clone, Debug)]
+pub(super) struct Pose {
+    pub(super) points: Vec<Vec2>,
+    /// The direction of a class, as a unit vector.
+    pub(super) classes: Vec<Vec2>,
+}
+
+impl Pose {
+    /// The direction of a body.
+    pub(super) fn direction(&self, network: &Network<'_>, body: LinkId) -> Vec2 {
+        let turn = network.turn[body.index()].nearest();
+        turn.turned(self.classes[network.class(body).0])
+    }
+}
+
+/// By how much one equation misses, and its derivatives.
+struct Equation {
+    miss: f64,
+    /// By the point; by the centre of the body it is the opposite.
+    normal: Vec2,
+    point: PointId,
+    centre: Option<PointId>,
+    class: ClassId,
+    /// By the direction of the class.
+    turn: f64,
+    /// By the coordinate of a driven slide.
+    push: f64,
+}
+
+/// Equations, and the unknowns that they are looked at for.
+pub(super) struct Rows<'n> {
+    pub(super) network: &'n Network<'n>,
+    pub(super) frame: Frame,
+    pub(super) rows: Vec<Row>,
+    /// The first of a point's two columns.
+    point_column: Vec<Option<usize>>,
+    class_column: Vec<Option<usize>>,
+    /// How many columns there are; the driver's coordinate stands behind them.
+    pub(super) width: usize,
+    /// What a direction counts as a length: columns of angles are angles times this.
+    lever: f64,
+}
+
+impl<'n> Rows<'n> {
+    pub(super) fn new(
+        network: &'n Network<'n>,
+        frame: Frame,
+        rows: Vec<Row>,
+        unknowns: impl IntoIterator<Item = Unknown>,
+    ) -> Rows<'n> {
+        let mut found = Rows {
+            network,
+            frame,
+            rows,
+            point_column: vec![None; network.mechanism.points().len()],
+            class_column: vec![None; network.members.len()],
+            width: 0,
+            lever: if frame.longest > 0.0 {
+                frame.longest
+            } else {
+                1.0
+            },
+        };
+        for unknown in unknowns {
+            let (column, columns) = match unknown {
+                Unknown::Point(point) => (&mut found.point_column[point.index()], 2),
+                Unknown::Class(class) => (&mut found.class_column[class.0], 1),
+            };
+            if column.is_none() {
+                *column = Some(found.width);
+                found.width += columns;
+            }
+        }
+        found
+    }
+
+    /// The driver's coordinate in radians or scaled lengths, and the direction of a driven link.
+    pub(super) fn driver(&self, at: f64) -> (f64, Vec2) {
+        match self.network.mechanism.driver().input {
+            Input::Turn(_) => (angle::radians(at), angle::unit(at)),
+            Input::Push(_) => (self.frame.length(at), Vec2::X),
+        }
+    }
+
+    /// Turns the driven link to the driver's coordinate.
+    pub(super) fn drive(&self, at: f64, pose: &mut Pose) {
+        if let Input::Turn(link) = self.network.mechanism.driver().input {
+            let class = self.network.class(link);
+            if class != GROUND {
+                let turn = self.network.turn[link.index()].nearest();
+                pose.classes[class.0] = self.driver(at).1.turned(turn.conj());
+            }
+        }
+    }
+
+    /// By how much every equation misses, and its derivatives by column.
+    pub(super) fn linear(&self, at: f64, pose: &Pose) -> Vec<(f64, Vec<(usize, f64)>)> {
+        let q = self.driver(at).0;
+        let equations = self.rows.iter().map(|&row| self.equation(row, q, pose));
+        equations.map(|e| (e.miss, self.terms(&e))).collect()
+    }
+
+    /// The derivatives, each row of unit length; the last column is the driver's.
+    pub(super) fn matrix(&self, at: f64, pose: &Pose) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.rows.len(), self.width + 1);
+        for (i, (_, terms)) in self.linear(at, pose).into_iter().enumerate() {
+            for (column, value) in terms {
+                matrix[(i, column)] += value;
+            }
+            let norm = matrix.row(i).norm();
+            if norm > 0.0 {
+                matrix.row_mut(i).unscale_mut(norm);
+            }
+        }
+        matrix
+    }
+
+    /// Moves a pose by a step of all columns but the driver's.
+    pub(super) fn step(&self, pose: &mut Pose, by: &[f64]) {
+        for (place, column) in pose.points.iter_mut().zip(&self.point_column) {
+            if let Some(column) = *column {
+                *place += Vec2::new(by[column], by[column + 1]);
+            }
+        }
+        for (direction, column) in pose.classes.iter_mut().zip(&self.class_column) {
+            if let Some(column) = *column {
+                let (sin, cos) = (by[column] / self.lever).sin_cos();
+                let turned = direction.turned(Vec2::new(cos, sin));
+                *direction = turned / turned.norm();
+            }
+        }
+    }
+
+    /// How much of a motion a link has: the largest of its joints' and its own share, where `share` is
+    /// that of a column.
+    pub(super) fn share(&self, link: LinkId, share: impl Fn(usize) -> f64) -> f64 {
+        let joints = self.network.joints(link);
+        let points = joints.filter_map(|m| self.point_column[m.point.index()]);
+        let columns = points.flat_map(|column| [column, column + 1]);
+        let class = self.class_column[self.network.class(link).0];
+        columns.chain(class).map(share).fold(0.0, f64::max)
+    }
+
+    fn terms(&self, e: &Equation) -> Vec<(usize, f64)> {
+        let mut terms = Vec::with_capacity(6);
+        let mut point = |point: PointId, by: Vec2| {
+            if let Some(column) = self.point_column[point.index()] {
+                terms.extend([(column, by.x), (column + 1, by.y)]);
+            }
+        };
+        point(e.point, e.normal);
+        if let Some(centre) = e.centre {
+            point(centre, -e.normal);
+        }
+        let class = self.class_column[e.class.0].or_else(|| {
+            let is_driven = e.class != GROUND && self.network.is_given(e.class);
+            is_driven.then_some(self.width)
+        });
+        terms.extend(class.map(|column| (column, e.turn / self.lever)));
+        if e.push != 0.0 {
+            terms.push((self.width, e.push));
+        }
+        terms
+    }
+
+    fn equation(&self, row: Row, q: f64, pose: &Pose) -> Equation {
+        match row {
+            Row::Along { link, end } | Row::Across { link, end } => {
+                let (along, seen) = self.arm(link, end, pose);
+                let length = along.norm();
+                let is_arm = length > 0.0;
+                let u = if is_arm { along / length } else { Vec2::X };
+                let turning = if is_arm { 1.0 } else { 0.0 };
+                let of = |miss, normal, turn: f64| Equation {
+                    miss,
+                    normal,
+                    point: end,
+                    centre: self.network.centre(link),
+                    class: self.network.class(link),
+                    turn: turn * turning,
+                    push: 0.0,
+                };
+                match row {
+                    Row::Along { .. } => of(u.dot(seen) - length, u, u.perp().dot(seen)),
+                    _ => of(u.perp().dot(seen), u.perp(), -u.dot(seen)),
+                }
+            }
+            Row::Slot(slide) | Row::Push(slide) => {
+                let guide = self.guide(slide, pose);
+                let (t, n) = (guide.along, guide.along.perp());
+                let of = |miss, normal, turn, push| Equation {
+                    miss,
+                    normal,
+                    point: guide.point,
+                    centre: guide.centre,
+                    class: guide.class,
+                    turn,
+                    push,
+                };
+                match row {
+                    Row::Slot(_) => of(n.dot(guide.seen), n, -t.dot(guide.arm), 0.0),
+                    _ => of(t.dot(guide.seen) - q, t, n.dot(guide.arm), -1.0),
+                }
+            }
+        }
+    }
+
+    /// From a link's centre to another joint: as the link has it, turned with it, and as it is.
+    fn arm(&self, link: LinkId, end: PointId, pose: &Pose) -> (Vec2, Vec2) {
+        let at = |point: PointId| pose.points[point.index()];
+        let Some(centre) = self.network.centre(link) else {
+            return (Vec2::ZERO, Vec2::ZERO);
+        };
+        let local = self.local(link, end) - self.local(link, centre);
+        let along = local.turned(pose.direction(self.network, link));
+        (along, at(end) - at(centre))
+    }
+
+    fn guide(&self, slide: SlideId, pose: &Pose) -> Guide {
+        let given = self.network.mechanism.slide(slide);
+        let body = self.network.body(given.on);
+        let point = given.slider.point();
+        let at = pose.points[point.index()];
+        let direction = pose.direction(self.network, body);
+        let along = angle::unit(given.angle).turned(direction);
+        let centre = self.network.centre(body);
+        let (through, arm) = match (given.on, centre) {
+            (Body::Link(link), Some(centre)) => {
+                let base = pose.points[centre.index()];
+                let through = self.frame.local(given.through).nearest();
+                let through = through - self.local(link, centre);
+                (base + through.turned(direction), at - base)
+            }
+            (Body::Ground | Body::Link(_), _) => {
+                (self.frame.inner(given.through).nearest(), Vec2::ZERO)
+            }
+        };
+        Guide {
+            point,
+            centre,
+            class: self.network.class(body),
+            along,
+            seen: at - through,
+            arm,
+        }
+    }
+
+    /// Where a link has a point that is no joint.
+    pub(super) fn rider(&self, link: LinkId, point: PointId, pose: &Pose) -> Vec2 {
+        let Some(centre) = self.network.centre(link) else {
+            return Vec2::ZERO;
+        };
+        let local = self.local(link, point) - self.local(link, centre);
+        let arm = local.turned(pose.direction(self.network, link));
+        pose.points[centre.index()] + arm
+    }
+
+    /// The place of a joint in its link, in the solver's unit.
+    pub(super) fn local(&self, link: LinkId, point: PointId) -> Vec2 {
+        let body = self.network.link(link);
+        let local = body.and_then(|l| l.local(point)).unwrap_or_default();
+        self.frame.local(local).nearest()
+    }
+}
+
+/// A guide and what slides along it, at a pose.
+struct Guide {
+    point: PointId,
+    centre: Option<PointId>,
+    class: ClassId,
+    /// Its direction.
+    along: Vec2,
+    /// The sliding point from the guide's, and from the body's centre.
+    seen: Vec2,
+    arm: Vec2,
+}

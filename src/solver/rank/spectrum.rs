@@ -1,0 +1,270 @@
+//! The numerical rank of a matrix of rows of unit length, and what its null spaces hold.
+
+use nalgebra::{DMatrix, RowDVector};
+use std::collections::BTreeSet;
+
+/// u, half the distance from 1 to the next double.
+const U: f64 = 0.5 * f64::EPSILON;
+/// Roundings in a row and in its decomposition, in u for each of its terms.
+const ROUNDINGS: f64 = 16.0;
+/// So near above the threshold a singular value tells nothing: it may be zero of a mechanism that is
+/// not quite the one that was drawn. With a coarse threshold, half of the decades to 1.
+const UNCLEAR: f64 = 1e3;
+/// A share of a null vector below this is rounding, or so many of the matrix's own.
+const SHARE: f64 = 1e-8;
+const SHARE_ROUNDINGS: f64 = 32.0;
+/// What each further step of readiness to be set aside weighs: a row that is to be kept first gives way to
+/// one that stands this much better on the others.
+const LESS_READY: f64 = 0.5;
+
+/// What the singular values of a matrix say.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spectrum {
+    pub(super) rank: usize,
+    /// Whether one of those that count is all but zero.
+    pub(super) is_unclear: bool,
+    /// A share of a null vector below this is rounding.
+    pub(super) noise: f64,
+}
+
+impl Spectrum {
+    /// `slack` is by how much the direction of a row is off, in radians: 2 `slack` is the change of a row,
+    /// and sqrt(2 m) of these that of a singular value (Weyl). By `doubt` it may be off: what that could
+    /// hide is unclear. `None` where the decomposition does not end.
+    pub(super) fn of(matrix: &DMatrix<f64>, slack: f64, doubt: f64) -> Option<Spectrum> {
+        let (m, n) = matrix.shape();
+        if m.min(n) == 0 {
+            return Some(Spectrum {
+                rank: 0,
+                is_unclear: false,
+                noise: SHARE,
+            });
+        }
+        const MOST_SWEEPS: usize = 100_000;
+        let decomposed = nalgebra::SVD::try_new(matrix.clone(), false, false, U, MOST_SWEEPS)?;
+        let values = decomposed.singular_values;
+        let largest = values.max();
+        let rounding = ROUNDINGS * m.max(n) as f64 * U * largest;
+        let change = |off: f64| (2.0 * m as f64).sqrt() * 2.0 * off;
+        let zero = rounding.max(change(slack));
+        let unclear = (UNCLEAR * zero).min(zero.sqrt()).max(change(doubt));
+        let rank = values.iter().filter(|&&v| v > zero).count();
+        let is_unclear = values.iter().any(|&v| zero < v && v <= unclear);
+        let least = values
+            .iter()
+            .copied()
+            .filter(|&v| v > zero)
+            .fold(largest, f64::min);
+        Some(Spectrum {
+            rank,
+            is_unclear,
+            noise: SHARE.max(SHARE_ROUNDINGS * (U * largest).max(2.0 * slack) / least),
+        })
+    }
+}
+
+/// Which rows are kept of a matrix, and what the others repeat.
+pub(super) struct Choice {
+    pub(super) kept: Vec<usize>,
+    pub(super) set_aside: Vec<usize>,
+    /// For each of those set aside, and each of those kept, its part in the sum.
+    parts: DMatrix<f64>,
+}
+
+/// Keeps so many rows that stand well on their own, those first that are less ready to be set aside: QR
+/// with pivoting of the weighted rows, A^T P = Q (R1 R2), in which the rest is R1^-1 R2 of those kept.
+pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> Choice {
+    let weight = |i: usize| LESS_READY.powi(i32::from(readiness[i]));
+    let mut columns = matrix.transpose();
+    for i in 0..columns.ncols() {
+        columns.column_mut(i).scale_mut(weight(i));
+    }
+    let order = pivoted(columns);
+    let (kept, set_aside) = order.split_at(rank);
+    let (mut kept, mut set_aside) = (kept.to_vec(), set_aside.to_vec());
+    kept.sort_unstable();
+    set_aside.sort_unstable();
+    Choice::new(matrix, kept, set_aside)
+}
+
+impl Choice {
+    pub(super) fn new(matrix: &DMatrix<f64>, kept: Vec<usize>, set_aside: Vec<usize>) -> Choice {
+        let of_kept = matrix.select_rows(&kept).transpose();
+        let of_others = matrix.select_rows(&set_aside).transpose();
+        Choice {
+            parts: least_squares(&of_kept, of_others),
+            kept,
+            set_aside,
+        }
+    }
+
+    /// The largest part in the sum of one that was set aside, by its place among these.
+    pub(super) fn largest_of(&self, aside: usize) -> f64 {
+        self.parts
+            .column(aside)
+            .iter()
+            .fold(0.0, |most, part| f64::max(most, part.abs()))
+    }
+
+    /// The largest part of all; infinite where the kept rows depend on each other.
+    pub(super) fn largest(&self) -> f64 {
+        let finite = |v: &f64| {
+            if v.is_finite() {
+                v.abs()
+            } else {
+                f64::INFINITY
+            }
+        };
+        self.parts.iter().map(finite).fold(0.0, f64::max)
+    }
+
+    /// What a row that was set aside, by its place among these, is the sum of.
+    pub(super) fn repeated_by(&self, aside: usize, noise: f64) -> Vec<usize> {
+        let parts = self.parts.column(aside);
+        let parts = self.kept.iter().zip(parts.iter());
+        parts
+            .filter(|(_, part)| part.abs() > noise)
+            .map(|(&i, _)| i)
+            .collect()
+    }
+
+    /// All rows that repeat each other.
+    pub(super) fn repeating(&self, noise: f64) -> BTreeSet<usize> {
+        let sums = (0..self.set_aside.len()).flat_map(|i| self.repeated_by(i, noise));
+        sums.chain(self.set_aside.iter().copied()).collect()
+    }
+}
+
+/// By how much the last column of a matrix is no sum of the others, which are independent.
+pub(super) fn apart(matrix: &DMatrix<f64>) -> f64 {
+    let n = matrix.ncols().saturating_sub(1);
+    let others = matrix.columns(0, n).into_owned();
+    let last = matrix.columns(n, 1).into_owned();
+    let parts = least_squares(&others, last.clone());
+    (last - others * parts).norm()
+}
+
+/// For every column its share in the motions that the kept rows leave free, 0 where it is rounding.
+///
+/// With A P = Q (R1 R2), what moves freely are the columns of R2 by 1, and those of R1 by
+/// -R1^-1 R2.
+pub(super) fn free_shares(matrix: &DMatrix<f64>, kept: &[usize], noise: f64) -> Vec<f64> {
+    let kept_rows = matrix.select_rows(kept);
+    let (rank, n) = kept_rows.shape();
+    let mut shares = vec![0.0; n];
+    if rank == n {
+        return shares;
+    }
+    let order = pivoted(kept_rows.clone());
+    let (bound, free) = order.split_at(rank);
+    let follow = least_squares(
+        &kept_rows.select_columns(bound),
+        kept_rows.select_columns(free),
+    );
+    for &column in free {
+        shares[column] = 1.0;
+    }
+    for (row, &column) in follow.row_iter().zip(bound) {
+        let share = row.norm();
+        shares[column] = if share > noise { share } else { 0.0 };
+    }
+    shares
+}
+
+/// The columns of a matrix in the order in which QR with pivoting takes them.
+fn pivoted(matrix: DMatrix<f64>) -> Vec<usize> {
+    let n = matrix.ncols();
+    let mut order = RowDVector::from_fn(n, |_, i| i);
+    matrix.col_piv_qr().p().permute_columns(&mut order);
+    order.iter().copied().collect()
+}
+
+/// X in A X = B, where A has as many independent columns as it has any.
+fn least_squares(a: &DMatrix<f64>, b: DMatrix<f64>) -> DMatrix<f64> {
+    let (n, columns) = (a.ncols(), b.ncols());
+    if n == 0 || columns == 0 {
+        return DMatrix::zeros(n, columns);
+    }
+    let qr = a.clone().qr();
+    let mut right = b;
+    qr.q_tr_mul(&mut right);
+    let top = right.rows(0, n).into_owned();
+    let r = qr.r();
+    r.solve_upper_triangular(&top)
+        .unwrap_or_else(|| DMatrix::from_element(n, columns, f64::INFINITY))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers between -1 and 1 without an order that could help.
+    fn scattered(i: usize, j: usize) -> f64 {
+        (12.9898 * (i + 1) as f64 + 78.233 * (j + 1) as f64).sin() * 43_758.545_3 % 1.0
+    }
+
+    /// So many rows of unit length of a rank, the later ones sums of the first.
+    fn planted(m: usize, n: usize, rank: usize) -> DMatrix<f64> {
+        let base = DMatrix::from_fn(rank, n, scattered);
+        let sums = DMatrix::from_fn(m, rank, |i, j| {
+            if i < rank {
+                f64::from(u8::from(i == j))
+            } else {
+                scattered(i + 7, j)
+            }
+        });
+        let mut matrix = sums * base;
+        for i in 0..m {
+            let norm = matrix.row(i).norm();
+            matrix.row_mut(i).unscale_mut(norm);
+        }
+        matrix
+    }
+
+    #[test]
+    fn a_planted_rank_is_found_and_what_hides_one_is_unclear() {
+        for (m, n, rank) in [
+            (1, 1, 1),
+            (9, 9, 8),
+            (24, 20, 17),
+            (20, 24, 20),
+            (70, 60, 41),
+        ] {
+            let spectrum = Spectrum::of(&planted(m, n, rank), 0.0, 0.0).unwrap();
+            assert_eq!(spectrum.rank, rank, "{m} x {n}");
+            assert!(!spectrum.is_unclear, "{m} x {n}");
+        }
+        let nearly = |off: f64| DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 1.0, off]);
+        let of = |off, slack| Spectrum::of(&nearly(off), slack, 0.0).unwrap();
+        assert_eq!((of(1e-17, 0.0).rank, of(1e-9, 0.0).rank), (1, 2));
+        assert!(of(1e-13, 0.0).is_unclear && !of(1e-9, 0.0).is_unclear);
+        // What a drawing leaves out hides more.
+        assert_eq!(of(1e-5, 1e-4).rank, 1);
+        let doubted = Spectrum::of(&nearly(1e-5), 0.0, 1e-4).unwrap();
+        assert!(doubted.rank == 2 && doubted.is_unclear);
+    }
+
+    #[test]
+    fn what_is_set_aside_is_the_readiest_that_the_others_make_up_for() {
+        // The third row is the sum of the first two, the fourth stands alone.
+        let matrix = DMatrix::from_row_slice(
+            4,
+            3,
+            &[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.6, 0.8, 0.0, 0.0, 0.0, 1.0],
+        );
+        for (ready, gone) in [([0, 3, 0, 4], 1), ([4, 0, 0, 4], 0), ([0, 0, 2, 4], 2)] {
+            let choice = choose(&matrix, 3, &ready);
+            assert_eq!(choice.set_aside, [gone]);
+            let repeating: Vec<usize> = choice.repeating(1e-8).into_iter().collect();
+            assert_eq!(repeating, [0, 1, 2]);
+        }
+    }
+
+    #[test]
+    fn what_moves_freely_has_a_share_and_nothing_else() {
+        let matrix = DMatrix::from_row_slice(2, 4, &[1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+        let shares = free_shares(&matrix, &[0, 1], 1e-8);
+        let moves: Vec<bool> = shares.iter().map(|&share| share > 0.0).collect();
+        assert_eq!(moves, [true, true, false, true]);
+    }
+}
