@@ -177,13 +177,16 @@ impl Scene {
     fn telling(&self, plan: &Plan, state: &State) -> Vec<(PointId, Vec2)> {
         let mut points: Vec<PointId> = self.mechanism.start().iter().map(|s| s.0).collect();
         for group in plan.groups.iter().filter(|g| g.has_choices()) {
-            let named = |p: &&PointId| self.point_name(**p).is_some() && !self.is_com(**p);
-            let placed = group.points.iter().filter(named).copied();
+            let named = |p: &PointId| self.point_name(*p).is_some();
+            let placed = group.points.iter().copied().filter(named);
+            // A centre of mass tells where nothing else does.
+            let (centres, joints): (Vec<_>, Vec<_>) = placed.partition(|&p| self.is_com(p));
             let told = match group.kind {
                 GroupKind::Coupled { .. } => usize::MAX,
                 _ => 1,
             };
-            for point in placed.take(told) {
+            let placed = if joints.is_empty() { centres } else { joints };
+            for point in placed.into_iter().take(told) {
                 if !points.contains(&point) {
                     points.push(point);
                 }
@@ -195,7 +198,6 @@ impl Scene {
             .collect()
     }
 
-    /// Centres of mass have a name of their own making, which `[start]` does not know.
     fn is_com(&self, point: PointId) -> bool {
         let mut links = self.mechanism.links().iter();
         links.any(|link| link.com == Some(point))

@@ -131,6 +131,20 @@ pub struct NearMissFacts {
     pub at: f64,
 }
 
+/// A constraint that repeats others.
+#[derive(Clone, Debug, Serialize)]
+pub struct RedundancyFacts {
+    /// The link or the slide that was set aside for it.
+    pub element: String,
+    /// How many constraints of it were.
+    pub constraints: usize,
+    /// What it repeats: any of these could have been set aside in its stead. Empty where the mechanism is
+    /// too large to tell.
+    pub repeats: Vec<String>,
+    /// By how much they disagree at the most over the motion, in the scene's unit.
+    pub misfit: f64,
+}
+
 /// Everything that `check` tells.
 #[derive(Clone, Debug, Serialize)]
 pub struct Check {
@@ -154,6 +168,13 @@ pub struct Check {
     pub mobility: usize,
     /// Elements with a constraint that repeats others.
     pub redundant: Vec<String>,
+    /// The same one by one, with what they repeat and how well they fit.
+    pub redundancies: Vec<RedundancyFacts>,
+    /// Whether rounding, or the misfit that is accepted, could hide a motion that the driver does not
+    /// determine.
+    pub mobility_is_unclear: bool,
+    /// Whether more can move where the scene opens than elsewhere.
+    pub opens_at_change_point: bool,
     /// The groups in the order in which they are solved.
     pub groups: Vec<GroupFacts>,
     /// What each group, and the whole, could choose where the scene opens.
@@ -313,6 +334,9 @@ impl Check {
             slides: names.slides(),
             mobility: plan.mobility,
             redundant: plan.redundant.iter().map(|&e| names.element(e)).collect(),
+            redundancies: names.redundancies(solver),
+            mobility_is_unclear: solver.rank().is_unclear,
+            opens_at_change_point: solver.rank().is_lower_at_start,
             groups: plan.groups.iter().map(|g| names.group(g)).collect(),
             choices: ChoiceList::new(scene, solver),
             range,
@@ -381,6 +405,17 @@ impl Names<'_> {
             Element::Slide(slide) => self.scene.slide_name(slide).to_owned(),
             Element::Driver => "driver".into(),
         }
+    }
+
+    fn redundancies(&self, solver: &Solver) -> Vec<RedundancyFacts> {
+        let found = solver.rank().redundancies.iter();
+        let facts = found.map(|r| RedundancyFacts {
+            element: self.element(r.element),
+            constraints: r.constraints,
+            repeats: r.repeats.iter().map(|&e| self.element(e)).collect(),
+            misfit: r.misfit,
+        });
+        facts.collect()
     }
 
     fn driver(&self) -> DriverFacts {

@@ -1,8 +1,8 @@
 //! The facts of `check` as text.
 
 use super::check::{
-    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, SlideFacts, SliderKind,
-    TransmissionFacts,
+    Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, RedundancyFacts, SlideFacts,
+    SliderKind, TransmissionFacts,
 };
 use super::number::concise;
 use super::text::{WIDTH, wrapped};
@@ -19,6 +19,10 @@ const MU_DECIMALS: usize = 4;
 const PLACE_DECIMALS: usize = 6;
 /// Significant digits of the driver's rates: as many as a table has where none are asked for.
 const DIGITS: usize = 6;
+/// Names in a list of what is repeated.
+const MOST_NAMES: usize = 12;
+/// Of a misfit.
+const MISFIT_DIGITS: usize = 2;
 
 impl Check {
     /// As text for a person; titles and notes in ASCII alone if asked, everything else always is.
@@ -38,7 +42,14 @@ impl Check {
         out.facts("links", [self.links.join(", ")]);
         out.facts("joints", self.joints.iter().map(joint_text));
         out.facts("slides", self.slides.iter().map(slide_text));
-        out.facts("mobility", [self.mobility_text()]);
+        out.facts(
+            "mobility",
+            [self.mobility_text()].into_iter().chain(self.rank_notes()),
+        );
+        out.facts(
+            "redundant",
+            self.redundancies.iter().map(|r| self.redundancy_text(r)),
+        );
         let groups = self.groups.iter().enumerate();
         let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, self.group_text(group)));
         out.facts("groups", groups);
@@ -183,14 +194,46 @@ impl Check {
         if self.redundant.is_empty() {
             return self.mobility.to_string();
         }
-        let count = counted(self.redundant.len(), "redundant constraint");
+        let constraints = self.redundancies.iter().map(|r| r.constraints).sum();
+        let count = counted(constraints, "redundant constraint");
         format!(
             "{}, with {count} set aside: {}",
             self.mobility,
             self.redundant.join(", ")
         )
     }
+
+    fn rank_notes(&self) -> impl Iterator<Item = String> {
+        let unclear = self.mobility_is_unclear.then_some(UNCLEAR);
+        let lower = self.opens_at_change_point.then_some(LOWER);
+        unclear.into_iter().chain(lower).map(str::to_owned)
+    }
+
+    fn redundancy_text(&self, facts: &RedundancyFacts) -> String {
+        let RedundancyFacts {
+            element,
+            repeats,
+            misfit,
+            ..
+        } = facts;
+        let misfit = format!("{} {}", concise(*misfit, MISFIT_DIGITS), self.unit);
+        let what = match repeats.as_slice() {
+            [] => format!("{element} repeats others"),
+            repeats if repeats.len() > MOST_NAMES => format!(
+                "{element} repeats {} and {} more",
+                repeats[..MOST_NAMES].join(", "),
+                repeats.len() - MOST_NAMES
+            ),
+            repeats => format!("{element} repeats {}", repeats.join(", ")),
+        };
+        format!("{what}; they disagree by at most {misfit}")
+    }
 }
+
+/// What is said besides the number.
+const UNCLEAR: &str = "all but 2 or more: dimensions that differ by little would leave a link free";
+const LOWER: &str =
+    "more where the scene opens: it is a change point or a dead point of a coupled group";
 
 fn counted(count: usize, what: &str) -> String {
     match count {

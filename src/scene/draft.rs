@@ -3,6 +3,7 @@
 use super::Unit;
 use super::motor::{self, Motor};
 use super::reader::{Name, Reader, Span, Value, meant, quoted};
+use super::redundant::{self, Redundant};
 use super::{elements, input, loads};
 use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
@@ -12,9 +13,22 @@ use toml::de::DeTable;
 /// The most links that a scene may have.
 pub(super) const MOST_LINKS: usize = 10_000;
 
-pub(super) const SECTIONS: [&str; 14] = [
-    "name", "source", "note", "unit", "ground", "driver", "links", "slides", "start", "vectors",
-    "loads", "springs", "gravity", "motor",
+pub(super) const SECTIONS: [&str; 15] = [
+    "name",
+    "source",
+    "note",
+    "unit",
+    "ground",
+    "driver",
+    "links",
+    "slides",
+    "start",
+    "vectors",
+    "loads",
+    "springs",
+    "gravity",
+    "motor",
+    "redundant",
 ];
 
 /// A scene as written. Values that could not be read have a placeholder, so that what they do not
@@ -38,6 +52,7 @@ pub(super) struct Draft<'t> {
     pub(super) springs: Vec<Spring<'t>>,
     pub(super) motor: Option<Motor>,
     pub(super) gravity: Vec2,
+    pub(super) redundant: Redundant,
     /// Whether a section could not be read at all: its names are missing everywhere.
     pub(super) unreadable: bool,
     /// Whether a link or a slide names a point that could not be read.
@@ -218,6 +233,7 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<
                 let gravity = reader.pair("`gravity` (m/s^2)", value);
                 draft.gravity = gravity.unwrap_or_default();
             }
+            "redundant" => draft.redundant = redundant::read(reader, draft.unit, value),
             "driver" => {
                 draft.driver = input::driver(reader, draft.unit, key.span(), value);
                 draft.driver_key = Some(key.span());

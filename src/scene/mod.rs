@@ -87,12 +87,14 @@
 //! | `flywheel` | moment of inertia on the driver's shaft in kg m^2 | 0 |
 //! | `fluctuation` | wished of the driver's speed, (greatest - least) / mean | none |
 //! | `tolerance` | how far from the end of its stroke a ram still counts as at rest | none |
+//! | **`[redundant]`** | what is asked of constraints that repeat others | none |
+//! | `misfit` | by how much they may disagree over the motion, in the scene's `unit`: for drawings of few digits | 0 |
 //!
 //! - A point comes into being where a link or a slide names it; one that two links name, or a link and
 //!   the ground, is a pin joint. `from` lies at `[0, 0]` of its link, `to` at `[length, 0]`.
 //! - A slide's name is a vector too: its r is the signed position along the guide, counted from
 //!   `through`, and it runs from the sliding point back to `through`.
-//! - `[vectors]`, `[[loads]]` and `[[springs]]` may name a centre of mass: `"r3.com"`.
+//! - `[start]`, `[vectors]`, `[[loads]]` and `[[springs]]` may name a centre of mass: `"r3.com"`.
 //! - Between the knots of `over` and `press` run straight lines, beyond the first and the last the value
 //!   stays; but a press does nothing further away than its last knot, and nothing on the way back. Knots
 //!   of `over` that span whole turns repeat.
@@ -123,6 +125,7 @@ pub mod presets;
 mod profile;
 mod rate;
 mod reader;
+mod redundant;
 mod resolve;
 mod rewrite;
 mod syntax;

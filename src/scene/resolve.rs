@@ -3,7 +3,7 @@
 use super::draft::{self, Draft, Input, Slider};
 use super::names::{Names, Sort};
 use super::reader::{Name, Reader, Span};
-use super::{Places, Vector, VectorKind, defect};
+use super::{Places, Vector, VectorKind, defect, redundant};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
 use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, mechanism};
@@ -35,6 +35,7 @@ pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &Draft<'t>) -> Option<
     resolver.vectors();
     resolver.loads();
     resolver.springs();
+    resolver.redundant();
     if !(draft.lost_points || draft.lost_references) {
         resolver.unused();
     }
@@ -207,6 +208,13 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     fn start(&mut self) {
         for place in &self.draft.start {
             let name = &place.name;
+            // A centre of mass may be all that tells on which side a link without other points lies.
+            if let Some(link) = name.text.strip_suffix(".com") {
+                if let Some(centre) = self.centre("[start]", name, link) {
+                    self.builder.start(centre, place.at());
+                }
+                continue;
+            }
             let found = self.names.find(self.reader, "[start]", name, Sort::Point);
             if found.is_none() {
                 continue;
@@ -241,6 +249,11 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             }
             self.push_vector(&vector.name, VectorKind::Between(tail, head));
         }
+    }
+
+    fn redundant(&mut self) {
+        redundant::check(self.reader, self.draft);
+        self.builder.misfit(self.draft.redundant.misfit);
     }
 
     /// A point by its name; `r3.com` is the centre of mass of `r3`.

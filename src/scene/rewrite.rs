@@ -160,9 +160,9 @@ impl Edits {
     }
 }
 
-/// A name as a key of TOML.
+/// A name as a key of TOML: what a bare key may not hold, or would divide (`r3.com`), stands in quotes.
 pub(crate) fn key(name: &str) -> String {
-    if name.contains('\'') {
+    if name.contains(['\'', '.']) {
         format!("\"{name}\"")
     } else {
         name.to_owned()

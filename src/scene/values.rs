@@ -15,7 +15,8 @@ use toml::de::{DeTable, DeValue};
 /// What a value measures, and what it may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Measure {
-    /// A distance, positive, in the scene's unit; the length of a spring without a force may be 0.
+    /// A distance, positive, in the scene's unit; the length of a spring without a force may be 0, and
+    /// so may a misfit.
     Length,
     /// A coordinate or a slide's position, in the scene's unit.
     Coordinate,
@@ -205,6 +206,9 @@ impl Collector<'_> {
             "loads" => tables(value).for_each(|load| self.load(load)),
             "springs" => tables(value).for_each(|spring| self.spring(spring)),
             "motor" => self.motor(value),
+            "redundant" => each(value, |key, value| {
+                self.number(format!("redundant {key}"), Measure::Length, value);
+            }),
             // Names and texts.
             _ => {}
         }

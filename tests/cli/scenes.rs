@@ -66,6 +66,85 @@ fn check_tells_of_redundant_constraints_and_driven_slides() {
 }
 
 #[test]
+fn check_tells_what_repeats_what_and_how_well_it_fits() {
+    let text = done(&["check", "triple-parallelogram"]);
+    let line = "redundant  r5 repeats r2, r3, r4; they disagree by at most ";
+    assert!(text.contains(line), "{text}");
+    let facts = json(&done(&[
+        "check",
+        "triple-parallelogram",
+        "--format",
+        "json",
+    ]));
+    assert_eq!(facts["redundant"], serde_json::json!(["r5"]));
+    let found = &facts["redundancies"][0];
+    assert_eq!(found["element"], "r5");
+    assert_eq!(found["constraints"], 1);
+    assert_eq!(found["repeats"], serde_json::json!(["r2", "r3", "r4"]));
+    assert!(
+        (0.0..1e-9).contains(&found["misfit"].as_f64().unwrap()),
+        "{found}"
+    );
+    assert_eq!(facts["mobility_is_unclear"], false);
+    assert_eq!(facts["opens_at_change_point"], false);
+}
+
+/// The third crank a little longer: what is refused is what a line accepts.
+#[test]
+fn a_drawing_of_few_digits_is_accepted_where_the_scene_says_so() {
+    let drawn = PARALLEL_CRANKS.replace(
+        "e = { from = \"G\", to = \"F\", length = 1 }",
+        "e = { from = \"G\", to = \"F\", length = 1.00001 }",
+    );
+    let heard = run(command(&["check", "-"]).write_stdin(drawn.clone()));
+    assert_eq!(heard.code, 2);
+    assert!(
+        heard.err.contains("does not fit the others by 1e-5 m"),
+        "{}",
+        heard.err
+    );
+    let proposed = "[redundant]\n           misfit = 1e-4\n";
+    assert!(heard.err.contains(proposed), "{}", heard.err);
+    let accepted = drawn + "[redundant]\nmisfit = 1e-4\n";
+    let heard = run(command(&["check", "-", "--format", "json"]).write_stdin(accepted));
+    assert_eq!((heard.code, heard.err.as_str()), (0, ""));
+    let misfit = json(&heard.out)["redundancies"][0]["misfit"]
+        .as_f64()
+        .unwrap();
+    assert!((misfit - 1e-5).abs() < 1e-9, "{misfit:e}");
+}
+
+/// It used to propose a name that it then refused.
+#[test]
+fn the_start_that_is_proposed_for_a_centre_of_mass_works() {
+    let lever = "[ground]\nA = [0, 0]\nO = [0, -100]\n[driver]\nlink = \"crank\"\nangle = 30\n\
+        [links]\ncrank = { from = \"A\", to = \"B\", length = 50 }\n\
+        table = { points = { O = [0, 0] }, com = [80, 0], mass = 1 }\n\
+        [slides]\nslot = { point = \"B\", on = \"table\", through = [0, 0] }\n";
+    let heard = run(command(&["check", "-"]).write_stdin(lever));
+    assert_eq!(heard.code, 2);
+    let lines: Vec<&str> = heard.err.lines().map(str::trim).collect();
+    let lines: Vec<&str> = lines.into_iter().filter(|l| l.starts_with('"')).collect();
+    assert_eq!(lines.len(), 2, "{}", heard.err);
+    for line in lines {
+        let started = format!("{lever}[start]\n{line}\n");
+        let heard = run(command(&["table", "-", "--format", "csv"]).write_stdin(started));
+        assert_eq!(heard.code, 0, "{line}: {}", heard.err);
+    }
+    // What is saved as a start is read again.
+    let started = format!("{lever}[start]\n\"table.com\" = [26, -24]\n");
+    let saved = run(command(&["start", "-", "--assembly", "table=-"]).write_stdin(started));
+    assert!(
+        saved.out.contains("\"table.com\" = ["),
+        "{}{}",
+        saved.out,
+        saved.err
+    );
+    let again = run(command(&["check", "-"]).write_stdin(saved.out));
+    assert_eq!(again.code, 0, "{}", again.err);
+}
+
+#[test]
 fn check_gives_the_range_as_doubles_and_with_12_decimals() {
     let full = json(&done(&["check", "four-bar", "--format", "json"]));
     assert_eq!(full["range"], serde_json::json!([0.0, 360.0]));
