@@ -1,10 +1,11 @@
 //! The commands that take a line or two each.
 
-use super::args::{CheckArgs, CheckFormat, Cli, Format, StartArgs, TableArgs};
+use super::args::{CheckArgs, CheckFormat, Cli, Format, PlaceArgs, StartArgs, TableArgs};
 use super::failure::{Failure, note};
 use super::output::{replace, write_text, write_to};
 use super::screen::Screen;
 use super::source::Opened;
+use crate::Input;
 use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Sensitivity};
 use crate::report::{
     Answers, Check, Forces, NO_ANSWER, TableStyle, Tables, limits_text, near_misses,
@@ -41,7 +42,7 @@ pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
 /// `krank table`: position, velocity and acceleration, and what acts, at one coordinate of the driver.
 pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
     let Opened { scene, solver } = args.scene.open()?;
-    let at = args.place.in_scene(&scene);
+    let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
     if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
@@ -86,6 +87,26 @@ pub(super) fn nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure
         None => Ok(()),
         Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
     }
+}
+
+/// The place that is meant: where the scene opens, or what was typed, which may be so many turns or
+/// decimals from the one place that the driver comes to.
+pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: Screen) -> f64 {
+    let driver = scene.mechanism.driver();
+    let typed = args.typed().unwrap_or(driver.start);
+    let range = solver.motion().range;
+    let turns = matches!(driver.input, Input::Turn(_));
+    let Some(at) = range.meant(typed, turns) else {
+        return typed;
+    };
+    let catalogue = Catalogue::new(scene);
+    let unit = &catalogue.driver().unit;
+    let limits = limits_text(range, catalogue.driver());
+    note(
+        &format!("{typed} {unit} is taken as {at} {unit}: the driver covers {limits}"),
+        screen,
+    );
+    at
 }
 
 /// There is no state here.

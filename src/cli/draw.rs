@@ -1,7 +1,7 @@
 //! `krank draw`: the linkage at one coordinate of its driver, in characters or as SVG.
 
 use super::args::{DrawArgs, Names, PictureFormat, Size};
-use super::commands::{nothing_hidden, out_of_reach};
+use super::commands::{nothing_hidden, out_of_reach, place};
 use super::failure::{Failure, note};
 use super::output::write_text;
 use super::picture::{ASPECT, glyphs, size};
@@ -22,7 +22,7 @@ const MOST_LEGEND: usize = 2;
 
 pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
     let Opened { scene, solver } = args.scene.open()?;
-    let at = args.place.in_scene(&scene);
+    let at = place(&args.place, &scene, &solver, screen);
     let wanted = wanted(args, &scene)?;
     let mut state = solver.state();
     match solver.solve(at, Order::Acceleration, &mut state) {

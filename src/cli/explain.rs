@@ -1,7 +1,7 @@
 //! `krank explain`: the working of one state.
 
 use super::args::{ExplainArgs, TextFormat};
-use super::commands::{nothing_hidden, out_of_reach, tell_of_near_misses};
+use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
 use super::failure::Failure;
 use super::output::write_text;
 use super::screen::Screen;
@@ -15,7 +15,7 @@ const WIDTH: usize = 80;
 /// Writes the working; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure> {
     let Opened { scene, solver } = args.scene.open()?;
-    let at = args.place.in_scene(&scene);
+    let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);
     solver.enclose(&mut state, Order::Force, &mut solver.enclosure());

@@ -95,17 +95,16 @@ impl Course {
         }
     }
 
-    /// The coordinate meant by `at`: itself, or the same direction a turn away where only that one
-    /// can be reached.
+    /// The coordinate meant by `at`: itself, or what [`Range::meant`] takes it for.
     pub(crate) fn reach(&self, at: f64) -> Result<f64, OutOfRange> {
         let Range::Limited { low, high } = self.range else {
             return Ok(at);
         };
-        let shift = if self.turns { TURN } else { 0.0 };
-        [at, at - shift, at + shift]
-            .into_iter()
-            .find(|at| (low..=high).contains(at))
-            .ok_or(OutOfRange { low, high })
+        if (low..=high).contains(&at) {
+            return Ok(at);
+        }
+        let meant = self.range.meant(at, self.turns);
+        meant.ok_or(OutOfRange { low, high })
     }
 
     /// The nearest coordinate that the driver can reach.

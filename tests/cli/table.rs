@@ -435,3 +435,45 @@ fn limits_in_a_message_do_not_read_like_what_was_asked_for() {
     let message = refused(1, &["table", "scissor-lift", "--at=-1"]);
     assert!(!message.contains("covers 0."), "{message}");
 }
+
+/// A double rocker that opens a turn on: what a person types is taken the one place that is meant.
+#[test]
+fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
+    let preset = krank::scene::presets::find("double-rocker").unwrap();
+    let scene = preset.text.replace("angle = 60", "angle = 420");
+    let table = |at: &str| run(command(&["table", "-", "--at", at]).write_stdin(scene.clone()));
+    for at in ["60", "-300", "780"] {
+        let heard = table(at);
+        assert!(heard.out.contains("driver r2 at 420 deg"), "{}", heard.out);
+        let note = format!("note: {at} deg is taken as 420 deg: the driver covers 396.8698976458");
+        assert!(heard.err.contains(&note), "{}", heard.err);
+    }
+    assert!(!table("420").err.contains("taken as"));
+    let refused = table("180");
+    assert!(
+        refused.err.contains("cannot be assembled at 180 deg"),
+        "{}",
+        refused.err
+    );
+    // 36.869897645844 is what `check` prints of 36.86989764584402.
+    let at_limit = krank(&["table", "double-rocker", "--at", "36.869897645844"]);
+    assert!(
+        at_limit.out.contains("state dead-point"),
+        "{}",
+        at_limit.out
+    );
+    let sweep = [
+        "sweep",
+        "-",
+        "--from",
+        "60",
+        "--to",
+        "60",
+        "--step",
+        "1",
+        "--columns",
+        "C.x",
+    ];
+    let literal = run(command(&sweep).write_stdin(scene));
+    assert!(literal.out.contains("60,,no-assembly"), "{}", literal.out);
+}

@@ -268,6 +268,32 @@ fn a_limit_that_is_typed_with_twelve_decimals_is_a_dead_point() {
     }
 }
 
+#[test]
+fn a_place_outside_the_range_is_meant_whole_turns_away() {
+    let range = Range::Limited {
+        low: 414.8,
+        high: 642.8,
+    };
+    for (at, meant) in [
+        (100.0, Some(460.0)),
+        (-620.0, Some(460.0)),
+        (282.0, Some(642.0)),
+        (500.0, None),
+        (300.0, None),
+        (f64::NAN, None),
+        (1e300, None),
+    ] {
+        assert_eq!(range.meant(at, true), meant, "{at}");
+        assert_eq!(range.meant(at, false), None, "{at}");
+    }
+    // Two such places leave it open.
+    let (low, high) = (0.0, 500.0);
+    let longer = Range::Limited { low, high };
+    assert_eq!(longer.meant(-300.0, true), None);
+    assert_eq!(longer.meant(-200.0, true), Some(160.0));
+    assert_eq!(Range::Full { period: 720.0 }.meant(1000.0, true), None);
+}
+
 /// Stephenson III driven where its loops couple, with a crank that does not turn fully.
 const STEPHENSON: &str = r#"
 unit = "mm"

@@ -14,7 +14,6 @@ pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
 
 use crate::assembly::Wish;
 use crate::report::Decimal;
-use crate::scene::Scene;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use std::path::PathBuf;
@@ -281,10 +280,9 @@ pub(super) struct PlaceArgs {
 }
 
 impl PlaceArgs {
-    /// The driver's coordinate.
-    pub(super) fn in_scene(&self, scene: &Scene) -> f64 {
-        let start = scene.mechanism.driver().start;
-        self.at.map_or(start, |at| at.value())
+    /// The driver's coordinate as it was typed.
+    pub(super) fn typed(&self) -> Option<f64> {
+        self.at.map(|at| at.value())
     }
 }
 

@@ -20,6 +20,7 @@ use super::engine::Engine;
 use super::fault::Fault;
 use super::passage::Passages;
 use super::workspace::Workspace;
+use crate::angle::TURN;
 use walk::{End, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
@@ -47,6 +48,33 @@ impl Range {
         match self {
             Range::Full { period } => (0.0, period),
             Range::Limited { low, high } => (low, high),
+        }
+    }
+
+    /// The place that a person means by a coordinate outside a limited range: the end that it is but for
+    /// the decimals it was written with, or where the driver `turns`, the one place in the range that is a
+    /// whole number of turns away. `None` where there is no such place, or more than one.
+    #[must_use]
+    pub fn meant(self, at: f64, turns: bool) -> Option<f64> {
+        let Range::Limited { low, high } = self else {
+            return None;
+        };
+        let covered = low..=high;
+        if covered.contains(&at) {
+            return None;
+        }
+        let written = |end: &f64| (at - end).abs() <= WRITTEN;
+        if let Some(end) = [low, high].into_iter().find(written) {
+            return Some(end);
+        }
+        let first = ((low - at) / TURN).ceil();
+        // The quotient rounds: the turn before may be the first.
+        let away = [first - 1.0, first, first + 1.0];
+        let places = away.map(|away| at + TURN * away);
+        let mut within = places.into_iter().filter(|at| covered.contains(at));
+        match (within.next(), within.next()) {
+            (Some(place), None) if turns => Some(place),
+            _ => None,
         }
     }
 }

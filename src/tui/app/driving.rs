@@ -33,8 +33,12 @@ impl App {
     pub(super) fn jump(&mut self, at: f64, now: Duration) -> bool {
         let course = self.stage.course();
         match course.reach(at) {
-            Ok(at) => {
-                self.arrive(at, now);
+            Ok(reached) => {
+                if reached != at {
+                    let meant = coordinate(reached, course.decimals());
+                    self.message = Some(format!("taken as {meant} {}", self.stage.unit()));
+                }
+                self.arrive(reached, now);
                 true
             }
             Err(OutOfRange { low, high }) => {
