@@ -18,6 +18,7 @@ pub struct Wish {
 
 /// Why an assembly cannot be asked for so.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum Misread {
     /// Not of the form.
     #[error("write NAME=+ or NAME=-, and for a coupled group NAME=NUMBER")]

@@ -20,7 +20,7 @@ fn study(preset: &str, methods: &[Method], positions: u32) -> Study {
     let preset = presets::find(preset).unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
-    Study::of(methods, &scene.mechanism, &solver, positions)
+    Study::of(methods, &solver, positions)
 }
 
 fn findings(preset: &str, methods: &[Method], positions: u32) -> Findings {

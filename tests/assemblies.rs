@@ -4,7 +4,7 @@
 #![allow(clippy::excessive_precision, reason = "the digits of the hard cases")]
 
 use krank::scene::{Scene, presets};
-use krank::solver::{Condition, Fault, Order, Pick, Range, Solver, State};
+use krank::solver::{Condition, Fault, GroupId, Order, Pick, Range, Solver, State};
 use krank::{Element, PointId, Vec2};
 
 fn scene(text: &str) -> Scene {
@@ -42,6 +42,11 @@ fn at(solver: &Solver, angle: f64) -> State {
     state.into_state()
 }
 
+/// The group behind the driver's.
+fn second(solver: &Solver) -> GroupId {
+    solver.plan().numbered().nth(1).unwrap().0
+}
+
 #[track_caller]
 fn near(seen: Vec2, expected: [f64; 2]) {
     let off = (seen - Vec2::new(expected[0], expected[1])).norm();
@@ -67,16 +72,14 @@ fn h29_both_assemblies_have_their_own_values() {
     let place = at(&minus, 240.0).position(c).unwrap();
     assert_eq!(at(&minus, 240.0 + 360.0).position(c).unwrap(), place);
     for from in [0.0, 60.0, 240.0, 301.5] {
-        let switched = plus
-            .switched(&scene.mechanism, from, 1, Pick::Minus)
-            .unwrap();
+        let switched = plus.switched(from, second(&plus), Pick::Minus).unwrap();
         assert_eq!(
             at(&switched, 240.0).position(c).unwrap(),
             place,
             "from {from}"
         );
         let back = switched
-            .switched(&scene.mechanism, from, 1, Pick::Plus)
+            .switched(from, second(&switched), Pick::Plus)
             .unwrap();
         assert_eq!(
             at(&back, 240.0).position(c).unwrap(),
@@ -122,7 +125,7 @@ fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
         let scene = scene(&text);
         let e = point(&scene, "E");
         let first = Solver::new(&scene.mechanism).unwrap();
-        let choices = first.choices(&scene.mechanism, 60.0, 1);
+        let choices = first.choices(60.0, second(&first));
         assert!(choices.len() >= 2);
         for choice in &choices {
             let solver = picked(&scene, "E", choice.pick).unwrap();
@@ -145,15 +148,13 @@ fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
             }
             // From elsewhere to another mode there, and back.
             let angle = 60.0 + 0.5 * (range.1 - 60.0);
-            let there = solver.choices(&scene.mechanism, angle, 1);
+            let there = solver.choices(angle, second(&solver));
             let own = there.iter().find(|c| c.is_current).unwrap().pick;
             for other in there.iter().filter(|c| !c.is_current) {
-                let switched = solver
-                    .switched(&scene.mechanism, angle, 1, other.pick)
-                    .unwrap();
+                let switched = solver.switched(angle, second(&solver), other.pick).unwrap();
                 let seen = at(&switched, angle).position(e).unwrap();
                 assert!((seen - other.state.position(e).unwrap()).norm() < 1e-9);
-                let back = switched.switched(&scene.mechanism, angle, 1, own).unwrap();
+                let back = switched.switched(angle, second(&switched), own).unwrap();
                 assert!((at(&back, 60.0).position(e).unwrap() - place).norm() < 1e-9);
             }
         }
@@ -166,7 +167,7 @@ fn choices_are_listed_with_the_one_that_is_followed() {
     let c = point(&scene, "C");
     let solver = Solver::new(&scene.mechanism).unwrap();
     for angle in [60.0, 240.0, 1000.0] {
-        let choices = solver.choices(&scene.mechanism, angle, 1);
+        let choices = solver.choices(angle, second(&solver));
         let seen: Vec<_> = choices
             .iter()
             .map(|c| (c.pick, c.is_current, c.closes))
@@ -179,13 +180,17 @@ fn choices_are_listed_with_the_one_that_is_followed() {
             assert!(off.norm() < 1e-12 * 400.0);
         }
     }
+    let (driver, _) = solver.plan().numbered().next().unwrap();
     assert!(
-        solver.choices(&scene.mechanism, 60.0, 0).is_empty(),
+        solver.choices(60.0, driver).is_empty(),
         "the driver has none"
     );
-    assert!(solver.choices(&scene.mechanism, 60.0, 7).is_empty());
+    let longer = Solver::new(&preset("jansen-leg").mechanism).unwrap();
+    let (foreign, _) = longer.plan().numbered().last().unwrap();
+    assert!(solver.choices(60.0, foreign).is_empty());
+    assert!(solver.switched(60.0, foreign, Pick::Plus).is_err());
     let part = solver.only(&krank::solver::Demand::default());
-    assert!(part.choices(&scene.mechanism, 60.0, 1).is_empty());
+    assert!(part.choices(60.0, second(&part)).is_empty());
 }
 
 /// Two dyads in a row: the assemblies that open are those that are listed, and each is itself.
@@ -211,14 +216,15 @@ fn whole_assemblies_are_listed_and_can_be_opened() {
                 opened.push((sides, other));
             }
         }
-        let sides = |picks: &[(usize, Pick)]| -> Vec<Pick> { picks.iter().map(|p| p.1).collect() };
-        let all = solver.assemblies(&scene.mechanism, start);
+        let sides =
+            |picks: &[(GroupId, Pick)]| -> Vec<Pick> { picks.iter().map(|p| p.1).collect() };
+        let all = solver.assemblies(start);
         assert!(all.is_complete);
         let listed: Vec<_> = all.list.iter().map(|picks| sides(picks)).collect();
         let tried: Vec<_> = opened.iter().map(|(sides, _)| sides.clone()).collect();
         assert_eq!(listed, tried, "{name}");
         for (i, (_, other)) in opened.iter().enumerate() {
-            let again = other.assemblies(&scene.mechanism, start);
+            let again = other.assemblies(start);
             assert_eq!((again.list, again.current), (all.list.clone(), Some(i)));
         }
         counts.push(listed.len());
@@ -230,11 +236,11 @@ fn whole_assemblies_are_listed_and_can_be_opened() {
 fn more_than_few_assemblies_are_not_listed_to_the_end() {
     let scene = preset("scissor-lift");
     let solver = Solver::new(&scene.mechanism).unwrap();
-    let all = solver.assemblies(&scene.mechanism, scene.mechanism.driver().start);
+    let all = solver.assemblies(scene.mechanism.driver().start);
     assert!(all.list.len() <= 64);
     let jansen = preset("jansen-leg");
     let solver = Solver::new(&jansen.mechanism).unwrap();
-    let all = solver.assemblies(&jansen.mechanism, jansen.mechanism.driver().start);
+    let all = solver.assemblies(jansen.mechanism.driver().start);
     assert!(all.list.len() > 1 && all.current.is_some());
 }
 
@@ -244,13 +250,11 @@ fn a_choice_that_breaks_a_redundant_constraint_does_not_close() {
     let scene = preset("triple-parallelogram");
     let solver = Solver::new(&scene.mechanism).unwrap();
     let start = scene.mechanism.driver().start;
-    let groups = 0..solver.plan().groups.len();
-    let choices: Vec<_> = groups
-        .flat_map(|g| solver.choices(&scene.mechanism, start, g))
-        .collect();
+    let groups = solver.plan().numbered();
+    let choices: Vec<_> = groups.flat_map(|(g, _)| solver.choices(start, g)).collect();
     assert_eq!(choices.len(), 2);
     assert_eq!(choices.iter().filter(|c| c.closes).count(), 1);
-    let all = solver.assemblies(&scene.mechanism, start);
+    let all = solver.assemblies(start);
     assert_eq!((all.list.len(), all.current), (1, Some(0)));
 }
 
@@ -276,7 +280,7 @@ fn a_scene_may_open_at_its_dead_point() {
             solver.solve(limit, Order::Velocity, &mut state),
             Condition::DeadPoint
         );
-        let choices = solver.choices(&scene.mechanism, limit, 1);
+        let choices = solver.choices(limit, second(&solver));
         let current: Vec<_> = choices
             .iter()
             .filter(|c| c.is_current)
@@ -313,7 +317,7 @@ fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
                 points.sort_by(f64::total_cmp);
                 assert_eq!(points, [0.0, 180.0]);
                 assert_eq!(state.condition(), Condition::ChangePoint);
-                let choices = solver.choices(&scene.mechanism, opening, 1);
+                let choices = solver.choices(opening, second(&solver));
                 assert!(choices.iter().all(|c| c.is_current == (c.pick == pick)));
                 // The other way through, from the change point itself.
                 let other = if pick == Pick::Plus {
@@ -321,9 +325,7 @@ fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
                 } else {
                     Pick::Plus
                 };
-                let switched = solver
-                    .switched(&scene.mechanism, opening, 1, other)
-                    .unwrap();
+                let switched = solver.switched(opening, second(&solver), other).unwrap();
                 let there = at(&switched, opening);
                 assert!(
                     (there.omega(follower).unwrap() - state.omega(follower).unwrap()).abs() > 0.5

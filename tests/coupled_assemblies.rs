@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop")]
 
-use krank::solver::{Condition, Order, Solver};
+use krank::solver::{Condition, GroupId, Order, Solver};
 use krank::{Driver, Input, Mechanism, PointId, Vec2};
 
 /// A link on three legs, whose first foot is the crank's pin.
@@ -128,13 +128,9 @@ impl Numbers {
     }
 }
 
-fn coupled(solver: &Solver) -> usize {
-    solver
-        .plan()
-        .groups
-        .iter()
-        .rposition(|g| g.has_choices())
-        .unwrap()
+fn coupled(solver: &Solver) -> GroupId {
+    let groups = solver.plan().numbered();
+    groups.filter(|(_, g)| g.has_choices()).last().unwrap().0
 }
 
 #[test]
@@ -157,7 +153,7 @@ fn the_search_finds_as_many_assemblies_as_a_fine_scan() {
             }
             Err(fault) => panic!("{fault:?}: {triad:?}"),
         };
-        let choices = somewhere.choices(&mechanism, 0.0, coupled(&somewhere));
+        let choices = somewhere.choices(0.0, coupled(&somewhere));
         assert_eq!(choices.len(), count, "{triad:?}");
         assert_eq!(choices.iter().filter(|c| c.is_current).count(), 1);
         for choice in &choices {
@@ -202,7 +198,7 @@ fn a_rough_start_is_put_together_however_rough() {
             Err(fault) => panic!("{fault:?}: {triad:?} from {rough:?}"),
         };
         // It is the nearest of all that there are.
-        let choices = solver.choices(&mechanism, 0.0, coupled(&solver));
+        let choices = solver.choices(0.0, coupled(&solver));
         let miss = |c: &krank::solver::Choice| -> f64 {
             let place = tops.map(|p| c.state.position(p).unwrap());
             (0..3).map(|i| (place[i] - rough[i]).norm2()).sum()
@@ -237,7 +233,7 @@ fn h18_a_coupled_group_opens_close_to_its_limit() {
         assert!((found - low).abs() < 1e-9, "{digits}: {found}");
         // The two assemblies that meet at the limit are two until there.
         let group = coupled(&solver);
-        let choices = solver.choices(&scene.mechanism, angle, group);
+        let choices = solver.choices(angle, group);
         assert!(
             choices.len() >= 2 && choices.len().is_multiple_of(2),
             "{digits}: {}",

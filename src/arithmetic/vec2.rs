@@ -1,6 +1,7 @@
 //! Plane vectors, and the few products that planar kinematics is written in.
 
 use crate::{Constant, Number};
+use nalgebra::{Point2, Vector2};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// A vector of the plane: a position, a displacement, a direction or a rate of one of these.
@@ -174,5 +175,30 @@ impl<T: Number> Div<T> for Vec2<T> {
     #[inline(always)]
     fn div(self, s: T) -> Vec2<T> {
         Vec2::new(self.x / s, self.y / s)
+    }
+}
+
+/// Vectors and points of nalgebra, both ways: at the edge of the library they are one language.
+impl From<Vec2> for Vector2<f64> {
+    fn from(v: Vec2) -> Vector2<f64> {
+        Vector2::new(v.x, v.y)
+    }
+}
+
+impl From<Vector2<f64>> for Vec2 {
+    fn from(v: Vector2<f64>) -> Vec2 {
+        Vec2::new(v.x, v.y)
+    }
+}
+
+impl From<Vec2> for Point2<f64> {
+    fn from(v: Vec2) -> Point2<f64> {
+        Point2::new(v.x, v.y)
+    }
+}
+
+impl From<Point2<f64>> for Vec2 {
+    fn from(p: Point2<f64>) -> Vec2 {
+        Vec2::new(p.x, p.y)
     }
 }

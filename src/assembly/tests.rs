@@ -84,15 +84,10 @@ fn what_is_saved_opens_as_what_it_was() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let start = scene.mechanism.driver().start;
         let solver = Solver::new(&scene.mechanism).unwrap();
-        for picks in solver
-            .assemblies(&scene.mechanism, start)
-            .list
-            .iter()
-            .take(8)
-        {
+        for picks in solver.assemblies(start).list.iter().take(8) {
             let named = picks
                 .iter()
-                .filter_map(|&(g, p)| Some((solver.plan().groups[g].name()?, p)));
+                .filter_map(|&(g, p)| Some((solver.plan().group(g)?.name()?, p)));
             let named: Vec<_> = named.collect();
             let Ok(other) = Solver::with_assembly(&scene.mechanism, &named) else {
                 continue;

@@ -20,7 +20,7 @@ const CHART: (u16, u16) = (80, 20);
 
 pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failure> {
     let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
-    let study = Study::new(&scene.mechanism, &solver, args.positions);
+    let study = Study::new(&solver, args.positions);
     let findings = measured(study, screen);
     let accuracy = Accuracy {
         scene: &scene,

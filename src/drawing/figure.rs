@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 /// What a shape, and later a cell, stands for: colours are chosen by it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Role {
     /// Nothing is drawn.
     #[default]
@@ -53,6 +54,7 @@ pub enum Role {
 
 /// A primitive in world units, y upwards.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Shape {
     /// A straight line.
     Line {

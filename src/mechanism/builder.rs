@@ -1,11 +1,12 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
 use super::{
-    Body, Defect, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Point, PointId,
-    Slide, SlideId, Slider,
+    Body, Defect, Defects, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Parts,
+    Point, PointId, Slide, SlideId, Slider,
 };
 use crate::Vec2;
 use std::collections::HashSet;
+use std::sync::Arc;
 
 /// Builds a [`Mechanism`]: see the crate's front page for an example.
 ///
@@ -186,21 +187,23 @@ impl Builder {
     ///
     /// # Errors
     /// All defects found, in the order of the elements.
-    pub fn build(self) -> Result<Mechanism, Vec<Defect>> {
+    pub fn build(self) -> Result<Mechanism, Defects> {
         let defects = self.defects();
         match self.driver {
             Some(driver) if defects.is_empty() => Ok(Mechanism {
-                points: self.points,
-                links: self.links,
-                slides: self.slides,
-                driver,
-                start: self.start,
-                loads: self.loads,
-                gravity: self.gravity,
-                metres: self.metres,
-                misfit: self.misfit,
+                parts: Arc::new(Parts {
+                    points: self.points,
+                    links: self.links,
+                    slides: self.slides,
+                    driver,
+                    start: self.start,
+                    loads: self.loads,
+                    gravity: self.gravity,
+                    metres: self.metres,
+                    misfit: self.misfit,
+                }),
             }),
-            _ => Err(defects),
+            _ => Err(Defects { list: defects }),
         }
     }
 

@@ -3,8 +3,9 @@
 //! What a drawing, a rule or a workshop settles is never exact; how far a figure follows such a length
 //! is asked by changing one at a time. Angles of guides and the driver's coordinate are no lengths.
 
-use super::{Body, Element, LinkId, Mechanism, PointId, SlideId, Slider};
+use super::{Body, Element, LinkId, Mechanism, Parts, PointId, SlideId, Slider};
 use crate::Vec2;
+use std::sync::Arc;
 
 /// Along which axis a coordinate counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +30,7 @@ impl Axis {
 
 /// One given length, in the scene's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Length {
     /// The length of a link between its two natural ends.
     Link(LinkId),
@@ -83,7 +85,7 @@ impl Mechanism {
             lengths.push(Length::Link(id));
         }
         let is_origin = |point: PointId| {
-            self.slides.iter().any(|slide| match slide.slider {
+            self.slides().iter().any(|slide| match slide.slider {
                 Slider::Link { origin, link, .. } => link == id && origin == point,
                 Slider::Pin(_) => false,
             })
@@ -97,11 +99,19 @@ impl Mechanism {
         }
     }
 
+    /// The same mechanism with another speed and acceleration of its driver.
+    pub(crate) fn at_speed(&self, speed: f64, acceleration: f64) -> Mechanism {
+        let mut changed = self.clone();
+        let driver = &mut Arc::make_mut(&mut changed.parts).driver;
+        (driver.speed, driver.acceleration) = (speed, acceleration);
+        changed
+    }
+
     /// The same mechanism with one length changed by so much; a guide that is named after a point goes
     /// with it.
     #[must_use]
     pub fn changed(&self, length: Length, by: f64) -> Mechanism {
-        let mut changed = self.clone();
+        let mut changed = Parts::clone(&self.parts);
         match length {
             Length::Link(link) => {
                 if let Some((_, to)) = self.link(link).ends {
@@ -121,9 +131,13 @@ impl Mechanism {
                 changed.slides[slide.index()].through += axis.along(by);
             }
         }
-        changed
+        Mechanism {
+            parts: Arc::new(changed),
+        }
     }
+}
 
+impl Parts {
     fn move_member(&mut self, link: LinkId, point: PointId, by: Vec2) {
         let mut members = self.links[link.index()].members.iter_mut();
         if let Some(member) = members.find(|m| m.point == point) {

@@ -45,6 +45,7 @@ pub enum StrokeEnd {
 
 /// Something that acts on the mechanism. Friction is not modelled.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Load {
     /// A force at a point.
     Force {

@@ -13,6 +13,8 @@ pub use lengths::{Axis, Length};
 pub use load::{Load, Profile, StrokeEnd};
 
 use crate::Vec2;
+use std::fmt;
+use std::sync::Arc;
 use thiserror::Error;
 
 macro_rules! id {
@@ -36,6 +38,8 @@ macro_rules! id {
         }
     };
 }
+
+pub(crate) use id;
 
 id!(
     /// A point: fixed in the ground, a joint, or riding on a link.
@@ -105,6 +109,7 @@ impl Link {
 
 /// What moves along a guide.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Slider {
     /// A pin in a slot: free to turn.
     Pin(PointId),
@@ -158,6 +163,7 @@ impl Slide {
 
 /// The coordinate that the driver imposes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Input {
     /// The direction of a link that turns about a ground point.
     Turn(LinkId),
@@ -182,8 +188,16 @@ pub struct Driver {
 }
 
 /// A planar mechanism with one input.
+///
+/// It never changes, and is shared by whoever holds it: a clone copies no elements.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
+    parts: Arc<Parts>,
+}
+
+/// What a mechanism consists of.
+#[derive(Clone, Debug)]
+struct Parts {
     points: Vec<Point>,
     links: Vec<Link>,
     slides: Vec<Slide>,
@@ -205,63 +219,63 @@ impl Mechanism {
     /// All points, by [`PointId`].
     #[must_use]
     pub fn points(&self) -> &[Point] {
-        &self.points
+        &self.parts.points
     }
 
     /// All links, by [`LinkId`].
     #[must_use]
     pub fn links(&self) -> &[Link] {
-        &self.links
+        &self.parts.links
     }
 
     /// All slides, by [`SlideId`].
     #[must_use]
     pub fn slides(&self) -> &[Slide] {
-        &self.slides
+        &self.parts.slides
     }
 
     /// The driver.
     #[must_use]
     pub fn driver(&self) -> &Driver {
-        &self.driver
+        &self.parts.driver
     }
 
     /// Rough positions of moving points at the opening; they choose the assembly.
     #[must_use]
     pub fn start(&self) -> &[(PointId, Vec2)] {
-        &self.start
+        &self.parts.start
     }
 
     /// The loads.
     #[must_use]
     pub fn loads(&self) -> &[Load] {
-        &self.loads
+        &self.parts.loads
     }
 
     /// The acceleration of free fall in m/s^2.
     #[must_use]
     pub fn gravity(&self) -> Vec2 {
-        self.gravity
+        self.parts.gravity
     }
 
     /// The metres of the unit of its lengths.
     #[must_use]
     pub fn metres(&self) -> f64 {
-        self.metres
+        self.parts.metres
     }
 
     /// By how much constraints that repeat others may disagree with them, in the scene's length unit: 0
     /// where they may by rounding alone.
     #[must_use]
     pub fn misfit(&self) -> f64 {
-        self.misfit
+        self.parts.misfit
     }
 
     /// Whether anything acts on it: a load, a weight, or what resists being accelerated.
     #[must_use]
     pub fn has_forces(&self) -> bool {
         let has_mass = |link: &Link| link.mass > 0.0 || link.inertia > 0.0;
-        !self.loads.is_empty() || self.links.iter().any(has_mass)
+        !self.parts.loads.is_empty() || self.parts.links.iter().any(has_mass)
     }
 
     /// The joints of a link that a force can pass: pinned to another link or to the ground, or with a
@@ -270,7 +284,12 @@ impl Mechanism {
         let is_pin = |point: PointId| {
             let given = self.point(point);
             let others = given.links.len() + usize::from(given.ground.is_some());
-            let slides = || self.slides.iter().any(|s| s.slider == Slider::Pin(point));
+            let slides = || {
+                self.parts
+                    .slides
+                    .iter()
+                    .any(|s| s.slider == Slider::Pin(point))
+            };
             others > 1 || slides()
         };
         let members = self.link(link).members.iter().map(|m| m.point);
@@ -280,39 +299,40 @@ impl Mechanism {
     /// One point.
     #[must_use]
     pub fn point(&self, id: PointId) -> &Point {
-        &self.points[id.index()]
+        &self.parts.points[id.index()]
     }
 
     /// One link.
     #[must_use]
     pub fn link(&self, id: LinkId) -> &Link {
-        &self.links[id.index()]
+        &self.parts.links[id.index()]
     }
 
     /// One slide.
     #[must_use]
     pub fn slide(&self, id: SlideId) -> &Slide {
-        &self.slides[id.index()]
+        &self.parts.slides[id.index()]
     }
 
     /// The ids of all points.
     pub fn point_ids(&self) -> impl Iterator<Item = PointId> + use<> {
-        (0..self.points.len()).map(PointId::new)
+        (0..self.parts.points.len()).map(PointId::new)
     }
 
     /// The ids of all links.
     pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
-        (0..self.links.len()).map(LinkId::new)
+        (0..self.parts.links.len()).map(LinkId::new)
     }
 
     /// The ids of all slides.
     pub fn slide_ids(&self) -> impl Iterator<Item = SlideId> + use<> {
-        (0..self.slides.len()).map(SlideId::new)
+        (0..self.parts.slides.len()).map(SlideId::new)
     }
 }
 
 /// What is wrong with one element of a mechanism, found by [`Builder::build`].
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum Defect {
     /// A link of no length, or with a length that is no positive number.
     #[error("the length must be a positive number, not {length}")]
@@ -400,8 +420,35 @@ pub enum Defect {
     Load,
 }
 
+/// All that is wrong with the elements of a mechanism: never nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Defects {
+    list: Vec<Defect>,
+}
+
+impl Defects {
+    /// One by one, in the order of the elements.
+    #[must_use]
+    pub fn list(&self) -> &[Defect] {
+        &self.list
+    }
+}
+
+impl fmt::Display for Defects {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, defect) in self.list.iter().enumerate() {
+            let joint = if i > 0 { "; " } else { "" };
+            write!(f, "{joint}{defect}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Defects {}
+
 /// An element of a mechanism that a message is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Element {
     /// A point.
     Point(PointId),

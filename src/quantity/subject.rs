@@ -6,6 +6,7 @@ use crate::{LinkId, PointId, SlideId};
 
 /// What a quantity is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Subject {
     /// The driver.
     Driver,
@@ -29,6 +30,7 @@ pub enum Subject {
 
 /// A share of what the driver must do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Share {
     /// All of it.
     Total,
@@ -71,6 +73,7 @@ impl From<VectorKind> for Subject {
 
 /// Which of its figures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Aspect {
     /// Position along x.
     X,

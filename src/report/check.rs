@@ -281,7 +281,7 @@ pub fn limits_text(range: Range, driver: &Quantity) -> String {
 pub fn near_misses(scene: &Scene, solver: &Solver) -> Vec<NearMissFacts> {
     let names = Names { scene };
     let facts = |miss: &NearMiss| {
-        let group = solver.plan().groups.get(miss.group)?;
+        let group = solver.plan().group(miss.group)?;
         Some(NearMissFacts {
             group: names.group_name(group),
             sine: miss.sine,
@@ -473,7 +473,7 @@ impl Names<'_> {
 
     fn transmission(&self, solver: &Solver) -> Vec<TransmissionFacts> {
         let facts = |found: Transmission| {
-            let group = solver.plan().groups.get(found.group)?;
+            let group = solver.plan().group(found.group)?;
             let extreme = |Extreme { angle, at }| ExtremeFacts { angle, at };
             Some(TransmissionFacts {
                 group: self.group_name(group),

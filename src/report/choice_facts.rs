@@ -3,7 +3,7 @@
 use super::number::concise;
 use crate::assembly::pick_text;
 use crate::scene::Scene;
-use crate::solver::{Choice, Group, GroupKind, Pick, Solver};
+use crate::solver::{Choice, Group, GroupId, GroupKind, Pick, Solver};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value, json};
 
@@ -56,26 +56,25 @@ pub struct ChoiceList {
 impl ChoiceList {
     /// Searches for them.
     pub(super) fn new(scene: &Scene, solver: &Solver) -> Self {
-        let (mechanism, plan) = (&scene.mechanism, solver.plan());
-        let start = mechanism.driver().start;
-        let numbered = plan.groups.iter().enumerate();
-        let having: Vec<_> = numbered.filter(|(_, g)| g.has_choices()).collect();
+        let plan = solver.plan();
+        let start = solver.mechanism().driver().start;
+        let having: Vec<_> = plan.numbered().filter(|(_, g)| g.has_choices()).collect();
         let listed = having.iter().take(MOST_GROUPS);
         let groups = listed.map(|&(number, group)| GroupChoices {
             group: scene.group_name(group).to_owned(),
             list: solver
-                .choices(mechanism, start, number)
+                .choices(start, number)
                 .iter()
                 .map(|choice| facts(group, choice))
                 .collect(),
         });
         let groups = groups.collect();
-        let all = solver.assemblies(mechanism, start);
-        let named = |&(group, pick): &(usize, Pick)| {
-            let name = scene.group_name(&plan.groups[group]);
-            (name.to_owned(), pick_text(pick))
+        let all = solver.assemblies(start);
+        let named = |&(group, pick): &(GroupId, Pick)| {
+            let name = scene.group_name(plan.group(group)?);
+            Some((name.to_owned(), pick_text(pick)))
         };
-        let whole = |picks: &Vec<_>| picks.iter().map(named).collect();
+        let whole = |picks: &Vec<_>| picks.iter().filter_map(named).collect();
         ChoiceList {
             groups,
             unlisted: having.len().saturating_sub(MOST_GROUPS),

@@ -26,6 +26,7 @@ pub struct Decimal {
 
 /// Why a text is no [`Decimal`].
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum DecimalError {
     /// No number at all.
     #[error("must be a number, such as 60 or -0.5")]
@@ -90,6 +91,7 @@ fn exact(text: &str) -> Option<(i128, i32)> {
 
 /// Why a sweep is refused.
 #[derive(Clone, Copy, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum StepsError {
     /// A step of 0.
     #[error("the step must not be 0")]

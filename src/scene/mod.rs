@@ -195,6 +195,7 @@ pub struct Vector {
 
 /// The kinds of vectors.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum VectorKind {
     /// A link, from one end to the other.
     Link(LinkId),

@@ -324,7 +324,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             Ok(mechanism) if self.reader.found.is_empty() => mechanism,
             Ok(_) => return None,
             Err(defects) => {
-                drafted.report(self.reader, &defects);
+                drafted.report(self.reader, defects.list());
                 return None;
             }
         };

@@ -4,7 +4,7 @@ use super::assemble::{Assembler, Request, Way, handedness};
 use super::engine::Engine;
 use super::fault::Fault;
 use super::network::Network;
-use super::plan::Pick;
+use super::plan::{Group, GroupId, Pick};
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::{Element, Mechanism, PointId, Vec2};
@@ -34,8 +34,8 @@ pub struct Choice {
 /// The whole assemblies of a mechanism at a coordinate.
 #[derive(Clone, Debug, Default)]
 pub struct Assemblies {
-    /// For each the picks of its groups, by their numbers in the plan, in the plan's order.
-    pub list: Vec<Vec<(usize, Pick)>>,
+    /// For each the picks of its groups, in the plan's order.
+    pub list: Vec<Vec<(GroupId, Pick)>>,
     /// Which of them the solver follows.
     pub current: Option<usize>,
     /// Whether that is all of them: there may be more than [`MOST_ASSEMBLIES`].
@@ -46,16 +46,17 @@ impl Solver {
     /// The choices of a group of the plan at a coordinate of the driver, those of a dyad `+` and `-`. Empty
     /// where the group has none, where the motion does not come, and in a solver with something left out.
     #[must_use]
-    pub fn choices(&self, mechanism: &Mechanism, at: f64, group: usize) -> Vec<Choice> {
-        let groups = &self.plan.groups;
-        let Some(present) = groups
-            .get(group)
+    pub fn choices(&self, at: f64, group: GroupId) -> Vec<Choice> {
+        let Some(present) = self
+            .plan
+            .group(group)
             .filter(|g| g.has_choices())
-            .and_then(|_| self.present(mechanism, at))
+            .and_then(|_| self.present(at))
         else {
             return Vec::new();
         };
-        let network = Network::new(mechanism);
+        let group = group.index();
+        let network = Network::new(&self.mechanism);
         let request = present.request(at);
         let assembler = Assembler {
             network: &network,
@@ -91,12 +92,12 @@ impl Solver {
 
     /// The whole assemblies at a coordinate of the driver, as far as they are few.
     #[must_use]
-    pub fn assemblies(&self, mechanism: &Mechanism, at: f64) -> Assemblies {
+    pub fn assemblies(&self, at: f64) -> Assemblies {
         let mut found = Assemblies::default();
-        let Some(present) = self.present(mechanism, at) else {
+        let Some(present) = self.present(at) else {
             return found;
         };
-        let network = Network::new(mechanism);
+        let network = Network::new(&self.mechanism);
         let request = present.request(at);
         let assembler = Assembler {
             network: &network,
@@ -154,33 +155,26 @@ impl Solver {
     ///
     /// # Errors
     /// See [`Fault`]: mostly that later groups do not close with it.
-    pub fn switched(
-        &self,
-        mechanism: &Mechanism,
-        at: f64,
-        group: usize,
-        pick: Pick,
-    ) -> Result<Solver, Fault> {
+    pub fn switched(&self, at: f64, group: GroupId, pick: Pick) -> Result<Solver, Fault> {
         let nothing = || Fault::NoChoice {
             group: self
                 .plan
-                .groups
-                .get(group)
-                .and_then(|g| g.name())
+                .group(group)
+                .and_then(Group::name)
                 .unwrap_or(Element::Driver),
             found: 0,
         };
-        let present = self.present(mechanism, at).ok_or_else(nothing)?;
+        let present = self.present(at).ok_or_else(nothing)?;
         let mut picks: Vec<(Element, Pick)> = Vec::new();
-        for (number, of) in self.plan.groups.iter().enumerate() {
+        for (number, of) in self.plan.numbered() {
             let own = if number == group {
                 Some(pick)
             } else {
-                present.picks[number]
+                present.picks[number.index()]
             };
             picks.extend(of.name().zip(own));
         }
-        Solver::open(mechanism, at, &present.near, &picks)
+        Solver::open(&self.mechanism, at, &present.near, &picks)
     }
 
     /// The same mechanism with other dimensions, opened where it says in the assembly that this one is in at
@@ -188,13 +182,8 @@ impl Solver {
     ///
     /// # Errors
     /// See [`Fault`]: mostly that it does not close so.
-    pub fn carried_over(
-        &self,
-        mechanism: &Mechanism,
-        at: f64,
-        changed: &Mechanism,
-    ) -> Result<Solver, Fault> {
-        let Some(present) = self.present(mechanism, at) else {
+    pub fn carried_over(&self, at: f64, changed: &Mechanism) -> Result<Solver, Fault> {
+        let Some(present) = self.present(at) else {
             return Solver::new(changed);
         };
         let named = self.plan.groups.iter().zip(&present.picks);
@@ -207,15 +196,9 @@ impl Solver {
     /// Whether every dyad is at `at` on the side on which it is in another solver, of the same mechanism with
     /// other dimensions, where that opens. False too where a group is coupled and no side tells it.
     #[must_use]
-    pub fn has_sides_of(
-        &self,
-        mechanism: &Mechanism,
-        at: f64,
-        other: &Solver,
-        changed: &Mechanism,
-    ) -> bool {
-        let own = self.present(mechanism, at).map(|p| p.picks);
-        let others = other.present(changed, changed.driver().start);
+    pub fn has_sides_of(&self, at: f64, other: &Solver) -> bool {
+        let own = self.present(at).map(|p| p.picks);
+        let others = other.present(other.mechanism.driver().start);
         let (Some(own), Some(others)) = (own, others.map(|p| p.picks)) else {
             return false;
         };
@@ -256,12 +239,12 @@ impl Solver {
             found.current = Some(found.list.len());
         }
         let picks = chosen().filter(|&(n, _, _)| self.plan.groups[n].has_choices());
-        let picks = picks.map(|(n, way, i)| (n, self.pick_of(n, way, i)));
+        let picks = picks.map(|(n, way, i)| (GroupId::new(n), self.pick_of(n, way, i)));
         found.list.push(picks.collect());
     }
 
     /// The assembly at a coordinate; `None` where there is nothing to choose from.
-    fn present(&self, mechanism: &Mechanism, at: f64) -> Option<Present> {
+    fn present(&self, at: f64) -> Option<Present> {
         let whole =
             self.engine.program.group_starts.last() == Some(&self.engine.program.steps.len());
         if !whole {
@@ -280,8 +263,8 @@ impl Solver {
             at
         };
         self.motion.passages.choose(&self.engine, place, &mut signs);
-        let points = 0..mechanism.points().len();
-        let near = points.map(|i| (PointId::new(i), state.place(PointId::new(i))));
+        let points = self.mechanism.point_ids();
+        let near = points.map(|p| (p, state.place(p)));
         let numbered = signs.iter().enumerate();
         let picks = numbered.map(|(n, &sign)| self.side_pick(n, sign));
         Some(Present {

@@ -39,6 +39,7 @@ pub enum Inversion {
 
 /// A loop of the driven link, a dyad and the ground; lengths in the scene's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Loop {
     /// Four links and four pins.
     FourBar {

@@ -3,6 +3,7 @@ use thiserror::Error;
 
 /// Why a mechanism as a whole cannot be solved. Carries ids; a scene knows the lines.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[non_exhaustive]
 pub enum Fault {
     /// Mobility other than one.
     #[error("the mobility is {mobility}, not 1")]

@@ -67,7 +67,7 @@ pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
 pub use neighbour::Neighbour;
-pub use plan::{Group, GroupKind, Pick, Plan};
+pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
 pub use rank::{Rank, Redundancy};
 pub(crate) use state::Sliding;
 pub use state::{Condition, State, Travel};
@@ -112,6 +112,7 @@ pub struct Demand {
 /// A mechanism made ready to be solved at any coordinate of its driver.
 #[derive(Clone)]
 pub struct Solver {
+    mechanism: Mechanism,
     engine: Engine,
     /// What the groups were made from, to make them again for other lengths.
     ordering: Ordering,
@@ -199,6 +200,7 @@ impl Solver {
         }
         let first_loop = classify::classify(&engine, network);
         let mut solver = Solver {
+            mechanism: mechanism.clone(),
             at_once: bounds::at_once(network, ordering, &plan),
             first_loop,
             engine,
@@ -212,6 +214,12 @@ impl Solver {
         };
         solver.balance = Balance::new(network, &solver);
         Ok(solver)
+    }
+
+    /// The mechanism that it solves.
+    #[must_use]
+    pub fn mechanism(&self) -> &Mechanism {
+        &self.mechanism
     }
 
     /// The groups in the order in which they are solved.

@@ -5,10 +5,12 @@ use super::fault::Fault;
 use super::frame::Frame;
 use super::network::Network;
 use super::step::Step;
+use crate::mechanism::id;
 use crate::{Constant, Element, LinkId, Mechanism, PointId, SlideId, Vec2};
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum GroupKind {
     /// The driven link or slide.
     Driver,
@@ -43,6 +45,11 @@ pub enum Pick {
     /// Of a coupled group, counted from 1 in the order of [`super::Solver::choices`].
     Number(usize),
 }
+
+id!(
+    /// A group of a [`Plan`].
+    GroupId
+);
 
 /// A smallest set of links and points that is solved at once.
 #[derive(Clone, Debug)]
@@ -86,7 +93,7 @@ impl Group {
 /// The groups of a mechanism in the order in which they are solved.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// The groups, the driver's first.
+    /// The groups by [`GroupId`], the driver's first.
     pub groups: Vec<Group>,
     /// Degrees of freedom by rank: 1 for a mechanism that opens.
     pub mobility: usize,
@@ -107,11 +114,23 @@ impl Plan {
         Ok(plan)
     }
 
+    /// One group; `None` where the id is that of another plan.
+    #[must_use]
+    pub fn group(&self, id: GroupId) -> Option<&Group> {
+        self.groups.get(id.index())
+    }
+
+    /// The groups with their ids, in the order in which they are solved.
+    pub fn numbered(&self) -> impl Iterator<Item = (GroupId, &Group)> {
+        (0..).map(GroupId::new).zip(&self.groups)
+    }
+
     /// The group of a name, if there is one with choices.
     #[must_use]
-    pub fn group(&self, name: Element) -> Option<usize> {
-        let mut groups = self.groups.iter();
-        groups.position(|g| g.has_choices() && g.name() == Some(name))
+    pub fn named(&self, name: Element) -> Option<GroupId> {
+        let mut groups = self.numbered();
+        let found = groups.find(|(_, g)| g.has_choices() && g.name() == Some(name));
+        found.map(|(id, _)| id)
     }
 }
 

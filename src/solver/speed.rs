@@ -13,6 +13,7 @@ impl Solver {
     pub fn at_speed(&self, speed: f64, acceleration: f64) -> Solver {
         let paced = |engine: &Engine| engine.at_speed(speed, acceleration);
         Solver {
+            mechanism: self.mechanism.at_speed(speed, acceleration),
             engine: paced(&self.engine),
             at_once: self.at_once.as_deref().map(|rows| Arc::new(paced(rows))),
             ..self.clone()

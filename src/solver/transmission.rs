@@ -11,6 +11,7 @@
 //! the turning of the two lines. Change points and limits are looked at themselves.
 
 use super::motion::positive_remainder;
+use super::plan::GroupId;
 use super::state::{Condition, State};
 use super::step::Step;
 use super::workspace::Workspace;
@@ -32,8 +33,8 @@ const INSIDE: f64 = 1e-9;
 /// The transmission angle of a group over the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Transmission {
-    /// The group, by its place in [`super::Plan::groups`].
-    pub group: usize,
+    /// The group.
+    pub group: GroupId,
     /// Where mu is smallest.
     pub smallest: Extreme,
     /// Where mu is largest.
@@ -195,7 +196,7 @@ impl<'s> Joint<'s> {
         let mut candidates: Vec<Candidate> = known.chain(between).collect();
         candidates.sort_by(|a, b| a.place.start().total_cmp(&b.place.start()));
         Some(Transmission {
-            group: self.group,
+            group: GroupId::new(self.group),
             smallest: self.extreme(&candidates, -1.0, state)?,
             largest: self.extreme(&candidates, 1.0, state)?,
         })

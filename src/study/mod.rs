@@ -20,7 +20,6 @@ pub use crate::solver::{Method, Start, Unfit};
 pub use findings::{Errors, Figures, Finding, Findings, Verdict};
 pub use spread::Spread;
 
-use crate::Mechanism;
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};
 use cycle::Cycle;
 use std::hint::black_box;
@@ -110,14 +109,14 @@ impl Study {
     /// A study of all methods at `positions` positions in 360 degrees, or over the range; rounded up to
     /// a multiple of 360.
     #[must_use]
-    pub fn new(mechanism: &Mechanism, solver: &Solver, positions: u32) -> Study {
-        Study::of(&all_methods(), mechanism, solver, positions)
+    pub fn new(solver: &Solver, positions: u32) -> Study {
+        Study::of(&all_methods(), solver, positions)
     }
 
     /// The same for some methods.
     #[must_use]
-    pub fn of(list: &[Method], mechanism: &Mechanism, solver: &Solver, positions: u32) -> Study {
-        let methods = Methods::new(mechanism, solver);
+    pub fn of(list: &[Method], solver: &Solver, positions: u32) -> Study {
+        let methods = Methods::new(solver);
         let contender = |&method: &Method| Contender {
             method,
             work: match (methods.usable(method), methods.runner(method)) {

@@ -1,6 +1,7 @@
 //! What tests that go by chance have in common, and those that concern several modules.
 
 mod chance;
+mod edge;
 mod fuzz;
 mod scenes;
 mod unbalanced;

@@ -22,15 +22,15 @@ pub(crate) struct Edited {
 pub(crate) fn keeping(stage: &Stage, text: &str) -> Result<Edited, String> {
     let scene = parsed(stage, text)?;
     let plain = Solver::new(&scene.mechanism);
-    let (shown, own) = (stage.solver(), &stage.scene().mechanism);
+    let shown = stage.solver();
     let at = seen_at(stage, &scene);
     if let Ok(solver) = &plain
-        && shown.has_sides_of(own, at, solver, &scene.mechanism)
+        && shown.has_sides_of(at, solver)
     {
         let solver = solver.clone();
         return Ok(edited(stage, scene, solver, false));
     }
-    let kept = shown.carried_over(own, at, &scene.mechanism);
+    let kept = shown.carried_over(at, &scene.mechanism);
     let kept = kept.map_err(|fault| match &plain {
         Ok(_) => format!("this assembly {}", words(&scene, &fault)),
         Err(fault) => words(&scene, fault),

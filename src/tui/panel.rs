@@ -4,7 +4,7 @@ use crate::Element;
 use crate::assembly::pick_text;
 use crate::drawing::Reach;
 use crate::scene::Scene;
-use crate::solver::{Choice, Solver, State};
+use crate::solver::{Choice, GroupId, Solver, State};
 
 /// Digits of places in the list: a tenth of what a person reads off a drawing.
 const DIGITS: f64 = 4.0;
@@ -15,7 +15,7 @@ const MOST_GROUPS: usize = 64;
 #[derive(Debug)]
 pub(crate) struct Row {
     /// The group in the plan, and what it is called.
-    pub(crate) group: usize,
+    pub(crate) group: GroupId,
     pub(crate) name: String,
     /// Where it would be, in words.
     pub(crate) place: String,
@@ -39,11 +39,11 @@ pub(crate) struct Panel {
 impl Panel {
     /// Searches for them; `None` where there is nothing to choose.
     pub(crate) fn new(scene: &Scene, solver: &Solver, at: f64, reach: &Reach) -> Option<Panel> {
-        let numbered = solver.plan().groups.iter().enumerate();
-        let groups = numbered.filter(|(_, g)| g.has_choices()).take(MOST_GROUPS);
+        let groups = solver.plan().numbered();
+        let groups = groups.filter(|(_, g)| g.has_choices()).take(MOST_GROUPS);
         let mut rows = Vec::new();
         for (number, group) in groups {
-            for choice in solver.choices(&scene.mechanism, at, number) {
+            for choice in solver.choices(at, number) {
                 let place = match group.name() {
                     Some(Element::Point(point)) => {
                         let p = choice.state.known().position(point);

@@ -14,7 +14,7 @@ use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{Answers, Forces, Tables};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, harmless};
-use crate::solver::{Condition, Order, Pick, Solver, State, Workspace};
+use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
 use std::path::PathBuf;
 
 /// States that the tables' columns are fitted to; fewer where a state has very many figures.
@@ -81,13 +81,13 @@ impl Stage {
     }
 
     /// The same scene in another assembly of a group, at the same coordinate; in words why it cannot be.
-    pub(crate) fn switched(&self, group: usize, pick: Pick) -> Result<Stage, String> {
+    pub(crate) fn switched(&self, group: GroupId, pick: Pick) -> Result<Stage, String> {
         let Opened {
             scene,
             solver,
             origin,
         } = &self.opened;
-        let switched = solver.switched(&scene.mechanism, self.at, group, pick);
+        let switched = solver.switched(self.at, group, pick);
         let solver = switched.map_err(|fault| first_words(&scene.explain(&fault)))?;
         let (scene, origin) = (scene.clone(), origin.clone());
         let mut stage = Stage::new(Opened {

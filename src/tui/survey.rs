@@ -1,6 +1,5 @@
 //! The study of the open scene, done in slices between frames, so that every key is answered.
 
-use crate::scene::Scene;
 use crate::solver::Solver;
 use crate::study::{Findings, Study, USUAL_POSITIONS};
 use std::time::Duration;
@@ -44,9 +43,9 @@ impl Survey {
     }
 
     /// Begins, goes on where it was stopped, or measures again where all was measured.
-    pub(crate) fn go_on(&mut self, scene: &Scene, solver: &Solver) {
+    pub(crate) fn go_on(&mut self, solver: &Solver) {
         if matches!(self.phase, Phase::Idle | Phase::Done) {
-            let study = Study::new(&scene.mechanism, solver, USUAL_POSITIONS);
+            let study = Study::new(solver, USUAL_POSITIONS);
             self.findings = Some(study.findings());
             self.study = Some(Box::new(study));
         }

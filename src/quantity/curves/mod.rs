@@ -18,6 +18,7 @@ use thiserror::Error;
 
 /// What stands along x.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
 pub enum Abscissa {
     /// The driver's coordinate.
     #[default]
@@ -30,6 +31,7 @@ pub enum Abscissa {
 
 /// Why nothing can be drawn over time.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[non_exhaustive]
 pub enum NoTime {
     /// The driver stands still.
     #[error("the scene gives its driver no speed, so no time passes: give the driver a speed")]

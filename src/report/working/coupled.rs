@@ -14,7 +14,7 @@ pub(super) fn position(context: &Context<'_>, page: &mut Page, stage: &Stage) {
     let newton = context.solver.newton(&context.state);
     let own = newton
         .into_iter()
-        .find(|newton| Some(newton.group) == stage.group);
+        .find(|newton| Some(newton.group.index()) == stage.group);
     match own {
         Some(newton) => last_step(context, page, &newton),
         None if context.has_positions() => solved(context, page, stage),

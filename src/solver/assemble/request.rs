@@ -26,9 +26,9 @@ impl<'a> Request<'a> {
     ) -> Result<Request<'a>, Fault> {
         let mut all = vec![None; plan.groups.len()];
         for &(group, pick) in picks {
-            let number = plan.group(group);
+            let number = plan.named(group);
             *number
-                .and_then(|n| all.get_mut(n))
+                .and_then(|n| all.get_mut(n.index()))
                 .ok_or(Fault::NoChoice { group, found: 0 })? = Some(pick);
         }
         Ok(Request {

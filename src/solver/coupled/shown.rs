@@ -2,11 +2,12 @@
 
 use super::{Base, Coupled, Equation, Scratch, Spot};
 use crate::solver::state::State;
-use crate::solver::{Condition, Solver};
+use crate::solver::{Condition, GroupId, Solver};
 use crate::{LinkId, PointId, Vec2};
 
 /// An unknown of a coupled group.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NewtonUnknown {
     /// The x coordinate of a joint, in the scene's unit and frame.
     X(PointId),
@@ -18,6 +19,7 @@ pub enum NewtonUnknown {
 
 /// What an equation of a coupled group demands; joints by their points where they have one.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum NewtonRow {
     /// The distance of two joints is a length: half the difference of the squares, in length^2.
     Distance([Option<PointId>; 2], f64),
@@ -32,8 +34,8 @@ pub enum NewtonRow {
 /// A coupled group at a state: J dz = -f of one more step of Newton's method.
 #[derive(Clone, Debug)]
 pub struct Newton {
-    /// The group's number in the plan.
-    pub group: usize,
+    /// The group.
+    pub group: GroupId,
     /// The unknowns, in the order of the columns of `jacobian`.
     pub unknowns: Vec<NewtonUnknown>,
     /// Their values, in the scene's unit and frame, and in rad from 0 to below 2 pi.
@@ -87,7 +89,7 @@ impl Coupled {
         });
         let (unknowns, values) = self.named_unknowns(state, room.z);
         Newton {
-            group: self.group,
+            group: GroupId::new(self.group),
             unknowns,
             values,
             residuals: residuals.collect(),

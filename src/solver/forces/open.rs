@@ -31,6 +31,7 @@ pub(super) struct Open {
 
 /// A reaction that a redundant linkage leaves open.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Indeterminate {
     /// The force on a link at a joint.
     Joint(LinkId, PointId),

@@ -13,6 +13,7 @@ pub enum Start {
 
 /// A way from the driver's coordinate to a state.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Method {
     /// Every dyad in closed form: what the solver does where there are only dyads.
     ClosedForm,
@@ -44,6 +45,7 @@ pub enum Method {
 
 /// Why a method cannot be used for a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Unfit {
     /// A group, named by one of its points, has no closed form.
     Coupled(Option<PointId>),

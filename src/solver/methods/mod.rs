@@ -51,7 +51,8 @@ struct Rows {
 }
 
 impl Methods {
-    pub(crate) fn new(mechanism: &Mechanism, solver: &Solver) -> Methods {
+    pub(crate) fn new(solver: &Solver) -> Methods {
+        let mechanism = solver.mechanism();
         Methods {
             rows: Rows::new(mechanism, solver),
             subjects: Subjects::new(mechanism, solver),

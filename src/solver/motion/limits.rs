@@ -3,6 +3,7 @@
 use super::NearMiss;
 use super::walk::{SAMPLES, Walker};
 use crate::solver::Order;
+use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 use crate::solver::zero::zero;
 
@@ -55,6 +56,7 @@ impl Walker<'_> {
             let touches = self.touches(group, lowest, measure);
             if !touches && measure < NEAR * self.peaks[group] {
                 let (sine, at) = (measure.sqrt(), lowest);
+                let group = GroupId::new(group);
                 self.misses.push(NearMiss { group, sine, at });
             }
             return touches.then_some(lowest);

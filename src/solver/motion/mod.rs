@@ -19,6 +19,7 @@ use super::angle_turn;
 use super::engine::Engine;
 use super::fault::Fault;
 use super::passage::Passages;
+use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
 use walk::{End, PUSH_REACH, Walker};
@@ -83,8 +84,8 @@ impl Range {
 /// a part of a link, would make it a change point or a dead point. The motion keeps its assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearMiss {
-    /// The group, by its place in [`super::Plan::groups`].
-    pub group: usize,
+    /// The group.
+    pub group: GroupId,
     /// The sine of its transmission angle, the smallest there is around.
     pub sine: f64,
     /// The driver's coordinate, in degrees or the scene's length unit.

@@ -12,6 +12,7 @@ use thiserror::Error;
 const SAME: f64 = 1e-9;
 /// Why there is no ram.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
 pub enum NoRam {
     /// No slide has its guide on the ground.
     #[error("no slide has its guide on the ground")]

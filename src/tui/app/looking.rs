@@ -33,7 +33,7 @@ impl App {
 
     /// Begins a study, goes on with it or repeats it.
     pub(super) fn study(&mut self) {
-        self.survey.go_on(self.stage.scene(), self.stage.solver());
+        self.survey.go_on(self.stage.solver());
     }
 
     /// The screen has another size.

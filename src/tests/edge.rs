@@ -1,0 +1,110 @@
+//! The edge of the library: what a program that uses it leans on.
+
+use crate::scene::{Diagnostics, Mistyped};
+use crate::solver::{Condition, Fault, Order, Solver, State, Workspace};
+use crate::{Defect, Defects, Driver, Input, Mechanism, Vec2};
+use nalgebra::{Point2, Vector2};
+use std::error::Error;
+
+/// An error can be handed to another thread, boxed, and kept.
+const fn is_an_error<E: Error + Send + Sync + 'static>() {}
+const fn goes_to_other_threads<T: Send + Sync + Clone + 'static>() {}
+
+const _: () = {
+    is_an_error::<Defect>();
+    is_an_error::<Defects>();
+    is_an_error::<Fault>();
+    is_an_error::<Diagnostics>();
+    is_an_error::<Mistyped>();
+    is_an_error::<crate::assembly::Misread>();
+    is_an_error::<crate::quantity::NoTime>();
+    is_an_error::<crate::quantity::UnknownColumn>();
+    is_an_error::<crate::report::StepsError>();
+    is_an_error::<crate::study::motor::NoRam>();
+    goes_to_other_threads::<Mechanism>();
+    goes_to_other_threads::<Solver>();
+    goes_to_other_threads::<State>();
+    goes_to_other_threads::<Workspace>();
+};
+
+/// The speed of the rocker of a four-bar: with `?` from the builder to the figure.
+fn rocker(crank: f64) -> Result<f64, Box<dyn Error + Send + Sync>> {
+    let mut builder = Mechanism::builder();
+    let a = builder.ground_point(0.0, 0.0);
+    let d = builder.ground_point(4.0, 0.0);
+    let (b, c) = (builder.moving_point(), builder.moving_point());
+    let link = builder.link(a, b, crank);
+    builder.link(b, c, 3.0);
+    let rocker = builder.link(c, d, 2.5);
+    builder.driver(Driver {
+        input: Input::Turn(link),
+        start: 60.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    builder.start(c, Point2::new(3.1, 2.3).into());
+    let solver = Solver::new(&builder.build()?)?;
+    let mut state = solver.state();
+    match solver.solve(60.0, Order::Velocity, &mut state) {
+        Condition::Ok | Condition::ChangePoint => {}
+        other => return Err(format!("{other:?}").into()),
+    }
+    state.omega(rocker).ok_or_else(|| "no velocity".into())
+}
+
+#[test]
+fn every_step_of_a_program_can_fail_with_a_question_mark() {
+    assert!(rocker(1.0).unwrap().is_finite());
+    let unsound = rocker(-1.0).unwrap_err();
+    assert_eq!(
+        unsound.to_string(),
+        "the length must be a positive number, not -1"
+    );
+    let open = rocker(20.0).unwrap_err();
+    assert!(open.downcast_ref::<Fault>().is_some(), "{open}");
+}
+
+#[test]
+fn all_defects_are_told_in_one_message() {
+    let mut builder = Mechanism::builder();
+    let (a, b) = (builder.ground_point(0.0, f64::NAN), builder.moving_point());
+    builder.link(a, b, 0.0);
+    let defects = builder.build().unwrap_err();
+    assert_eq!(defects.list().len(), 3);
+    assert_eq!(
+        defects.to_string(),
+        "the coordinates must be finite numbers; the length must be a positive number, not 0; \
+         there is no driver"
+    );
+}
+
+#[test]
+fn vectors_and_points_of_nalgebra_come_in_and_go_out() {
+    let v = Vec2::new(1.5, -2.0);
+    let (vector, point): (Vector2<f64>, Point2<f64>) = (v.into(), v.into());
+    assert_eq!(
+        (vector.x, vector.y, point.x, point.y),
+        (1.5, -2.0, 1.5, -2.0)
+    );
+    assert_eq!((Vec2::from(vector), Vec2::from(point)), (v, v));
+}
+
+/// A solver keeps what it solves: nobody has to hand it back, or could hand it another one.
+#[test]
+fn a_solver_keeps_its_mechanism() {
+    let mut builder = Mechanism::builder();
+    let (a, b) = (builder.ground_point(0.0, 0.0), builder.moving_point());
+    let link = builder.link(a, b, 2.0);
+    builder.driver(Driver {
+        input: Input::Turn(link),
+        start: 0.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    let solver = Solver::new(&builder.build().unwrap()).unwrap();
+    assert_eq!(solver.mechanism().links().len(), 1);
+    let faster = solver.at_speed(3.0, 1.0);
+    let driver = faster.mechanism().driver();
+    assert_eq!((driver.speed, driver.acceleration), (3.0, 1.0));
+    assert_eq!(solver.mechanism().driver().speed, 1.0);
+}
