@@ -47,22 +47,24 @@
 //! });
 //! // Two assemblies close this loop; the start says which one is meant.
 //! builder.start(c, Vec2::new(310.0, 230.0));
-//! let mechanism = builder.build().expect("every element is sound by itself");
 //!
-//! let solver = Solver::new(&mechanism).expect("the linkage closes and has one input");
+//! // Once: every element is sound by itself, the linkage closes and has one input.
+//! let solver = Solver::new(&builder.build()?)?;
 //! let mut state = solver.state();
 //! assert_eq!(solver.solve(60.0, Order::Acceleration, &mut state), Condition::Ok);
 //!
-//! // The velocity of C in mm/s, and the coupler's angular velocity in rad/s.
-//! let v = state.velocity(c);
+//! // The velocity of C in mm/s, and the coupler's angular velocity in rad/s. What was not solved, or does
+//! // not exist, is None.
+//! let v = state.velocity(c).expect("no dead point");
 //! assert!((v.x + 722.630802).abs() < 1e-6 && (v.y + 273.816684).abs() < 1e-6);
-//! assert!((state.omega(coupler) + 3.916412730).abs() < 1e-9);
+//! assert!((state.omega(coupler).expect("no dead point") + 3.916412730).abs() < 1e-9);
 //!
 //! // What their errors cannot exceed, looked at from the outside.
 //! let mut enclosure = solver.enclosure();
 //! solver.enclose(&mut state, Order::Acceleration, &mut enclosure);
-//! let bound = enclosure.velocity(c).x.bound(v.x).expect("no dead point is near");
-//! assert!(bound < 1e-11);
+//! let ball = enclosure.velocity(c).expect("no dead point");
+//! assert!(ball.x.bound(v.x).expect("no dead point is near") < 1e-11);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! # Notation

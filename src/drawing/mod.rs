@@ -20,7 +20,7 @@
 //! let view = View::fit(&reach, 80, 24, 2.0);
 //!
 //! let mut state = solver.state();
-//! solver.solve(60.0, Order::Position, &mut state);
+//! let _ = solver.solve(60.0, Order::Position, &mut state);
 //! let figure = linkage(&scene, &reach, &state, Layers::default());
 //! let picture = render(&figure, &view, Glyphs::Ascii).text();
 //! assert!(picture.contains("/_\\"), "A and D stand on the ground");

@@ -109,7 +109,6 @@ impl Link {
 
 /// What moves along a guide.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Slider {
     /// A pin in a slot: free to turn.
     Pin(PointId),

@@ -55,7 +55,7 @@ impl Acting {
                     acting.points[from.index()] += pull;
                     acting.points[to.index()] += -pull;
                 }
-                Load::Press { .. } => unreachable!("no machine of these tests has a press"),
+                _ => panic!("no machine of these tests has another load"),
             }
         }
         acting
@@ -307,6 +307,7 @@ pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared>
     let drive = match mechanism.driver().input {
         Input::Turn(_) => state.drive().map(|torque| torque / metres),
         Input::Push(_) => state.drive(),
+        other => panic!("{other:?}"),
     };
     pair("driver".into(), system.driver, drive);
     for link in mechanism.link_ids() {
