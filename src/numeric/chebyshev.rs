@@ -121,6 +121,13 @@ impl Sum {
         largest(&self.0[TERMS - LAST..])
     }
 
+    /// The largest of the terms after a third of them. Those of a smooth function fall as a geometric series
+    /// does, so that the last ones are smaller by the cube; as told by [`Sum::tail`] they end in rounding.
+    pub(crate) fn third(&self) -> f64 {
+        let third = TERMS / 3;
+        largest(&self.0[third..third + LAST])
+    }
+
     /// Whether the terms no longer become smaller: what is left is rounding, or waves much shorter than
     /// the piece.
     pub(crate) fn is_flat(&self) -> bool {

@@ -10,23 +10,22 @@
 //! extreme between two of them is the zero of its rate: (cos mu)' = -sin mu (w2 - w1), with w1 and w2
 //! the turning of the two lines. Change points and limits are looked at themselves.
 
+mod between;
+
+use super::engine::Engine;
 use super::motion::positive_remainder;
 use super::plan::GroupId;
 use super::state::{Condition, State};
 use super::step::Step;
-use super::workspace::Workspace;
-use super::{Order, Range, Solver};
-use crate::numeric::{few_decimals, root};
+use super::{Order, Range, Solver, Workspace};
 use crate::{LinkId, PointId, Vec2};
+use between::{Bracket, Reading};
 
-/// Cosines that differ by no more are equal as far as parabolas between samples tell: brackets as
-/// good as the best one by this much are looked into.
+/// The parabolas between samples tell cosines as well as this: brackets that are worse than what has been
+/// seen by no more are looked into.
 const LIKELY: f64 = 1e-4;
 /// Angles in rad that differ by less are one: then the extreme that comes first is named.
 const SAME: f64 = 1e-12;
-/// An extreme is flat: its rate, a difference of two turnings, is rounding for so many units in the last
-/// place around it, and of these the one with few decimals is named: 0 rather than -6e-15 degrees.
-const BLUR: f64 = 1024.0;
 /// A limit has no rates; it is looked at from this far inside, as a part of the range.
 const INSIDE: f64 = 1e-9;
 
@@ -75,32 +74,29 @@ struct Look {
     rate: Option<f64>,
 }
 
-/// What has its zero at an extreme: for lines without a sense mu is 90 degrees at the most, where the
-/// cosine changes its sign.
-#[derive(Clone, Copy)]
-enum Reading {
-    Rate,
-    Cosine,
-}
-
-/// A place that may be an extreme: a coordinate, or one between two of them.
-#[derive(Clone, Copy)]
-enum Place {
-    At(Look),
-    Between(Look, Look, Reading),
-}
-
-/// A place and its cosine there, as far as that is known yet.
-struct Candidate {
-    cosine: f64,
-    place: Place,
-}
-
 /// The inner joint of a dyad.
 struct Joint<'s> {
-    solver: &'s Solver,
     step: &'s Step,
     group: usize,
+}
+
+/// The smallest or the largest mu that has been seen.
+#[derive(Clone, Copy)]
+struct Best {
+    /// -1 for the smallest, 1 for the largest.
+    sense: f64,
+    /// Of cosines, the larger one is better.
+    rank: f64,
+    mu: f64,
+    at: f64,
+}
+
+/// A joint, and what has been seen of it on the way through the motion.
+struct Seen<'s> {
+    joint: Joint<'s>,
+    last: Option<Look>,
+    best: [Best; 2],
+    brackets: Vec<Bracket>,
 }
 
 impl Solver {
@@ -110,20 +106,23 @@ impl Solver {
     /// Takes a few times as long as opening: the whole motion is looked at once more.
     #[must_use]
     pub fn transmission(&self) -> Vec<Transmission> {
+        let mut work = self.state();
+        let mut seen = self.seen(&mut work);
+        self.look_between(&mut seen, &mut work);
+        seen.iter().filter_map(Seen::found).collect()
+    }
+
+    /// All joints, looked at over the whole motion.
+    fn seen(&self, work: &mut Workspace) -> Vec<Seen<'_>> {
         let steps = self.engine.program.steps.iter();
-        let joints: Vec<Joint<'_>> = steps.filter_map(|step| Joint::of(self, step)).collect();
-        let mut looks: Vec<Vec<Look>> = joints.iter().map(|_| Vec::new()).collect();
-        let mut state = self.state();
+        let mut seen: Vec<Seen<'_>> = steps.filter_map(Joint::of).map(Seen::new).collect();
         for at in self.looked_at() {
-            let condition = self.solve(at, Order::Velocity, &mut state);
-            for (joint, looks) in joints.iter().zip(&mut looks) {
-                looks.extend(joint.look(condition, &state));
+            let condition = self.solve(at, Order::Velocity, work);
+            for seen in &mut seen {
+                seen.note(&self.engine, condition, work);
             }
         }
-        let found = joints.iter().zip(&looks);
-        found
-            .filter_map(|(joint, looks)| joint.extremes(looks, &mut state))
-            .collect()
+        seen
     }
 
     /// Where the motion is looked at, ascending: where the walk has been, at change points and at the
@@ -150,16 +149,12 @@ impl Solver {
 }
 
 impl<'s> Joint<'s> {
-    fn of(solver: &'s Solver, step: &'s Step) -> Option<Joint<'s>> {
+    fn of(step: &'s Step) -> Option<Joint<'s>> {
         let group = match step {
             Step::Lines { group, .. } => Some(*group),
             step => step.choice(),
         }?;
-        Some(Joint {
-            solver,
-            step,
-            group,
-        })
+        Some(Joint { step, group })
     }
 
     fn look(&self, condition: Condition, state: &State) -> Option<Look> {
@@ -187,94 +182,118 @@ impl<'s> Joint<'s> {
         }
     }
 
-    fn extremes(&self, looks: &[Look], state: &mut Workspace) -> Option<Transmission> {
-        let known = looks.iter().map(|&look| Candidate {
-            cosine: look.cosine,
-            place: Place::At(look),
-        });
-        let between = looks.windows(2).flat_map(|pair| self.between(pair));
-        let mut candidates: Vec<Candidate> = known.chain(between).collect();
-        candidates.sort_by(|a, b| a.place.start().total_cmp(&b.place.start()));
-        Some(Transmission {
-            group: GroupId::new(self.group),
-            smallest: self.extreme(&candidates, -1.0, state)?,
-            largest: self.extreme(&candidates, 1.0, state)?,
-        })
-    }
-
     /// The places between two neighbours where mu turns back.
-    fn between(&self, pair: &[Look]) -> Vec<Candidate> {
-        let &[a, b] = pair else { return Vec::new() };
-        let mut found = Vec::new();
-        if let (Some(rate_a), Some(rate_b)) = (a.rate, b.rate)
-            && rate_a * rate_b < 0.0
-        {
-            // The vertex of a parabola.
-            let share = rate_a / (rate_a - rate_b);
-            let away = self.solver.engine.difference(a.at, b.at);
-            found.push(Candidate {
-                cosine: a.cosine + 0.5 * share * away * rate_a,
-                place: Place::Between(a, b, Reading::Rate),
-            });
-        }
-        if self.folded(-1.0) > 0.0 && a.cosine * b.cosine < 0.0 {
-            found.push(Candidate {
-                cosine: 0.0,
-                place: Place::Between(a, b, Reading::Cosine),
-            });
-        }
-        found
-    }
-
-    /// The smallest (`sense` -1) or largest (1) mu among all places.
-    fn extreme(&self, places: &[Candidate], sense: f64, state: &mut Workspace) -> Option<Extreme> {
-        // Small angles have large cosines.
-        let rank = |c: &Candidate| -sense * self.folded(c.cosine);
-        let best = places.iter().map(rank).fold(f64::NEG_INFINITY, f64::max);
-        let likely = places.iter().filter(|c| rank(c) >= best - LIKELY);
-        let mut found: Option<(f64, f64)> = None;
-        for candidate in likely {
-            let Some(look) = self.settled(candidate.place, state) else {
-                continue;
-            };
-            let mu = look.sine.abs().atan2(self.folded(look.cosine));
-            if found.is_none_or(|(best, _)| sense * (mu - best) > SAME) {
-                found = Some((mu, look.at));
+    fn between(&self, engine: &Engine, ends: [Look; 2]) -> impl Iterator<Item = Bracket> {
+        let [a, b] = ends;
+        let vertex = match (a.rate, b.rate) {
+            (Some(rate_a), Some(rate_b)) if rate_a * rate_b < 0.0 => {
+                // The vertex of a parabola. What it gains may be rounding, where mu does not change.
+                let share = rate_a / (rate_a - rate_b);
+                let gain = 0.5 * share * engine.difference(a.at, b.at) * rate_a;
+                (gain.abs() > 0.5 * SAME * a.sine.abs()).then_some(a.cosine + gain)
             }
-        }
-        found.map(|(mu, at)| Extreme {
-            angle: mu.to_degrees(),
-            at,
-        })
-    }
-
-    fn settled(&self, place: Place, state: &mut Workspace) -> Option<Look> {
-        let (a, b, reading) = match place {
-            Place::At(look) => return Some(look),
-            Place::Between(a, b, reading) => (a, b, reading),
+            _ => None,
         };
-        let read = |look: &Look| match reading {
-            Reading::Rate => look.rate,
-            Reading::Cosine => Some(look.cosine),
+        let upright = (self.folded(-1.0) > 0.0 && a.cosine * b.cosine < 0.0).then_some(0.0);
+        let bracket = move |reading| {
+            move |cosine| Bracket {
+                ends,
+                reading,
+                cosine,
+            }
         };
-        let mut solved = |at: f64| {
-            let condition = self.solver.solve(at, Order::Velocity, state);
-            self.look(condition, state)
-        };
-        let finest = self.solver.engine.finest();
-        let ends = [(a.at, read(&a)?), (b.at, read(&b)?)];
-        let at = root(ends[0], ends[1], finest, |at| read(&solved(at)?)).ok()?;
-        let round = few_decimals(at);
-        let is_blurred = (round - at).abs() <= BLUR * finest.max(f64::EPSILON * at.abs());
-        solved(if is_blurred { round } else { at })
+        let vertex = vertex.map(bracket(Reading::Rate));
+        vertex
+            .into_iter()
+            .chain(upright.map(bracket(Reading::Cosine)))
     }
 }
 
-impl Place {
-    fn start(&self) -> f64 {
-        match self {
-            Place::At(look) | Place::Between(look, _, _) => look.at,
+impl Best {
+    fn new(sense: f64) -> Best {
+        Best {
+            sense,
+            rank: f64::NEG_INFINITY,
+            mu: f64::NAN,
+            at: f64::NAN,
         }
+    }
+
+    /// Small angles have large cosines.
+    fn rank(&self, folded: f64) -> f64 {
+        -self.sense * folded
+    }
+
+    /// Takes another mu if it is better, or comes first.
+    fn consider(&mut self, look: &Look, folded: f64) {
+        let rank = self.rank(folded);
+        let mu = look.sine.abs().atan2(folded);
+        let gain = self.sense * (mu - self.mu);
+        let comes_first = gain >= -SAME && look.at < self.at;
+        if self.mu.is_nan() || gain > SAME || comes_first {
+            (self.rank, self.mu, self.at) = (rank, mu, look.at);
+        }
+    }
+
+    fn extreme(&self) -> Option<Extreme> {
+        let angle = self.mu.to_degrees();
+        angle.is_finite().then_some(Extreme { angle, at: self.at })
+    }
+}
+
+impl<'s> Seen<'s> {
+    fn new(joint: Joint<'s>) -> Seen<'s> {
+        Seen {
+            joint,
+            last: None,
+            best: [Best::new(-1.0), Best::new(1.0)],
+            brackets: Vec::new(),
+        }
+    }
+
+    /// Looks at the next state.
+    fn note(&mut self, engine: &Engine, condition: Condition, state: &State) {
+        let Some(look) = self.joint.look(condition, state) else {
+            return;
+        };
+        let folded = self.joint.folded(look.cosine);
+        for best in &mut self.best {
+            // Cosines tell at once that most places are no better.
+            if best.rank(folded) > best.rank {
+                best.consider(&look, folded);
+            }
+        }
+        if let Some(last) = self.last.replace(look) {
+            let between = self.joint.between(engine, [last, look]);
+            self.brackets.extend(between);
+        }
+    }
+
+    /// Takes the brackets in which a smaller or a larger mu may lie than any that has been seen.
+    fn take_likely(&mut self) -> impl Iterator<Item = Bracket> {
+        let (joint, best) = (&self.joint, &self.best);
+        self.brackets.drain(..).filter(|bracket| {
+            let folded = joint.folded(bracket.cosine);
+            best.iter()
+                .any(|best| best.rank(folded) >= best.rank - LIKELY)
+        })
+    }
+
+    /// Looks at an extreme that has been found between two states.
+    fn consider(&mut self, look: &Look) {
+        let folded = self.joint.folded(look.cosine);
+        self.best
+            .iter_mut()
+            .for_each(|best| best.consider(look, folded));
+    }
+
+    fn found(&self) -> Option<Transmission> {
+        let [smallest, largest] = self.best;
+        Some(Transmission {
+            group: GroupId::new(self.joint.group),
+            smallest: smallest.extreme()?,
+            largest: largest.extreme()?,
+        })
     }
 }
 
