@@ -252,7 +252,7 @@ impl Builder {
         }
     }
 
-    /// The shortest link beside the longest length there is.
+    /// The shortest link beside the longest length there is; one that is no number has a defect of its own.
     fn check_proportions(&self, found: &mut Vec<Defect>) {
         let origin = self.points.iter().find_map(|point| point.ground);
         let origin = origin.unwrap_or_default();
@@ -273,6 +273,7 @@ impl Builder {
             arms.map(move |(_, reach)| (id, reach))
         });
         if let Some((link, length)) = arms.min_by(|a, b| a.1.total_cmp(&b.1))
+            && longest.is_finite()
             && length < SHORTEST * longest
         {
             found.push(Defect::Proportion {

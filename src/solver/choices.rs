@@ -164,6 +164,9 @@ impl Solver {
                 .unwrap_or(Element::Driver),
             found: 0,
         };
+        if !self.plan.group(group).is_some_and(Group::has_choices) {
+            return Err(nothing());
+        }
         let present = self.present(at).ok_or_else(nothing)?;
         let mut picks: Vec<(Element, Pick)> = Vec::new();
         for (number, of) in self.plan.numbered() {
