@@ -2,7 +2,7 @@
 
 use crate::bits::bits;
 use crate::rig::{FourBar, LECTURE, U, assert_near, exact, solved};
-use krank::solver::{Order, Range, Solver};
+use krank::solver::{Condition, Order, Range, Solver};
 use krank::{Body, Driver, Input, Mechanism, Vec2};
 use std::f64::consts::TAU;
 
@@ -187,7 +187,8 @@ fn h29_one_step_of_half_a_turn_keeps_the_branch() {
         let opened = FourBar { side, ..LECTURE }.open();
         let mut state = opened.solver.state();
         for at in [60.0, 240.0] {
-            let _ = opened.solver.solve(at, Order::Acceleration, &mut state);
+            let condition = opened.solver.solve(at, Order::Acceleration, &mut state);
+            assert_eq!(condition, Condition::Ok, "at {at}");
         }
         let slack = opened.position_slack(&state);
         let c = state.position(opened.joint).unwrap();

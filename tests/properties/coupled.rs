@@ -140,7 +140,9 @@ proptest! {
         let mut placed = |at: f64, expected: Condition| {
             let condition = solver.solve(at, Order::Acceleration, &mut state);
             assert_eq!(condition, expected, "at {at} of {low} to {high}");
-            // Beyond a limit there is no place to be looked at.
+            // Beyond a limit there is no place to be looked at, anywhere else there is one.
+            let is_somewhere = expected != Condition::NoAssembly;
+            assert!(tops.iter().all(|&p| state.position(p).is_some() == is_somewhere), "at {at}");
             tops.map(|p| state.position(p).unwrap_or_default())
         };
         for (end, inwards) in [(low, 1.0), (high, -1.0)] {
