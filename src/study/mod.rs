@@ -34,20 +34,25 @@ const SAMPLES: usize = 21;
 
 /// Tolerances of Newton's method.
 const TOLERANCES: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-14];
-/// Steps of an integration in 360 degrees, and the cycles in which its error is looked at.
+/// Steps of an integration in 360 degrees.
 const STEPS: [u16; 3] = [36, 360, 3600];
-const TURNS: [u16; 2] = [1, 1000];
+/// The cycles in the last of which an integration's error is looked at, of mechanisms of so many unknowns at
+/// the most: each step costs so much for every unknown, and a study is to take some seconds.
+const CYCLES: [(usize, u16); 2] = [(10, USUAL_CYCLES), (100, 100)];
+const FEWEST_CYCLES: u16 = 10;
+/// The cycles of a mechanism of few unknowns.
+pub const USUAL_CYCLES: u16 = 1000;
 
 /// How much of the study is done when the errors are known, and when the times are, too: as measured
 /// on the four-bar of the lectures.
 const ERRORS_DONE: f64 = 0.1;
 const TIMES_DONE: f64 = 0.25;
 
-/// All methods, in the order of their letters.
+/// All methods, in the order of their letters; the integrations through one cycle and through `cycles`.
 #[must_use]
-pub fn all_methods() -> Vec<Method> {
+pub fn all_methods(cycles: u16) -> Vec<Method> {
     let newton = |start| TOLERANCES.map(|tolerance| Method::Newton { tolerance, start });
-    let integration = |steps| TURNS.map(|turns| Method::Integration { steps, turns });
+    let integration = |steps| [1, cycles].map(|turns| Method::Integration { steps, turns });
     let closed = [
         Method::ClosedForm,
         Method::Anchored,
@@ -110,13 +115,20 @@ impl Study {
     /// a multiple of 360.
     #[must_use]
     pub fn new(solver: &Solver, positions: u32) -> Study {
-        Study::of(&all_methods(), solver, positions)
+        let methods = Methods::new(solver);
+        let unknowns = methods.unknowns();
+        let kind = CYCLES.into_iter().find(|&(most, _)| unknowns <= most);
+        let cycles = kind.map_or(FEWEST_CYCLES, |(_, cycles)| cycles);
+        Study::with(&all_methods(cycles), methods, positions)
     }
 
     /// The same for some methods.
     #[must_use]
     pub fn of(list: &[Method], solver: &Solver, positions: u32) -> Study {
-        let methods = Methods::new(solver);
+        Study::with(list, Methods::new(solver), positions)
+    }
+
+    fn with(list: &[Method], methods: Methods, positions: u32) -> Study {
         let contender = |&method: &Method| Contender {
             method,
             work: match (methods.usable(method), methods.runner(method)) {

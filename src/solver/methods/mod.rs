@@ -69,6 +69,15 @@ impl Methods {
         self.subjects.longest * self.solver.engine.frame.scale
     }
 
+    /// How many unknowns all groups have as rows.
+    pub(crate) fn unknowns(&self) -> usize {
+        let groups = self
+            .rows
+            .iter()
+            .flat_map(|rows| &rows.engine.program.coupled);
+        groups.map(Coupled::unknowns).sum()
+    }
+
     /// The range of the motion.
     pub(crate) fn range(&self) -> Range {
         self.solver.motion().range
