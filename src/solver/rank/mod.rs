@@ -28,14 +28,16 @@ use super::fault::Fault;
 use super::network::{Network, Row};
 use super::order::{self, Ordering};
 use crate::{Element, PointId, Vec2};
+use std::collections::VecDeque;
 use verdict::{Verdict, Whole};
 
 /// Unknowns of which a dense decomposition is made, at the most: it costs their cube, and this many
 /// take about a second. Above it the structure's answer stands.
 const MOST_UNKNOWNS: usize = 420;
 
-/// Choices of what to set aside that are tried.
+/// Choices of what to set aside that are tried, by what the rank says and in turn.
 const MOST_TRIED: usize = 6;
+const MOST_RIVALS: usize = 64;
 
 /// A constraint that repeats others.
 #[derive(Clone, Debug, PartialEq)]
@@ -105,22 +107,29 @@ pub(super) fn reopened(
         return Err(verdict.free_motions(network));
     }
     let mut tried: Vec<Vec<Row>> = Vec::new();
+    let mut ways: VecDeque<Vec<Row>> = verdict.set_aside.iter().cloned().collect();
     let mut fault = fault;
-    let mut next = Some(verdict.set_aside.clone());
-    while let Some(set_aside) = next.filter(|s| tried.len() < MOST_TRIED && !tried.contains(s)) {
-        let Ok(ordering) = order::ordering(network, &set_aside) else {
-            break;
-        };
+    while let Some(set_aside) = ways.pop_front() {
+        if tried.contains(&set_aside) {
+            continue;
+        }
+        let ordering = order::ordering(network, &set_aside);
         tried.push(set_aside);
+        let Ok(ordering) = ordering else { continue };
         match opened(&ordering, at, near, &verdict, &open) {
             Ok(solver) => return Ok(solver),
             Err(again) => fault = better(fault, again),
         }
+        if tried.len() == MOST_TRIED {
+            break;
+        }
         // Those that are kept may be singular where all together are not: then others lead on.
-        next = match fault {
-            Fault::OverConstrained { at, .. } if !verdict.is_held => whole.set_aside_at(at),
-            _ => None,
-        };
+        if let Fault::OverConstrained { at, .. } = fault
+            && ways.is_empty()
+            && !verdict.is_held
+        {
+            ways.extend(whole.set_aside_at(at).unwrap_or_default());
+        }
     }
     Err(verdict.named(fault))
 }
@@ -135,7 +144,7 @@ fn by_trial(
     let could = structure.over.iter().rev();
     let rivals =
         could.filter(|&&row| network.readiness(row) > 0 && !structure.set_aside.contains(&row));
-    let mut rivals = rivals.take(MOST_TRIED);
+    let mut rivals = rivals.take(MOST_RIVALS);
     rivals.find_map(|&row| open(&order::ordering(network, &[row]).ok()?).ok())
 }
 

@@ -64,6 +64,7 @@ impl Spectrum {
 }
 
 /// Which rows are kept of a matrix, and what the others repeat.
+#[derive(Clone)]
 pub(super) struct Choice {
     pub(super) kept: Vec<usize>,
     pub(super) set_aside: Vec<usize>,

@@ -5,7 +5,7 @@ use super::assemble::{Assembled, assemble, rough};
 use super::exchange;
 use super::redundancy::{pose_of, reached};
 use super::rows::Rows;
-use super::spectrum::{self, Spectrum};
+use super::spectrum::{self, Choice, Spectrum};
 use crate::solver::Solver;
 use crate::solver::frame::Frame;
 use crate::solver::network::{Network, Row, Unknown};
@@ -41,8 +41,8 @@ pub(in crate::solver) struct Verdict {
     pub(super) repeating: Vec<Element>,
     /// The links that move where the driver stands.
     pub(super) floating: Vec<LinkId>,
-    /// The constraints to set aside.
-    pub(super) set_aside: Vec<Row>,
+    /// The constraints to set aside: ways to choose them, the one that leaves the least work first.
+    pub(super) set_aside: Vec<Vec<Row>>,
     /// Whether more is free at the start than elsewhere.
     pub(super) is_change_point: bool,
     /// Whether a singular value is all but zero.
@@ -123,7 +123,7 @@ impl<'n> Whole<'n> {
 
     /// What to set aside at another coordinate of the driver; `None` where the constraints do not come
     /// there together.
-    pub(super) fn set_aside_at(&self, at: f64) -> Option<Vec<Row>> {
+    pub(super) fn set_aside_at(&self, at: f64) -> Option<Vec<Vec<Row>>> {
         let way = (at - self.at) / moved(&self.rows, 0.0, STRIDE);
         if !(way.abs() < MOST_STRIDES) {
             return None;
@@ -236,11 +236,14 @@ impl Judged {
         let readiness = |&row: &Row| rows.network.readiness(row);
         let readiness: Vec<u8> = rows.rows.iter().map(readiness).collect();
         let choice = spectrum::choose(&self.matrix, self.rank, &readiness);
-        let choice = if self.rank == rows.width {
-            exchange::smaller(rows, &self.matrix, choice)
+        let choices = if self.rank == rows.width {
+            exchange::smaller(rows, &self.matrix, &choice)
         } else {
-            choice
+            vec![choice]
         };
+        let named = |choice: &Choice| choice.set_aside.iter().map(|&i| rows.rows[i]).collect();
+        let set_aside = choices.iter().map(named).collect();
+        let choice = &choices[choices.len() - 1];
         let shares = spectrum::free_shares(&self.matrix, &choice.kept, self.noise);
         let floats = |link: &LinkId| rows.share(*link, |column| shares[column]) > 0.0;
         let links = rows.network.mechanism.link_ids();
@@ -252,7 +255,7 @@ impl Judged {
             redundant: rows.rows.len() - self.rank,
             repeating: order::elements(&repeating),
             floating: links.filter(floats).collect(),
-            set_aside: choice.set_aside.iter().map(|&i| rows.rows[i]).collect(),
+            set_aside,
             is_change_point: false,
             is_unclear: self.is_unclear,
             places: Vec::new(),
