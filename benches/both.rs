@@ -245,28 +245,44 @@ fn kinds<const P: usize, const L: usize>((joints, links): Figures<P, L>) -> [Vec
     ]
 }
 
-/// What is done with each mechanism: the closed form inlined in each case.
+/// What is done with each mechanism: the closed form inlined in each case, as it is and as lean as can be.
 pub(crate) trait Visitor {
     fn visit<const P: usize, const L: usize>(
         &mut self,
         name: &str,
         general: &General<P, L>,
         form: impl Fn(f64) -> Figures<P, L>,
+        lean: impl Fn(f64) -> Figures<P, L>,
     );
 }
 
 pub(crate) fn visit_all(visitor: &mut impl Visitor) {
     let four_bar = FourBar::new();
     let general = General::new("four-bar", ["B", "C"], ["r3", "r4"]);
-    visitor.visit("four-bar", &general, |at| four_bar.solve(at));
+    visitor.visit(
+        "four-bar",
+        &general,
+        |at| four_bar.solve::<false>(at),
+        |at| four_bar.solve::<true>(at),
+    );
 
     let slider_crank = SliderCrank;
     let general = General::new("slider-crank", ["B", "C"], ["r3"]);
-    visitor.visit("slider-crank", &general, |at| slider_crank.solve(at));
+    visitor.visit(
+        "slider-crank",
+        &general,
+        |at| slider_crank.solve::<false>(at),
+        |at| slider_crank.solve::<true>(at),
+    );
 
     let press = Press::new();
     let general = General::new("press", ["B", "C", "E", "F"], ["r3", "r4", "r5", "r6"]);
-    visitor.visit("press", &general, |at| press.solve(at));
+    visitor.visit(
+        "press",
+        &general,
+        |at| press.solve::<false>(at),
+        |at| press.solve::<true>(at),
+    );
 
     let legs = scene("jansen-leg").mechanism;
     let corner = |link: usize| legs.links()[link].members[2].local;
@@ -276,7 +292,12 @@ pub(crate) fn visit_all(visitor: &mut impl Visitor) {
         ["M", "X", "W", "Y", "V", "T"],
         ["j", "bde", "k", "c", "f", "ghi"],
     );
-    visitor.visit("jansen-leg", &general, |at| jansen.solve(at));
+    visitor.visit(
+        "jansen-leg",
+        &general,
+        |at| jansen.solve::<false>(at),
+        |at| jansen.solve::<true>(at),
+    );
 }
 
 pub(crate) struct Agreement;
@@ -287,7 +308,9 @@ impl Visitor for Agreement {
         name: &str,
         general: &General<P, L>,
         form: impl Fn(f64) -> Figures<P, L>,
+        lean: impl Fn(f64) -> Figures<P, L>,
     ) {
         agree(name, general, form);
+        agree(name, general, lean);
     }
 }

@@ -76,6 +76,7 @@ impl Visitor for Counted<'_> {
         name: &str,
         general: &General<P, L>,
         form: impl Fn(f64) -> Figures<P, L>,
+        _: impl Fn(f64) -> Figures<P, L>,
     ) {
         if name != self.mechanism {
             return;

@@ -4,8 +4,11 @@
 //!
 //! They know their mechanism in advance and check nothing: they are what a general solver is measured
 //! against, not something to use.
+//!
+//! `LEAN` they are the leanest that could be written: one division for a dyad, which is less exact, and the
+//! sine and cosine of a crank by the shortest polynomials that are right to the last digits.
 
-use krank::Vec2;
+use krank::{Vec2, angle};
 
 /// A joint's position, velocity and acceleration.
 #[derive(Clone, Copy, Debug, Default)]
@@ -33,9 +36,13 @@ const fn ground(x: f64, y: f64) -> Joint {
 
 /// The pin of a crank of length r about `pivot` that turns evenly.
 #[inline(always)]
-fn crank(pivot: Vec2, r: f64, omega: f64, degrees: f64) -> Joint {
-    let (sin, cos) = degrees.to_radians().sin_cos();
-    let arm = Vec2::new(r * cos, r * sin);
+fn crank<const LEAN: bool>(pivot: Vec2, r: f64, omega: f64, degrees: f64) -> Joint {
+    let arm = if LEAN {
+        angle::unit(degrees) * r
+    } else {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        Vec2::new(r * cos, r * sin)
+    };
     Joint {
         p: pivot + arm,
         v: arm.perp() * omega,
@@ -76,16 +83,21 @@ impl Dyad {
     }
 
     #[inline(always)]
-    fn solve(&self, from: Joint, to: Joint) -> Solved {
+    fn solve<const LEAN: bool>(&self, from: Joint, to: Joint) -> Solved {
         // With d the distance, d^2 times the parts of e along and across it; the second is e x f.
         let line = to.p - from.p;
         let d2 = line.norm2();
         let along = 0.5 * (d2 + self.difference);
         let across = self.sign * (self.b2 * d2 - along * along).sqrt();
-        let e = (line * along + line.perp() * across) * (1.0 / d2);
+        let (per_d2, per_det) = if LEAN {
+            let per_both = 1.0 / (d2 * across);
+            (across * per_both, d2 * per_both)
+        } else {
+            (1.0 / d2, 1.0 / across)
+        };
+        let e = (line * along + line.perp() * across) * per_d2;
         let f = e - line;
         // e . V = e . V_from, f . V = f . V_to, and the same once more with the squares.
-        let per_det = 1.0 / across;
         let solve = |r: f64, s: f64| Vec2::new(r * f.y - s * e.y, s * e.x - r * f.x) * per_det;
         let v = solve(e.dot(from.v), f.dot(to.v));
         let (ve, vf) = (v - from.v, v - to.v);
@@ -149,13 +161,13 @@ impl FourBar {
 
     /// B, C and the turning of r3 and r4.
     #[inline(always)]
-    pub(crate) fn solve(&self, degrees: f64) -> ([Joint; 2], [Turning; 2]) {
-        let b = crank(Vec2::ZERO, 100.0, 15.0, degrees);
+    pub(crate) fn solve<const LEAN: bool>(&self, degrees: f64) -> ([Joint; 2], [Turning; 2]) {
+        let b = crank::<LEAN>(Vec2::ZERO, 100.0, 15.0, degrees);
         let Solved {
             joint,
             first,
             second,
-        } = self.0.solve(b, ground(400.0, 0.0));
+        } = self.0.solve::<LEAN>(b, ground(400.0, 0.0));
         ([b, joint], [first, second])
     }
 }
@@ -166,9 +178,9 @@ pub(crate) struct SliderCrank;
 impl SliderCrank {
     /// B, C and the turning of r3.
     #[inline(always)]
-    pub(crate) fn solve(&self, degrees: f64) -> ([Joint; 2], [Turning; 1]) {
+    pub(crate) fn solve<const LEAN: bool>(&self, degrees: f64) -> ([Joint; 2], [Turning; 1]) {
         const ROD2: f64 = 400.0;
-        let b = crank(Vec2::ZERO, 10.0, 200.0, degrees);
+        let b = crank::<LEAN>(Vec2::ZERO, 10.0, 200.0, degrees);
         let ex = (ROD2 - b.p.y * b.p.y).sqrt();
         let e = Vec2::new(ex, -b.p.y);
         // e . V = e . V_B with V along x.
@@ -207,12 +219,12 @@ impl Press {
 
     /// B, C, E, F and the turning of r3, r4, r5 and r6.
     #[inline(always)]
-    pub(crate) fn solve(&self, degrees: f64) -> ([Joint; 4], [Turning; 4]) {
+    pub(crate) fn solve<const LEAN: bool>(&self, degrees: f64) -> ([Joint; 4], [Turning; 4]) {
         let (d, g) = (ground(400.0, 0.0), ground(900.0, 60.0));
-        let b = crank(Vec2::ZERO, 100.0, 10.0, degrees);
-        let one = self.first.solve(b, d);
+        let b = crank::<LEAN>(Vec2::ZERO, 100.0, 10.0, degrees);
+        let one = self.first.solve::<LEAN>(b, d);
         let e = self.arm.ride(d, one.joint);
-        let two = self.second.solve(e, g);
+        let two = self.second.solve::<LEAN>(e, g);
         (
             [b, one.joint, e, two.joint],
             [one.first, one.second, two.first, two.second],
@@ -243,14 +255,14 @@ impl Jansen {
 
     /// M, X, W, Y, V, T and the turning of j, bde, k, c, f and ghi.
     #[inline(always)]
-    pub(crate) fn solve(&self, degrees: f64) -> ([Joint; 6], [Turning; 6]) {
+    pub(crate) fn solve<const LEAN: bool>(&self, degrees: f64) -> ([Joint; 6], [Turning; 6]) {
         let p = ground(-38.0, -7.8);
-        let m = crank(Vec2::ZERO, 15.0, 1.0, degrees);
-        let upper = self.upper.solve(m, p);
-        let lower = self.lower.solve(m, p);
+        let m = crank::<LEAN>(Vec2::ZERO, 15.0, 1.0, degrees);
+        let upper = self.upper.solve::<LEAN>(m, p);
+        let lower = self.lower.solve::<LEAN>(m, p);
         let (x, y) = (upper.joint, lower.joint);
         let w = self.knee.ride(p, x);
-        let last = self.last.solve(w, y);
+        let last = self.last.solve::<LEAN>(w, y);
         let t = self.foot.ride(y, last.joint);
         (
             [m, x, w, y, last.joint, t],

@@ -7,12 +7,12 @@
 #![allow(clippy::print_stdout, reason = "the medians are to be read")]
 
 mod both;
+mod chains;
 mod handwritten;
 
 use both::{Agreement, Figures, General, SWEEP, Visitor, angles, by_hand, visit_all};
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group};
 use krank::solver::{Order, Solver};
-use krank::{Driver, Input, Mechanism, Vec2};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -28,6 +28,7 @@ impl Visitor for Measured<'_> {
         name: &str,
         general: &General<P, L>,
         form: impl Fn(f64) -> Figures<P, L>,
+        lean: impl Fn(f64) -> Figures<P, L>,
     ) {
         let angles = angles();
         let mut state = general.solver.state();
@@ -39,6 +40,7 @@ impl Visitor for Measured<'_> {
             .warm_up_time(Duration::from_millis(500))
             .measurement_time(Duration::from_secs(2));
         group.bench_function("by hand", |b| b.iter(|| by_hand(&form, &angles)));
+        group.bench_function("leanest", |b| b.iter(|| by_hand(&lean, &angles)));
         group.bench_function("solved", |b| b.iter(|| general.sweep(&angles, &mut state)));
         group.bench_function("solved and read", |b| {
             b.iter(|| general.sweep_and_read(&angles, &mut state));
@@ -65,6 +67,7 @@ impl Visitor for Ratios {
         name: &str,
         general: &General<P, L>,
         form: impl Fn(f64) -> Figures<P, L>,
+        lean: impl Fn(f64) -> Figures<P, L>,
     ) {
         let angles = angles();
         let mut state = general.solver.state();
@@ -72,8 +75,9 @@ impl Visitor for Ratios {
         let mut enclosure = general.solver.enclosure();
         let mut samples: [Vec<f64>; WAYS.len() + 1] = Default::default();
         for _ in 0..SAMPLES {
-            let [hand, solved, read, at_once, at_once_read, bounds] = &mut samples;
+            let [hand, leanest, solved, read, at_once, at_once_read, bounds] = &mut samples;
             hand.push(time(|| by_hand(&form, &angles)));
+            leanest.push(time(|| by_hand(&lean, &angles)));
             solved.push(time(|| general.sweep(&angles, &mut state)));
             read.push(time(|| general.sweep_and_read(&angles, &mut state)));
             at_once.push(time(|| general.sweep_in_lanes(&angles, &mut lanes)));
@@ -94,7 +98,14 @@ impl Visitor for Ratios {
 }
 
 /// What is timed beside the closed form.
-const WAYS: [&str; 5] = ["solved", "and read", "in lanes", "and read", "with bounds"];
+const WAYS: [&str; 6] = [
+    "leanest",
+    "solved",
+    "and read",
+    "in lanes",
+    "and read",
+    "with bounds",
+];
 
 /// Nanoseconds per position of a sweep.
 fn time(mut sweep: impl FnMut()) -> f64 {
@@ -110,41 +121,16 @@ fn median(mut samples: Vec<f64>) -> f64 {
     samples[samples.len() / 2]
 }
 
-/// A chain of four-bars, each driven by the rocker of the one before: rockers of length 1 on pivots
-/// a unit apart, coupled by bars of length 1, the first one moved by a short crank.
-fn chain(dyads: usize) -> Mechanism {
-    let mut builder = Mechanism::builder();
-    let pivot = builder.ground_point(-1.0, 1.0);
-    let mut pin = builder.moving_point();
-    let crank = builder.link(pivot, pin, 0.2);
-    builder.driver(Driver {
-        input: Input::Turn(crank),
-        start: 90.0,
-        speed: 1.0,
-        acceleration: 0.0,
-    });
-    for k in 0..dyads {
-        let x = k as f64;
-        let foot = builder.ground_point(x, 0.0);
-        let joint = builder.moving_point();
-        builder.link(pin, joint, 1.0);
-        builder.link(foot, joint, 1.0);
-        builder.start(joint, Vec2::new(x, 1.0));
-        pin = joint;
-    }
-    builder.build().expect("a sound chain")
-}
-
 const CHAINS: [usize; 4] = [1, 10, 100, 1000];
 
-fn chains(criterion: &mut Criterion) {
+fn time_chains(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("chain");
     group
         .sample_size(10)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_secs(2));
     for dyads in CHAINS {
-        let mechanism = chain(dyads);
+        let mechanism = chains::grounded(dyads);
         group.bench_function(BenchmarkId::new("open", dyads), |b| {
             b.iter(|| Solver::new(black_box(&mechanism)));
         });
@@ -167,7 +153,7 @@ fn print_chains() {
         "dyads", "open", "solve", "solve per dyad"
     );
     for dyads in CHAINS {
-        let mechanism = chain(dyads);
+        let mechanism = chains::grounded(dyads);
         let runs = if dyads >= 1000 { 5 } else { 21 };
         let opening = (0..runs).map(|_| {
             let begin = Instant::now();
@@ -198,7 +184,7 @@ fn beside_closed_forms(criterion: &mut Criterion) {
     visit_all(&mut Measured(criterion));
 }
 
-criterion_group!(benches, beside_closed_forms, chains);
+criterion_group!(benches, beside_closed_forms, time_chains);
 
 fn main() {
     visit_all(&mut Agreement);

@@ -207,6 +207,10 @@ fn at_a_change_point_the_torque_is_all_there_is() {
 fn reactions_that_are_left_open_are_named() {
     let mut session = with("triple-parallelogram", PULL, 80, 24);
     insta::assert_snapshot!("forces-indeterminate-ascii-80x24", masked(&session.look()));
+    let below = session.press("PgDn").look();
+    for said in ["Indeterminate: r2.A", "Of least norm: "] {
+        assert!(below.contains(said), "{below}");
+    }
 }
 
 /// Another assembly, another length, another scene: the forces follow.

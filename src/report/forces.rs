@@ -1,6 +1,7 @@
 //! The forces of one state: what the driver must do, what joints and guides carry, what the frame feels,
 //! and how far the two checks miss.
 
+use super::least::Least;
 use super::tables::{Entry, Plane, Reading};
 use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
 use crate::scene::Scene;
@@ -93,6 +94,8 @@ pub struct Forces {
     pub withheld: Option<String>,
     /// Reactions that a redundant linkage leaves open, as columns are named: `r5.D`, `r6.normal`.
     pub indeterminate: Vec<String>,
+    /// Those of least norm in their stead.
+    pub least: Option<Least>,
 }
 
 /// How much of the forces exists.
@@ -122,12 +125,14 @@ impl Forces {
             return None;
         }
         let reading = Reading { state, enclosure };
+        let (joints, guides) = (joints(scene, &reading), guides(scene, &reading));
         Some(Forces {
+            least: Least::new(scene, solver, state, (&joints, &guides)),
             condition: state.condition(),
             unit: scene.unit.symbol(),
             drive: drive(scene, &reading),
-            joints: joints(scene, &reading),
-            guides: guides(scene, &reading),
+            joints,
+            guides,
             frame: Shaking {
                 force: plane(Subject::Frame, &reading),
                 moment: found(Subject::Frame, Aspect::Moment, &reading),
@@ -173,8 +178,9 @@ impl Forces {
         if !self.indeterminate.is_empty() {
             remarks.push(format!(
                 "Indeterminate: {}. The linkage has more constraints than it needs, and those can \
-                 press against each other with any force; all other figures stand.",
-                self.indeterminate.join(", ")
+                 press against each other with any force; all other figures stand.{}",
+                self.indeterminate.join(", "),
+                if self.least.is_some() { LEAST } else { "" }
             ));
         }
         remarks
@@ -217,6 +223,9 @@ impl Forces {
     }
 }
 
+/// What the figures of least norm are.
+const LEAST: &str = " Of least norm: what they would be if all pins and guides gave way alike.";
+
 /// Why the forces of a state are withheld, in a whole sentence.
 pub(super) fn withheld(scene: &Scene, state: &State) -> Option<String> {
     let hidden = Hidden::of_forces(state)?;
@@ -235,7 +244,10 @@ pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 const RESIDUAL: &str = "residual";
 
 /// A force by components, size and direction.
-fn plane_figures(name: &str, force: Option<Plane>) -> [(String, &'static str, Entry); 4] {
+pub(super) fn plane_figures(
+    name: &str,
+    force: Option<Plane>,
+) -> [(String, &'static str, Entry); 4] {
     let entries = force.map_or([Entry::NONE; 4], |force| force.entries(false));
     let named = [("fx", "N"), ("fy", "N"), ("f", "N"), ("f.angle", "deg")];
     std::array::from_fn(|i| {

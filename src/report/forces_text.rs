@@ -1,6 +1,6 @@
 //! The forces as text, and for other programs.
 
-use super::forces::{Existence, Forces};
+use super::forces::{Existence, Forces, GuideRow, JointRow};
 use super::number::significant;
 use super::tables::{Entry, Plane};
 use super::tables_data::number;
@@ -31,8 +31,9 @@ impl Writer<'_> {
             Existence::DriveAlone => vec![self.drive_table(forces)],
             Existence::Everything => vec![
                 self.drive_table(forces),
-                self.joint_table(forces),
-                self.guide_table(forces),
+                self.joint_table("force at joints", &forces.joints),
+                self.guide_table("force of guides", &forces.guides),
+                self.least_tables(forces),
                 self.frame_table(forces),
                 self.check_table(forces),
             ],
@@ -55,13 +56,30 @@ impl Writer<'_> {
         grid.render()
     }
 
-    fn joint_table(&self, forces: &Forces) -> String {
+    /// What is open, of least norm.
+    fn least_tables(&self, forces: &Forces) -> String {
+        let Some(least) = &forces.least else {
+            return String::new();
+        };
+        let joints = self.joint_table("of least norm", &least.joints);
+        let guides = self.guide_table("of least norm", &least.guides);
+        [joints, guides]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join("\n")
+    }
+
+    fn joint_table(&self, title: &str, joints: &[JointRow]) -> String {
         let mut grid = Grid::new(POINT_LABELS, self.style.digits + 2);
         let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
         let direction = self.label("direction", Aspect::Angle);
-        let title = "force at joints".to_owned();
-        grid.row(std::iter::once(title).chain(heads).chain([direction]));
-        let rows = forces.joints.iter().filter(|joint| !joint.repeats);
+        grid.row(
+            std::iter::once(title.to_owned())
+                .chain(heads)
+                .chain([direction]),
+        );
+        let rows = joints.iter().filter(|joint| !joint.repeats);
         let mut any = false;
         for joint in rows {
             let by = joint.by.as_ref().map(|by| format!(", by {by}"));
@@ -77,8 +95,8 @@ impl Writer<'_> {
         if any { grid.render() } else { String::new() }
     }
 
-    fn guide_table(&self, forces: &Forces) -> String {
-        if forces.guides.is_empty() {
+    fn guide_table(&self, title: &str, guides: &[GuideRow]) -> String {
+        if guides.is_empty() {
             return String::new();
         }
         let mut grid = Grid::new(POINT_LABELS, self.style.digits + 2);
@@ -88,8 +106,8 @@ impl Writer<'_> {
             ("moment", Aspect::Moment),
         ];
         let heads = heads.map(|(name, aspect)| self.label(name, aspect));
-        grid.row(std::iter::once("force of guides".to_owned()).chain(heads));
-        for guide in &forces.guides {
+        grid.row(std::iter::once(title.to_owned()).chain(heads));
+        for guide in guides {
             let name = format!("{} on {}", guide.name, guide.slider);
             let cells = [Some(guide.normal), guide.at, guide.moment];
             let texts = cells.map(|cell| cell.map(|entry| self.figure(entry, Aspect::Normal)));
@@ -188,6 +206,11 @@ impl Forces {
             object.insert("withheld".into(), why.clone().into());
         }
         object.insert("indeterminate".into(), self.indeterminate.clone().into());
+        if let Some(least) = &self.least {
+            let figures = least.figures().into_iter();
+            let figures = figures.map(|(name, value)| (name, number(value)));
+            object.insert("least_norm".into(), Value::Object(figures.collect()));
+        }
         Value::Object(object)
     }
 }

@@ -61,7 +61,7 @@ pub use dead_centres::DeadCentre;
 pub use fault::Fault;
 #[cfg(test)]
 pub(crate) use forces::falsified;
-pub use forces::{Acted, Check, Indeterminate, Residual, Withheld};
+pub use forces::{Acted, Check, Indeterminate, LeastNorm, Residual, Withheld};
 pub(crate) use known::Known;
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};

@@ -38,7 +38,7 @@ const TOLERANCES: [f64; 5] = [1e-3, 1e-6, 1e-9, 1e-12, 1e-14];
 const STEPS: [u16; 3] = [36, 360, 3600];
 /// The cycles in the last of which an integration's error is looked at, of mechanisms of so many unknowns at
 /// the most: each step costs so much for every unknown, and a study is to take some seconds.
-const CYCLES: [(usize, u16); 2] = [(10, USUAL_CYCLES), (100, 100)];
+const CYCLES: [(usize, u16); 2] = [(10, USUAL_CYCLES), (20, 100)];
 const FEWEST_CYCLES: u16 = 10;
 /// The cycles of a mechanism of few unknowns.
 pub const USUAL_CYCLES: u16 = 1000;

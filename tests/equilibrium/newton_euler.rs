@@ -283,6 +283,18 @@ pub(crate) struct Compared {
     pub(crate) largest: f64,
     /// By how much errors of the equations may grow.
     pub(crate) condition: f64,
+    /// What is left open, by the solution of least norm: forces and, of a guide that holds a link, couples,
+    /// which this norm weighs by the machine's unit of length.
+    pub(crate) open: Vec<(Open, f64)>,
+}
+
+/// A reaction that is left open.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Open {
+    JointX(LinkId, PointId),
+    JointY(LinkId, PointId),
+    Normal(SlideId),
+    Moment(SlideId),
 }
 
 /// A singular value below this part of the largest is none: a reaction is open.
@@ -336,10 +348,33 @@ pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared>
         pairs.extend(frame(&system, &x));
     }
     Some(Compared {
+        open: open(&system, &x, &is_told),
         pairs,
         largest,
         condition,
     })
+}
+
+/// What is not told, and what the solution makes of it.
+fn open(system: &System<'_>, x: &DVector<f64>, is_told: &[bool]) -> Vec<(Open, f64)> {
+    let mechanism = system.mechanism;
+    let mut all = Vec::new();
+    for link in mechanism.link_ids() {
+        for point in mechanism.pins(link) {
+            let unknown = system.joint(link, point);
+            all.push((Open::JointX(link, point), unknown));
+            all.push((Open::JointY(link, point), unknown + 1));
+        }
+    }
+    for slide in mechanism.slide_ids() {
+        let unknown = system.slides[slide.index()];
+        all.push((Open::Normal(slide), unknown));
+        if matches!(mechanism.slide(slide).slider, Slider::Link { .. }) {
+            all.push((Open::Moment(slide), unknown + 1));
+        }
+    }
+    let open = all.into_iter().filter(|&(_, unknown)| !is_told[unknown]);
+    open.map(|(open, unknown)| (open, x[unknown])).collect()
 }
 
 /// The solution, what of it is told, and the condition.

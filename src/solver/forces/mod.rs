@@ -16,6 +16,7 @@ mod acting;
 mod backwards;
 mod checks;
 mod frame;
+mod least;
 mod locked;
 mod open;
 mod pass;
@@ -31,6 +32,7 @@ pub(crate) use tests::falsified;
 
 pub use acting::Acted;
 pub use checks::{Check, Withheld};
+pub use least::LeastNorm;
 pub use open::Indeterminate;
 pub use read::Residual;
 pub(super) use slots::Slots;

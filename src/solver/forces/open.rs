@@ -66,61 +66,12 @@ impl Open {
         let places = PLACES.map(|part| low + part * (high - low));
         for at in places.into_iter().chain([solver.opening]) {
             if solver.solve(at, Order::Position, work) == Condition::Ok {
-                open.find_at(balance, network, solver, work);
+                probes(balance, network, solver, work, |forces, felt| {
+                    open.mark(forces, felt)
+                });
             }
         }
         open
-    }
-
-    /// Tries every constraint at a state.
-    fn find_at(
-        &mut self,
-        balance: &Balance,
-        network: &Network<'_>,
-        solver: &Solver,
-        work: &mut Workspace,
-    ) {
-        for watch in &solver.engine.program.watches {
-            self.probe(balance, solver, work, |state, forces, felt| {
-                press(watch, &balance.slots, network, state, forces, felt);
-            });
-        }
-        for &slide in &network.repeated_locks {
-            let given = network.mechanism.slide(slide);
-            let Slider::Link { link, .. } = given.slider else {
-                continue;
-            };
-            let on = network.body(given.on);
-            self.probe(balance, solver, work, |_, forces, felt| {
-                forces.links[link.index()] += 1.0;
-                forces.links[on.index()] += -1.0;
-                felt.moments[slide.index()] = 1.0;
-            });
-        }
-    }
-
-    /// Presses, hands down, and marks what holds against it.
-    fn probe(
-        &mut self,
-        balance: &Balance,
-        solver: &Solver,
-        work: &mut Workspace,
-        press: impl Fn(&State, &mut Forces<f64>, &mut Felt),
-    ) {
-        let Workspace { state, scratch, .. } = work;
-        let Some(mut forces) = state.forces.take() else {
-            return;
-        };
-        forces.clear();
-        let mut felt = Felt::new(self);
-        press(state, &mut forces, &mut felt);
-        if balance.run_back(&solver.engine, state, scratch, &mut forces) {
-            balance.locked.finish(&mut forces);
-            balance.frame.free_origins(state, &mut forces);
-            self.mark(&forces, &felt);
-        }
-        forces.extent = Extent::Nothing;
-        state.forces = Some(forces);
     }
 
     fn mark(&mut self, forces: &Forces<f64>, felt: &Felt) {
@@ -160,20 +111,72 @@ impl Open {
     }
 }
 
+/// Lets every constraint that repeats others press with a unit force at a state, and tells of all that is felt:
+/// what the steps find and, besides, what the constraint itself does.
+pub(super) fn probes(
+    balance: &Balance,
+    network: &Network<'_>,
+    solver: &Solver,
+    work: &mut Workspace,
+    mut tell: impl FnMut(&Forces<f64>, &Felt),
+) {
+    for watch in &solver.engine.program.watches {
+        probe(balance, solver, work, &mut tell, |state, forces, felt| {
+            press(watch, &balance.slots, network, state, forces, felt);
+        });
+    }
+    for &slide in &network.repeated_locks {
+        let given = network.mechanism.slide(slide);
+        let Slider::Link { link, .. } = given.slider else {
+            continue;
+        };
+        let on = network.body(given.on);
+        probe(balance, solver, work, &mut tell, |_, forces, felt| {
+            forces.links[link.index()] += 1.0;
+            forces.links[on.index()] += -1.0;
+            felt.moments[slide.index()] = 1.0;
+        });
+    }
+}
+
+/// Presses, hands down, and tells.
+fn probe(
+    balance: &Balance,
+    solver: &Solver,
+    work: &mut Workspace,
+    tell: &mut impl FnMut(&Forces<f64>, &Felt),
+    press: impl Fn(&State, &mut Forces<f64>, &mut Felt),
+) {
+    let Workspace { state, scratch, .. } = work;
+    let Some(mut forces) = state.forces.take() else {
+        return;
+    };
+    forces.clear();
+    let mut felt = Felt::new(&balance.open);
+    press(state, &mut forces, &mut felt);
+    if balance.run_back(&solver.engine, state, scratch, &mut forces) {
+        balance.locked.finish(&mut forces);
+        balance.frame.free_origins(state, &mut forces);
+        tell(&forces, &felt);
+    }
+    forces.extent = Extent::Nothing;
+    state.forces = Some(forces);
+}
+
 /// Written so that what is no number counts.
 fn is_felt(size: f64) -> bool {
     !(size <= FELT)
 }
 
-/// What a constraint itself does to links and slides while it presses.
-struct Felt {
-    joints: Vec<Vec2>,
-    normals: Vec<f64>,
-    moments: Vec<f64>,
+/// What a constraint itself does to links and slides while it presses; nothing to begin with.
+pub(super) struct Felt {
+    pub(super) joints: Vec<Vec2>,
+    pub(super) normals: Vec<f64>,
+    pub(super) moments: Vec<f64>,
 }
 
 impl Felt {
-    fn new(open: &Open) -> Felt {
+    pub(super) fn new(open: &Open) -> Felt {
         Felt {
             joints: vec![Vec2::ZERO; open.joints.len()],
             normals: vec![0.0; open.normals.len()],

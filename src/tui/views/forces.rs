@@ -14,7 +14,7 @@
 use super::table::{columns_of, doubt};
 use super::{columns, cut, mark_more, print, print_right};
 use crate::quantity::Aspect;
-use crate::report::{Entry, Existence, Forces, Plane, missed, wrapped};
+use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, wrapped};
 use crate::tui::app::App;
 use crate::tui::balance::{Balance, Formats};
 use crate::tui::figures::{Format, Written};
@@ -91,7 +91,16 @@ fn blocks(balance: &Balance) -> Vec<Block> {
         Existence::Everything => {
             let mut blocks = vec![driver(forces, formats), reactions(forces, formats)];
             if !forces.guides.is_empty() {
-                blocks.push(guides(forces, formats));
+                blocks.push(guides("guide", &forces.guides, forces.unit, formats));
+            }
+            if let Some(least) = &forces.least {
+                let joints = open_joints(least, formats);
+                let guides = guides("least norm", &least.guides, forces.unit, formats);
+                blocks.extend(
+                    [joints, guides]
+                        .into_iter()
+                        .filter(|block| !block.rows.is_empty()),
+                );
             }
             blocks.push(checks(forces));
             blocks
@@ -184,8 +193,27 @@ fn plane(force: Option<Plane>, format: Format, moment: Option<Written>) -> Vec<O
     figures.into_iter().chain([direction, moment]).collect()
 }
 
-fn guides(forces: &Forces, formats: &Formats) -> Block {
-    let rows = forces.guides.iter().map(|guide| {
+/// What joints would bear that the equilibrium leaves open.
+fn open_joints(least: &Least, formats: &Formats) -> Block {
+    let joints = least.joints.iter().filter(|joint| !joint.repeats);
+    let joints = joints.map(|joint| {
+        let name = format!("{} at {}", joint.link, joint.point);
+        row(name, None, plane(joint.force, formats.force, None))
+    });
+    Block {
+        title: "least norm",
+        heads: heads([("fx", "N"), ("fy", "N"), ("f", "N"), ("dir f", "deg")]),
+        rows: joints.collect(),
+    }
+}
+
+fn guides(
+    title: &'static str,
+    guides: &[GuideRow],
+    unit: &'static str,
+    formats: &Formats,
+) -> Block {
+    let rows = guides.iter().map(|guide| {
         let more = format!("{} on {}", guide.name, guide.slider);
         let cells = vec![
             Some(formats.force.write(&guide.normal)),
@@ -195,8 +223,8 @@ fn guides(forces: &Forces, formats: &Formats) -> Block {
         row(guide.name.clone(), Some(more), cells)
     });
     Block {
-        title: "guide",
-        heads: heads([("normal", "N"), ("at", forces.unit), ("moment", "N m")]),
+        title,
+        heads: heads([("normal", "N"), ("at", unit), ("moment", "N m")]),
         rows: rows.collect(),
     }
 }
