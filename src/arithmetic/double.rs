@@ -58,12 +58,12 @@ impl Double {
     /// One.
     pub const ONE: Double = Double { hi: 1.0, lo: 0.0 };
     /// pi / 180.
-    const RADIAN: Double = Double {
+    pub(crate) const RADIAN: Double = Double {
         hi: 0.017_453_292_519_943_295,
         lo: 2.948_652_270_870_168_7e-19,
     };
     /// 180 / pi.
-    const DEGREES: Double = Double {
+    pub(crate) const DEGREES: Double = Double {
         hi: 57.295_779_513_082_32,
         lo: -1.987_849_567_057_628_2e-15,
     };

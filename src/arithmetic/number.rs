@@ -199,9 +199,14 @@ impl Number for Double {
         (self - other).hi > 0.0
     }
 
-    /// Of an angle that is a double.
+    /// What the nearest double leaves out turns by less than a rounding: its square counts for nothing.
     fn unit(degrees: Double) -> Vec2<Double> {
-        Double::unit(degrees.hi)
+        let near = Double::unit(degrees.hi);
+        if degrees.lo == 0.0 {
+            return near;
+        }
+        let rest = Double::exactly(degrees.lo) * Double::RADIAN;
+        near.turned(Vec2::new(Double::ONE, rest))
     }
 
     fn degrees(direction: Vec2<Double>) -> Double {

@@ -7,26 +7,17 @@
 use crate::{Constant, Double, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// How many coefficients are carried.
-pub(crate) const TERMS: usize = 16;
+/// How many coefficients are carried at the most: groups in a row that are singular at one place lose one
+/// or two each.
+pub(crate) const TERMS: usize = 48;
 
-/// c[0] + c[1] t + c[2] t^2 and so on, of which the first `known` are right.
+/// c[0] + c[1] t + c[2] t^2 and so on, of which the first `known` are right; the others are zeros.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series {
     pub(crate) c: [Double; TERMS],
     /// What is divided by t loses its last coefficient.
     pub(crate) known: usize,
 }
-
-/// pi / 180 and its inverse, to twice the precision.
-const RADIAN: Double = Double {
-    hi: 0.017_453_292_519_943_295,
-    lo: 2.948_652_270_870_168_7e-19,
-};
-const DEGREES: Double = Double {
-    hi: 57.295_779_513_082_32,
-    lo: -1.987_849_567_057_628_2e-15,
-};
 
 impl Default for Series {
     fn default() -> Self {
@@ -46,15 +37,30 @@ impl Series {
     }
 
     /// value + slope t.
-    pub(crate) fn line(value: f64, slope: Double) -> Series {
-        let mut line = Series::exactly(value);
+    pub(crate) fn line(value: Double, slope: Double) -> Series {
+        let mut line = Series::constant(value);
         line.c[1] = slope;
         line
     }
 
     /// An angle in degrees that grows by a radian with t.
-    pub(crate) fn angle(degrees: f64) -> Series {
-        Series::line(degrees, DEGREES)
+    pub(crate) fn angle(degrees: Double) -> Series {
+        Series::line(degrees, Double::DEGREES)
+    }
+
+    /// The first few coefficients alone.
+    pub(crate) fn cut(self, known: usize) -> Series {
+        Series::by(known.min(self.known), |n, _| self.c[n])
+    }
+
+    /// With the sizes of the coefficients: sums and products of these bound those of the series.
+    pub(crate) fn majorant(self) -> Series {
+        Series::by(self.known, |n, _| self.c[n].abs())
+    }
+
+    /// The place of the first coefficient that is more than a part of its size.
+    pub(crate) fn valuation(&self, sizes: &Series, part: f64) -> Option<usize> {
+        (0..self.known.min(sizes.known)).find(|&n| self.c[n].hi.abs() > part * sizes.c[n].hi)
     }
 
     /// Divided by t^n; the first n coefficients are taken for zeros.
@@ -195,8 +201,8 @@ impl Number for Series {
     }
 
     fn unit(degrees: Series) -> Vec2<Series> {
-        let start = Double::unit(degrees.nearest()).map(Series::constant);
-        start.turned((degrees * Series::constant(RADIAN)).turning())
+        let start = <Double as Number>::unit(degrees.c[0]).map(Series::constant);
+        start.turned((degrees * Series::constant(Double::RADIAN)).turning())
     }
 
     /// The angle's rate is (x y' - y x') / (x^2 + y^2).
@@ -208,7 +214,8 @@ impl Number for Series {
                 lowered.c[n] * Double::exactly((n + 1) as f64)
             })
         };
-        let rate = (x * rate(y) - y * rate(x)) / direction.norm2() * Series::constant(DEGREES);
+        let rate =
+            (x * rate(y) - y * rate(x)) / direction.norm2() * Series::constant(Double::DEGREES);
         let grown = Series::by(rate.known, |n, _| {
             rate.c[n] / Double::exactly((n + 1) as f64)
         });
@@ -232,7 +239,7 @@ mod tests {
 
     #[test]
     fn quotients_and_roots_are_those_of_the_textbooks() {
-        let t = Series::line(0.0, Double::ONE);
+        let t = Series::line(Double::ZERO, Double::ONE);
         let one = Series::exactly(1.0);
         assert_near(one / (one - t), &[1.0; TERMS]);
         assert_near((one + t).sqrt(), &[1.0, 0.5, -0.125, 0.0625, -0.039_062_5]);
@@ -242,7 +249,9 @@ mod tests {
 
     #[test]
     fn what_is_divided_by_t_knows_less() {
-        let square = (Series::line(0.0, Double::ONE) * Series::line(2.0, Double::ONE)).lowered(1);
+        let square = (Series::line(Double::ZERO, Double::ONE)
+            * Series::line(Double::exactly(2.0), Double::ONE))
+        .lowered(1);
         assert_near(square, &[2.0, 1.0, 0.0]);
         assert_eq!(square.known, TERMS - 1);
         assert_eq!((square + Series::exactly(1.0)).known, TERMS - 1);
@@ -251,10 +260,10 @@ mod tests {
 
     #[test]
     fn an_angle_turns_its_unit_vector() {
-        let unit = Series::unit(Series::angle(90.0));
+        let unit = Series::unit(Series::angle(Double::exactly(90.0)));
         assert_near(unit.x, &[0.0, -1.0, 0.0, 1.0 / 6.0]);
         assert_near(unit.y, &[1.0, 0.0, -0.5, 0.0, 1.0 / 24.0]);
-        let back = Series::degrees(unit) * Series::constant(RADIAN);
+        let back = Series::degrees(unit) * Series::constant(Double::RADIAN);
         assert_near(back, &[std::f64::consts::FRAC_PI_2, 1.0, 0.0, 0.0]);
     }
 }
