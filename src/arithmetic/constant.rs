@@ -2,6 +2,7 @@
 
 use super::U;
 use super::ball::half_ulp;
+use super::decimal::Decimal;
 use super::double::Double;
 use super::number::Number;
 use super::vec2::Vec2;
@@ -10,6 +11,8 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 /// The last bits of a double: where all of them are zero, a person has typed a number that a double
 /// holds exactly, such as 250 or 0.625.
 const LAST_BITS: u64 = (1 << 20) - 1;
+/// Roundings in a coordinate that a program gives: it has been computed.
+const ROUNDED: f64 = 8.0;
 /// What is lost in twice the precision, with room.
 const TWICE: f64 = 1e-31;
 
@@ -47,6 +50,28 @@ impl Constant {
             lo: 0.0,
             radius: typed_radius(value),
         }
+    }
+
+    /// A place by which lengths are compared: as the decimals that were typed, or as the doubles that they
+    /// are. `radius` is what they can have been rounded by, where one of them is a long number.
+    pub(crate) fn compared(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
+        let read = |v: f64| {
+            if is_decimal {
+                let decimal = Decimal::of(v);
+                return (
+                    Constant::new(decimal.value, decimal.rounding),
+                    decimal.is_long,
+                );
+            }
+            let radius = ROUNDED * typed_radius(v);
+            (Constant::new(Double::exactly(v), radius), radius > 0.0)
+        };
+        let Vec2 { x, y } = place.map(read);
+        let is_rounded = x.1 || y.1;
+        Vec2::new(x.0, y.0).map(|v| Constant {
+            radius: if is_rounded { v.radius } else { 0.0 },
+            ..v
+        })
     }
 
     /// The unit vector at an angle that was given in degrees.

@@ -8,6 +8,7 @@
 pub mod angle;
 mod ball;
 mod constant;
+mod decimal;
 mod double;
 mod lanes;
 mod number;

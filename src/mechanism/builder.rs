@@ -23,6 +23,7 @@ pub struct Builder {
     gravity: Vec2,
     metres: f64,
     misfit: f64,
+    decimals: bool,
 }
 
 impl Default for Builder {
@@ -37,6 +38,7 @@ impl Default for Builder {
             gravity: Vec2::ZERO,
             metres: 1.0,
             misfit: 0.0,
+            decimals: false,
         }
     }
 }
@@ -183,6 +185,13 @@ impl Builder {
         self.misfit = misfit;
     }
 
+    /// Says that lengths and coordinates were typed as decimals: one of up to 15 digits then stands for
+    /// the decimal, not for the double next to it. It counts where lengths are compared: see
+    /// [`Motion::tolerance`](crate::solver::Motion::tolerance).
+    pub fn decimals(&mut self) {
+        self.decimals = true;
+    }
+
     /// Checks every element by itself.
     ///
     /// # Errors
@@ -201,6 +210,7 @@ impl Builder {
                     gravity: self.gravity,
                     metres: self.metres,
                     misfit: self.misfit,
+                    decimals: self.decimals,
                 }),
             }),
             _ => Err(Defects { list: defects }),

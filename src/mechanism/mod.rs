@@ -206,6 +206,7 @@ struct Parts {
     gravity: Vec2,
     metres: f64,
     misfit: f64,
+    decimals: bool,
 }
 
 impl Mechanism {
@@ -268,6 +269,12 @@ impl Mechanism {
     #[must_use]
     pub fn misfit(&self) -> f64 {
         self.parts.misfit
+    }
+
+    /// Whether its lengths and coordinates stand for the decimals that they were typed as.
+    #[must_use]
+    pub fn has_decimals(&self) -> bool {
+        self.parts.decimals
     }
 
     /// Whether anything acts on it: a load, a weight, or what resists being accelerated.

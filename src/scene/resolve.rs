@@ -254,6 +254,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     fn redundant(&mut self) {
         redundant::check(self.reader, self.draft);
         self.builder.misfit(self.draft.redundant.misfit);
+        self.builder.decimals();
     }
 
     /// A point by its name; `r3.com` is the centre of mass of `r3`.

@@ -16,6 +16,16 @@ pub(super) struct Frame {
     pub(super) far: f64,
     /// The longest length in the solver's unit: in [1, 2), or 0 where there is none.
     pub(super) longest: f64,
+    reading: Reading,
+}
+
+/// What the numbers of a mechanism are taken for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Reading {
+    /// For the doubles that they are, known to half an ulp of what was meant.
+    Given,
+    /// For what lengths are compared by: see [`Constant::compared`].
+    Compared { decimals: bool },
 }
 
 impl Frame {
@@ -50,6 +60,24 @@ impl Frame {
             scale,
             far: furthest(mechanism) / scale,
             longest: longest / scale,
+            reading: Reading::Given,
+        }
+    }
+
+    /// The same frame, for the numbers by which lengths are compared.
+    pub(super) fn compared(self, mechanism: &Mechanism) -> Frame {
+        let decimals = mechanism.has_decimals();
+        Frame {
+            reading: Reading::Compared { decimals },
+            ..self
+        }
+    }
+
+    /// A place of the scene, as it is taken.
+    fn read(&self, place: Vec2) -> Vec2<Constant> {
+        match self.reading {
+            Reading::Given => place.map(Constant::given),
+            Reading::Compared { decimals } => Constant::compared(place, decimals),
         }
     }
 
@@ -65,17 +93,23 @@ impl Frame {
 
     /// A vector in a link's frame in the solver's unit; exact.
     pub(super) fn local(&self, local: Vec2) -> Vec2<Constant> {
-        local.map(|v| Constant::given(v / self.scale))
+        match self.reading {
+            // Scaled first: the smallest doubles know no half of an ulp.
+            Reading::Given => local.map(|v| Constant::given(v / self.scale)),
+            Reading::Compared { .. } => self.read(local).map(|v| self.inwards(v)),
+        }
     }
 
     /// A place of the scene in the solver's frame; exact.
     pub(super) fn inner(&self, place: Vec2) -> Vec2<Constant> {
-        let away = |v: f64, origin: f64| {
-            let away = Constant::given(v) - Constant::given(origin);
-            let [hi, lo, radius] = [away.hi, away.lo, away.radius].map(|v| v / self.scale);
-            Constant { hi, lo, radius }
-        };
-        Vec2::new(away(place.x, self.origin.x), away(place.y, self.origin.y))
+        let away = self.read(place) - self.read(self.origin);
+        away.map(|v| self.inwards(v))
+    }
+
+    /// A length in the solver's unit; exact.
+    fn inwards(&self, length: Constant) -> Constant {
+        let [hi, lo, radius] = [length.hi, length.lo, length.radius].map(|v| v / self.scale);
+        Constant { hi, lo, radius }
     }
 
     /// A place of the solver in the scene's frame.
