@@ -210,7 +210,7 @@ impl Engine {
             if let Some((passage, dq)) = near {
                 passage.write(dq, state);
                 self.read_coupled(&self.program.steps[i], state, scratch);
-                if dq == 0.0 && state.condition == Condition::Ok {
+                if dq == 0.0 && !passage.is_led && state.condition == Condition::Ok {
                     state.condition = Condition::ChangePoint;
                 }
             } else if condition != Condition::Ok {

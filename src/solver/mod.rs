@@ -194,7 +194,12 @@ impl Solver {
         let mut state = engine.state(slides);
         let request = Request::new(&plan, at, near, picks)?;
         let begun = assemble::assemble(&mut engine, network, &plan, &request, &mut state)?;
-        let motion = motion::explore(&engine, begun.at, &state)?;
+        let compared = || {
+            let (frame, closed) = (frame.compared(mechanism), chain::Dyads::Closed);
+            let (_, program) = chain::build(network, frame, ordering, closed).ok()?;
+            Some(Engine::new(mechanism, frame, program))
+        };
+        let motion = motion::explore(&engine, &compared, begun.at, &state)?;
         if let Some(stuck) = begun.stuck.filter(|_| !motion.covers(at)) {
             return Err(stuck);
         }

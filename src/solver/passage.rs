@@ -21,11 +21,6 @@ const WIDEST: f64 = 0.02;
 const FINE: f64 = 1e-15;
 /// A coordinate that differs from a change point by less than this part of it is the change point.
 const SAME: f64 = 4.0 * f64::EPSILON;
-/// At the end of its zone a series and the motion may differ by this much in places and directions:
-/// the rounding of a group there, with room; another assembly is a million times as far.
-const PROVEN: f64 = 1e-9;
-/// So often a zone is halved where the motion does not reach as far.
-const HALVINGS: usize = 12;
 
 /// A function of the driver's coordinate by its Taylor coefficients.
 type Taylor = [Vec2; TERMS];
@@ -37,7 +32,13 @@ pub(super) struct Passage {
     pub at: f64,
     /// The group.
     pub group: usize,
-    zone: f64,
+    /// Whether its sign changes there.
+    pub turns: bool,
+    /// Whether a constraint that repeats others leads the group through: then nothing branches there.
+    pub is_led: bool,
+    /// How far from the place the series stands in for the group's equations, in radians or scaled
+    /// lengths.
+    pub zone: f64,
     points: Vec<(PointId, Taylor)>,
     links: Vec<(LinkId, Taylor)>,
 }
@@ -71,7 +72,8 @@ impl Passages {
 
     /// The driver's coordinates of the change points, each once.
     pub(super) fn coordinates(&self) -> Vec<f64> {
-        let mut at: Vec<f64> = self.list.iter().map(|p| p.at).collect();
+        let branching = self.list.iter().filter(|p| !p.is_led);
+        let mut at: Vec<f64> = branching.map(|p| p.at).collect();
         at.dedup();
         at
     }
@@ -89,7 +91,8 @@ impl Passages {
     pub(super) fn changed(&self, at: f64) -> impl Iterator<Item = usize> {
         let here = reduced(at, self.period);
         let between = move |p: &&Passage| (p.at < here) != (p.at < self.start);
-        self.list.iter().filter(between).map(|p| p.group)
+        let turning = self.list.iter().filter(|p| p.turns);
+        turning.filter(between).map(|p| p.group)
     }
 
     /// The passage of a group in whose zone a coordinate lies, and how far from it.
@@ -151,14 +154,12 @@ fn told(series: &Taylor, dq: f64) -> [Vec2; 3] {
 
 impl Passage {
     /// Keeps the motion of what a group places, as it stands in a state of series about `at`; `None`
-    /// where too little of it is known, or where it does not foretell the motion. `solved` gives the
-    /// state at a distance, in radians or scaled lengths, if there is one.
-    pub(super) fn through(
+    /// where too little of it is known.
+    pub(super) fn new(
         at: f64,
-        group: usize,
+        (group, turns): (usize, bool),
         (points, links): (Vec<PointId>, Vec<LinkId>),
         series: &State<Series>,
-        mut solved: impl FnMut(f64) -> Option<State>,
     ) -> Option<Passage> {
         let mut known = TERMS;
         let mut kept = |v: Vec2<Series>| {
@@ -178,33 +179,15 @@ impl Passage {
             .map(|p| &p.1)
             .chain(links.iter().map(|l| &l.1));
         let zone = zone(all, known)?;
-        let mut passage = Passage {
+        Some(Passage {
             at,
             group,
+            turns,
+            is_led: false,
             zone,
             points,
             links,
-        };
-        for _ in 0..HALVINGS {
-            if let (Some(before), Some(beyond)) = (solved(-passage.zone), solved(passage.zone)) {
-                let [left, right] = [(-passage.zone, before), (passage.zone, beyond)];
-                let holds = passage.foretells(left) && passage.foretells(right);
-                return holds.then_some(passage);
-            }
-            passage.zone *= 0.5;
-        }
-        None
-    }
-
-    /// Whether the series places the group where it is in a state at a distance.
-    fn foretells(&self, (dq, state): (f64, State)) -> bool {
-        let mut told = state.clone();
-        self.write(dq, &mut told);
-        let near = |a: Vec2, b: Vec2| (a - b).norm() <= PROVEN;
-        let mut points = self.points.iter().map(|p| p.0.index());
-        let mut links = self.links.iter().map(|l| l.0.index());
-        points.all(|i| near(told.points[i].p, state.points[i].p))
-            && links.all(|i| near(told.links[i].d, state.links[i].d))
+        })
     }
 
     /// Places what the group places, at a distance from the change point.

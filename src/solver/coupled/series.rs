@@ -7,7 +7,7 @@
 //! beyond, it is linear.
 
 use super::{Coupled, Room, Scratch};
-use crate::arithmetic::{Series, TERMS};
+use crate::arithmetic::Series;
 use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
 use crate::solver::workspace::Workspace;
@@ -16,6 +16,8 @@ use crate::{Double, Number, Vec2};
 /// Two directions of the quadratic that differ by less than this part have become one: the branches
 /// touch, and orders beyond the second would have to tell them apart.
 const TANGENTIAL: f64 = 1e-9;
+/// Corrections of a coefficient: the second one finds the digits that doubles do not hold.
+const CORRECTIONS: usize = 2;
 
 /// A matrix made ready to be solved with; where it is singular, bordered by its null vectors.
 struct Solver {
@@ -78,8 +80,17 @@ impl Null {
 }
 
 impl Coupled {
-    /// Places the group in series about a state whose z stands in `here`'s scratch, as its inputs
-    /// stand in both. `toward` is the rate of z with which the motion comes to a singular place.
+    /// How many coefficients of the group follow from its inputs.
+    fn known(&self, q: Series, state: &State<Series>) -> usize {
+        let (points, links) = self.inputs();
+        let points = points.into_iter().map(|p| state.points[p.index()].p);
+        let links = links.into_iter().map(|l| state.links[l.index()].d);
+        let known = points.chain(links).map(|v| v.x.known.min(v.y.known));
+        known.fold(q.known, usize::min)
+    }
+
+    /// Places the group in series about a state whose z stands in `here`'s scratch, as
+    /// its inputs stand in both. `toward` is the rate of z with which the motion comes to a singular place.
     pub(in crate::solver) fn follow(
         &self,
         q: Series,
@@ -98,13 +109,14 @@ impl Coupled {
             q,
             z: &z,
             unknowns: vec![Series::default(); n],
+            known: self.known(q, state),
         };
         let done = path.solve(&matrix, toward, state, scratch).is_some();
         if done {
             let mut room = self.open(scratch);
             room.first.fill(Series::default());
             room.second.fill(Series::default());
-            path.fill(&mut room);
+            path.fill(path.known, &mut room);
             self.write(q, state, &room);
         }
         done
@@ -118,6 +130,8 @@ struct Path<'a> {
     q: Series,
     z: &'a [f64],
     unknowns: Vec<Series>,
+    /// How many coefficients are sought.
+    known: usize,
 }
 
 impl Path<'_> {
@@ -135,23 +149,24 @@ impl Path<'_> {
         };
         let border = null.as_ref().map(|null| (&null.w[..], &null.v[..]));
         let solver = Solver::new(matrix, n, border)?;
-        // Twice for the place itself: z comes with its rounding.
-        for k in std::iter::once(0).chain(0..TERMS - 1) {
-            let right = self.coefficients(k, state, scratch);
-            let found = solver.solve(&right, 0.0);
-            self.add(k, &found[..n], -1.0);
+        if null.is_some() {
+            // The last coefficient of a singular group would need one more order.
+            self.known = self.known.saturating_sub(1);
+        }
+        for k in 0..self.known {
+            // Each correction, solved for in doubles, finds as many digits again.
+            for _ in 0..CORRECTIONS {
+                let right = self.coefficients(k, state, scratch);
+                let found = solver.solve(&right, 0.0);
+                self.add(k, &found[..n], -1.0);
+            }
             if let (Some(null), Some(toward), 1..) = (&null, toward, k) {
                 let share = self.share(k, null, toward, state, scratch)?;
                 self.add(k, &null.v, share);
             }
         }
-        // The last coefficient of a singular group would need one more order.
-        let known = TERMS - if null.is_some() { 2 } else { 1 };
-        self.unknowns.iter_mut().for_each(|u| u.known = known);
-        self.unknowns
-            .iter()
-            .all(|u| u.c.iter().all(|c| c.hi.is_finite()))
-            .then_some(())
+        let is_finite = |u: &Series| u.c.iter().all(|c| c.hi.is_finite());
+        self.unknowns.iter().all(is_finite).then_some(())
     }
 
     /// How much of the null vector the k-th coefficients have, so that the next order can be solved.
@@ -205,7 +220,7 @@ impl Path<'_> {
         scratch: &mut Scratch<Series>,
     ) -> Vec<f64> {
         let mut room = self.group.open(scratch);
-        self.fill(&mut room);
+        self.fill(k + 1, &mut room);
         self.group.residuals(self.q, state, &mut room);
         room.right.iter().map(|r| r.c[k].hi).collect()
     }
@@ -216,13 +231,14 @@ impl Path<'_> {
         }
     }
 
-    /// Puts the unknowns into z.
-    fn fill(&self, room: &mut Room<'_, Series>) {
+    /// Puts the first coefficients of the unknowns into z.
+    fn fill(&self, known: usize, room: &mut Room<'_, Series>) {
         let joints = 2 * self.group.free;
         for i in 0..joints {
-            room.z[i] = Series::exactly(self.z[i]) + self.unknowns[i];
+            room.z[i] = Series::exactly(self.z[i]) + self.unknowns[i].cut(known);
         }
-        for (i, &angle) in self.unknowns[joints..].iter().enumerate() {
+        for (i, angle) in self.unknowns[joints..].iter().enumerate() {
+            let angle = angle.cut(known);
             let at = joints + 2 * i;
             let start = Vec2::new(self.z[at], self.z[at + 1]).exactly::<Double>();
             let unit = start / start.norm();

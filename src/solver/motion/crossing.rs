@@ -2,6 +2,7 @@
 
 use super::change::{Change, PASSING};
 use super::walk::Walker;
+use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
 use crate::solver::state::Condition;
@@ -44,14 +45,13 @@ impl Walker<'_> {
             self.anchors.push(engine, before, &mut self.state);
             self.state.clone_from(&reached);
             self.anchors.push(engine, beyond, &mut self.state);
-            if self.record(&[change], &saved, &reached).is_none() {
+            self.state.clone_from(&saved);
+            let junction = self.junction(Double::exactly(change.at), Some(&change));
+            let passed = junction.and_then(|junction| self.pass_through(&junction));
+            if passed.is_none() {
                 self.anchors.forget_beyond(engine, before, self.sense);
-                return None;
             }
-            self.state = reached;
-            self.seen.clear();
-            self.note(beyond);
-            Some(beyond)
+            passed
         })
     }
 
@@ -110,10 +110,6 @@ impl Walker<'_> {
         let met = crossing.is_some_and(|c| c.unfolding.abs() < opened);
         let is_here = engine.difference(limit, at).abs() < PASSING;
         let z = group.open(&mut self.state.scratch).z.to_vec();
-        (met && is_here).then_some(Change {
-            step,
-            at,
-            meeting: Some([z, rate]),
-        })
+        (met && is_here).then_some(Change { step, at, z, rate })
     }
 }

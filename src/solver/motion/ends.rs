@@ -74,8 +74,11 @@ impl Walker<'_> {
         let by = self.sense * self.ulp(limit);
         let mut measure = |at: f64| self.exact_measure(step, group, at, &mut exact);
         let mut around = (2..DOUBLINGS).map(|k| by * f64::from(k).exp2());
+        // Where the arms miss each other by a hair the motion ends before and begins again behind.
+        let is_gap = measure(limit)? < 0.0;
         let (inside, outside) = around.find_map(|by| {
-            let (inside, outside) = (limit - by, limit + by);
+            let outside = if is_gap { limit } else { limit + by };
+            let inside = limit - by;
             let (a, b) = (measure(inside)?, measure(outside)?);
             (a > 0.0 && b < 0.0).then_some(((inside, a), (outside, b)))
         })?;

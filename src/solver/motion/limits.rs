@@ -1,7 +1,7 @@
 //! Limits between the samples of a walk: the zeros of a group's measure.
 
-use super::NearMiss;
 use super::walk::{SAMPLES, Walker};
+use super::{NearMiss, ONE_MISS};
 use crate::solver::Order;
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
@@ -36,15 +36,25 @@ impl Walker<'_> {
             return None;
         }
         let saved = self.state.clone();
+        let told = self.misses.len();
         let limits: Vec<f64> = dips
             .into_iter()
             .filter_map(|group| self.limit_of(group, [a, m, b]))
             .collect();
         self.state = saved;
-        limits
+        let first = limits
             .into_iter()
             .filter(|&limit| self.ahead(limit) > 0.0)
-            .min_by(|&x, &y| self.ahead(x).total_cmp(&self.ahead(y)))
+            .min_by(|&x, &y| self.ahead(x).total_cmp(&self.ahead(y)));
+        if let Some(limit) = first {
+            // What lies at the limit or beyond is seen from its wrong side.
+            let (mut number, sense) = (0, self.sense);
+            self.misses.retain(|miss| {
+                number += 1;
+                number <= told || (limit - miss.at) * sense > ONE_MISS
+            });
+        }
+        first
     }
 
     /// The zero of one group's measure that a minimum between three samples touches or crosses.

@@ -10,6 +10,8 @@ mod anchors;
 mod change;
 mod crossing;
 mod ends;
+mod exact;
+mod junction;
 mod limits;
 mod walk;
 
@@ -22,6 +24,7 @@ use super::passage::Passages;
 use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
+use exact::Exact;
 use walk::{End, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
@@ -104,6 +107,10 @@ pub struct Motion {
     pub change_points: Vec<f64>,
     /// Where the motion comes close to a change point or a dead point, and passes by.
     pub near_misses: Vec<NearMiss>,
+    /// By how much lengths may differ that count as equal, where a ground point has coordinates of 15
+    /// digits or more: what these have been rounded by, in the scene's length unit. 0 where all are
+    /// shorter: lengths are equal, then, or they are not.
+    pub tolerance: f64,
     /// The coordinates at which the walk has been.
     pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
@@ -126,7 +133,7 @@ pub(super) struct Folded {
 }
 
 /// Two walks find a near miss twice, with this between the coordinates at the most.
-const ONE_MISS: f64 = 1e-6;
+pub(super) const ONE_MISS: f64 = 1e-6;
 /// A coordinate this near to a dead point, as a part of it, is the dead point.
 const SAME: f64 = f64::EPSILON;
 /// So far beyond a dead point, too: what is lost where one is written with 12 decimals,
@@ -189,9 +196,15 @@ const MOST_DRAWS: i32 = 24;
 ///
 /// # Errors
 /// [`Fault::OverConstrained`] where a constraint that was set aside stops holding.
-pub(super) fn explore(engine: &Engine, start: f64, state: &Workspace) -> Result<Motion, Fault> {
+pub(super) fn explore(
+    engine: &Engine,
+    compared: &dyn Fn() -> Option<Engine>,
+    start: f64,
+    state: &Workspace,
+) -> Result<Motion, Fault> {
     let mut walker = Walker {
         engine,
+        exact: Exact::new(compared),
         state: state.clone(),
         anchors: Anchors::default(),
         seen: Vec::new(),
@@ -203,6 +216,7 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &Workspace) -> Result<
         misses: Vec::new(),
         misfits: vec![0.0; engine.program.watches.len()],
         folds: Vec::new(),
+        terms: junction::FIRST,
     };
     walker.check_fit()?;
     let up = walker.walk()?;
@@ -226,7 +240,8 @@ pub(super) fn explore(engine: &Engine, start: f64, state: &Workspace) -> Result<
     let dead_points = dead_points(range, engine, start);
     let reach = reach(range, &dead_points, engine.finest());
     Ok(Motion {
-        near_misses: near_misses(walker.misses, range),
+        near_misses: near_misses(walker.misses, range, engine),
+        tolerance: walker.exact.tolerance().unwrap_or(0.0) * engine.frame.scale,
         samples: walker.samples,
         misfits: walker.misfits,
         range,
@@ -276,11 +291,18 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
     }
 }
 
-/// Each near miss once, by its coordinate.
-fn near_misses(mut misses: Vec<NearMiss>, range: Range) -> Vec<NearMiss> {
-    if let Range::Full { period } = range {
-        let reduce = |miss: &mut NearMiss| miss.at = positive_remainder(miss.at, period);
-        misses.iter_mut().for_each(reduce);
+/// Each near miss once, by its coordinate. What looks like one at an end of the range is the end: close
+/// to it a measure comes down to its rounding.
+fn near_misses(mut misses: Vec<NearMiss>, range: Range, engine: &Engine) -> Vec<NearMiss> {
+    match range {
+        Range::Full { period } => {
+            let reduce = |miss: &mut NearMiss| miss.at = positive_remainder(miss.at, period);
+            misses.iter_mut().for_each(reduce);
+        }
+        Range::Limited { low, high } => {
+            let is_end = |at: f64, end: f64| engine.difference(at, end).abs() < ONE_MISS;
+            misses.retain(|miss| !is_end(miss.at, low) && !is_end(miss.at, high));
+        }
     }
     misses.sort_by(|a, b| a.at.total_cmp(&b.at));
     misses.dedup_by(|a, b| a.group == b.group && (a.at - b.at).abs() < ONE_MISS);

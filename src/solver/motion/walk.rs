@@ -1,6 +1,7 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
 use super::anchors::Anchors;
+use super::exact::Exact;
 use super::{Folded, NearMiss};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
@@ -47,6 +48,7 @@ pub(super) enum End {
 /// Someone who follows the motion from its start, in one direction.
 pub(super) struct Walker<'e> {
     pub(super) engine: &'e Engine,
+    pub(super) exact: Exact<'e>,
     pub(super) state: Workspace,
     pub(super) anchors: Anchors,
     /// The last few states, by coordinate and measures.
@@ -62,6 +64,8 @@ pub(super) struct Walker<'e> {
     /// How far each watched constraint was from holding at the most.
     pub(super) misfits: Vec<f64>,
     pub(super) folds: Vec<Folded>,
+    /// How many terms of series the last place took at which groups were singular.
+    pub(super) terms: usize,
 }
 
 /// Why the motion goes no further.

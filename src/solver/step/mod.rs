@@ -15,6 +15,7 @@ pub(super) use circles::{Circles, Cylinder};
 pub(super) use dyad::Dyad;
 pub(super) use lines::{CircleLine, CircleRail, Line};
 pub(super) use swing::Swing;
+pub(super) use through::{Height, Snap, ZERO, root};
 
 use super::state::{LinkState, PointState, State};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};

@@ -1,0 +1,105 @@
+//! Steps in series about a place, one after another.
+
+use crate::arithmetic::Series;
+use crate::solver::Order;
+use crate::solver::motion::change::Change;
+use crate::solver::motion::walk::Walker;
+use crate::solver::state::State;
+use crate::solver::step::{Outcome, POSITION, Snap, Step, root};
+use crate::solver::workspace::Workspace;
+use crate::{Double, Number, Vec2};
+
+impl Walker<'_> {
+    /// The driver's coordinate in series about a place.
+    pub(super) fn coordinate_of(&self, at: Double, terms: usize) -> (Series, Vec2<Series>) {
+        let engine = self.engine;
+        let place = if engine.turns {
+            Series::angle(at)
+        } else {
+            Series::line(at, Double::exactly(engine.frame.scale))
+        };
+        engine.coordinate(place.cut(terms))
+    }
+
+    /// Places steps in series, with the signs of the state, where none is singular.
+    pub(super) fn lay(
+        &mut self,
+        steps: std::ops::Range<usize>,
+        at: f64,
+        q: Series,
+        direction: Vec2<Series>,
+        series: &mut Workspace<Series>,
+    ) -> Option<()> {
+        let engine = self.exact.engine()?;
+        for i in steps {
+            let step = &engine.program.steps[i];
+            let done = if let Some(dyad) = step.dyad() {
+                let plain = Snap::default();
+                let square = dyad.square(q, plain, series);
+                let is_open = !(square.nearest() > 0.0);
+                let height = root(square, 0, self.state.signs[dyad.group()]);
+                dyad.run_through(q, plain, height, series);
+                !is_open
+            } else if matches!(step, Step::Coupled { .. }) {
+                self.follow(i, at, q, None, series)
+            } else {
+                step.run::<Series, POSITION>(q, direction, series) == Outcome::Done
+            };
+            if !done {
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    /// The driver's coordinate at a distance, in radians or scaled lengths.
+    pub(super) fn moved_exactly(&self, from: Double, by: Double) -> Double {
+        let unit = if self.engine.turns {
+            Double::DEGREES
+        } else {
+            Double::exactly(self.engine.frame.scale)
+        };
+        from + by * unit
+    }
+
+    /// Places a coupled group in series.
+    pub(super) fn follow(
+        &mut self,
+        step: usize,
+        at: f64,
+        q: Series,
+        crossing: Option<&Change>,
+        series: &mut Workspace<Series>,
+    ) -> bool {
+        let engine = self.engine;
+        let (Step::Coupled { index }, Some(exact)) =
+            (&engine.program.steps[step], self.exact.engine())
+        else {
+            return false;
+        };
+        let group = &exact.program.coupled[*index];
+        // Its inputs are read in doubles, too.
+        self.aim_at(at);
+        self.take_places(series);
+        let toward = crossing.map(|crossing| {
+            let room = group.open(&mut self.state.scratch);
+            room.z.copy_from_slice(&crossing.z);
+            &crossing.rate[..]
+        });
+        if toward.is_none() {
+            let _ = engine.run_steps(step..step + 1, at, Order::Position, &mut self.state);
+        }
+        group.follow(q, &mut self.state, toward, series)
+    }
+
+    /// Takes places and directions from the beginning of series.
+    fn take_places(&mut self, series: &State<Series>) {
+        let here = &mut self.state.state;
+        for (point, from) in here.points.iter_mut().zip(&series.points) {
+            point.p = from.p.nearest();
+        }
+        for (link, from) in here.links.iter_mut().zip(&series.links) {
+            link.d = from.d.nearest();
+        }
+    }
+}

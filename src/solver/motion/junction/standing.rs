@@ -1,0 +1,172 @@
+//! How a dyad stands at a place: singular, all but singular or neither.
+
+use super::Refusal;
+use crate::arithmetic::Series;
+use crate::solver::motion::walk::Walker;
+use crate::solver::state::State;
+use crate::solver::step::{Dyad, Height, Snap, ZERO};
+use crate::{Double, Number, Vec2};
+
+/// A square that begins with less than this part of its size may begin with zeros that were rounded.
+const ROUGH: f64 = 1e-9;
+/// Change points of several groups that are this close to each other are one, in radians or scaled
+/// lengths: a mechanism drawn with lengths from one formula has them a few roundings apart,
+const TOGETHER: f64 = 1e-12;
+/// or the pivots are so many roundings of their coordinates away from where they would be: a line that
+/// begins with a short link is turned by them.
+const LEVER: f64 = 64.0;
+/// A group that is singular closer than this before a place would have been passed unseen.
+const CLOSE: f64 = 2e-3;
+/// Newton's steps to a snap, or to a place: each doubles the digits.
+const STEPS: usize = 8;
+/// A place is known to this, in radians or scaled lengths.
+const PLACED: f64 = 1e-26;
+/// Terms that the reach of one dyad needs to tell where it is extreme.
+const FEW: usize = 12;
+
+/// How a dyad stands at a place.
+pub(super) enum Standing {
+    Regular,
+    Missing { sine: f64 },
+    Singular { snap: Snap, order: usize },
+}
+
+impl Walker<'_> {
+    /// Whether a dyad is singular at a place, and how it is to be shifted to be so exactly.
+    pub(super) fn standing(
+        &self,
+        dyad: Dyad<'_>,
+        q: Series,
+        slack: f64,
+        state: &State<Series>,
+    ) -> Result<Standing, Refusal> {
+        let height = dyad.height(q, Snap::default(), state);
+        let meeting = dyad.meeting(q, slack, state);
+        let near = |u: &Vec2<Double>| u.norm().hi <= slack + TOGETHER;
+        let (snap, order) = if let Some(u) = meeting.filter(near) {
+            (Snap::of_meeting(-u), None)
+        } else {
+            match height.square.valuation(&height.size, ROUGH) {
+                None => return Err(Refusal::Terms),
+                Some(0) => return self.beside(&height),
+                Some(order) => {
+                    let snap = snapped(dyad, q, order, state).ok_or(Refusal::End)?;
+                    (snap, Some(order))
+                }
+            }
+        };
+        let apart = extreme(dyad, state).ok_or(Refusal::Terms)?.abs().hi;
+        let is_here = apart <= TOGETHER || snap.by.norm().hi <= LEVER * slack;
+        if !is_here {
+            return self.beside(&height);
+        }
+        if across(dyad, snap, state) > slack {
+            let square = height.square.nearest();
+            let sine = (square / dyad.right_angle(q, state)).sqrt();
+            let exists = square > 0.0;
+            return if exists {
+                Ok(Standing::Missing { sine })
+            } else {
+                Err(Refusal::End)
+            };
+        }
+        let height = dyad.height(q, snap, state);
+        let exact = height.square.valuation(&height.size, ZERO);
+        let exact = exact.ok_or(Refusal::Terms)?;
+        let is_meant = order.is_none_or(|order| order == exact);
+        let passes = exact % 2 == 0 && height.square.c[exact].hi > 0.0;
+        let order = exact;
+        if is_meant && passes {
+            Ok(Standing::Singular { snap, order })
+        } else {
+            Err(Refusal::End)
+        }
+    }
+
+    /// A dyad that is not singular here; nor must it be so close before that it was passed unseen.
+    fn beside(&self, height: &Height) -> Result<Standing, Refusal> {
+        let [c0, c1, c2] = [0, 1, 2].map(|n| height.square.c[n].hi);
+        let lowest = -0.5 * c1 / c2;
+        let least = c0 + 0.5 * c1 * lowest;
+        let was_passed = -lowest * self.sense > 0.0
+            && lowest.abs() < CLOSE
+            && least <= ROUGH * height.size.nearest();
+        if c0 > 0.0 && !was_passed {
+            Ok(Standing::Regular)
+        } else {
+            Err(Refusal::End)
+        }
+    }
+
+    /// Where a dyad's reach is extreme to twice the precision, close to a coordinate; those before it
+    /// are not singular there.
+    pub(in crate::solver::motion) fn exactly(&mut self, step: usize, at: f64) -> Option<Double> {
+        let engine = self.exact.engine()?;
+        let mut at = Double::exactly(at);
+        for _ in 0..STEPS {
+            let (q, direction) = self.coordinate_of(at, FEW);
+            let mut series = engine.state::<Series>(self.state.travels.len());
+            self.lay(0..step, at.hi, q, direction, &mut series)?;
+            let by = extreme(engine.program.steps[step].dyad()?, &series)?;
+            at = self.moved_exactly(at, by);
+            if by.abs().hi < PLACED {
+                return Some(at);
+            }
+        }
+        None
+    }
+}
+
+/// The distance at which a dyad's reach is extreme: one step of Newton for the last coefficient that is a
+/// zero there.
+fn extreme(dyad: Dyad<'_>, state: &State<Series>) -> Option<Double> {
+    let [reach, size] = dyad.reach(state);
+    let moving = |n: &usize| reach.c[*n].hi.abs() > ROUGH * size.c[*n].hi.max(size.c[0].hi);
+    let order = (2..reach.known).find(moving)?;
+    Some(-(reach.c[order - 1] / (reach.c[order] * Double::exactly(order as f64))))
+}
+
+/// How much of a snap is across the reach: what parts the arms, and does not only move the place.
+fn across(dyad: Dyad<'_>, snap: Snap, state: &State<Series>) -> f64 {
+    if snap.equal_arms {
+        return 0.0;
+    }
+    let Some(u) = dyad.pivots(state) else {
+        return snap.by.x.hi.abs();
+    };
+    let u = u.nearest();
+    (snap.by.nearest().dot(u) / u.norm()).abs()
+}
+
+/// The snap with which the square of a dyad's height begins with so many zeros: least squares, since two
+/// shifts serve for more.
+fn snapped(dyad: Dyad<'_>, q: Series, order: usize, state: &State<Series>) -> Option<Snap> {
+    let mut snap = Snap::default();
+    for _ in 0..STEPS {
+        let Height {
+            square,
+            size,
+            slopes: [a, b],
+        } = dyad.height(q, snap, state);
+        if square
+            .valuation(&size, ZERO)
+            .is_none_or(|exact| exact >= order)
+        {
+            return Some(snap);
+        }
+        let sum =
+            |x: &Series, y: &Series| (0..order).fold(Double::ZERO, |sum, n| sum + x.c[n] * y.c[n]);
+        let (aa, ab, bb) = (sum(&a, &a), sum(&a, &b), sum(&b, &b));
+        // Where only one of the shifts changes anything, the other one stays small.
+        let least = (aa + bb) * Double::exactly(1e-28);
+        let (aa, bb) = (aa + least, bb + least);
+        let (ac, bc) = (sum(&a, &square), sum(&b, &square));
+        let det = aa * bb - ab * ab;
+        let by = Vec2::new((ab * bc - bb * ac) / det, (ab * ac - aa * bc) / det);
+        if !by.x.hi.is_finite() || !by.y.hi.is_finite() {
+            return None;
+        }
+        snap.by += by;
+    }
+    None
+}
