@@ -188,6 +188,8 @@ pub struct Check {
     pub dead_points: Vec<f64>,
     /// Where two assemblies meet and the motion passes, within one period.
     pub change_points: Vec<f64>,
+    /// By how much lengths that count as equal may differ there, in the scene's unit.
+    pub tolerance: f64,
     /// Where two assemblies all but meet, and the motion keeps its own.
     pub near_misses: Vec<NearMissFacts>,
     /// The smallest and the largest transmission angle of every dyad.
@@ -343,6 +345,7 @@ impl Check {
             period,
             dead_points: solver.motion().dead_points.clone(),
             change_points: solver.motion().change_points.clone(),
+            tolerance: solver.motion().tolerance,
             near_misses: near_misses(scene, solver),
             transmission: names.transmission(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),

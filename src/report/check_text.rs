@@ -60,7 +60,7 @@ impl Check {
         }
         out.facts("range", [self.range_text.clone()]);
         if !self.change_points.is_empty() {
-            out.facts("change", [self.change_points_text()]);
+            out.facts("change", [self.change_points_text(), self.tolerance_text()]);
         }
         let unit = self.driver_unit();
         out.facts("near miss", self.near_misses.iter().map(|m| m.text(unit)));
@@ -114,6 +114,17 @@ impl Check {
             .map(|at| format!("{at:.DECIMALS$}"));
         let at: Vec<String> = at.collect();
         format!("points at {} {unit}, passed smoothly", at.join(", "))
+    }
+
+    /// What makes the difference between a change point and a near miss.
+    fn tolerance_text(&self) -> String {
+        if self.tolerance == 0.0 {
+            return "lengths count as equal where they are equal as typed".into();
+        }
+        let (tolerance, unit) = (self.tolerance, self.unit);
+        format!(
+            "lengths count as equal within {tolerance:.1e} {unit}: coordinates have been rounded"
+        )
     }
 
     fn driver_unit(&self) -> &'static str {
