@@ -381,3 +381,18 @@ fn h18_a_coupled_triad_stops_at_its_dead_points() {
         );
     }
 }
+
+/// Of a file the decimals count: 0.1 + 0.4 is 0.2 + 0.3, which it is not for the doubles next to them.
+#[test]
+fn lengths_of_a_file_are_equal_as_they_were_typed() {
+    let text = "unit = \"m\"\n[ground]\nA = [1000000, 0]\nD = [1000000.4, 0]\n\
+        [driver]\nlink = \"r2\"\nangle = 60\nspeed = \"1 rad/s\"\n[links]\n\
+        r2 = { from = \"A\", to = \"B\", length = 0.1 }\n\
+        r3 = { from = \"B\", to = \"C\", length = 0.2 }\n\
+        r4 = { from = \"C\", to = \"D\", length = 0.3 }\n\
+        [start]\nC = [1000000.2, 0.2]\n";
+    let scene = Scene::parse(text, "equal.toml").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    assert_eq!(solver.motion().change_points, [180.0, 540.0]);
+    assert_eq!(solver.motion().tolerance, 0.0);
+}

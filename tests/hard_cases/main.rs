@@ -14,6 +14,8 @@ mod exact;
 mod change_points;
 mod closed_form;
 mod driver;
+mod equal_lengths;
+mod led_through;
 mod lifts;
 mod limits;
 mod many_links;

@@ -11,6 +11,7 @@ mod bits;
 #[path = "../support/mod.rs"]
 mod support;
 
+mod chains;
 mod coupled;
 mod dyads;
 mod four_bar;

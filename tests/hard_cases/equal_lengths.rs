@@ -1,0 +1,115 @@
+//! Whether lengths are equal decides between a change point, a near miss and a dead point: it is told from
+//! the decimals that were typed, wherever the linkage lies in the plan and however it is turned.
+
+use krank::solver::{Range, Solver};
+use krank::{Builder, Double, Driver, Input, Vec2};
+
+/// A four-bar with its frame of length `d` at `place`, turned; decimals of 15 digits at the most.
+fn four_bar(lengths: [&str; 4], place: Vec2, turn: f64, start: f64) -> Solver {
+    let [a, b, c, d] = lengths.map(|length| length.parse().unwrap());
+    let far = place.exactly() + Double::unit(turn) * Double::exactly(d);
+    let mut m = Builder::default();
+    m.decimals();
+    let pivot = m.ground_point(typed(place.x), typed(place.y));
+    let other = m.ground_point(typed(far.x.hi), typed(far.y.hi));
+    let (pin, joint) = (m.moving_point(), m.moving_point());
+    let crank = m.link(pivot, pin, a);
+    m.link(pin, joint, b);
+    m.link(joint, other, c);
+    m.driver(Driver {
+        input: Input::Turn(crank),
+        start: start + turn,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    // That of a parallelogram, or near it.
+    m.start(joint, far.nearest() + krank::angle::unit(start + turn) * a);
+    Solver::new(&m.build().unwrap()).unwrap()
+}
+
+/// With 15 digits, as one reads it off a drawing.
+fn typed(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap()
+}
+
+#[test]
+fn a_parallelogram_that_is_turned_and_typed_is_recognised_at_both_places() {
+    for sizes in [
+        ["1", "3"],
+        ["30", "40"],
+        ["25", "30"],
+        ["100", "150"],
+        ["0.7", "0.3"],
+    ] {
+        let [a, g] = sizes;
+        for turn in [0.0, 23.0, 71.0, 90.0, 137.7] {
+            for place in [Vec2::ZERO, Vec2::new(12.5, -8.25), Vec2::new(1e3, -2e3)] {
+                let solver = four_bar([a, g, a, g], place, turn, 60.0);
+                let motion = solver.motion();
+                assert_eq!(
+                    motion.range,
+                    Range::Full { period: 360.0 },
+                    "{sizes:?} {turn} {place:?}"
+                );
+                assert_eq!(motion.change_points.len(), 2, "{sizes:?} {turn} {place:?}");
+                assert!(motion.near_misses.is_empty(), "{sizes:?} {turn} {place:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_length_that_differs_in_any_digit_is_another_wherever_the_ground_is() {
+    for place in [Vec2::ZERO, Vec2::new(1e6, 0.0), Vec2::new(-3.0, 1e6)] {
+        for turn in [0.0, 90.0, 180.0] {
+            for longer in ["1.000000001", "1.000000000001", "1.00000000000001"] {
+                let solver = four_bar(["1", "3", longer, "3"], place, turn, 60.0);
+                let motion = solver.motion();
+                assert_eq!(motion.tolerance, 0.0);
+                assert_eq!(
+                    motion.range,
+                    Range::Full { period: 360.0 },
+                    "{longer} {place:?} {turn}"
+                );
+                assert!(motion.change_points.is_empty(), "{longer} {place:?} {turn}");
+                assert_eq!(motion.near_misses.len(), 2, "{longer} {place:?} {turn}");
+            }
+            for shorter in ["0.999999999", "0.999999999999", "0.99999999999999"] {
+                let solver = four_bar(["1", "3", shorter, "3"], place, turn, 60.0);
+                let motion = solver.motion();
+                assert_eq!(motion.dead_points.len(), 2, "{shorter} {place:?} {turn}");
+                // It ends where the pivots are 2 + e apart: 10 - 6 cos = (2 + e)^2; and 4 - e.
+                let e = 1.0 - shorter.parse::<f64>().unwrap();
+                let from = |share: f64| 2.0 * share.sqrt().asin().to_degrees();
+                let [near, far] = [4.0 * e + e * e, 8.0 * e - e * e].map(|v| from(v / 12.0));
+                for (found, expected) in motion.dead_points.iter().zip([near, 180.0 - far]) {
+                    let off = found - turn - expected;
+                    assert!(
+                        off.abs() < 1e-2 * near,
+                        "{off:e} {near:e}: {shorter} {place:?} {turn}"
+                    );
+                }
+                assert!(
+                    motion.change_points.is_empty(),
+                    "{shorter} {place:?} {turn}"
+                );
+                assert!(
+                    motion.near_misses.is_empty(),
+                    "{shorter} {place:?} {turn}: {:?}",
+                    motion.near_misses
+                );
+            }
+        }
+    }
+}
+
+/// 0.1 + 0.4 = 0.2 + 0.3, but not for the doubles next to them.
+#[test]
+fn decimals_are_added_as_they_were_typed() {
+    let solver = four_bar(["0.1", "0.2", "0.3", "0.4"], Vec2::ZERO, 0.0, 60.0);
+    let motion = solver.motion();
+    // The assemblies change over where all links are in line, once a turn.
+    assert_eq!(motion.range, Range::Full { period: 720.0 });
+    assert_eq!(motion.change_points, [180.0, 540.0]);
+    assert!(motion.near_misses.is_empty());
+}

@@ -1,0 +1,325 @@
+//! Chains of loops whose motion is known exactly: parallelograms, antiparallelograms and kites in any
+//! order and of any size, all folded into one line at once, anywhere in the plan and turned by any angle.
+//!
+//! The rocker of each loop is the crank of the next. A chain either follows its exact motion or its range
+//! ends before: what it must never do is to go on otherwise. `KRANK_CHAINS` says how many are tried.
+
+use crate::plant::unit;
+use krank::solver::{Condition, Order, Range, Solver};
+use krank::{Builder, Double, Driver, Input, PointId, Vec2};
+
+/// Places of a chain's range at which it is held against its motion.
+const STATES: u32 = 64;
+/// How near a place must be to the exact one, in units of the chain's size.
+const CLOSE: f64 = 1e-9;
+
+/// Numbers that look as if drawn (xorshift).
+struct Chance(u64);
+
+impl Chance {
+    fn new(seed: u64) -> Chance {
+        let mut chance = Chance(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
+        for _ in 0..8 {
+            chance.next();
+        }
+        chance
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn below(&mut self, most: usize) -> usize {
+        (self.next() >> 20) as usize % most
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Kind {
+    Parallelogram,
+    Antiparallelogram,
+    Kite,
+}
+
+/// A loop of a chain: the crank that it is driven by, and its frame, coupler and rocker.
+#[derive(Clone, Copy, Debug)]
+struct Loop {
+    kind: Kind,
+    crank: f64,
+    frame: f64,
+    coupler: f64,
+    rocker: f64,
+}
+
+impl Loop {
+    fn drawn(kind: Kind, crank: f64, chance: &mut Chance) -> Loop {
+        match kind {
+            Kind::Parallelogram | Kind::Antiparallelogram => {
+                let ratio = chance.within(1.3, 3.5);
+                let frame = if chance.below(2) == 0 {
+                    crank * ratio
+                } else {
+                    crank / ratio
+                };
+                Loop {
+                    kind,
+                    crank,
+                    frame,
+                    coupler: frame,
+                    rocker: crank,
+                }
+            }
+            Kind::Kite => {
+                let long = crank * chance.within(1.1, 1.6);
+                Loop {
+                    kind,
+                    crank,
+                    frame: crank,
+                    coupler: long,
+                    rocker: long,
+                }
+            }
+        }
+    }
+
+    /// The rocker's angle for one of the crank, both in radians, from the line of the pivots; going on
+    /// smoothly.
+    fn rocker_at(&self, crank: f64) -> f64 {
+        let (a, g) = (self.crank, self.frame);
+        match self.kind {
+            Kind::Parallelogram => crank,
+            // Mirrored in the line from the rocker's pivot to the crank's pin.
+            Kind::Antiparallelogram => {
+                let (sin, cos) = crank.sin_cos();
+                if a < g {
+                    -2.0 * (a * sin).atan2(g - a * cos) - crank
+                } else {
+                    2.0 * (g * sin).atan2(a - g * cos) + crank
+                }
+            }
+            // The apex lies on the line that halves the angle between crank and frame.
+            Kind::Kite => {
+                let half = 0.5 * crank;
+                half + (g / self.rocker * half.sin()).asin()
+            }
+        }
+    }
+
+    /// How many times as fast as its crank the rocker turns at the most.
+    fn quickest(&self) -> f64 {
+        let (a, g) = (self.crank, self.frame);
+        match self.kind {
+            Kind::Parallelogram | Kind::Kite => 1.0,
+            Kind::Antiparallelogram => (g + a) / (g - a).abs(),
+        }
+    }
+}
+
+/// A chain of loops with its first pivot at `place`, its line turned by `turn` degrees.
+#[derive(Clone, Debug)]
+struct Chain {
+    loops: Vec<Loop>,
+    place: Vec2,
+    turn: f64,
+    start: f64,
+}
+
+/// What became of a chain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Verdict {
+    Right,
+    /// Its range ends where the motion goes on.
+    Refused,
+    Wrong,
+}
+
+impl Chain {
+    fn drawn(seed: u64) -> Chain {
+        let mut chance = Chance::new(seed);
+        let count = 1 + chance.below(15);
+        let mut crank = chance.within(0.5, 2.0);
+        let mut loops = Vec::new();
+        for _ in 0..count {
+            let kind = [Kind::Parallelogram, Kind::Antiparallelogram, Kind::Kite][chance.below(3)];
+            let new = Loop::drawn(kind, crank, &mut chance);
+            crank = new.rocker;
+            loops.push(new);
+        }
+        let place = match chance.below(2) {
+            0 => Vec2::ZERO,
+            _ => Vec2::new(chance.within(-50.0, 50.0), chance.within(-50.0, 50.0)),
+        };
+        let turn = [
+            0.0,
+            90.0,
+            chance.within(0.0, 360.0),
+            chance.within(0.0, 360.0),
+        ][chance.below(4)];
+        let start = chance.within(30.0, 150.0);
+        Chain {
+            loops,
+            place,
+            turn,
+            start,
+        }
+    }
+
+    /// Where the pins are with the first crank at an angle in degrees, from its line.
+    fn pins(&self, crank: f64) -> Vec<Vec2> {
+        let along = unit(self.turn);
+        let mut pivot = self.place;
+        let mut angle = crank.to_radians();
+        let pins = self.loops.iter().map(|l| {
+            pivot = pivot + along * l.frame;
+            angle = l.rocker_at(angle);
+            pivot + along.turned(unit(angle.to_degrees())) * l.rocker
+        });
+        pins.collect()
+    }
+
+    fn period(&self) -> f64 {
+        let kites = self.loops.iter().filter(|l| l.kind == Kind::Kite).count();
+        360.0 * f64::from(kites as u32).exp2()
+    }
+
+    /// The product of all that its loops gear up.
+    fn gearing(&self) -> f64 {
+        self.loops.iter().map(Loop::quickest).product()
+    }
+
+    fn open(&self) -> (Solver, Vec<PointId>) {
+        let mut m = Builder::default();
+        // Pivots in line to twice the precision, then rounded.
+        let along = Double::unit(self.turn);
+        let mut so_far = Double::ZERO;
+        let pivot = m.ground_point(self.place.x, self.place.y);
+        let mut pin = m.moving_point();
+        let first = self.loops[0].crank;
+        let crank = m.link(pivot, pin, first);
+        m.driver(Driver {
+            input: Input::Turn(crank),
+            start: self.start + self.turn,
+            speed: 1.0,
+            acceleration: 0.0,
+        });
+        let mut pins = Vec::new();
+        for (l, start) in self.loops.iter().zip(self.pins(self.start)) {
+            so_far += Double::exactly(l.frame);
+            let at = self.place.exactly() + along * so_far;
+            let pivot = m.ground_point(at.x.hi, at.y.hi);
+            let joint = m.moving_point();
+            m.link(pin, joint, l.coupler);
+            m.link(pivot, joint, l.rocker);
+            m.start(joint, start);
+            pins.push(joint);
+            pin = joint;
+        }
+        (Solver::new(&m.build().unwrap()).unwrap(), pins)
+    }
+
+    /// Holds the chain against its exact motion, all over the range that it is given.
+    fn judged(&self) -> Verdict {
+        let (solver, pins) = self.open();
+        let range = solver.motion().range;
+        let (low, high) = range.ends();
+        let size: f64 = self.loops.iter().map(|l| l.frame + l.rocker).sum();
+        // What the exact motion loses here, in doubles.
+        let own = 1e-15 * size * self.gearing();
+        let mut state = solver.state();
+        let mut enclosure = solver.enclosure();
+        for k in 0..STATES {
+            let at = low + (high - low) * (f64::from(k) + 0.37) / f64::from(STATES);
+            if solver.solve(at, Order::Position, &mut state) != Condition::Ok {
+                return Verdict::Wrong;
+            }
+            solver.enclose(&mut state, Order::Position, &mut enclosure);
+            for (&pin, expected) in pins.iter().zip(self.pins(at - self.turn)) {
+                let (place, ball) = (
+                    state.position(pin).unwrap(),
+                    enclosure.position(pin).unwrap(),
+                );
+                let off = (place - expected).norm();
+                let bound = ball.x.bound(place.x).zip(ball.y.bound(place.y));
+                let is_bounded = bound.is_none_or(|(x, y)| off <= x.hypot(y) + own);
+                if !(off <= CLOSE * size && is_bounded) {
+                    return Verdict::Wrong;
+                }
+            }
+        }
+        let is_whole = match range {
+            Range::Full { period } => period == self.period(),
+            // The walk ends after so many turns, wherever it is.
+            Range::Limited { low, high } => high - low > 360.0 * 16.0,
+        };
+        if is_whole {
+            Verdict::Right
+        } else {
+            Verdict::Refused
+        }
+    }
+}
+
+#[test]
+fn chains_follow_their_exact_motion_or_end() {
+    let number = |name: &str, otherwise: u64| {
+        let given = std::env::var(name).ok().and_then(|n| n.parse().ok());
+        given.unwrap_or(otherwise)
+    };
+    let (cases, from) = (number("KRANK_CHAINS", 40), number("KRANK_CHAINS_FROM", 1));
+    let mut counts = [0; 3];
+    for seed in from..from + cases {
+        let chain = Chain::drawn(seed);
+        let verdict = chain.judged();
+        if verdict != Verdict::Right {
+            println!("{seed}: {verdict:?}: {chain:?}");
+        }
+        counts[verdict as usize] += 1;
+    }
+    let [right, refused, wrong] = counts;
+    println!("of {cases} chains {right} are right, {refused} end early, {wrong} are wrong");
+    assert_eq!(wrong, 0);
+    assert!(50 * refused <= cases, "{refused} of {cases} end early");
+}
+
+/// Cranks of 1, pivots 1.5 apart: the second pin once went the way of parallelogram and antiparallelogram
+/// mixed.
+#[test]
+fn two_equal_parallelograms_in_a_row_translate() {
+    let equal = Loop {
+        kind: Kind::Parallelogram,
+        crank: 1.0,
+        frame: 1.5,
+        coupler: 1.5,
+        rocker: 1.0,
+    };
+    let chain = Chain {
+        loops: vec![equal; 2],
+        place: Vec2::ZERO,
+        turn: 0.0,
+        start: 60.0,
+    };
+    let (solver, pins) = chain.open();
+    assert_eq!(solver.motion().range, Range::Full { period: 360.0 });
+    assert_eq!(solver.motion().change_points, [0.0, 180.0]);
+    let mut state = solver.state();
+    for at in [-300.0, -1e-3, 0.0, 1e-9, 90.0, 180.0, 300.0] {
+        let condition = solver.solve(at, Order::Acceleration, &mut state);
+        assert_ne!(condition, Condition::NoAssembly, "at {at}");
+        let crank = krank::angle::unit(at);
+        for (&pin, along) in pins.iter().zip([1.5, 3.0]) {
+            let off = state.position(pin).unwrap() - (crank + Vec2::new(along, 0.0));
+            assert!(off.norm() < 1e-14, "{off:?} at {at}");
+            let off = state.velocity(pin).unwrap() - crank.perp();
+            assert!(off.norm() < 1e-13, "{off:?} at {at}");
+            let off = state.acceleration(pin).unwrap() + crank;
+            assert!(off.norm() < 1e-11, "{off:?} at {at}");
+        }
+    }
+}
