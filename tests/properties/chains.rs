@@ -177,7 +177,7 @@ impl Chain {
         let mut pivot = self.place;
         let mut angle = crank.to_radians();
         let pins = self.loops.iter().map(|l| {
-            pivot = pivot + along * l.frame;
+            pivot += along * l.frame;
             angle = l.rocker_at(angle);
             pivot + along.turned(unit(angle.to_degrees())) * l.rocker
         });
@@ -278,12 +278,12 @@ fn chains_follow_their_exact_motion_or_end() {
         let chain = Chain::drawn(seed);
         let verdict = chain.judged();
         if verdict != Verdict::Right {
-            println!("{seed}: {verdict:?}: {chain:?}");
+            eprintln!("{seed}: {verdict:?}: {chain:?}");
         }
         counts[verdict as usize] += 1;
     }
     let [right, refused, wrong] = counts;
-    println!("of {cases} chains {right} are right, {refused} end early, {wrong} are wrong");
+    eprintln!("of {cases} chains {right} are right, {refused} end early, {wrong} are wrong");
     assert_eq!(wrong, 0);
     assert!(50 * refused <= cases, "{refused} of {cases} end early");
 }
