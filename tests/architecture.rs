@@ -15,7 +15,7 @@ const PLACES: [(&str, u8); 18] = [
     ("nearest", 0),
     ("numeric", 0),
     ("arithmetic", 0),
-    ("replace", 0),
+    ("files", 0),
     ("document", 1),
     ("mechanism", 2),
     ("scene", 3),
@@ -36,7 +36,7 @@ const PLACES: [(&str, u8); 18] = [
 const FOREIGN: [(&str, &[&str]); 19] = [
     ("ratatui", &["tui"]),
     ("termina", &["tui"]),
-    ("rustix", &["cli", "tui"]),
+    ("rustix", &["cli", "tui", "files"]),
     ("signal_hook", &["cli", "tui"]),
     ("clap", &["cli"]),
     ("clap_complete", &["cli"]),
@@ -49,10 +49,10 @@ const FOREIGN: [(&str, &[&str]); 19] = [
     ("petgraph", &["solver"]),
     ("zmij", &["report"]),
     ("fearless_simd", &["arithmetic"]),
-    ("std::fs", &["cli", "tui", "replace"]),
-    ("std::io", &["report", "cli", "tui", "replace"]),
-    ("std::env", &["cli", "tui", "main"]),
-    ("std::process", &["cli", "tui", "main", "replace"]),
+    ("std::fs", &["cli", "tui", "files"]),
+    ("std::io", &["report", "cli", "tui", "files"]),
+    ("std::env", &["cli", "tui", "main", "files"]),
+    ("std::process", &["cli", "tui", "main", "files"]),
 ];
 
 fn place(module: &str) -> Option<u8> {

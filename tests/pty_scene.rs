@@ -78,6 +78,12 @@ impl Session {
         self
     }
 
+    /// As long as a person needs to read: what is typed sooner answers nothing.
+    fn pause(&mut self) -> &mut Self {
+        thread::sleep(Duration::from_millis(500));
+        self
+    }
+
     fn ended(&mut self) -> bool {
         let end = Instant::now() + PATIENCE;
         loop {
@@ -129,15 +135,18 @@ fn edits_outlive_the_program_whatever_ends_it() {
         assert_eq!(fs::read_to_string(&file).unwrap(), four_bar());
         // Begun again, from elsewhere: it is the same file.
         let mut session = Session::run(&folder, "cd / && exec $KRANK \"$HOME/mine.toml\"");
-        session
-            .wait_for("unsaved edits of 20")
-            .wait_for("Enter take");
-        session.send("\r6/r2 len\r").wait_for(EDITED);
+        session.wait_for("Unsaved edits").wait_for("t take").pause();
+        session.send("t6/r2 len\r").wait_for(EDITED);
         session
             .send("u")
             .wait_for("r2 length     100     mm")
             .send("q");
         assert!(session.ended(), "nothing is unsaved");
+        // They were taken back, not dropped.
+        let mut session = Session::run(&folder, "exec $KRANK mine.toml");
+        session.wait_for("Unsaved edits").wait_for("t take").pause();
+        session.send("dd").wait_for("are deleted").send("q");
+        assert!(session.ended());
     }
     // Nothing is left to offer.
     let mut session = Session::run(&folder, "exec $KRANK mine.toml");

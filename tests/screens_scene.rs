@@ -236,8 +236,9 @@ fn a_file_that_cannot_be_written_keeps_the_edits() {
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("6").find("r2 len").press(">");
     session.press("W Ctrl-U").type_in("/dev/full");
-    let line = session.press("Enter Enter").last_line();
-    assert!(line.contains("not written, the disk is full"), "{line}");
+    let line = session.press("Enter").last_line();
+    assert!(line.contains("not written, it is a device"), "{line}");
+    session.press("Esc");
     assert_eq!(session.row(), ">*r2 length 101 mm 100");
     assert_eq!(std::fs::read_to_string(file).unwrap(), text("four-bar"));
 }
@@ -297,11 +298,9 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     assert!(line.contains("has changed on disk: R reads it"), "{line}");
     assert_eq!(session.row(), edited);
     let line = session.press("w").last_line();
-    assert!(
-        line.contains("not written, mine.toml has changed on disk"),
-        "{line}"
-    );
-    let line = session.press("R").last_line();
+    let asked = " save  mine.toml has changed on disk: write over it?  Enter write  Esc cancel";
+    assert_eq!(line, asked);
+    let line = session.press("Esc R").last_line();
     assert!(line.contains("read it over unsaved edits?"), "{line}");
     session.press("Esc");
     assert_eq!(session.row(), edited);
@@ -371,26 +370,130 @@ fn edits_of_an_earlier_session_are_offered() {
     assert_eq!(kept(), 1);
     drop(session);
     let mut session = begin();
-    let line = session.last_line();
-    assert!(line.contains("unsaved edits of 20"), "{line}");
-    assert!(
-        line.contains("UTC  Enter take  Esc leave  d delete"),
-        "{line}"
-    );
-    session.press("Enter 6").find("r2 len");
+    // What was typed before it could be read is no answer.
+    session.press("t d d Enter Esc");
+    let screen = session.look();
+    for part in ["Unsaved edits of this scene", "> 20", "c compare  t take"] {
+        assert!(screen.contains(part), "{screen}");
+    }
+    assert_eq!(kept(), 1);
+    session.pass(1.0);
+    let screen = session.press("c").look();
+    assert!(screen.contains("length = 102"), "{screen}");
+    let screen = session.press("Enter Esc Enter").look();
+    assert!(screen.contains("The edited text"), "{screen}");
+    session.press("t 6").find("r2 len");
     assert_eq!(session.row(), ">*r2 length 102 mm 100");
-    // Taken back to what is saved, nothing is left to recover.
+    // Taken back to what is saved, what was left is where it was.
     session.press("u");
     assert_eq!(session.row(), "> r2 length 100 mm");
-    assert_eq!(kept(), 0);
-    session.press("> q q");
+    assert_eq!(kept(), 1);
+    drop(session);
+    let mut session = begin();
+    session.paint();
+    session.pass(1.0).press("t q q");
     assert_eq!(kept(), 0, "dropped");
     let mut session = begin();
     session.press("6 >");
     drop(session);
     let mut session = begin();
+    session.paint();
+    let screen = session.pass(1.0).press("d").look();
+    assert!(screen.contains("d again drops them"), "{screen}");
+    assert_eq!(kept(), 1, "not at once");
     session.press("d");
     assert_eq!(kept(), 0, "deleted");
+    assert!(session.last_line().contains("these edits are deleted"));
+}
+
+/// Every crash leaves a generation, and who leaves them for later loses none.
+#[test]
+fn three_generations_are_offered_and_fit_any_screen() {
+    let folder = folder("scene-generations");
+    let begin = |cols: u16, rows: u16| {
+        let workbench =
+            Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, cols, rows);
+        let mut session = Session::on(workbench.recovering_in(&folder), cols, rows);
+        session.paint();
+        session.pass(1.0);
+        session
+    };
+    for n in 1..=3 {
+        let mut session = begin(80, 24);
+        session.press("Esc 6").find("r2 len");
+        session.press(&"> ".repeat(n));
+    }
+    for (cols, rows) in [(80, 24), (40, 12), (200, 60)] {
+        let mut session = begin(cols, rows);
+        let screen = session.look();
+        assert_eq!(screen.matches("UTC").count(), 3, "{screen}");
+        for part in ["Enter look", "c compare", "t take", "d drop", "Esc later"] {
+            assert!(screen.contains(part), "{screen}");
+        }
+        let screen = session.press("Down c").look();
+        assert!(screen.contains("+ r2 = {"), "{screen}");
+    }
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3);
+}
+
+/// Edits that were made on an older text are not written over a newer one unasked.
+#[test]
+fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
+    let folder = folder("scene-older");
+    let begin = || {
+        let (_, opened) = {
+            let file = folder.join("mine.toml");
+            let text = std::fs::read_to_string(&file).unwrap();
+            (file.clone(), open(&text, Origin::File(file)))
+        };
+        let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, 80, 24);
+        let mut session = Session::on(workbench.recovering_in(&folder.join("kept")), 80, 24);
+        session.paint();
+        session.pass(1.0);
+        session
+    };
+    let file = folder.join("mine.toml");
+    std::fs::write(&file, text("four-bar")).unwrap();
+    let mut session = begin();
+    session.press("6").find("r2 len").press(">");
+    drop(session);
+    let newer = text("four-bar").replace("length = 250", "length = 251");
+    std::fs::write(&file, &newer).unwrap();
+    let mut session = begin();
+    let screen = session.look();
+    assert!(screen.contains("made on another text"), "{screen}");
+    let line = session.press("t w").last_line();
+    assert!(
+        line.contains("mine.toml is newer than these edits: write over it?"),
+        "{line}"
+    );
+    session.press("Esc");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
+    session.press("w Enter");
+    let saved = std::fs::read_to_string(&file).unwrap();
+    assert!(saved.contains("length = 101") && saved.contains("length = 250"));
+    drop(session);
+    assert_eq!(std::fs::read_dir(folder.join("kept")).unwrap().count(), 0);
+}
+
+#[test]
+fn a_read_only_file_is_asked_about() {
+    use std::os::unix::fs::PermissionsExt;
+    let (file, opened) = file(&folder("scene-read-only"), text("four-bar"));
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o444)).unwrap();
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let line = session.press("6").find("r2 len").press("> w").last_line();
+    assert!(line.contains("mine.toml is read-only: write it?"), "{line}");
+    session.press("Esc");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text("four-bar"));
+    session.press("w Enter");
+    assert!(
+        std::fs::read_to_string(&file)
+            .unwrap()
+            .contains("length = 101")
+    );
+    let mode = std::fs::metadata(&file).unwrap().permissions().mode();
+    assert_eq!(mode & 0o777, 0o444);
 }
 
 #[derive(Clone, Debug)]

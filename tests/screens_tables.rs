@@ -421,7 +421,7 @@ fn a_full_disk_is_said_and_another_name_can_be_typed() {
     let line = session.press("Enter Enter").last_line();
     assert_eq!(
         line,
-        " write  write to: /dev/full    not written: the disk is full"
+        " write  write to: /dev/full    not written: it is a device, not a file"
     );
     // What was asked for is still there.
     let file = folder("full").join("row.csv");

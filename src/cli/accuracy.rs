@@ -5,7 +5,7 @@ use super::failure::Failure;
 use super::output::write_to;
 use super::progress::Progress;
 use super::screen::Screen;
-use super::source::{Opened, open};
+use super::source::{Opened, open_for};
 use crate::drawing::{Glyphs, trade_off};
 use crate::report::{Accuracy, accuracy_notes};
 use crate::study::{Findings, Study};
@@ -19,7 +19,7 @@ const PARTS: u64 = 1000;
 const CHART: (u16, u16) = (80, 20);
 
 pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open(&args.scene, &args.assembly.wishes)?;
+    let Opened { scene, solver } = open_for(&args.scene, &args.assembly.wishes, &args.output)?;
     let study = Study::new(&solver, args.positions);
     let findings = measured(study, screen);
     let accuracy = Accuracy {

@@ -2,7 +2,7 @@
 
 use super::args::{CheckArgs, CheckFormat, Cli, Format, PlaceArgs, StartArgs, TableArgs};
 use super::failure::{Failure, note};
-use super::output::{replace, write_text, write_to};
+use super::output::{write_scene, write_text, write_to};
 use super::screen::Screen;
 use super::source::Opened;
 use crate::Input;
@@ -30,7 +30,7 @@ pub(super) fn list(screen: Screen) -> Result<(), Failure> {
 
 /// `krank check`: what was understood of a scene.
 pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
     let check = Check::new(&scene, &solver);
     let text = match args.format {
         CheckFormat::Text => check.to_text(screen.ascii),
@@ -41,7 +41,7 @@ pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
 
 /// `krank table`: position, velocity and acceleration, and what acts, at one coordinate of the driver.
 pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
     if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
@@ -158,7 +158,7 @@ pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
     let Opened { scene, solver } = args.scene.open()?;
     let start = scene.mechanism.driver().start;
     match scene.with_start_of(&solver, start) {
-        Some(text) => replace(args.output.output.as_deref(), &text),
+        Some(text) => write_scene(args.output.output.as_deref(), &text),
         None => Err(Failure::Cannot(
             "no start positions tell this assembly from the others where the scene opens".into(),
         )),

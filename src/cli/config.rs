@@ -2,7 +2,8 @@
 
 use super::failure::Failure;
 use super::output::write_text;
-use super::source::contents;
+use crate::files::read_file;
+use crate::scene::LARGEST_FILE;
 use crate::tui::{self, Config};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
@@ -26,7 +27,7 @@ pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
         return Ok(Config::default());
     };
     let shown = path.display().to_string();
-    match contents(&path) {
+    match read_file(&path, LARGEST_FILE) {
         Ok(bytes) => Config::read(&bytes, &shown).map_err(Failure::Scene),
         Err(e) if named.is_none() && is_absent(&e) => Ok(Config::default()),
         Err(e) => Err(Failure::Usage(format!("cannot read `{shown}`: {e}"))),

@@ -21,7 +21,7 @@ const SVG_ROWS: u16 = 50;
 const MOST_LEGEND: usize = 2;
 
 pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let wanted = wanted(args, &scene)?;
     let mut state = solver.state();

@@ -14,7 +14,7 @@ const WIDTH: usize = 80;
 
 /// Writes the working; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);

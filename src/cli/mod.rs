@@ -29,6 +29,7 @@ mod workbench;
 #[path = "no_workbench.rs"]
 mod workbench;
 
+use crate::files::mend;
 use crate::scene::harmless;
 use args::{Cli, Command};
 use clap::Parser;
@@ -45,6 +46,7 @@ use std::process::ExitCode;
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let screen = Screen::detect();
+    complete_what_was_cut_off(screen);
     let done = match Cli::try_parse_from(&arguments) {
         Ok(cli) => obey(&cli, screen),
         Err(error) => match misuse::explained(error, &arguments) {
@@ -58,6 +60,17 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             failure.tell(screen);
             failure.code()
         }
+    }
+}
+
+/// A kill while a file was written in its place has left half of each text there.
+fn complete_what_was_cut_off(screen: Screen) {
+    for file in output::records().iter().flat_map(|folder| mend(folder)) {
+        let name = file.display();
+        failure::note(
+            &format!("`{name}` was cut off while it was written, and is whole again"),
+            screen,
+        );
     }
 }
 

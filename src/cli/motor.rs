@@ -15,7 +15,7 @@ use crate::study::motor::{Duty, NoDuty, is_within};
 use crate::{Body, SlideId};
 
 pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
     let wishes = MotorWishes {
         motor: given(args, &scene)?,
         ram: args

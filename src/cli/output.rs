@@ -1,17 +1,16 @@
 //! Where results go: standard output or a file.
 
 use super::failure::Failure;
-use crate::replace::replace_file;
+use crate::files::{Output, places};
 use crate::scene::harmless;
-use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write, stdout};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Bytes gathered before they are handed to the system.
 const BUFFER: usize = 1 << 16;
 
 /// The file that is meant; `None` is standard output.
-fn file(path: Option<&Path>) -> Option<&Path> {
+pub(super) fn file(path: Option<&Path>) -> Option<&Path> {
     path.filter(|path| *path != Path::new("-"))
 }
 
@@ -22,16 +21,14 @@ pub(super) fn goes_to_terminal(path: Option<&Path>) -> bool {
 
 /// Runs `write` on the file, or on standard output where none is named.
 ///
-/// The file is made only now, when everything that can be wrong with the command line and the
-/// scene has been found: a refused command leaves an older file as it was.
+/// A file is made, or replaced, once all was written: whatever ends the command before that leaves an older
+/// one as it was.
 pub(super) fn write_to<T>(
     path: Option<&Path>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<T>,
 ) -> Result<T, Failure> {
     match file(path) {
-        Some(path) => File::create(path)
-            .and_then(|file| through(file, write))
-            .map_err(|e| Failure::Output(Some(path.to_owned()), e)),
+        Some(path) => to_file(path, write).map_err(|e| Failure::Output(Some(path.to_owned()), e)),
         None => through(stdout().lock(), write).map_err(|e| match e.kind() {
             ErrorKind::BrokenPipe => Failure::PipeClosed,
             _ => Failure::Output(None, e),
@@ -44,14 +41,25 @@ pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure>
     write_to(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// Puts a text in the place of a file, at once or not at all; without a file it is printed.
-pub(super) fn replace(path: Option<&Path>, text: &str) -> Result<(), Failure> {
-    match file(path) {
-        None if stdout().is_terminal() => write_text(None, &shown(text)),
-        None => write_text(None, text),
-        Some(path) => replace_file(path, text.as_bytes())
-            .map_err(|e| Failure::Output(Some(path.to_owned()), e)),
+/// The same for the text of a scene, which a terminal is shown without what could act on it.
+pub(super) fn write_scene(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match goes_to_terminal(path) {
+        true => write_text(None, &shown(text)),
+        false => write_text(path, text),
     }
+}
+
+/// Where old and new text are kept while a file is written in its place.
+pub(super) fn records() -> Option<PathBuf> {
+    places::records(places::environment)
+}
+
+fn to_file<T>(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<T>) -> io::Result<T> {
+    let records = records();
+    let mut output = Output::to(path, records.as_deref())?;
+    let outcome = through(&mut output, write)?;
+    output.commit(records.as_deref())?;
+    Ok(outcome)
 }
 
 /// A text of somebody else's for the eyes of a reader: what could act on a terminal is replaced.

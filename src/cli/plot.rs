@@ -22,7 +22,7 @@ const SVG: Size = Size {
 const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 
 pub(super) fn plot(args: &PlotArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let figures: Vec<Quantity> = figures

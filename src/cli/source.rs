@@ -1,15 +1,17 @@
 //! Which scene is meant, and opening it.
 
-use super::args::{Cli, SceneArgs};
+use super::args::{Cli, OutputArgs, SceneArgs};
 use super::failure::Failure;
+use super::output;
 use crate::assembly::Wish;
+use crate::files::{limited, read_any};
 use crate::nearest::nearest;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::{Fault, Plan, Solver};
 use clap::{Command, CommandFactory};
-use std::fs::File;
-use std::io::{self, Read};
+use rustix::fs::{FileType, Stat, fstat, stat};
+use std::io::{self, stdin, stdout};
 use std::path::{Path, PathBuf, is_separator};
 
 /// A scene and its solver.
@@ -21,13 +23,25 @@ pub(super) struct Opened {
 impl SceneArgs {
     /// The scene that the command line names, in the assembly that it wishes.
     pub(super) fn open(&self) -> Result<Opened, Failure> {
-        open(&self.scene, &self.assembly.wishes)
+        load(&find(&self.scene)?, &self.assembly.wishes)
+    }
+
+    /// The same for a command that does not write a scene.
+    pub(super) fn open_for(&self, output: &OutputArgs) -> Result<Opened, Failure> {
+        open_for(&self.scene, &self.assembly.wishes, output)
     }
 }
 
-/// Reads, checks and assembles the scene that the command line names, in the assembly that it wishes.
-pub(super) fn open(name: &Path, wishes: &[Wish]) -> Result<Opened, Failure> {
-    load(&find(name)?, wishes)
+/// Reads, checks and assembles a scene for a command that writes something else than a scene: not over the
+/// one that it reads.
+pub(super) fn open_for(
+    name: &Path,
+    wishes: &[Wish],
+    output: &OutputArgs,
+) -> Result<Opened, Failure> {
+    let source = find(name)?;
+    keep_apart(&source, output.output.as_deref())?;
+    load(&source, wishes)
 }
 
 /// The scene of a source, checked and assembled.
@@ -74,29 +88,40 @@ fn read(source: &Source) -> Result<Scene, Failure> {
     let scene = match source {
         Source::Preset(preset) => Scene::parse(preset.text, preset.name),
         Source::Stdin => {
-            let bytes = limited(io::stdin()).map_err(|e| unreadable("standard input", &e))?;
+            let bytes = limited(stdin(), LARGEST_FILE);
+            let bytes = bytes.map_err(|e| unreadable("standard input", &e))?;
             Scene::read(&bytes, "stdin")
         }
         Source::File(path) => {
             let shown = path.display().to_string();
-            let bytes = contents(path).map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
+            let bytes = read_any(path, LARGEST_FILE);
+            let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
             Scene::read(&bytes, &shown)
         }
     };
     scene.map_err(Failure::Scene)
 }
 
-/// What a file holds, as [`limited`].
-pub(super) fn contents(path: &Path) -> io::Result<Vec<u8>> {
-    File::open(path).and_then(limited)
-}
-
-/// Everything up to one byte more than a scene may have, so that endless input ends.
-fn limited(from: impl Read) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let most = u64::try_from(LARGEST_FILE).unwrap_or(u64::MAX);
-    from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-    Ok(bytes)
+/// Refuses to write to the file that is read, whatever it is called there: the scene would be lost.
+fn keep_apart(source: &Source, output: Option<&Path>) -> Result<(), Failure> {
+    let read = match source {
+        Source::Preset(_) => None,
+        Source::Stdin => fstat(stdin()).ok(),
+        Source::File(path) => stat(path).ok(),
+    };
+    let written = match output::file(output) {
+        Some(path) => stat(path).ok(),
+        None => fstat(stdout()).ok(),
+    };
+    let is_same = |(a, b): (Stat, Stat)| {
+        FileType::from_raw_mode(a.st_mode).is_file() && (a.st_dev, a.st_ino) == (b.st_dev, b.st_ino)
+    };
+    match read.zip(written).is_some_and(is_same) {
+        false => Ok(()),
+        true => Err(Failure::Usage(
+            "the output is the scene that is read: it would be lost; write to another file".into(),
+        )),
+    }
 }
 
 fn unreadable(what: &str, error: &io::Error) -> Failure {

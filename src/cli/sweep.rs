@@ -21,7 +21,7 @@ use crate::study::motor;
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);

@@ -20,6 +20,8 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
     let origin = match source {
         Source::Stdin => Origin::Stdin,
         Source::Preset(preset) => Origin::Preset(preset.name.to_owned()),
+        // What came through a pipe cannot be read again, nor saved there.
+        Source::File(path) if !path.is_file() => Origin::Stdin,
         Source::File(path) => Origin::File(path),
     };
     let opened = tui::Opened {

@@ -7,13 +7,16 @@ mod driving;
 mod editing;
 mod filing;
 mod helping;
+mod leaving;
 mod lens;
 mod looking;
 mod mode;
 mod passing;
 mod picking;
 mod plotting;
+mod recovering;
 mod searching;
+mod storing;
 mod taking;
 mod touring;
 mod typing;
@@ -22,6 +25,7 @@ mod writing;
 use super::Opened;
 use super::action::Action;
 use super::chosen::Chosen;
+use super::clerk::Clerk;
 use super::config::Config;
 use super::cursor::Cursor;
 use super::disk::Disk;
@@ -34,7 +38,7 @@ use super::palette::{Palette, Theme};
 use super::playback::Playback;
 use super::plots::Plots;
 use super::preview::Previews;
-use super::recovery::Recovery;
+use super::recovery::Session;
 use super::stage::Stage;
 use super::steps::Steps;
 use super::survey::Survey;
@@ -42,14 +46,16 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
 use comparing::Comparison;
-use filing::Pending;
-pub(crate) use filing::Unsaved;
+use leaving::Pending;
+pub(crate) use leaving::Unsaved;
 pub(crate) use mode::Mode;
 pub use mode::View;
 use ratatui::layout::Size;
+use recovering::Kept;
+use std::os::fd::BorrowedFd;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 /// What the terminal has to do after an action.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -114,9 +120,17 @@ pub(crate) struct App {
     editor: Editor,
     /// Its file, if it has one.
     disk: Option<Disk>,
-    /// Where unsaved edits are kept, if they are: the folder, and the place of this scene.
+    /// Where unsaved edits are kept, if they are: the folder, this run of the program, and the place of this
+    /// scene.
     folder: Option<PathBuf>,
-    recovery: Option<Recovery>,
+    session: Session,
+    recovery: Option<Kept>,
+    /// Whether edits were taken up that were made on an older text than the file has.
+    older: bool,
+    /// Whether a file is being written.
+    storing: bool,
+    /// Does what is to be done to files.
+    clerk: Clerk,
     /// What is to be done once nothing is unsaved.
     pending: Option<Pending>,
 
@@ -163,7 +177,11 @@ impl App {
             editor: Editor::new(stage.scene()),
             disk: None,
             folder: None,
+            session: Session::begun(SystemTime::now()),
             recovery: None,
+            older: false,
+            storing: false,
+            clerk: Clerk::default(),
             pending: None,
             stage,
             capability,
@@ -178,7 +196,23 @@ impl App {
             app.jump(at, Duration::ZERO);
         }
         app.meet();
+        app.attend(Duration::ZERO);
         app
+    }
+
+    /// Works on files apart from the screen from now on, where the system lets us.
+    pub(crate) fn work_apart(&mut self) {
+        self.clerk = Clerk::apart().unwrap_or_default();
+    }
+
+    /// Readable when something was done to a file.
+    pub(crate) fn bell(&self) -> Option<BorrowedFd<'_>> {
+        self.clerk.bell()
+    }
+
+    /// The bell was heard.
+    pub(crate) fn hush(&self) {
+        self.clerk.hush();
     }
 
     /// Takes what a person has configured.
@@ -325,7 +359,7 @@ impl App {
                 return self.take_out(action);
             }
             Action::SaveAs => self.ask_where(),
-            Action::Reload => self.reload(now),
+            Action::Reload => self.reload(false),
             Action::Undo | Action::Redo => self.edit_history(action, now),
             Action::Motion(action) => self.move_lens(action),
             Action::Tables(action) => self.browse(action),

@@ -1,7 +1,9 @@
 //! The scene's file on the disk: whether somebody else has written it since.
 
-use super::opening::contents;
+use crate::files::read_file;
+use crate::scene::LARGEST_FILE;
 use std::io;
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
@@ -12,9 +14,12 @@ const PAUSE: Duration = Duration::from_secs(1);
 
 /// Tells one state of a file from another without reading it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Stamp {
+pub(crate) struct Stamp {
     modified: Option<SystemTime>,
     size: u64,
+    inode: u64,
+    /// When anything of it was changed last.
+    changed: (i64, i64),
 }
 
 impl Stamp {
@@ -24,6 +29,8 @@ impl Stamp {
         Some(Stamp {
             modified: data.modified().ok(),
             size: data.len(),
+            inode: data.ino(),
+            changed: (data.ctime(), data.ctime_nsec()),
         })
     }
 }
@@ -31,7 +38,7 @@ impl Stamp {
 /// What has become of the file.
 #[derive(Debug)]
 pub(crate) enum News {
-    /// It holds other bytes than before.
+    /// It holds these bytes, which may be others than before.
     Written(Vec<u8>),
     /// It is there no more.
     Gone,
@@ -39,21 +46,56 @@ pub(crate) enum News {
     Unreadable(io::Error),
 }
 
-/// The file as it was when it was last read or written.
+impl News {
+    /// What a file holds now.
+    pub(crate) fn of(path: &Path) -> News {
+        match read_file(path, LARGEST_FILE + BYTE_ORDER_MARK.len()) {
+            Ok(bytes) => News::Written(bytes),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => News::Gone,
+            Err(e) => News::Unreadable(e),
+        }
+    }
+}
+
+/// The file as it was when it was last looked at.
 #[derive(Debug)]
 pub(crate) struct Disk {
     path: PathBuf,
+    /// The file behind all links.
+    place: Option<PathBuf>,
+    /// `None` before the first look: that tells what was written between reading the file and now.
+    stamp: Option<Option<Stamp>>,
+    looked: Option<Duration>,
+    /// Whether somebody is looking.
+    looking: bool,
+}
+
+/// A look at the file, which may take long.
+#[derive(Debug)]
+pub(crate) struct Look {
+    path: PathBuf,
+    before: Option<Option<Stamp>>,
+}
+
+/// What was seen.
+#[derive(Debug)]
+pub(crate) struct Seen {
+    pub(crate) path: PathBuf,
+    place: Option<PathBuf>,
     stamp: Option<Stamp>,
-    looked: Duration,
+    /// Where it is another than before.
+    pub(crate) news: Option<News>,
 }
 
 impl Disk {
     /// A file that was just read or written.
-    pub(crate) fn new(path: &Path, now: Duration) -> Disk {
+    pub(crate) fn new(path: &Path) -> Disk {
         Disk {
             path: path.to_owned(),
-            stamp: Stamp::of(path),
-            looked: now,
+            place: None,
+            stamp: None,
+            looked: None,
+            looking: false,
         }
     }
 
@@ -61,26 +103,45 @@ impl Disk {
         &self.path
     }
 
-    /// Looks whether it has changed since it was looked at last; `at_once`, or after a while.
-    pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<News> {
-        if !at_once && now < self.looked + PAUSE {
-            return None;
-        }
-        self.looked = now;
-        let stamp = Stamp::of(&self.path);
-        if stamp == self.stamp {
-            return None;
-        }
-        self.stamp = stamp;
-        Some(self.read())
+    /// The file behind all links, once it was looked at.
+    pub(crate) fn place(&self) -> Option<&Path> {
+        self.place.as_deref()
     }
 
-    /// What it holds now.
-    pub(crate) fn read(&self) -> News {
-        match contents(&self.path) {
-            Ok(bytes) => News::Written(bytes),
-            Err(e) if e.kind() == io::ErrorKind::NotFound => News::Gone,
-            Err(e) => News::Unreadable(e),
+    /// A look at it, where one is due: `at_once`, or after a while.
+    pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<Look> {
+        let is_due = at_once || self.looked.is_none_or(|looked| now >= looked + PAUSE);
+        if self.looking || !is_due {
+            return None;
+        }
+        self.looked = Some(now);
+        self.looking = true;
+        Some(Look {
+            path: self.path.clone(),
+            before: self.stamp,
+        })
+    }
+
+    /// Takes in what was seen. What was not attended to the next look will tell again.
+    pub(crate) fn see(&mut self, seen: &Seen, attended: bool) {
+        self.looking = false;
+        self.place.clone_from(&seen.place);
+        if attended {
+            self.stamp = Some(seen.stamp);
+        }
+    }
+}
+
+impl Look {
+    pub(crate) fn run(self) -> Seen {
+        let stamp = Stamp::of(&self.path);
+        // What was not there from the beginning is not gone.
+        let is_new = self.before.unwrap_or(None) != stamp;
+        Seen {
+            place: self.path.canonicalize().ok(),
+            stamp,
+            news: is_new.then(|| News::of(&self.path)),
+            path: self.path,
         }
     }
 }

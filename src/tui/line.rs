@@ -1,22 +1,34 @@
 //! A line that is typed.
 
 use super::key::Key;
+use crate::scene::is_harmful;
 
 /// Longer than any number that means something.
 const LONGEST_NUMBER: usize = 24;
-/// Longer than any name of a file that a person types.
-const LONGEST_NAME: usize = 200;
+/// The longest path that the system takes.
+const LONGEST_NAME: usize = 4095;
 /// Longer than what anybody types to find a name.
 const LONGEST_SOUGHT: usize = 40;
 
 /// More words than this nobody searches for.
 const LONGEST_WORDS: usize = 60;
 
-/// A line of 7-bit text, edited at its end.
+/// A line of text, edited at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Line {
     text: String,
+    /// In bytes.
     longest: usize,
+    takes: Takes,
+}
+
+/// What may be typed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Takes {
+    /// Characters of seven bits.
+    Plain,
+    /// Whatever can be seen: names of files have it.
+    Any,
 }
 
 impl Line {
@@ -25,6 +37,7 @@ impl Line {
         Line {
             text: String::new(),
             longest: LONGEST_NUMBER,
+            takes: Takes::Plain,
         }
     }
 
@@ -33,6 +46,7 @@ impl Line {
         Line {
             text: String::new(),
             longest: LONGEST_WORDS,
+            takes: Takes::Plain,
         }
     }
 
@@ -41,6 +55,7 @@ impl Line {
         let mut line = Line {
             text: String::new(),
             longest: LONGEST_NAME,
+            takes: Takes::Any,
         };
         proposal.chars().for_each(|c| line.push(c));
         line
@@ -51,6 +66,7 @@ impl Line {
         Line {
             text: String::new(),
             longest: LONGEST_SOUGHT,
+            takes: Takes::Plain,
         }
     }
 
@@ -60,7 +76,11 @@ impl Line {
 
     /// Appends a character; what is not printable or no longer fits is left out.
     pub(crate) fn push(&mut self, c: char) {
-        if (c == ' ' || c.is_ascii_graphic()) && self.text.len() < self.longest {
+        let is_seen = match self.takes {
+            Takes::Plain => c == ' ' || c.is_ascii_graphic(),
+            Takes::Any => !is_harmful(c),
+        };
+        if is_seen && self.text.len() + c.len_utf8() <= self.longest {
             self.text.push(c);
         }
     }

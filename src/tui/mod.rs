@@ -8,7 +8,7 @@
 //!
 //! | modules | what they hold |
 //! |---|---|
-//! | `key`, `action`, `keymap`, `config`, `places` | keys, the table of what they can ask for, and what a person has configured |
+//! | `key`, `action`, `keymap`, `config` | keys, the table of what they can ask for, and what a person has configured |
 //! | `app` | the state, and what each action does to it; a file of `app/` for each part |
 //! | `views`, `theme`, `palette` | what is drawn; one file for each view and each list, `views/status/` for the last line |
 //! | `workbench`, `picture`, `terminal` | the whole without a terminal, its screen as text, and the real terminal |
@@ -18,7 +18,8 @@
 //! | `plots`, `plot_list` | the plots, and the list of what is plotted |
 //! | `survey` | the study of the accuracy view |
 //! | `editor`, `edited`, `history` | the scene view: values, what an edit makes of the scene, taking it back |
-//! | `saving`, `writing`, `disk`, `recovery` | files: the scene's own, others that are written, changes by others, unsaved edits |
+//! | `clerk`, `saving`, `writing`, `disk` | files, apart from the screen: the scene's own, others that are written, changes by others |
+//! | `recovery`, `offer`, `difference` | unsaved edits, and taking up those that were left |
 //! | `opening`, `picker`, `folder`, `preview`, `rival` | other scenes: opening, the list of them, what is seen of them, comparing with one |
 //! | `help`, `tour`, `line` | the help, the tour, and lines that are typed |
 
@@ -27,12 +28,14 @@ mod ahead;
 mod app;
 mod balance;
 mod chosen;
+mod clerk;
 mod clipboard;
 mod config;
 mod copying;
 mod cost;
 mod course;
 mod cursor;
+mod difference;
 mod disk;
 mod edited;
 mod editor;
@@ -46,12 +49,12 @@ mod ledger;
 mod lens;
 mod line;
 mod motor;
+mod offer;
 mod opening;
 mod palette;
 mod panel;
 mod picker;
 mod picture;
-mod places;
 mod playback;
 mod plot_list;
 mod plots;
@@ -85,6 +88,7 @@ pub use workbench::Workbench;
 
 use crate::capability::Judgement;
 use crate::drawing::Glyphs;
+use crate::files::places;
 use crate::scene::Scene;
 use crate::solver::Solver;
 use app::Effect;
@@ -93,7 +97,7 @@ use std::io;
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use terminal::{Gate, Notice, Wake};
 use thiserror::Error;
 
@@ -205,12 +209,9 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         let mut workbench = workbench
             .configured(&options.config)
             .looking_at(options.view.unwrap_or(View::Motion));
-        if options.idle
-            && options.config.tour
-            && views::has_room(size)
-            && tour::is_first_start(places::environment)
-        {
-            workbench.app().tour();
+        workbench.app().work_apart();
+        if options.idle && options.config.tour && views::has_room(size) {
+            workbench.app().tour_on_first_start();
         }
         let state = places::folder_of("XDG_STATE_HOME", ".local/state", places::environment);
         if let Some(state) = state {
@@ -285,11 +286,17 @@ impl Session {
                 self.paint(anew)?;
                 owed = self.workbench.is_cut();
                 anew = !owed;
+                if !owed {
+                    let now = self.begun.elapsed();
+                    self.workbench.app().show_offer(now);
+                }
+                #[cfg(debug_assertions)]
                 fault_on_demand();
             }
             let deadline = self.deadline(owed);
             self.gate.follow(self.workbench.app().watched());
-            let wakes = self.gate.wait(deadline)?;
+            let bell = self.workbench.app().bell();
+            let wakes = self.gate.wait(deadline, bell)?;
             owed = true;
             // What moves on by itself waits for a slow line: half of one picture and half of the next
             // would be none.
@@ -364,6 +371,11 @@ impl Session {
             Wake::Written => {
                 let now = self.begun.elapsed();
                 self.workbench.app().look_at_file(now, true);
+                return Ok(self.attend(now));
+            }
+            Wake::Done => {
+                self.workbench.app().hush();
+                return Ok(self.attend(self.begun.elapsed()));
             }
             Wake::Paste(text) => self.workbench.app().paste(&text),
             Wake::Key(key) => match self.workbench.key(key) {
@@ -375,6 +387,11 @@ impl Session {
             },
         }
         Ok(None)
+    }
+
+    /// Takes in what was done to files; the end, if the program was to be left after it.
+    fn attend(&mut self, now: Duration) -> Option<End> {
+        (self.workbench.app().attend(now) == Effect::Quit).then_some(None)
     }
 
     fn resize(&mut self) {
@@ -390,7 +407,8 @@ impl Session {
 }
 
 /// `KRANK_FAULT=panic` makes the workbench panic after its first frame, for the test that the
-/// terminal survives it.
+/// terminal survives it. A release build knows no such switch.
+#[cfg(debug_assertions)]
 fn fault_on_demand() {
     assert!(
         std::env::var_os("KRANK_FAULT").is_none_or(|fault| fault != "panic"),

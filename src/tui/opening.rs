@@ -1,12 +1,10 @@
 //! Opening scenes from inside the workbench: what is wrong with one is said in a line.
 
 use super::{Opened, Origin};
+use crate::files::read_file;
 use crate::scene::presets::Preset;
 use crate::scene::{Diagnostics, LARGEST_FILE, Scene};
 use crate::solver::Solver;
-use std::fs::{self, File, FileType};
-use std::io::{self, Read};
-use std::os::unix::fs::FileTypeExt;
 use std::path::Path;
 
 /// Why a file cannot be opened.
@@ -43,7 +41,7 @@ pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
 
 /// Opens a file, or says all that is wrong with it.
 pub(crate) fn scene_of(path: &Path) -> Result<Opened, Unopened> {
-    let bytes = contents(path).map_err(|e| Unopened::Unread(e.to_string()))?;
+    let bytes = read_file(path, LARGEST_FILE).map_err(|e| Unopened::Unread(e.to_string()))?;
     let scene = Scene::read(&bytes, &path.display().to_string());
     let (scene, solver) = scene.and_then(assembled).map_err(Unopened::Wrong)?;
     let origin = Origin::File(path.to_owned());
@@ -74,32 +72,6 @@ pub(crate) fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
     match Solver::new(&scene.mechanism) {
         Ok(solver) => Ok((scene, solver)),
         Err(fault) => Err(scene.explain(&fault)),
-    }
-}
-
-/// What a file holds, up to one byte more than a scene may have. A pipe or a device, which could keep
-/// whoever opens it waiting for ever, is not opened.
-pub(crate) fn contents(path: &Path) -> io::Result<Vec<u8>> {
-    let kind = fs::metadata(path)?.file_type();
-    if !kind.is_file() {
-        return Err(io::Error::other(no_file(kind)));
-    }
-    let mut bytes = Vec::new();
-    let most = u64::try_from(LARGEST_FILE).unwrap_or(u64::MAX);
-    let file = File::open(path)?;
-    file.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
-fn no_file(kind: FileType) -> &'static str {
-    if kind.is_dir() {
-        "it is a folder"
-    } else if kind.is_fifo() {
-        "it is a pipe, not a file"
-    } else if kind.is_socket() {
-        "it is a socket, not a file"
-    } else {
-        "it is a device, not a file"
     }
 }
 

@@ -90,14 +90,35 @@ const LONGEST_SEARCH: usize = 40;
 /// Leads out of a folder.
 const ABOVE: &str = "..";
 
+/// A folder, and what was found in it, or in words why nothing was.
+#[derive(Debug)]
+pub(crate) struct Reading {
+    folder: PathBuf,
+    found: Result<Folder, String>,
+}
+
+impl Reading {
+    /// Reads a folder, which may take long.
+    pub(crate) fn of(folder: &Path) -> Reading {
+        let folder = whole(folder);
+        let found = Folder::read(&folder).map_err(|why| format!("cannot be read: {why}"));
+        Reading { folder, found }
+    }
+}
+
+impl Default for Reading {
+    /// None so far.
+    fn default() -> Self {
+        Reading {
+            folder: PathBuf::new(),
+            found: Err("the folder is being read".into()),
+        }
+    }
+}
+
 impl Picker {
-    /// The presets and the files of a folder, with the cursor on `at` where that is among them.
-    pub(crate) fn new(
-        purpose: Purpose,
-        folder: &Path,
-        at: Option<&Place>,
-        original: bool,
-    ) -> Picker {
+    /// The presets; a folder is listed once it was read.
+    pub(crate) fn new(purpose: Purpose, original: bool) -> Picker {
         let mut picker = Picker {
             purpose,
             original,
@@ -108,7 +129,7 @@ impl Picker {
             matches: Vec::new(),
             cursor: 0,
         };
-        picker.look_into(folder, at);
+        picker.list(Reading::default(), None);
         picker
     }
 
@@ -131,9 +152,9 @@ impl Picker {
         self.items.get(*number)
     }
 
-    /// Lists another folder, with nothing typed.
-    pub(crate) fn look_into(&mut self, folder: &Path, at: Option<&Place>) {
-        self.folder = whole(folder);
+    /// Lists another folder, with nothing typed, and the cursor on `at` where that is in it.
+    pub(crate) fn list(&mut self, read: Reading, at: Option<&Place>) {
+        self.folder = read.folder;
         self.search.clear();
         self.items.clear();
         if self.original {
@@ -142,9 +163,9 @@ impl Picker {
         let above = self.folder.parent().map(Path::to_owned);
         let above = above.map(|above| Item::new(Place::Folder(above), ABOVE, ""));
         self.items.extend(above);
-        self.note = match Folder::read(&self.folder) {
+        self.note = match read.found {
             Ok(found) => self.take(found),
-            Err(why) => Some(format!("cannot be read: {why}")),
+            Err(why) => Some(why),
         };
         let presets = presets::all().iter().zip(TITLES.iter());
         self.items
@@ -177,12 +198,10 @@ impl Picker {
         self.folder.parent() == Some(folder)
     }
 
-    /// Goes out of the folder, which is then under the cursor.
-    pub(crate) fn leave(&mut self) {
-        let here = self.folder.clone();
-        if let Some(above) = here.parent() {
-            self.look_into(above, Some(&Place::Folder(here.clone())));
-        }
+    /// The folder that holds the one that is listed, and this one as a place in it.
+    pub(crate) fn above(&self) -> Option<(PathBuf, Place)> {
+        let above = self.folder.parent()?.to_owned();
+        Some((above, Place::Folder(self.folder.clone())))
     }
 
     /// Types into the search; what could act on a terminal is left out, and so is a blank in front.

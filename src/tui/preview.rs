@@ -63,13 +63,24 @@ pub(crate) struct Previews {
 }
 
 impl Previews {
-    /// Makes the preview of an entry, if there is none yet. `original` is the text that was opened.
-    pub(crate) fn make(&mut self, place: &Place, original: &str) {
-        if self.of(place).is_none() {
+    /// Whether the preview of an entry is to be made: not if there is one, or it is being made.
+    pub(crate) fn expect(&mut self, place: &Place) -> bool {
+        let is_new = self.of(place).is_none();
+        if is_new {
             if self.made.len() == KEPT {
                 self.made.remove(0);
             }
-            self.made.push((place.clone(), preview(place, original)));
+            self.made
+                .push((place.clone(), Preview::Unseen("being read".into())));
+        }
+        is_new
+    }
+
+    /// The preview of an entry was made; of one that is still in the list.
+    pub(crate) fn put(&mut self, place: &Place, preview: Preview) {
+        let expected = self.made.iter_mut().find(|(known, _)| known == place);
+        if let Some((_, made)) = expected {
+            *made = preview;
         }
     }
 
@@ -85,14 +96,17 @@ impl Previews {
     }
 }
 
-fn preview(place: &Place, original: &str) -> Preview {
-    match place {
-        Place::Folder(path) => of_folder(path),
-        Place::File(path) => of_file(path),
-        Place::Original => of_text(original, ""),
-        Place::Preset(name) => {
-            let text = presets::find(name).map_or("", |preset| preset.text);
-            of_text(text, name)
+impl Preview {
+    /// Makes the preview of an entry, which may take long. `original` is the text that was opened.
+    pub(crate) fn of(place: &Place, original: &str) -> Preview {
+        match place {
+            Place::Folder(path) => of_folder(path),
+            Place::File(path) => of_file(path),
+            Place::Original => of_text(original, ""),
+            Place::Preset(name) => {
+                let text = presets::find(name).map_or("", |preset| preset.text);
+                of_text(text, name)
+            }
         }
     }
 }

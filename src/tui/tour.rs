@@ -3,7 +3,7 @@
 
 use super::action::Action;
 use super::keymap::Keymap;
-use super::places;
+use crate::files::places;
 use std::fs::{self, File};
 use std::path::PathBuf;
 

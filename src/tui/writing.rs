@@ -1,9 +1,9 @@
-//! What is to be written to a file while its name is asked for, and writing it.
+//! What is to be written to a file while its name is asked for, and what is asked about that.
 
 use super::line::Line;
-use crate::replace::replace_file;
-use std::io;
-use std::path::{Path, PathBuf};
+use super::saving::Leave;
+use crate::files::Trouble;
+use std::path::PathBuf;
 
 /// What is to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -29,65 +29,63 @@ pub(crate) struct Prompt {
     pub(crate) name: Line,
 }
 
-/// The question whether to write over a file.
+/// The question whether to write to a file nevertheless.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Question {
     pub(crate) document: Document,
     pub(crate) to: PathBuf,
+    pub(crate) doubt: Doubt,
+    /// What was said before.
+    pub(crate) leave: Leave,
 }
 
-impl Text {
-    /// Writes it at once or not at all: what was done, or why nothing was, in words. These stand behind
-    /// the name.
-    pub(crate) fn write(&self, to: &Path) -> Result<String, String> {
-        match replace_file(to, self.text.as_bytes()) {
-            Ok(()) => Ok(format!("{} written to {}", self.what, to.display())),
-            Err(error) => Err(format!("not written: {}", why(&error))),
+/// Why somebody is asked first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Doubt {
+    /// There is such a file.
+    Exists,
+    /// Somebody else has written it since it was read.
+    Changed,
+    /// The edits that were taken up are older than what it holds.
+    Older,
+    /// It says that it is not to be written to.
+    ReadOnly,
+}
+
+impl Doubt {
+    /// What a person can say to it; `None` where nothing that is said would help.
+    pub(crate) fn of(trouble: &Trouble) -> Option<Doubt> {
+        match trouble {
+            Trouble::Exists => Some(Doubt::Exists),
+            Trouble::Changed => Some(Doubt::Changed),
+            Trouble::ReadOnly => Some(Doubt::ReadOnly),
+            Trouble::NoFile(_) | Trouble::Busy | Trouble::NoJournal | Trouble::Io(_) => None,
+        }
+    }
+
+    /// What is asked, before and after the name of the file.
+    pub(crate) fn words(self) -> [&'static str; 2] {
+        match self {
+            Doubt::Exists => ["write over ", "?"],
+            Doubt::Changed => ["", " has changed on disk: write over it?"],
+            Doubt::Older => ["", " is newer than these edits: write over it?"],
+            Doubt::ReadOnly => ["", " is read-only: write it?"],
         }
     }
 }
 
-/// Why a file cannot be written, shorter than the system says it where that is usual: the line is short.
-pub(crate) fn why(error: &io::Error) -> String {
-    match error.kind() {
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "the disk is full".into(),
-        io::ErrorKind::FileTooLarge => "a file may not be so large".into(),
-        io::ErrorKind::PermissionDenied => "no permission".into(),
-        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only".into(),
-        io::ErrorKind::NotFound => "no such folder".into(),
-        _ => error.to_string(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn screen() -> Text {
-        Text {
-            what: "the screen".into(),
-            text: "a\nb\n".into(),
+impl Question {
+    /// What was said, once this is said too.
+    pub(crate) fn granted(&self) -> Leave {
+        match self.doubt {
+            Doubt::Exists | Doubt::Changed | Doubt::Older => Leave {
+                over: true,
+                ..self.leave
+            },
+            Doubt::ReadOnly => Leave {
+                read_only: true,
+                ..self.leave
+            },
         }
-    }
-
-    #[test]
-    fn what_was_written_is_said_and_why_nothing_was() {
-        let folder = std::env::temp_dir().join(format!("krank-writing-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
-        let file = folder.join("screen.txt");
-        let said = screen().write(&file).unwrap();
-        assert_eq!(said, format!("the screen written to {}", file.display()));
-        assert_eq!(std::fs::read_to_string(&file).unwrap(), "a\nb\n");
-        let nowhere = folder.join("nowhere").join("screen.txt");
-        let said = screen().write(&nowhere).unwrap_err();
-        assert_eq!(said, "not written: no such folder");
-        std::fs::remove_dir_all(folder).unwrap();
-    }
-
-    #[cfg(target_os = "linux")]
-    #[test]
-    fn a_full_disk_is_told_in_short() {
-        let said = screen().write(Path::new("/dev/full")).unwrap_err();
-        assert_eq!(said, "not written: the disk is full");
     }
 }

@@ -7,6 +7,8 @@ mod assembly;
 mod config;
 mod draw;
 mod explain;
+#[cfg(target_os = "linux")]
+mod files;
 mod forces;
 mod motor;
 mod plot;

@@ -52,6 +52,8 @@ fn a_line_that_hangs_does_not_keep_it() {
     }
 }
 
+/// A release build knows no switch for it.
+#[cfg(debug_assertions)]
 #[test]
 fn a_panic_is_told_after_the_terminal_was_put_back() {
     let setup = Setup::krank(&["four-bar"]).env("KRANK_FAULT", "panic");

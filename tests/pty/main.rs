@@ -7,6 +7,7 @@ mod ending;
 mod environment;
 mod first_start;
 mod input;
+mod saving;
 mod session;
 mod slow;
 mod ssh;

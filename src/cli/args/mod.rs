@@ -304,7 +304,7 @@ pub(super) struct StartArgs {
 
 #[derive(Debug, Args)]
 pub(super) struct OutputArgs {
-    /// Write to a file instead of standard output
+    /// Write to a file instead of standard output, whole or not at all
     #[arg(short, long, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
 }

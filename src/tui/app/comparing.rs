@@ -39,8 +39,7 @@ impl App {
         }
         let edited = self.is_edited().then_some(Place::Original);
         let at = edited.or_else(|| self.comparison.last.clone());
-        let at = at.or_else(|| Place::of(self.stage.origin()));
-        self.list(Purpose::Compare, at.as_ref());
+        self.list(Purpose::Compare, at);
     }
 
     /// Holds a scene against the open one; in words why that cannot be.

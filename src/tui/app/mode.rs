@@ -2,6 +2,7 @@
 
 use super::super::help::Help;
 use super::super::line::Line;
+use super::super::offer::Offer;
 use super::super::picker::Picker;
 use super::super::plot_list::PlotList;
 use super::super::search::Search;
@@ -37,6 +38,8 @@ pub(crate) enum Mode {
     Value(Line),
     /// A question about unsaved edits.
     Unsaved(Unsaved),
+    /// The offer of edits that earlier sessions have left.
+    Recovery(Box<Offer>),
 }
 
 impl Mode {
@@ -54,6 +57,7 @@ impl Mode {
             | Mode::Assemblies(_)
             | Mode::Confirm(_)
             | Mode::Unsaved(_)
+            | Mode::Recovery(_)
             | Mode::Pick(_)
             | Mode::Copy => None,
         }

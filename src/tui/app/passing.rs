@@ -25,6 +25,7 @@ impl App {
             self.stage.go(at);
         }
         self.look_at_file(now, false);
+        self.take_in(now);
     }
 
     /// Measures what a state costs, where that is worth it: of another scene at once, of another state

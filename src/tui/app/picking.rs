@@ -2,23 +2,24 @@
 
 use super::super::key::Key;
 use super::super::opening::{self, Unopened};
-use super::super::picker::{Picker, Place, Purpose};
+use super::super::picker::{Picker, Place, Purpose, Reading};
 use super::super::preview::Preview;
 use super::super::{Opened, Origin};
 use super::{App, Effect, Mode};
 use crate::scene::presets;
 use std::env;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Duration;
 
 impl App {
     /// Lists what can be opened, from the folder of the open file on.
     pub(super) fn pick(&mut self) {
-        let here = Place::of(self.stage.origin());
-        self.list(Purpose::Open, here.as_ref());
+        self.list(Purpose::Open, None);
     }
 
-    pub(super) fn list(&mut self, purpose: Purpose, at: Option<&Place>) {
+    /// Lists what there is, with the cursor on `at`, or on the open scene.
+    pub(super) fn list(&mut self, purpose: Purpose, at: Option<Place>) {
         let folder = match self.stage.origin() {
             Origin::File(path) => path.parent().map(Path::to_owned),
             Origin::Preset(_) | Origin::Stdin => None,
@@ -26,8 +27,22 @@ impl App {
         let original = purpose == Purpose::Compare && self.is_edited();
         let folder = folder.unwrap_or_default();
         self.previews.forget();
-        let picker = Picker::new(purpose, &folder, at, original);
-        self.mode = Mode::Pick(Box::new(picker));
+        self.mode = Mode::Pick(Box::new(Picker::new(purpose, original)));
+        self.look_into(folder, at, true);
+    }
+
+    /// Lists a folder, once it was read, with the cursor on a place in it, or on the open scene.
+    fn look_into(&mut self, folder: PathBuf, at: Option<Place>, or_here: bool) {
+        let origin = self.stage.origin().clone();
+        self.clerk.give(move || {
+            let read = Reading::of(&folder);
+            let at = at.or_else(|| or_here.then(|| Place::of(&origin)).flatten());
+            Box::new(move |app, _| {
+                if let Mode::Pick(picker) = &mut app.mode {
+                    picker.list(read, at.as_ref());
+                }
+            })
+        });
     }
 
     /// Whether the scene is no longer what was opened.
@@ -39,10 +54,17 @@ impl App {
     /// many keys came before it.
     pub(crate) fn catch_up(&mut self) {
         self.follow();
-        if let Mode::Pick(picker) = &self.mode
-            && let Some(item) = picker.chosen()
-        {
-            self.previews.make(&item.place, &self.original);
+        let Mode::Pick(picker) = &self.mode else {
+            return;
+        };
+        let chosen = picker.chosen().map(|item| item.place.clone());
+        if let Some(place) = chosen.filter(|place| self.previews.expect(place)) {
+            let original = Arc::clone(&self.original);
+            self.clerk.give(move || {
+                let preview = Preview::of(&place, &original);
+                Box::new(move |app, _| app.previews.put(&place, preview))
+            });
+            self.take_in(self.now);
         }
     }
 
@@ -70,9 +92,13 @@ impl App {
             Key::PageDown => picker.move_by(page),
             Key::Home => picker.move_by(isize::MIN),
             Key::End => picker.move_by(isize::MAX),
-            Key::Left => picker.leave(),
+            Key::Left => {
+                if let Some((above, here)) = picker.above() {
+                    self.look_into(above, Some(here), false);
+                }
+            }
             Key::Right => self.look_into_chosen(),
-            Key::Enter => self.accept_pick(now),
+            Key::Enter => self.accept_pick(),
             Key::Escape => self.leave_list(now),
             Key::Tab | Key::BackTab | Key::Function(_) => {}
             Key::Ctrl(_) => return None,
@@ -90,20 +116,17 @@ impl App {
     }
 
     fn look_into_chosen(&mut self) {
-        let Mode::Pick(picker) = &mut self.mode else {
+        let Mode::Pick(picker) = &self.mode else {
             return;
         };
         if let Some(Place::Folder(path)) = picker.chosen().map(|item| item.place.clone()) {
-            if picker.is_above(&path) {
-                picker.leave();
-            } else {
-                picker.look_into(&path, None);
-            }
+            let above = picker.above().filter(|_| picker.is_above(&path));
+            self.look_into(path, above.map(|(_, here)| here), false);
         }
     }
 
     /// Opens what is under the cursor, or looks into it.
-    fn accept_pick(&mut self, now: Duration) {
+    fn accept_pick(&mut self) {
         self.message = None;
         let Mode::Pick(picker) = &mut self.mode else {
             return;
@@ -119,7 +142,28 @@ impl App {
         let name = picker
             .chosen()
             .map_or(String::new(), |item| item.name.clone());
-        let opened = self.open_place(&place);
+        let (original, origin) = (Arc::clone(&self.original), self.stage.origin().clone());
+        self.message = Some(format!("reading {name}"));
+        self.clerk.give(move || {
+            let opened = opened(&place, &original, origin);
+            Box::new(move |app, now| app.picked(purpose, place, name, opened, now))
+        });
+    }
+
+    /// What was picked is open, or why it is not.
+    fn picked(
+        &mut self,
+        purpose: Purpose,
+        place: Place,
+        name: String,
+        opened: Result<Opened, String>,
+        now: Duration,
+    ) {
+        self.message = None;
+        // Whoever has left the list meanwhile does not want it any more.
+        if !matches!(self.mode, Mode::Pick(_)) {
+            return;
+        }
         let done = opened.and_then(|opened| match purpose {
             Purpose::Open => {
                 self.leave_list(now);
@@ -136,22 +180,19 @@ impl App {
             self.message = Some(why);
         }
     }
+}
 
-    /// Opens a scene of the list; in words why it cannot be.
-    fn open_place(&self, place: &Place) -> Result<Opened, String> {
-        match place {
-            Place::Folder(path) => Err(format!("{} is a folder", path.display())),
-            // Its name is under the cursor.
-            Place::File(path) => opening::scene_of(&near(path)).map_err(Unopened::first_words),
-            Place::Preset(name) => match presets::find(name) {
-                Some(preset) => opening::preset(preset),
-                None => Err(format!("there is no preset {name}")),
-            },
-            Place::Original => {
-                let opened = opening::text(&self.original, self.stage.origin().clone());
-                opened.map_err(|d| opening::first_words(&d))
-            }
-        }
+/// Opens a scene of the list; in words why it cannot be.
+fn opened(place: &Place, original: &str, origin: Origin) -> Result<Opened, String> {
+    match place {
+        Place::Folder(path) => Err(format!("{} is a folder", path.display())),
+        // Its name is under the cursor.
+        Place::File(path) => opening::scene_of(&near(path)).map_err(Unopened::first_words),
+        Place::Preset(name) => match presets::find(name) {
+            Some(preset) => opening::preset(preset),
+            None => Err(format!("there is no preset {name}")),
+        },
+        Place::Original => opening::text(original, origin).map_err(|d| opening::first_words(&d)),
     }
 }
 

@@ -1,13 +1,27 @@
 //! The tour.
 
 use super::super::key::Key;
-use super::super::tour::SCREENS;
+use super::super::tour::{SCREENS, is_first_start};
 use super::{App, Effect, Mode};
+use crate::files::places;
 
 impl App {
     /// Begins the tour.
-    pub(in crate::tui) fn tour(&mut self) {
+    pub(super) fn tour(&mut self) {
         self.mode = Mode::Tour(0);
+    }
+
+    /// Begins it where krank was never started before, as far as its state tells.
+    pub(in crate::tui) fn tour_on_first_start(&mut self) {
+        self.clerk.give(|| {
+            let is_first = is_first_start(places::environment);
+            Box::new(move |app, _| {
+                if is_first && app.mode == Mode::Normal {
+                    app.tour();
+                }
+            })
+        });
+        self.take_in(self.now);
     }
 
     /// Keys that lead through the tour; `None` for all others.

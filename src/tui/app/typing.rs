@@ -13,8 +13,11 @@ impl App {
             let action = self.keymap.action(key, self.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
         });
-        let effect = self.settle(effect);
         self.look_at_file(now, false);
+        let effect = match self.attend(now) {
+            Effect::Show => effect,
+            leaving => leaving,
+        };
         self.focus();
         // Another view, scene or list may have fewer lines than what was scrolled before.
         self.scroll_by(0);
@@ -52,7 +55,8 @@ impl App {
             Mode::Pick(_) => self.pick_key(key, now),
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
-            Mode::Unsaved(_) => self.answer(key, now),
+            Mode::Unsaved(_) => self.answer(key),
+            Mode::Recovery(_) => self.offer_key(key, now),
         }
     }
 

@@ -1,11 +1,11 @@
-//! Asking for the name of a file, and writing it.
+//! Asking for the name of a file.
 
-use super::super::edited;
 use super::super::key::Key;
 use super::super::line::Line;
-use super::super::writing::{Document, Prompt, Question};
+use super::super::saving::Leave;
+use super::super::writing::{Document, Prompt};
 use super::{App, Effect, Mode};
-use std::path::PathBuf;
+use crate::files::{from_home, places};
 
 impl App {
     /// Keys that answer whether to write over a file; `None` for those that mean the same everywhere.
@@ -17,45 +17,20 @@ impl App {
             return None;
         }
         let question = question.clone();
-        self.write(question);
+        self.mode = Mode::Normal;
+        let leave = question.granted();
+        self.store(question.document, question.to, leave);
         Some(Effect::Show)
     }
 
     /// The name of a file was typed; an old one is not written over unasked.
     pub(super) fn accept_file(&mut self, prompt: Prompt) {
-        let to = PathBuf::from(prompt.name.text().trim());
-        let document = prompt.document;
-        if to.as_os_str().is_empty() {
-            self.mode = Mode::Normal;
-        } else if to.is_dir() {
-            self.message = Some("that is a folder: add a name".into());
-        } else if to.exists() {
-            self.mode = Mode::Confirm(Question { document, to });
-        } else {
-            self.write(Question { document, to });
-        }
-    }
-
-    /// Writes what was asked for. Where that cannot be, the line asks for another name: a text is not
-    /// lost, and a name is mended rather than typed again.
-    fn write(&mut self, question: Question) {
+        let typed = prompt.name.text().trim();
         self.mode = Mode::Normal;
-        let Question { document, to } = question;
-        let done = match &document {
-            // Whoever named an old file was asked.
-            Document::Scene => self.save(&to, true),
-            Document::Text(text) => text.write(&to),
-        };
-        self.message = Some(match done {
-            Ok(said) => said,
-            Err(why) => {
-                // No name would help an assembly that no start positions tell from the others.
-                if edited::says_what_is_shown(&self.stage) || document != Document::Scene {
-                    self.ask_for_file(document, &to.to_string_lossy());
-                }
-                why
-            }
-        });
+        if !typed.is_empty() {
+            let to = from_home(typed, places::environment);
+            self.store(prompt.document, to, Leave::default());
+        }
     }
 
     /// Asks for the name of a file, with a proposal.

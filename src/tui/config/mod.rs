@@ -8,10 +8,10 @@ pub use template::template;
 
 use super::keymap::Keymap;
 use super::palette::Theme;
-use super::places;
 use crate::capability::Colours;
 use crate::document::{self, Diagnostic, Diagnostics, Reader, Span, Value};
 use crate::drawing::Glyphs;
+use crate::files::places;
 use crate::nearest::did_you_mean;
 use std::path::PathBuf;
 

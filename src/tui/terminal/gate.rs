@@ -52,6 +52,8 @@ pub(crate) enum Wake {
     Room,
     /// Something has happened to the file that is watched.
     Written,
+    /// The bell rings.
+    Done,
     /// The terminal is gone; nothing may be written any more.
     HungUp,
 }
@@ -217,7 +219,7 @@ impl Gate {
         while !self.hung_up && Instant::now() < until {
             let mut inputs = Vec::new();
             let read = self
-                .poll(Some(until), PollFlags::empty())
+                .poll(Some(until), PollFlags::empty(), None)
                 .and_then(|told| self.read_keys(told.keys, &mut inputs));
             if read.is_err() || inputs.contains(&Input::Answer) {
                 return;
@@ -247,7 +249,7 @@ impl Gate {
 
     /// Waits until the line takes more; false if the rest is not worth waiting for.
     fn wait_for_room(&mut self, deadline: Option<Instant>) -> io::Result<bool> {
-        let told = self.poll(deadline, PollFlags::OUT)?;
+        let told = self.poll(deadline, PollFlags::OUT, None)?;
         if deadline.is_some_and(|deadline| deadline <= Instant::now()) {
             return Ok(false);
         }
@@ -258,13 +260,20 @@ impl Gate {
 
     /// Waits for something to happen until `deadline`, or for ever. Everything that is there is taken
     /// at once, so that many keys cost one frame; keys are looked for even where time is up.
-    pub(crate) fn wait(&mut self, deadline: Option<Instant>) -> io::Result<Vec<Wake>> {
+    pub(crate) fn wait(
+        &mut self,
+        deadline: Option<Instant>,
+        bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Vec<Wake>> {
         loop {
             let at_once = (!self.wakes.is_empty()).then(Instant::now);
             let until = [deadline, self.keyboard.deadline(), at_once];
             let until = until.into_iter().flatten().min();
-            let told = self.poll(until, PollFlags::empty())?;
+            let told = self.poll(until, PollFlags::empty(), bell)?;
             self.collect(told)?;
+            if !told.bell.is_empty() {
+                self.wakes.push(Wake::Done);
+            }
             if self.hung_up {
                 self.wakes.push(Wake::HungUp);
             }
@@ -305,22 +314,32 @@ impl Gate {
         Ok(())
     }
 
-    /// Waits for keys, signals, and what is asked of the screen.
-    fn poll(&self, until: Option<Instant>, screen: PollFlags) -> io::Result<Told> {
+    /// Waits for keys, signals, a bell, and what is asked of the screen.
+    fn poll(
+        &self,
+        until: Option<Instant>,
+        screen: PollFlags,
+        bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Told> {
         let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
         let keys = PollFd::new(&self.keys, PollFlags::IN);
         let signals = PollFd::new(&self.signals, PollFlags::IN);
         let screen = PollFd::new(&self.screen, screen);
-        let watch = self.watch.descriptor();
         // Where nothing is watched, the place is taken by what is waited on anyway.
-        let watch = watch.map_or(signals.clone(), |fd| {
-            PollFd::from_borrowed_fd(fd, PollFlags::IN)
-        });
-        let mut fds = [keys, signals, screen, watch];
+        let or_signals = |fd: Option<_>| match fd {
+            Some(fd) => PollFd::from_borrowed_fd(fd, PollFlags::IN),
+            None => signals.clone(),
+        };
+        let (watched, rings) = (or_signals(self.watch.descriptor()), or_signals(bell));
+        let mut fds = [keys, signals, screen, watched, rings];
         match poll(&mut fds, timeout.as_ref()) {
             Ok(_) => Ok(Told {
                 keys: fds[0].revents(),
                 screen: fds[2].revents(),
+                bell: match bell {
+                    Some(_) => fds[4].revents(),
+                    None => PollFlags::empty(),
+                },
             }),
             Err(Errno::INTR) => Ok(Told::default()),
             Err(error) => Err(error.into()),
@@ -357,6 +376,7 @@ impl Drop for Gate {
 struct Told {
     keys: PollFlags,
     screen: PollFlags,
+    bell: PollFlags,
 }
 
 impl Default for Told {
@@ -364,6 +384,7 @@ impl Default for Told {
         Told {
             keys: PollFlags::empty(),
             screen: PollFlags::empty(),
+            bell: PollFlags::empty(),
         }
     }
 }

@@ -42,7 +42,7 @@ impl Watch {
         }
     }
 
-    /// Watches this file from now on, and no other.
+    /// Watches this file from now on, and no other. It is behind all links: only there it is written.
     pub(super) fn follow(&mut self, file: Option<&Path>) {
         if self.file.as_deref() == file {
             return;
@@ -53,8 +53,6 @@ impl Watch {
             let _ = remove_watch(inotify, watch);
         }
         self.watched = file.and_then(|file| {
-            // Behind a link, the file itself is written.
-            let file = file.canonicalize().ok()?;
             let name = file.file_name()?.to_owned();
             let watch = add_watch(inotify, file.parent()?, flags()).ok()?;
             Some((watch, name))

@@ -14,6 +14,7 @@ mod help;
 mod lengths;
 mod motion;
 mod motor;
+mod offer;
 mod picker;
 mod plots;
 mod popup;
@@ -80,6 +81,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
     let overlay = match app.mode() {
         Mode::Help(help) => help::placed(app, help, body(area)),
         Mode::Tour(number) => tour::placed(app, *number, body(area)),
+        Mode::Recovery(found) => offer::placed(found, body(area)),
         _ => Rect::ZERO,
     };
     [row(area, area.height - 1), overlay]
@@ -114,6 +116,7 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     match app.mode() {
         Mode::Help(help) => help::render(app, help, body(area), buffer),
         Mode::Tour(number) => tour::render(app, *number, body(area), buffer),
+        Mode::Recovery(found) => offer::render(app, found, body(area), buffer),
         _ => {}
     }
     status::render(app, row(area, area.height - 1), buffer);

@@ -37,8 +37,8 @@ pub(super) fn mode(app: &App) -> &'static str {
             Unsaved::Quit => "quit",
             Unsaved::Open => "open",
             Unsaved::Reload => "reload",
-            Unsaved::Found(_) => "found",
         },
+        (Mode::Recovery(_), _) => "recover",
         (Mode::Value(_), _) => "edit",
         (Mode::Normal, View::Motion) => "motion",
         (Mode::Normal, View::Tables) => "tables",
@@ -158,6 +158,7 @@ pub(super) fn trust(app: &App, room: u16) -> Option<String> {
             | Mode::Value(_)
             | Mode::Confirm(_)
             | Mode::Unsaved(_)
+            | Mode::Recovery(_)
             | Mode::Pick(_)
             | Mode::Search(_)
             | Mode::Copy,

@@ -21,6 +21,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::GoTo(typed) => coordinate(app, typed, line),
         Mode::FileName(prompt) => file_name(app, &prompt.name, line),
         Mode::Unsaved(asked) => unsaved(app, asked, line),
+        Mode::Recovery(_) => offered(app, line),
         Mode::Confirm(asked) => question(app, asked, line),
         Mode::Pick(picker) => picking(app, picker, line),
         Mode::Search(search) => sought(app, &search.name, line),
@@ -56,8 +57,10 @@ fn coordinate(app: &App, typed: &Line, line: &mut Writer<'_>) {
 fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
     line.say(" write to: ", Part::Text);
     let room = usize::from(line.room().saturating_sub(1));
-    let skipped = typed.text().len().saturating_sub(room);
-    line.say(typed.text().get(skipped..).unwrap_or_default(), Part::Text);
+    let text = shown(typed.text(), app.glyphs());
+    let skipped = text.chars().count().saturating_sub(room);
+    let seen: String = text.chars().skip(skipped).collect();
+    line.say(&seen, Part::Text);
     line.say(" ", Part::Caret);
     if object(app, line) {
         return;
@@ -142,14 +145,11 @@ fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
     let edits = match asked {
         Unsaved::Quit | Unsaved::Open => "unsaved edits".to_owned(),
         Unsaved::Reload => "read it over unsaved edits?".to_owned(),
-        Unsaved::Found(found) if found.stale => format!("stale edits of {}", found.time),
-        Unsaved::Found(found) => format!("unsaved edits of {}", found.time),
     };
     let keys = match asked {
         Unsaved::Quit => [("w", "save"), ("q", "drop, quit"), ("Esc", "stay")],
         Unsaved::Open => [("w", "save"), ("d", "drop, open"), ("Esc", "stay")],
         Unsaved::Reload => [("Enter", "read"), ("Esc", "keep"), ("", "")],
-        Unsaved::Found(_) => [("Enter", "take"), ("Esc", "leave"), ("d", "delete")],
     };
     let keys = || keys.iter().filter(|(key, _)| !key.is_empty());
     let needed = |(key, name): &(&str, &str)| columns(key) + 1 + columns(name) + 2;
@@ -170,16 +170,26 @@ fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
     }
 }
 
+/// What was said to the offer in the middle of the screen.
+fn offered(app: &App, line: &mut Writer<'_>) {
+    line.gap(1);
+    match app.message() {
+        Some(message) => line.tell(message, app),
+        None => line.say("edits of this scene by other sessions", Part::Quiet),
+    }
+}
+
 /// Whether to write over a file.
 fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let to = &asked.to;
     let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
     let name = shown(&name, app.glyphs());
+    let [before, after] = asked.doubt.words();
     // The keys are what a question is good for.
-    let rest = columns(" write over ?  Enter write  Esc cancel");
+    let rest = columns(before) + columns(after) + columns("   Enter write  Esc cancel");
     let room = line.room().saturating_sub(rest);
     let name = cut(&name, usize::from(room.max(SHORTEST_FILE)));
-    line.say(&format!(" write over {name}?"), Part::Text);
+    line.say(&format!(" {before}{name}{after}"), Part::Text);
     line.gap(2);
     line.hint(&Key::Enter.to_string(), "write");
     line.hint(&Key::Escape.to_string(), "cancel");

@@ -14,6 +14,11 @@ pub(crate) fn folder_of(
     Some(base.join("krank"))
 }
 
+/// Where old and new text are kept while a file is written in its place.
+pub(crate) fn records(env: impl Fn(&str) -> Option<PathBuf>) -> Option<PathBuf> {
+    Some(folder_of("XDG_STATE_HOME", ".local/state", env)?.join("recovery/writing"))
+}
+
 /// What the environment of this process holds.
 pub(crate) fn environment(name: &str) -> Option<PathBuf> {
     std::env::var_os(name).map(PathBuf::from)

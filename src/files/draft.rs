@@ -1,0 +1,154 @@
+//! A file that is written beside the one whose place it takes.
+//!
+//! Its lock tells that somebody is at work on it: one without is what a killed process has left, and is taken
+//! away by the next who writes in this folder.
+
+use super::lock::{self, Locked};
+use super::rights;
+use rustix::fs::{CWD, Mode, OFlags, RenameFlags, open, renameat_with};
+use rustix::io::Errno;
+use rustix::process::geteuid;
+use std::fs::{self, DirEntry, File, Metadata};
+use std::io;
+use std::os::unix::fs::MetadataExt;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// What the names of drafts begin and end with. They are no longer than that, whatever the file is called.
+const BEGINS: &str = ".krank-";
+const ENDS: &str = ".part";
+/// Who may what with a draft until it is given the rights of its file.
+const PRIVATE: Mode = Mode::RUSR.union(Mode::WUSR);
+/// With a new file: what the mask of the process leaves of it, before the first byte.
+const NEW: Mode = Mode::from_raw_mode(0o666);
+/// So many foreign files have the name that a draft was to have before we think that something is wrong.
+const MOST_NAMES: u32 = 1000;
+/// A folder with more in it is not searched for what was left.
+const MOST_ENTRIES: usize = 10_000;
+
+/// A file on the way; dropped before it has taken its place, it is taken away.
+#[derive(Debug)]
+pub(crate) struct Draft {
+    /// To be written and read.
+    pub(crate) file: File,
+    path: Option<PathBuf>,
+}
+
+impl Draft {
+    /// For a new file in a folder.
+    pub(super) fn new(folder: &Path) -> io::Result<Draft> {
+        Draft::make(folder, NEW)
+    }
+
+    /// For a file of ours that is nobody else's business.
+    pub(crate) fn private(folder: &Path) -> io::Result<Draft> {
+        Draft::make(folder, PRIVATE)
+    }
+
+    /// In the place of an old file, with all that this has but its text.
+    pub(super) fn like(folder: &Path, old: &File, has: &Metadata) -> io::Result<Draft> {
+        let draft = Draft::make(folder, PRIVATE)?;
+        rights::carry_over(old, has, &draft.file)?;
+        Ok(draft)
+    }
+
+    fn make(folder: &Path, mode: Mode) -> io::Result<Draft> {
+        static NUMBER: AtomicU32 = AtomicU32::new(0);
+        sweep(folder);
+        let flags = OFlags::RDWR | OFlags::CREATE | OFlags::EXCL | OFlags::CLOEXEC;
+        for _ in 0..MOST_NAMES {
+            let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+            let name = format!("{BEGINS}{}-{number}{ENDS}", std::process::id());
+            let path = folder.join(name);
+            let file = match open(&path, flags | OFlags::NOFOLLOW, mode) {
+                Ok(file) => File::from(file),
+                // Somebody else's: it stays.
+                Err(Errno::EXIST) => continue,
+                Err(error) => return Err(error.into()),
+            };
+            // Who sweeps here may have come before the lock; then this one is gone, or soon.
+            if lock::take(&file) != Locked::Others && file.metadata()?.nlink() > 0 {
+                let path = Some(path);
+                return Ok(Draft { file, path });
+            }
+        }
+        Err(Errno::EXIST.into())
+    }
+
+    /// A name that no other draft of now has.
+    pub(super) fn number(&self) -> String {
+        let name = self.path.as_deref().and_then(Path::file_stem);
+        let name = name.map(|name| name.to_string_lossy().into_owned());
+        name.unwrap_or_default().trim_start_matches('.').to_owned()
+    }
+
+    /// Takes the place of an old file. The file that it is now stays open, and locked.
+    pub(crate) fn replace(mut self, target: &Path) -> io::Result<File> {
+        let Some(path) = &self.path else {
+            return Err(Errno::NOENT.into());
+        };
+        fs::rename(path, target)?;
+        self.path = None;
+        self.file.try_clone()
+    }
+
+    /// Takes its place where there is no file yet.
+    pub(super) fn appear(mut self, target: &Path) -> io::Result<()> {
+        let Some(path) = &self.path else {
+            return Err(Errno::NOENT.into());
+        };
+        match renameat_with(CWD, path, CWD, target, RenameFlags::NOREPLACE) {
+            // Some disks do not know how: under two names for a moment, it does not replace either.
+            Err(Errno::INVAL | Errno::NOSYS) => {
+                fs::hard_link(path, target)?;
+                fs::remove_file(path)?;
+            }
+            done => done?,
+        }
+        self.path = None;
+        Ok(())
+    }
+}
+
+impl Drop for Draft {
+    fn drop(&mut self) {
+        if let Some(path) = &self.path {
+            // What cannot be taken away now is swept by the next.
+            let _ = fs::remove_file(path);
+        }
+    }
+}
+
+/// Takes away the drafts of processes that are no more.
+fn sweep(folder: &Path) {
+    let entries = fs::read_dir(folder).into_iter().flatten();
+    for entry in entries.take(MOST_ENTRIES).flatten() {
+        let name = entry.file_name();
+        let name = name.as_encoded_bytes();
+        if name.starts_with(BEGINS.as_bytes()) && name.ends_with(ENDS.as_bytes()) {
+            sweep_one(&entry);
+        }
+    }
+}
+
+/// Only what is ours beyond doubt: a file of this person's that nobody has locked. Root also leaves what has
+/// been given to others already.
+fn sweep_one(entry: &DirEntry) {
+    let path = entry.path();
+    let flags = OFlags::RDONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
+    let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+    let Some(file) = is_file
+        .then(|| open(&path, flags, Mode::empty()).ok())
+        .flatten()
+    else {
+        return;
+    };
+    let file = File::from(file);
+    let person = geteuid();
+    let is_own = file.metadata().is_ok_and(|found| {
+        found.nlink() == 1 && (person.is_root() || found.uid() == person.as_raw())
+    });
+    if is_own && lock::take(&file) == Locked::Ours {
+        let _ = fs::remove_file(&path);
+    }
+}

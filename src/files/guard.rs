@@ -1,0 +1,83 @@
+//! Opening files to read them: nothing that keeps whoever opens it waiting, nothing without an end.
+
+use rustix::fs::{Mode, OFlags, open};
+use std::fs::{self, File, FileType};
+use std::io::{self, Read};
+use std::os::unix::fs::FileTypeExt;
+use std::path::Path;
+#[cfg(feature = "tui")]
+use std::path::PathBuf;
+
+/// What a regular file holds, up to one byte more than `most`. Anything else, which could keep its reader
+/// waiting for ever, is refused unopened.
+///
+/// # Errors
+/// What the system says, or in words of what kind it is.
+#[cfg(feature = "tui")]
+pub(crate) fn read_file(path: &Path, most: usize) -> io::Result<Vec<u8>> {
+    limited(open_file(path, OFlags::RDONLY)?, most)
+}
+
+/// What a name leads to holds, up to one byte more than `most`: pipes and devices too, which a person has
+/// named on the command line and can leave by Ctrl-C.
+///
+/// # Errors
+/// What the system says.
+pub(crate) fn read_any(path: &Path, most: usize) -> io::Result<Vec<u8>> {
+    limited(File::open(path)?, most)
+}
+
+/// Everything up to one byte more than `most`, so that endless input ends.
+///
+/// # Errors
+/// What the system says.
+pub(crate) fn limited(from: impl Read, most: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let most = u64::try_from(most).unwrap_or(u64::MAX);
+    from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Opens a regular file, and nothing else. It is looked at before, since opening alone makes some devices
+/// move, and after, since the name may lead elsewhere by then.
+pub(super) fn open_file(path: &Path, access: OFlags) -> io::Result<File> {
+    regular(fs::metadata(path)?.file_type())?;
+    let flags = access | OFlags::NONBLOCK | OFlags::NOCTTY | OFlags::CLOEXEC;
+    let file = File::from(open(path, flags, Mode::empty())?);
+    regular(file.metadata()?.file_type())?;
+    Ok(file)
+}
+
+fn regular(kind: FileType) -> io::Result<()> {
+    match kind.is_file() {
+        true => Ok(()),
+        false => Err(io::Error::other(no_file(kind))),
+    }
+}
+
+/// What it is that is no regular file.
+pub(super) fn no_file(kind: FileType) -> &'static str {
+    if kind.is_dir() {
+        "it is a folder"
+    } else if kind.is_fifo() {
+        "it is a pipe, not a file"
+    } else if kind.is_socket() {
+        "it is a socket, not a file"
+    } else {
+        "it is a device, not a file"
+    }
+}
+
+/// The path that a person has typed: `~` in front is the home that `env` tells.
+#[cfg(feature = "tui")]
+pub(crate) fn from_home(typed: &str, env: impl Fn(&str) -> Option<PathBuf>) -> PathBuf {
+    let below = match typed.strip_prefix('~') {
+        Some("") => Some(""),
+        Some(rest) => rest.strip_prefix('/'),
+        None => None,
+    };
+    match below.zip(env("HOME")) {
+        Some((below, home)) => home.join(below.trim_start_matches('/')),
+        None => PathBuf::from(typed),
+    }
+}

@@ -1,0 +1,232 @@
+//! Writing into a file that keeps its place: where it has several names, where what it is cannot be given to
+//! another, where the folder takes no new file.
+//!
+//! A kill in the middle would leave half of each text. So the old and the new one lie on the disk before the
+//! first byte is written, in a record that goes away after the last; what the next start finds there it
+//! brings to its end.
+//!
+//! ```text
+//! krank-writing 1 OLD NEW NAME      lengths in bytes, the name in hexadecimal digits
+//! old text, then new text
+//! ```
+
+use super::draft::Draft;
+use super::guard::open_file;
+use super::lock::{self, Locked};
+use rustix::fs::{FallocateFlags, OFlags, fallocate};
+use rustix::io::Errno;
+use std::ffi::OsString;
+use std::fmt::Write as _;
+use std::fs::{self, DirBuilder, File};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::os::unix::ffi::{OsStrExt, OsStringExt};
+use std::os::unix::fs::{DirBuilderExt, FileExt};
+use std::path::{Path, PathBuf};
+
+/// What a record begins with, and what the names of records end with.
+const MAGIC: &str = "krank-writing 1";
+const ENDS: &str = "writing";
+/// The longest first line: a name has up to 4096 bytes.
+const LONGEST_HEAD: u64 = 16 << 10;
+/// Bytes that are compared and copied at once.
+const BLOCK: usize = 64 << 10;
+
+/// Old and new text of a file, on the disk.
+struct Record {
+    file: File,
+    target: PathBuf,
+    old: Span,
+    new: Span,
+}
+
+/// A part of a record.
+#[derive(Clone, Copy)]
+struct Span {
+    from: u64,
+    length: u64,
+}
+
+/// Puts what a draft holds into a file. The folder is for the record, and made where it is missing.
+///
+/// # Errors
+/// What the system says. The file then holds what it held, or the next start sees to it.
+pub(super) fn write_into(target: &Path, new: &mut File, folder: &Path) -> io::Result<()> {
+    let mut file = open_file(target, OFlags::RDWR | OFlags::NOFOLLOW)?;
+    make_private(folder)?;
+    let (record, path) = Record::keep(folder, target, &mut file, new)?;
+    let done = record.put(record.new, &file);
+    if done.is_err() {
+        // The room that the old text needs was its own before.
+        record.put(record.old, &file)?;
+    }
+    fs::remove_file(path)?;
+    done
+}
+
+/// Brings to its end what a kill has cut off; the files that hold their new text now.
+pub(crate) fn mend(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths = entries.map(|entry| entry.path());
+    let records = paths.filter(|path| path.extension().is_some_and(|end| end == ENDS));
+    records.filter_map(|path| mend_one(&path).ok()?).collect()
+}
+
+/// What cannot be mended now stays for another start.
+fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
+    let file = open_file(path, OFlags::RDWR | OFlags::NOFOLLOW)?;
+    if lock::take(&file) != Locked::Ours {
+        return Ok(None);
+    }
+    let record = Record::read(file)?;
+    let torn = match open_file(&record.target, OFlags::RDWR | OFlags::NOFOLLOW) {
+        Ok(file) if record.is_torn(&file)? => {
+            record.put(record.new, &file)?;
+            true
+        }
+        // It holds one of the two, or what somebody else has written since.
+        Ok(_) => false,
+        Err(e) if e.kind() == io::ErrorKind::NotFound => false,
+        Err(e) => return Err(e),
+    };
+    fs::remove_file(path)?;
+    Ok(torn.then_some(record.target))
+}
+
+impl Record {
+    /// Writes both texts to the disk. The record is locked as long as it is open.
+    fn keep(
+        folder: &Path,
+        target: &Path,
+        old: &mut File,
+        new: &mut File,
+    ) -> io::Result<(Record, PathBuf)> {
+        let mut draft = Draft::private(folder)?;
+        let lengths = [old.metadata()?.len(), new.metadata()?.len()];
+        let mut head = format!("{MAGIC} {} {} ", lengths[0], lengths[1]);
+        for byte in target.as_os_str().as_bytes() {
+            let _ = write!(head, "{byte:02x}");
+        }
+        head.push('\n');
+        draft.file.write_all(head.as_bytes())?;
+        for (from, length) in [&mut *old, &mut *new].into_iter().zip(lengths) {
+            from.seek(SeekFrom::Start(0))?;
+            let copied = io::copy(&mut from.take(length), &mut draft.file)?;
+            if copied != length {
+                return Err(io::Error::other("it was cut while it was read"));
+            }
+        }
+        draft.file.sync_all()?;
+        let number = draft.number();
+        let path = folder.join(number).with_extension(ENDS);
+        let file = draft.replace(&path)?;
+        File::open(folder)?.sync_all()?;
+        Ok((Record::read(file)?, path))
+    }
+
+    fn read(mut file: File) -> io::Result<Record> {
+        let broken = || io::Error::other("no record of krank");
+        file.seek(SeekFrom::Start(0))?;
+        let mut head = String::new();
+        BufReader::new((&file).take(LONGEST_HEAD)).read_line(&mut head)?;
+        let rest = head
+            .strip_prefix(MAGIC)
+            .and_then(|rest| rest.strip_suffix('\n'));
+        let mut words = rest.ok_or_else(broken)?.split_whitespace();
+        let mut number = || words.next().and_then(|word| word.parse::<u64>().ok());
+        let lengths = number().zip(number());
+        let target = words.next().and_then(name_of_digits);
+        let ((old, new), target) = lengths.zip(target).ok_or_else(broken)?;
+        let from = u64::try_from(head.len()).unwrap_or(u64::MAX);
+        let whole = from.checked_add(old).and_then(|n| n.checked_add(new));
+        if whole != Some(file.metadata()?.len()) {
+            return Err(broken());
+        }
+        let spans = [(from, old), (from + old, new)];
+        let [old, new] = spans.map(|(from, length)| Span { from, length });
+        Ok(Record {
+            file,
+            target,
+            old,
+            new,
+        })
+    }
+
+    /// Makes one of the texts what a file holds.
+    fn put(&self, text: Span, file: &File) -> io::Result<()> {
+        // What finds no room finds that out before anything is changed.
+        match fallocate(file, FallocateFlags::KEEP_SIZE, 0, text.length.max(1)) {
+            Ok(()) | Err(Errno::OPNOTSUPP | Errno::NOSYS) => {}
+            Err(error) => return Err(error.into()),
+        }
+        let mut block = vec![0; BLOCK];
+        let mut at = 0;
+        while at < text.length {
+            let bytes = &mut block[..piece(text.length - at)];
+            self.file.read_exact_at(bytes, text.from + at)?;
+            file.write_all_at(bytes, at)?;
+            at += length(bytes);
+        }
+        file.set_len(text.length)?;
+        file.sync_all()
+    }
+
+    /// Whether a file holds a part of each text, and neither whole.
+    fn is_torn(&self, file: &File) -> io::Result<bool> {
+        let size = file.metadata()?.len();
+        let (shorter, longer) = (
+            self.old.length.min(self.new.length),
+            self.old.length.max(self.new.length),
+        );
+        if size < shorter || size > longer {
+            return Ok(false);
+        }
+        let (mut is_old, mut is_new) = (size == self.old.length, size == self.new.length);
+        let mut at = 0;
+        let mut block = vec![0; BLOCK];
+        while at < size {
+            let bytes = &mut block[..piece(size - at)];
+            file.read_exact_at(bytes, at)?;
+            let (old, new) = (self.bytes(self.old, at)?, self.bytes(self.new, at)?);
+            for (i, byte) in bytes.iter().enumerate() {
+                let [of_old, of_new] = [old.get(i), new.get(i)].map(|of| of == Some(byte));
+                // Room that was taken but not written to reads as zeros.
+                let is_room = *byte == 0 && i >= old.len();
+                if !(of_old || of_new || is_room) {
+                    return Ok(false);
+                }
+                is_old &= of_old;
+                is_new &= of_new;
+            }
+            at += length(bytes);
+        }
+        Ok(!is_old && !is_new)
+    }
+
+    /// A block of a text, as much of it as there is.
+    fn bytes(&self, text: Span, at: u64) -> io::Result<Vec<u8>> {
+        let mut bytes = vec![0; piece(text.length.saturating_sub(at))];
+        self.file.read_exact_at(&mut bytes, text.from + at)?;
+        Ok(bytes)
+    }
+}
+
+/// As much as is taken at once.
+fn piece(rest: u64) -> usize {
+    usize::try_from(rest).unwrap_or(BLOCK).min(BLOCK)
+}
+
+fn length(bytes: &[u8]) -> u64 {
+    u64::try_from(bytes.len()).unwrap_or(u64::MAX)
+}
+
+fn name_of_digits(digits: &str) -> Option<PathBuf> {
+    let pairs = digits.as_bytes().chunks(2);
+    let bytes = pairs.map(|pair| u8::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok());
+    let name = bytes.collect::<Option<Vec<u8>>>()?;
+    Some(PathBuf::from(OsString::from_vec(name)))
+}
+
+/// Makes a folder that others cannot look into.
+pub(crate) fn make_private(folder: &Path) -> io::Result<()> {
+    DirBuilder::new().recursive(true).mode(0o700).create(folder)
+}

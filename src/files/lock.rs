@@ -1,0 +1,74 @@
+//! Locks of the system (flock), which end with the process that holds them, however it ends.
+
+use rustix::fs::{FlockOperation, flock};
+use rustix::io::Errno;
+use std::fs::File;
+#[cfg(feature = "tui")]
+use {
+    rustix::fs::{Mode, OFlags, open},
+    std::path::Path,
+    std::thread::sleep,
+    std::time::{Duration, Instant},
+};
+
+/// How long somebody else may take to save before we give up.
+#[cfg(feature = "tui")]
+const PATIENCE: Duration = Duration::from_secs(3);
+/// Between two attempts.
+#[cfg(feature = "tui")]
+const PAUSE: Duration = Duration::from_millis(10);
+
+/// Whether a lock was had.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Locked {
+    /// It is ours until the file is closed.
+    Ours,
+    /// Somebody else has it.
+    Others,
+    /// There are no locks here: some network disks have none.
+    Unknown,
+}
+
+/// Takes the lock on an open file if nobody else has it.
+pub(crate) fn take(file: &File) -> Locked {
+    loop {
+        match flock(file, FlockOperation::NonBlockingLockExclusive) {
+            Ok(()) => return Locked::Ours,
+            Err(Errno::INTR) => {}
+            Err(Errno::WOULDBLOCK) => return Locked::Others,
+            Err(_) => return Locked::Unknown,
+        }
+    }
+}
+
+/// Takes the lock of a folder, under which files of it are compared and replaced; `None` where it has none
+/// to give, and an error where somebody else keeps it.
+#[cfg(feature = "tui")]
+pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, super::Trouble> {
+    let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::CLOEXEC;
+    let Ok(folder) = open(folder, flags, Mode::empty()) else {
+        return Ok(None);
+    };
+    let folder = File::from(folder);
+    let end = Instant::now() + PATIENCE;
+    loop {
+        match take(&folder) {
+            Locked::Ours => return Ok(Some(folder)),
+            Locked::Unknown => return Ok(None),
+            Locked::Others if Instant::now() >= end => return Err(super::Trouble::Busy),
+            Locked::Others => sleep(PAUSE),
+        }
+    }
+}
+
+/// Whether somebody holds the lock on a file, which is not disturbed by being asked; `None` where that
+/// cannot be told.
+#[cfg(feature = "tui")]
+pub(crate) fn is_held(path: &Path) -> Option<bool> {
+    let file = super::guard::open_file(path, OFlags::RDONLY).ok()?;
+    match flock(&file, FlockOperation::NonBlockingLockShared) {
+        Ok(()) => Some(false),
+        Err(Errno::WOULDBLOCK) => Some(true),
+        Err(_) => None,
+    }
+}

@@ -1,0 +1,82 @@
+//! Files: one guard through which every one is opened, one way in which every one is written.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | `guard` | opening what is there: of what kind it may be, and how much of it is read |
+//! | `target` | where a name leads that is to be written: links followed, descriptors told from files |
+//! | `draft` | a file that is written beside the one whose place it takes, with its rights from the first byte on |
+//! | `rights` | owner, group, mode and extended attributes of a file, carried over to its draft |
+//! | `in_place` | writing into a file that no other may replace, and completing that after a kill |
+//! | `lock` | comparing and replacing without somebody else in between |
+//! | `output` | all of these together: a file that is whole, or what it was |
+//! | `places` | folders that belong to krank |
+
+mod draft;
+mod guard;
+mod in_place;
+mod lock;
+mod output;
+pub(crate) mod places;
+mod rights;
+mod target;
+
+#[cfg(feature = "tui")]
+pub(crate) use guard::{from_home, read_file};
+pub(crate) use guard::{limited, read_any};
+pub(crate) use in_place::mend;
+pub(crate) use output::Output;
+#[cfg(feature = "tui")]
+pub(crate) use {
+    draft::Draft, in_place::make_private, lock::is_held, output::Saving, output::save,
+};
+
+use std::io;
+use thiserror::Error;
+
+/// Why a file is not written. It is then what it was.
+#[derive(Debug, Error)]
+pub(crate) enum Trouble {
+    /// There is a file, and nobody has said that it may go.
+    #[error("there is such a file already")]
+    #[cfg(feature = "tui")]
+    Exists,
+    /// It no longer holds what was read from it.
+    #[error("it has changed on disk")]
+    #[cfg(feature = "tui")]
+    Changed,
+    /// It is not to be written to, and nobody has said that it is meant nevertheless.
+    #[error("it is read-only")]
+    ReadOnly,
+    /// It is no file: what it is.
+    #[error("{0}")]
+    #[cfg(feature = "tui")]
+    NoFile(&'static str),
+    /// Somebody else is at it and does not come to an end.
+    #[error("another program is writing there")]
+    #[cfg(feature = "tui")]
+    Busy,
+    /// A rename would lose what the file is, and there is no folder to keep its old text in meanwhile.
+    #[error("it cannot be replaced, and no state folder keeps its old text while it is written")]
+    NoJournal,
+    /// What the system says.
+    #[error(transparent)]
+    Io(#[from] io::Error),
+}
+
+impl From<rustix::io::Errno> for Trouble {
+    fn from(error: rustix::io::Errno) -> Trouble {
+        Trouble::Io(error.into())
+    }
+}
+
+impl From<Trouble> for io::Error {
+    fn from(trouble: Trouble) -> io::Error {
+        match trouble {
+            Trouble::Io(error) => error,
+            other => io::Error::other(other.to_string()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,198 @@
+//! Writing a file: it is whole, or what it was.
+
+use super::Trouble;
+use super::draft::Draft;
+use super::guard::open_file;
+use super::in_place::{make_private, write_into};
+use super::target::Target;
+#[cfg(feature = "tui")]
+use super::{guard, lock};
+use rustix::fs::OFlags;
+use std::fs::{File, Metadata};
+use std::io::{self, ErrorKind, Write};
+use std::os::unix::fs::MetadataExt;
+use std::path::{Path, PathBuf};
+
+/// A file that is being written. Dropped before it is committed, it leaves everything as it was.
+#[derive(Debug)]
+pub(crate) struct Output(Way);
+
+#[derive(Debug)]
+enum Way {
+    /// To what is no file: there is nothing to keep.
+    Stream(File),
+    /// To a file that is not there yet.
+    New { draft: Draft, target: PathBuf },
+    /// In the place of a file.
+    Over { draft: Draft, target: PathBuf },
+    /// Into a file that keeps its place.
+    Into {
+        draft: Draft,
+        target: PathBuf,
+        folder: PathBuf,
+    },
+}
+
+impl Output {
+    /// Begins to write to what a name leads to, pipes and devices too. In `records` is kept what is not to be
+    /// lost while a file is written in its place.
+    ///
+    /// # Errors
+    /// What the system says, or that it is a read-only file.
+    pub(crate) fn to(name: &Path, records: Option<&Path>) -> Result<Output, Trouble> {
+        let target = Target::find(name)?;
+        if target.is_read_only() {
+            return Err(Trouble::ReadOnly);
+        }
+        Output::of(target, records)
+    }
+
+    fn of(target: Target, records: Option<&Path>) -> Result<Output, Trouble> {
+        Ok(Output(match target {
+            Target::Stream(path) => {
+                // Where the shell has opened a file for us, what it holds so far stays.
+                Way::Stream(File::options().append(true).open(path)?)
+            }
+            Target::New(target) => Way::New {
+                draft: Draft::new(folder_of(&target))?,
+                target,
+            },
+            Target::File(target, found) => match beside(&target, &found)? {
+                Some(draft) => Way::Over { draft, target },
+                None => {
+                    let folder = records.ok_or(Trouble::NoJournal)?.to_owned();
+                    make_private(&folder)?;
+                    let draft = Draft::private(&folder)?;
+                    Way::Into {
+                        draft,
+                        target,
+                        folder,
+                    }
+                }
+            },
+        }))
+    }
+
+    /// Everything was written: it becomes what the file holds.
+    ///
+    /// # Errors
+    /// What the system says; then nothing has changed.
+    pub(crate) fn commit(self, records: Option<&Path>) -> Result<(), Trouble> {
+        match self.0 {
+            Way::Stream(mut file) => file.flush()?,
+            Way::New { draft, target } => {
+                draft.file.sync_all()?;
+                draft.appear(&target)?;
+                sync_folder_of(&target);
+            }
+            Way::Over { draft, target } => {
+                draft.file.sync_all()?;
+                let mut kept = draft.file.try_clone()?;
+                match draft.replace(&target) {
+                    Ok(_) => sync_folder_of(&target),
+                    // Somebody else's in a sticky folder; a file that is itself a mount.
+                    Err(e) if is_denied(&e) => {
+                        let records = records.ok_or(Trouble::NoJournal)?;
+                        write_into(&target, &mut kept, records)?;
+                    }
+                    Err(e) => return Err(e.into()),
+                }
+            }
+            Way::Into {
+                mut draft,
+                target,
+                folder,
+            } => write_into(&target, &mut draft.file, &folder)?,
+        }
+        Ok(())
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.0 {
+            Way::Stream(file) => file.write(bytes),
+            Way::New { draft, .. } | Way::Over { draft, .. } | Way::Into { draft, .. } => {
+                draft.file.write(bytes)
+            }
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// A draft that has all that the file has; `None` where the file would lose something by it, or where its
+/// folder takes none.
+fn beside(target: &Path, found: &Metadata) -> Result<Option<Draft>, Trouble> {
+    if found.nlink() > 1 {
+        return Ok(None);
+    }
+    let old = open_file(target, OFlags::RDONLY | OFlags::NOFOLLOW)?;
+    match Draft::like(folder_of(target), &old, found) {
+        Ok(draft) => Ok(Some(draft)),
+        Err(e) if matches!(e.kind(), ErrorKind::StorageFull | ErrorKind::QuotaExceeded) => {
+            Err(e.into())
+        }
+        Err(_) => Ok(None),
+    }
+}
+
+fn is_denied(error: &io::Error) -> bool {
+    let kind = error.kind();
+    matches!(kind, ErrorKind::PermissionDenied | ErrorKind::ResourceBusy)
+}
+
+fn folder_of(target: &Path) -> &Path {
+    target.parent().unwrap_or(Path::new("/"))
+}
+
+/// After a loss of power the folder, too, is to know the new file. What cannot be synced is written anyway.
+fn sync_folder_of(target: &Path) {
+    let _ = File::open(folder_of(target)).and_then(|folder| folder.sync_all());
+}
+
+/// What is to be saved, and what a person has said about it.
+#[cfg(feature = "tui")]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Saving<'a> {
+    pub(crate) to: &'a Path,
+    /// Where texts are kept while a file is written in its place.
+    pub(crate) records: Option<&'a Path>,
+    /// A file that says that it is not to be written to is meant nevertheless.
+    pub(crate) though_read_only: bool,
+    /// Of a longer file only so much is looked at.
+    pub(crate) most: usize,
+}
+
+/// Saves: what the file holds now, if there is one, makes what it is to hold, or why it is not written. Nobody
+/// else who saves this way comes in between.
+///
+/// # Errors
+/// Why nothing was written.
+#[cfg(feature = "tui")]
+pub(crate) fn save(
+    saving: Saving<'_>,
+    compose: impl FnOnce(Option<Vec<u8>>) -> Result<Vec<u8>, Trouble>,
+) -> Result<(), Trouble> {
+    let path = match Target::find(saving.to)? {
+        Target::Stream(path) => return Err(Target::no_file(&path)),
+        Target::New(path) | Target::File(path, _) => path,
+    };
+    let _lock = lock::of_folder(folder_of(&path))?;
+    // Whoever had the lock before may have changed what is there.
+    let target = Target::find(&path)?;
+    let old = match &target {
+        Target::File(path, _) => Some(guard::read_file(path, saving.most)?),
+        Target::New(_) => None,
+        Target::Stream(path) => return Err(Target::no_file(path)),
+    };
+    let bytes = compose(old)?;
+    if target.is_read_only() && !saving.though_read_only {
+        return Err(Trouble::ReadOnly);
+    }
+    let mut output = Output::of(target, saving.records)?;
+    output.write_all(&bytes)?;
+    output.commit(saving.records)
+}

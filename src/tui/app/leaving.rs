@@ -1,0 +1,99 @@
+//! Leaving the program, or the scene for another: what is unsaved is asked about first.
+
+use super::super::Opened;
+use super::super::key::Key;
+use super::{App, Effect, Mode};
+
+/// A question about unsaved edits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Unsaved {
+    /// Before the program is left.
+    Quit,
+    /// Before another scene takes the place of this one.
+    Open,
+    /// Before the file is read again.
+    Reload,
+}
+
+/// What is to be done once nothing is unsaved.
+#[derive(Debug)]
+pub(crate) enum Pending {
+    /// The program is left.
+    Quit,
+    /// Another scene is shown.
+    Show(Box<Opened>),
+}
+
+impl App {
+    /// Leaves, or asks first where something would be lost.
+    pub(super) fn quit(&mut self) -> Effect {
+        if !self.is_changed() {
+            return Effect::Quit;
+        }
+        self.playback.pause();
+        self.pending = Some(Pending::Quit);
+        self.mode = Mode::Unsaved(Unsaved::Quit);
+        Effect::Show
+    }
+
+    /// Shows another scene, or asks first where something would be lost.
+    pub(crate) fn show(&mut self, opened: Opened) {
+        if !self.is_changed() {
+            self.show_now(opened);
+            return;
+        }
+        self.playback.pause();
+        self.pending = Some(Pending::Show(Box::new(opened)));
+        self.mode = Mode::Unsaved(Unsaved::Open);
+    }
+
+    /// Keys of a question about unsaved edits; `None` for those that mean the same everywhere.
+    pub(super) fn answer(&mut self, key: Key) -> Option<Effect> {
+        let Mode::Unsaved(question) = &self.mode else {
+            return None;
+        };
+        match (key, question.clone()) {
+            (Key::Escape, _) => self.mode = Mode::Normal,
+            (Key::Char('w'), Unsaved::Quit | Unsaved::Open) => {
+                self.mode = Mode::Normal;
+                self.save_own();
+            }
+            (Key::Char('q'), Unsaved::Quit) | (Key::Char('d'), Unsaved::Open) => {
+                self.release();
+                self.mode = Mode::Normal;
+                return Some(self.go_on());
+            }
+            (Key::Enter, Unsaved::Reload) => {
+                self.mode = Mode::Normal;
+                self.reload(true);
+            }
+            (Key::Ctrl(_), _) => return None,
+            _ => {}
+        }
+        Some(Effect::Show)
+    }
+
+    /// After a key: what was to follow on saving is done once nothing is unsaved, and forgotten where the
+    /// person has gone back.
+    pub(super) fn settle(&mut self, effect: Effect) -> Effect {
+        if self.mode != Mode::Normal || self.pending.is_none() || self.storing {
+            return effect;
+        }
+        if self.is_changed() {
+            self.pending = None;
+            return effect;
+        }
+        self.go_on()
+    }
+
+    fn go_on(&mut self) -> Effect {
+        match self.pending.take() {
+            Some(Pending::Quit) => Effect::Quit,
+            Some(Pending::Show(opened)) => {
+                self.show_now(*opened);
+                Effect::Show
+            }
+            None => Effect::Show,
+        }
+    }
+}

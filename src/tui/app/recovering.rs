@@ -1,0 +1,195 @@
+//! Keeping unsaved edits, and taking up those that earlier sessions have left.
+
+use super::super::Origin;
+use super::super::action::Action;
+use super::super::edited;
+use super::super::history::Deed;
+use super::super::key::Key;
+use super::super::offer::Offer;
+use super::super::recovery::{self, Others, Recovery};
+use super::{App, Effect, Mode};
+use std::path::Path;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, SystemTime};
+
+/// The edits of this session, which only the clerk looks at.
+pub(super) type Kept = Arc<Mutex<Recovery>>;
+
+fn locked(kept: &Kept) -> MutexGuard<'_, Recovery> {
+    kept.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl App {
+    /// Keeps unsaved edits in a folder from now on, and offers those that are there.
+    pub(crate) fn recover_in(&mut self, folder: &Path) {
+        self.folder = Some(folder.to_owned());
+        self.remember(true);
+        self.attend(self.now);
+    }
+
+    /// A scene was opened: its file is watched, and edits of earlier sessions are offered.
+    pub(super) fn meet(&mut self) {
+        self.older = false;
+        self.watch();
+        self.remember(true);
+    }
+
+    /// Edits are kept for the scene that is open now, and those of others offered.
+    pub(super) fn remember(&mut self, offers: bool) {
+        let before = self.recovery.take();
+        let Some(folder) = self.folder.clone() else {
+            return;
+        };
+        let (session, origin) = (self.session.clone(), self.stage.origin().clone());
+        let text = self.editor.saved().to_owned();
+        self.clerk.give(move || {
+            drop(before);
+            let recovery = Recovery::new(&folder, &session, &origin, &text);
+            let others = match offers {
+                true => recovery.others(&text),
+                false => Others::default(),
+            };
+            Box::new(move |app, _| app.met(&origin, recovery, others))
+        });
+    }
+
+    fn met(&mut self, origin: &Origin, recovery: Recovery, others: Others) {
+        // Another scene may have been opened meanwhile.
+        if self.stage.origin() != origin {
+            return;
+        }
+        self.recovery = Some(Arc::new(Mutex::new(recovery)));
+        if self.is_changed() {
+            self.keep();
+        }
+        let Some(offer) = Offer::of(others) else {
+            return;
+        };
+        if matches!(self.mode, Mode::Normal | Mode::Tour(_)) {
+            self.playback.pause();
+            self.mode = Mode::Recovery(Box::new(offer));
+        } else {
+            self.message = Some("others have edits of this scene: open it again to see".into());
+        }
+    }
+
+    /// After an edit: it is kept, or what was kept is dropped where nothing is unsaved any more.
+    pub(super) fn keep(&mut self) {
+        let Some(kept) = self.recovery.clone() else {
+            return;
+        };
+        let text = self.stage.scene().text().to_owned();
+        let edits = self
+            .is_changed()
+            .then(|| (text, self.editor.saved().to_owned()));
+        self.clerk.give(move || {
+            let mut kept = locked(&kept);
+            let said = match &edits {
+                Some((text, saved)) => kept.keep(text, saved, SystemTime::now()),
+                None => {
+                    kept.rest();
+                    None
+                }
+            };
+            Box::new(move |app, _| app.message = said.or(app.message.take()))
+        });
+    }
+
+    /// What was kept is saved, or not wanted any more.
+    pub(super) fn release(&mut self) {
+        if let Some(kept) = self.recovery.clone() {
+            self.clerk.give(move || {
+                locked(&kept).release();
+                Box::new(|_, _| {})
+            });
+        }
+    }
+
+    /// The offer is on the screen, if there is one.
+    pub(crate) fn show_offer(&mut self, now: Duration) {
+        if let Mode::Recovery(offer) = &mut self.mode {
+            offer.show(now);
+        }
+    }
+
+    /// Keys while edits are offered; `None` for those that mean the same everywhere. What was typed before
+    /// the offer could be read was meant for something else, and answers nothing.
+    pub(super) fn offer_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        let page = self.page();
+        let Mode::Recovery(offer) = &mut self.mode else {
+            return None;
+        };
+        if let Key::Ctrl(_) = key {
+            return None;
+        }
+        if !offer.can_be_answered(now) {
+            return Some(Effect::Show);
+        }
+        self.message = None;
+        let is_asked = std::mem::take(&mut offer.asks);
+        match key {
+            Key::Up | Key::Char('k') => offer.move_by(-1),
+            Key::Down | Key::Char('j') => offer.move_by(1),
+            Key::PageUp => offer.move_by(-page),
+            Key::PageDown | Key::Char(' ') => offer.move_by(page),
+            Key::Home => offer.move_by(isize::MIN),
+            Key::End => offer.move_by(isize::MAX),
+            Key::Escape | Key::Backspace if offer.page.is_some() => offer.page = None,
+            Key::Escape => self.mode = Mode::Normal,
+            Key::Enter if offer.others.left.is_empty() => self.mode = Mode::Normal,
+            Key::Enter if offer.page.is_none() => offer.look(),
+            Key::Char('c') => offer.compare(self.stage.scene().text()),
+            Key::Char('t') => self.take_offered(now),
+            Key::Char('d') if is_asked => self.drop_offered(),
+            Key::Char('d') => offer.asks = offer.page.is_none() && offer.chosen().is_some(),
+            _ => {}
+        }
+        Some(Effect::Show)
+    }
+
+    /// Edits of an earlier session come back, as a step that can be taken back.
+    fn take_offered(&mut self, now: Duration) {
+        let Mode::Recovery(offer) = &self.mode else {
+            return;
+        };
+        let Some(found) = offer.chosen().cloned() else {
+            return;
+        };
+        match edited::reopened(&self.stage, &found.text) {
+            Ok(edited) => {
+                self.mode = Mode::Normal;
+                if let Some(kept) = self.recovery.clone() {
+                    self.clerk.give(move || {
+                        locked(&kept).take(found.file);
+                        Box::new(|_, _| {})
+                    });
+                }
+                self.change(edited, Deed::Other("recovered edits".into()), now);
+                self.older |= found.is_stale;
+                let key = self.keymap.told(Action::Undo);
+                self.message = Some(match found.is_stale {
+                    true => format!("back, made on another text than the file has; {key} undoes"),
+                    false => format!("the unsaved edits are back; {key} takes them away"),
+                });
+            }
+            Err(why) => self.message = Some(format!("they cannot be shown: {why}")),
+        }
+    }
+
+    fn drop_offered(&mut self) {
+        let Mode::Recovery(offer) = &mut self.mode else {
+            return;
+        };
+        let Some(file) = offer.chosen().map(|chosen| chosen.file.clone()) else {
+            return;
+        };
+        if !offer.forget() {
+            self.mode = Mode::Normal;
+        }
+        self.message = Some("these edits are deleted".into());
+        self.clerk.give(move || {
+            recovery::delete(&file);
+            Box::new(|_, _| {})
+        });
+    }
+}

@@ -1,0 +1,157 @@
+//! Writing the scene, figures and pictures to files, and asking first where something would be lost.
+
+use super::super::action::Action;
+use super::super::disk::News;
+use super::super::saving::{Errand, Leave, refused, refused_there};
+use super::super::writing::{Document, Doubt, Question};
+use super::super::{Origin, edited};
+use super::{App, Mode};
+use crate::files::Trouble;
+use crate::scene::Scene;
+use std::path::{Path, PathBuf};
+
+impl App {
+    /// Writes the scene to its own file, or asks to which.
+    pub(super) fn save_own(&mut self) {
+        self.playback.pause();
+        let Origin::File(path) = self.stage.origin() else {
+            self.ask_where();
+            return;
+        };
+        let path = path.clone();
+        if self.is_changed() || !edited::says_what_is_shown(&self.stage) {
+            self.store(Document::Scene, path, Leave::default());
+            return;
+        }
+        // The file says what the screen says, if it is there.
+        self.clerk.give(move || {
+            let is_gone = matches!(News::of(&path), News::Gone);
+            Box::new(move |app, _| match is_gone {
+                true => app.store(Document::Scene, path, Leave::default()),
+                false => app.message = Some("nothing has changed since it was saved".into()),
+            })
+        });
+    }
+
+    /// Asks for the name of another file.
+    pub(super) fn ask_where(&mut self) {
+        self.playback.pause();
+        let proposal = match self.stage.origin() {
+            Origin::File(path) => path.to_string_lossy().into_owned(),
+            Origin::Preset(name) => format!("{name}.toml"),
+            Origin::Stdin => "scene.toml".into(),
+        };
+        self.ask_for_file(Document::Scene, &proposal);
+    }
+
+    /// Writes a document to a file, as far as that was granted; the scene's is then its own.
+    pub(super) fn store(&mut self, document: Document, to: PathBuf, leave: Leave) {
+        if self.storing {
+            self.message = Some("another file is still being written".into());
+            return;
+        }
+        let text = match &document {
+            Document::Text(text) => text.text.clone(),
+            Document::Scene => {
+                let told = edited::says_what_is_shown(&self.stage);
+                if !told && !self.record_assembly("assembly") {
+                    let why = "not written: no start positions tell this assembly from the others";
+                    self.message = Some(why.into());
+                    return;
+                }
+                self.stage.scene().text().to_owned()
+            }
+        };
+        let is_own = document == Document::Scene && self.is_own(&to);
+        let errand = Errand {
+            text,
+            own: is_own.then(|| self.editor.saved().to_owned()),
+            leave,
+            records: self.folder.as_ref().map(|folder| folder.join("writing")),
+            to,
+        };
+        if is_own && self.older && self.is_changed() && !leave.over {
+            self.ask(document, errand, Doubt::Older);
+            return;
+        }
+        self.storing = true;
+        self.message = Some(format!("writing {}", errand.to.display()));
+        self.clerk.give(move || {
+            let done = errand.run();
+            Box::new(move |app, _| app.stored(document, errand, done))
+        });
+    }
+
+    fn is_own(&self, file: &Path) -> bool {
+        matches!(self.stage.origin(), Origin::File(own) if own == file)
+    }
+
+    fn ask(&mut self, document: Document, errand: Errand, doubt: Doubt) {
+        self.message = None;
+        self.mode = Mode::Confirm(Question {
+            document,
+            to: errand.to,
+            doubt,
+            leave: errand.leave,
+        });
+    }
+
+    /// A document was written, or not.
+    fn stored(&mut self, document: Document, errand: Errand, done: Result<(), Trouble>) {
+        self.storing = false;
+        let trouble = match done {
+            Ok(()) => {
+                let to = errand.to.display();
+                self.message = Some(match &document {
+                    Document::Scene => format!("written to {to}"),
+                    Document::Text(text) => format!("{} written to {to}", text.what),
+                });
+                if document == Document::Scene {
+                    self.filed(&errand);
+                }
+                return;
+            }
+            Err(trouble) => trouble,
+        };
+        self.message = Some(match &document {
+            Document::Scene => refused(&trouble, &errand.to),
+            Document::Text(_) => refused_there(&trouble),
+        });
+        // A question that comes late would be answered by a key that was meant for something else.
+        if self.mode != Mode::Normal {
+            return;
+        }
+        match Doubt::of(&trouble) {
+            Some(doubt) => self.ask(document, errand, doubt),
+            // A text is not lost, and a name is mended rather than typed again.
+            None if errand.own.is_none() => {
+                let message = self.message.take();
+                self.ask_for_file(document, &errand.to.to_string_lossy());
+                self.message = message;
+            }
+            None => {
+                let key = self.keymap.told(Action::SaveAs);
+                if let (Trouble::NoFile(_), Some(message)) = (&trouble, &mut self.message) {
+                    *message += &format!("; {key} saves elsewhere");
+                }
+            }
+        }
+    }
+
+    /// The file holds the scene as it was when it was sent.
+    fn filed(&mut self, errand: &Errand) {
+        self.release();
+        if !self.is_own(&errand.to) {
+            let name = errand.to.display().to_string();
+            if let Ok(scene) = Scene::parse(self.stage.scene().text(), &name) {
+                self.stage.rename(scene, errand.to.clone());
+            }
+            self.remember(false);
+        }
+        self.editor.filed(&errand.text);
+        self.older = false;
+        self.keep();
+        self.relist();
+        self.watch();
+    }
+}

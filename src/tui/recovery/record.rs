@@ -1,0 +1,228 @@
+//! How edits lie on the disk.
+//!
+//! ```text
+//! krank-edits 2
+//! scene file 2f686f6d65...        sort and name, in hexadecimal digits
+//! file 2049 131 1795269780000     device, number, when it was made; left out where there is none
+//! base 8b1a9953c4611296           sum of the text that was edited
+//! session 4711 1795269780123 host process, start in ms, host
+//! time 1795269780
+//! edits                           or `none`
+//!
+//! text
+//! ```
+
+use super::subject::{Identity, Subject};
+use rustix::system::uname;
+use std::fmt::Write;
+use std::fs;
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
+
+const MAGIC: &str = "krank-edits 2";
+/// No head is longer.
+pub(super) const LONGEST_HEAD: usize = 16 << 10;
+/// The longest name of a host, in the name of a file.
+const LONGEST_HOST: usize = 64;
+
+/// A run of the program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Session {
+    pub(super) process: u32,
+    /// In milliseconds: processes have their numbers again.
+    start: u64,
+    pub(super) host: String,
+}
+
+impl Session {
+    /// This process, at a time.
+    pub(crate) fn begun(now: SystemTime) -> Session {
+        let start = now.duration_since(UNIX_EPOCH).unwrap_or(Duration::ZERO);
+        let host = uname().nodename().to_string_lossy().into_owned();
+        let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+        Session {
+            process: std::process::id(),
+            start: u64::try_from(start.as_millis()).unwrap_or(u64::MAX),
+            host: host.chars().map(plain).take(LONGEST_HOST).collect(),
+        }
+    }
+
+    /// The name of its file.
+    pub(super) fn name(&self) -> String {
+        format!("{}-{}-{}", self.host, self.process, self.start)
+    }
+
+    /// Whether it is known to be no more, where locks do not tell.
+    pub(super) fn is_gone(&self) -> bool {
+        let here = uname().nodename().to_string_lossy() == self.host.as_str();
+        here && !fs::exists(format!("/proc/{}", self.process)).unwrap_or(true)
+    }
+}
+
+/// What a session has kept.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Record {
+    pub(super) subject: Subject,
+    pub(super) session: Session,
+    pub(super) base: u64,
+    /// In seconds since 1970.
+    pub(super) time: u64,
+    /// `None` where nothing was edited.
+    pub(super) text: Option<String>,
+}
+
+impl Record {
+    pub(super) fn bytes(&self) -> Vec<u8> {
+        let Session {
+            process,
+            start,
+            host,
+        } = &self.session;
+        let mut head = format!("{MAGIC}\nscene {} ", self.subject.sort);
+        for byte in &self.subject.name {
+            let _ = write!(head, "{byte:02x}");
+        }
+        if let Some([device, number, made]) = self.subject.file {
+            let _ = write!(head, "\nfile {device} {number} {made}");
+        }
+        let _ = write!(
+            head,
+            "\nbase {:016x}\nsession {process} {start} {host}\ntime {}\n",
+            self.base, self.time
+        );
+        head += match self.text {
+            Some(_) => "edits\n\n",
+            None => "none\n\n",
+        };
+        [
+            head.as_bytes(),
+            self.text.as_deref().unwrap_or("").as_bytes(),
+        ]
+        .concat()
+    }
+
+    /// `None` for what is no such record.
+    pub(super) fn read(bytes: &[u8]) -> Option<Record> {
+        let (head, text) = std::str::from_utf8(bytes).ok()?.split_once("\n\n")?;
+        let mut lines = head.lines();
+        (lines.next()? == MAGIC).then_some(())?;
+        let mut line = |key: &str| {
+            let rest = lines.clone().next()?.strip_prefix(key)?.strip_prefix(' ')?;
+            lines.next();
+            Some(rest)
+        };
+        let (sort, name) = line("scene")?.split_once(' ')?;
+        let file = line("file").and_then(identity);
+        let base = u64::from_str_radix(line("base")?, 16).ok()?;
+        let mut session = line("session")?.splitn(3, ' ');
+        let session = Session {
+            process: session.next()?.parse().ok()?,
+            start: session.next()?.parse().ok()?,
+            host: session.next()?.to_owned(),
+        };
+        let time = line("time")?.parse().ok()?;
+        let subject = Subject {
+            sort: sort.into(),
+            name: of_digits(name)?,
+            file,
+            written: None,
+        };
+        Some(Record {
+            subject,
+            session,
+            base,
+            time,
+            text: (lines.next()? == "edits").then(|| text.to_owned()),
+        })
+    }
+}
+
+fn identity(text: &str) -> Option<Identity> {
+    let numbers: Option<Vec<u64>> = text.split(' ').map(|number| number.parse().ok()).collect();
+    numbers?.try_into().ok()
+}
+
+fn of_digits(digits: &str) -> Option<Vec<u8>> {
+    let pairs = digits.as_bytes().chunks(2);
+    pairs
+        .map(|pair| u8::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok())
+        .collect()
+}
+
+/// FNV-1a: the same on every machine and in every version.
+pub(super) fn sum(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
+        (sum ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+/// Seconds since 1970.
+pub(super) fn seconds(time: SystemTime) -> u64 {
+    let since = time.duration_since(UNIX_EPOCH);
+    since.unwrap_or(Duration::ZERO).as_secs()
+}
+
+/// The time as people write it, in Greenwich: `2026-11-21 14:03 UTC`.
+pub(super) fn stamp(seconds: u64) -> String {
+    let minutes = seconds / 60;
+    let (year, month, day) = date(minutes / (24 * 60));
+    let (hour, minute) = (minutes / 60 % 24, minutes % 60);
+    format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC")
+}
+
+/// The date so many days after 1 January 1970, in the Gregorian calendar. Years begin in March here, so that
+/// the day that leap years have more is their last.
+fn date(days: u64) -> (u64, u64, u64) {
+    // From 1 March of the year 0; 400 years have 146,097 days.
+    let days = days.saturating_add(719_468);
+    let (era, day) = (days / 146_097, days % 146_097);
+    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
+    let day = day - (365 * year + year / 4 - year / 100);
+    let month = (5 * day + 2) / 153;
+    let date = day - (153 * month + 2) / 5 + 1;
+    let month = if month < 10 { month + 3 } else { month - 9 };
+    (400 * era + year + u64::from(month <= 2), month, date)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_are_those_of_the_calendar() {
+        for (seconds, text) in [
+            (0, "1970-01-01 00:00 UTC"),
+            (951_782_399, "2000-02-28 23:59 UTC"),
+            (951_782_400, "2000-02-29 00:00 UTC"),
+            (1_795_269_780, "2026-11-21 14:03 UTC"),
+            (4_107_542_400, "2100-03-01 00:00 UTC"),
+        ] {
+            assert_eq!(stamp(seconds), text);
+        }
+    }
+
+    #[test]
+    fn what_is_written_is_read_back() {
+        for (file, text) in [
+            (None, None),
+            (Some([1, 2, 3]), Some("a\n\nb".to_owned())),
+            (Some([u64::MAX, 0, 0]), Some(String::new())),
+        ] {
+            let record = Record {
+                subject: Subject {
+                    sort: "file".into(),
+                    name: b"/a \xff\n".to_vec(),
+                    file,
+                    written: None,
+                },
+                session: Session::begun(SystemTime::now()),
+                base: 7,
+                time: 99,
+                text,
+            };
+            assert_eq!(Record::read(&record.bytes()).unwrap(), record);
+        }
+        for broken in ["", "krank-edits 2\n\n", "krank-edits 2\nscene file zz\n\n"] {
+            assert_eq!(Record::read(broken.as_bytes()), None);
+        }
+    }
+}

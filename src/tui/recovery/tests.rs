@@ -1,0 +1,143 @@
+//! Sessions that come and go, in a folder of their own.
+
+use super::*;
+use std::time::{Duration, UNIX_EPOCH};
+
+fn folder(name: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("krank-{name}-{}", std::process::id()));
+    let _ = fs::remove_dir_all(&folder);
+    folder
+}
+
+fn at(seconds: u64) -> SystemTime {
+    UNIX_EPOCH + Duration::from_secs(seconds)
+}
+
+fn four_bar() -> Origin {
+    Origin::Preset("four-bar".into())
+}
+
+/// A session that began then, on a scene.
+fn session(folder: &Path, begun: u64, origin: &Origin) -> Recovery {
+    Recovery::new(folder, &Session::begun(at(begun)), origin, "old")
+}
+
+#[test]
+fn edits_are_found_by_the_same_scene_alone() {
+    let folder = folder("recovery");
+    let mut one = session(&folder.join("deep/er"), 1, &four_bar());
+    let folder = folder.join("deep/er");
+    assert_eq!(one.others("old"), Others::default());
+    assert_eq!(one.keep("new\nlines\n", "old", at(1_795_269_780)), None);
+    let found = |origin: &Origin, present: &str| session(&folder, 9, origin).others(present);
+    let alive = found(&four_bar(), "old");
+    assert_eq!(alive.left, [], "it is another's, who is at work on them");
+    assert_eq!(alive.alive[0].process, std::process::id());
+    drop(one);
+    let edits = found(&four_bar(), "old");
+    assert_eq!(edits.alive, []);
+    assert_eq!(edits.left[0].text, "new\nlines\n");
+    assert_eq!(edits.left[0].time, "2026-11-21 14:03 UTC");
+    assert!(!edits.left[0].is_stale && !edits.left[0].is_older);
+    assert!(found(&four_bar(), "other").left[0].is_stale);
+    assert_eq!(found(&four_bar(), "new\nlines\n"), Others::default());
+    assert_eq!(
+        found(&Origin::File("four-bar".into()), "old"),
+        Others::default()
+    );
+    assert_eq!(found(&Origin::Stdin, "old"), Others::default());
+    fs::remove_dir_all(folder.parent().unwrap().parent().unwrap()).unwrap();
+}
+
+#[test]
+fn a_file_is_the_same_by_any_name() {
+    let folder = folder("recovery-names");
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("scene.toml");
+    fs::write(&file, "old").unwrap();
+    fs::hard_link(&file, folder.join("hard.toml")).unwrap();
+    std::os::unix::fs::symlink("scene.toml", folder.join("soft.toml")).unwrap();
+    let of = |path: PathBuf| Origin::File(path);
+    drop({
+        let mut one = session(&folder, 1, &of(file.clone()));
+        one.keep("new", "old", at(5));
+        one
+    });
+    let names = ["hard.toml", "soft.toml", "../x/../scene.toml"];
+    fs::create_dir_all(folder.parent().unwrap().join("x")).unwrap();
+    for name in names {
+        let name = match name.strip_prefix("../x/../") {
+            Some(name) => folder.join(".").join(name),
+            None => folder.join(name),
+        };
+        let left = session(&folder, 9, &of(name.clone())).others("old").left;
+        assert_eq!(left.len(), 1, "{name:?}");
+        assert!(left[0].is_older, "the file was written long after 1970");
+    }
+    // As other editors save: another file in its place.
+    fs::write(folder.join("new"), "old").unwrap();
+    fs::rename(folder.join("new"), &file).unwrap();
+    assert_eq!(session(&folder, 9, &of(file)).others("old").left.len(), 1);
+    fs::write(folder.join("other.toml"), "old").unwrap();
+    let other = session(&folder, 9, &of(folder.join("other.toml")));
+    assert_eq!(other.others("old"), Others::default());
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
+    let folder = folder("recovery-three");
+    for n in 1..=3 {
+        session(&folder, n, &four_bar()).keep(&format!("edit {n}"), "old", at(n * 60));
+    }
+    let mut next = session(&folder, 9, &four_bar());
+    let texts = |recovery: &Recovery| -> Vec<String> {
+        let left = recovery.others("old").left;
+        left.into_iter().map(|generation| generation.text).collect()
+    };
+    assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
+    // Taken up and taken back, it is still there; saved, it is not.
+    let newest = next.others("old").left.remove(0);
+    next.keep(&newest.text, "old", at(999));
+    next.take(newest.file);
+    next.rest();
+    assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
+    next.keep("edit 3", "old", at(999));
+    next.release();
+    assert_eq!(texts(&next), ["edit 2", "edit 1"], "others' edits stay");
+    delete(&next.others("old").left[0].file);
+    assert_eq!(texts(&next), ["edit 1"]);
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn who_has_a_file_open_is_seen_and_leaves_nothing() {
+    let folder = folder("recovery-open");
+    fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("scene.toml");
+    fs::write(&file, "old").unwrap();
+    let origin = Origin::File(file);
+    let kept = folder.join("kept");
+    let one = session(&kept, 1, &origin);
+    let two = session(&kept, 2, &origin);
+    assert_eq!(one.others("old").alive.len(), 1);
+    drop(two);
+    assert_eq!(one.others("old"), Others::default());
+    drop(one);
+    assert_eq!(fs::read_dir(&kept).unwrap().count(), 0);
+    fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn a_folder_that_cannot_be_written_is_said_once() {
+    let folder = folder("recovery-none");
+    fs::write(&folder, "a file").unwrap();
+    let mut recovery = session(&folder, 1, &Origin::Stdin);
+    let said = recovery.keep("text", "old", at(0)).unwrap();
+    assert!(
+        said.starts_with("edits are not kept for recovery: "),
+        "{said}"
+    );
+    assert_eq!(recovery.keep("text", "old", at(0)), None);
+    fs::remove_file(folder).unwrap();
+}

@@ -1,0 +1,411 @@
+//! Files of every kind as input and output: nothing that was there is lost, nothing half written looks whole.
+
+use super::{Run, command, done, folder, krank, refused, run};
+use std::fs::{self, File};
+use std::io::{Read, Write};
+use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
+use std::os::unix::process::ExitStatusExt;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread;
+use std::time::Duration;
+
+const FOUR_BAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/presets/four-bar.toml");
+
+/// A folder with nothing in it.
+fn fresh(test: &str) -> PathBuf {
+    let folder = folder(&format!("files-{test}"));
+    fs::remove_dir_all(&folder).unwrap();
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// A scene in a folder of its own.
+fn scene(test: &str) -> (PathBuf, PathBuf) {
+    let folder = fresh(test);
+    let scene = folder.join("scene.toml");
+    fs::copy(FOUR_BAR, &scene).unwrap();
+    (folder, scene)
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).unwrap();
+    let name = |entry: fs::DirEntry| entry.file_name().into_string().unwrap();
+    let mut names: Vec<String> = entries.map(|entry| name(entry.unwrap())).collect();
+    names.sort();
+    names
+}
+
+/// krank as a line of the shell runs it: `$KRANK`.
+fn shell(folder: &Path, line: &str) -> Run {
+    let output = Command::new("/bin/sh")
+        .args(["-c", line])
+        .env("KRANK", env!("CARGO_BIN_EXE_krank"))
+        .env("XDG_STATE_HOME", folder.join("state"))
+        .env("LC_ALL", "C")
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    Run {
+        code: output.status.code().unwrap_or(-1),
+        out: String::from_utf8(output.stdout).unwrap(),
+        err: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// `krank sweep scene.toml -o scene.toml` used to put the table in the place of the scene.
+#[test]
+fn the_scene_that_is_read_is_not_written_over() {
+    let (folder, scene) = scene("input-is-output");
+    symlink("scene.toml", folder.join("soft.toml")).unwrap();
+    fs::hard_link(&scene, folder.join("hard.toml")).unwrap();
+    let before = fs::read_to_string(&scene).unwrap();
+    for name in [
+        "scene.toml",
+        "./soft.toml",
+        "hard.toml",
+        "../files-input-is-output/scene.toml",
+    ] {
+        for command in [
+            "sweep", "table", "check", "explain", "draw", "motor", "accuracy",
+        ] {
+            let told = shell(&folder, &format!("$KRANK {command} scene.toml -o {name}"));
+            assert_eq!(told.code, 2, "{command} {name}: {}", told.err);
+            assert!(told.err.contains("the output is the scene"), "{}", told.err);
+        }
+        let told = shell(&folder, &format!("$KRANK sweep - -o {name} < scene.toml"));
+        assert_eq!(told.code, 2, "{name}: {}", told.err);
+    }
+    let told = shell(
+        &folder,
+        "$KRANK plot scene.toml --columns C.x -o scene.toml",
+    );
+    assert_eq!(told.code, 2, "{}", told.err);
+    let told = shell(&folder, "$KRANK table scene.toml >> scene.toml");
+    assert_eq!(told.code, 2, "{}", told.err);
+    assert_eq!(fs::read_to_string(&scene).unwrap(), before);
+    // A scene with another start is what this command writes, and may take its place; under both names.
+    let told = shell(
+        &folder,
+        "$KRANK start scene.toml --assembly C=- -o scene.toml",
+    );
+    assert_eq!(told.code, 0, "{}", told.err);
+    assert_ne!(fs::read_to_string(&scene).unwrap(), before);
+    assert_eq!(fs::metadata(&scene).unwrap().nlink(), 2);
+}
+
+#[test]
+fn pipes_and_descriptors_go_on_working() {
+    let (folder, scene) = scene("pipes");
+    let expected = done(&["table", text(&scene)]);
+    for line in [
+        "$KRANK table /dev/stdin < scene.toml",
+        "cat scene.toml | $KRANK table -",
+        "cat scene.toml | $KRANK table /dev/stdin",
+        "$KRANK table /dev/fd/3 3< scene.toml",
+        "mkfifo in && { cat scene.toml > in & $KRANK table in; }",
+        "$KRANK table scene.toml -o /dev/stdout",
+        "$KRANK table scene.toml -o /dev/stdout | cat",
+        "$KRANK table scene.toml -o /dev/fd/3 3>&1",
+        "mkfifo out && { cat out & $KRANK table scene.toml -o out; wait; }",
+    ] {
+        let told = shell(&folder, line);
+        assert_eq!(
+            (told.code, told.out.as_str()),
+            (0, expected.as_str()),
+            "{line}"
+        );
+    }
+    // What the shell has opened to be added to is added to.
+    let told = shell(
+        &folder,
+        "echo first > log; $KRANK table scene.toml -o /dev/fd/3 3>> log; cat log",
+    );
+    assert_eq!(told.out, format!("first\n{expected}"));
+    let told = shell(
+        &folder,
+        "echo first > log; $KRANK table scene.toml -o /dev/stdout >> log",
+    );
+    assert_eq!(told.code, 0, "{}", told.err);
+    let log = fs::read_to_string(folder.join("log")).unwrap();
+    assert_eq!(log, format!("first\n{expected}"));
+    assert_eq!(names(&folder), ["in", "log", "out", "scene.toml"]);
+}
+
+#[test]
+fn endless_input_ends_and_waiting_for_input_can_be_left() {
+    for name in ["/dev/zero", "/dev/urandom"] {
+        refused(2, &["check", name]);
+    }
+    let folder = fresh("endless");
+    let pipe = folder.join("pipe");
+    assert!(
+        Command::new("mkfifo")
+            .arg(&pipe)
+            .status()
+            .unwrap()
+            .success()
+    );
+    let mut waiting = Command::new(env!("CARGO_BIN_EXE_krank"))
+        .args(["check", text(&pipe)])
+        .spawn()
+        .unwrap();
+    thread::sleep(Duration::from_millis(200));
+    assert!(waiting.try_wait().unwrap().is_none(), "it waits");
+    let pid = rustix::process::Pid::from_child(&waiting);
+    rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
+    assert_eq!(waiting.wait().unwrap().signal(), Some(2));
+    // A configuration is a file and nothing else.
+    #[cfg(feature = "tui")]
+    {
+        let told = krank(&["four-bar", "--print", "--config", text(&pipe)]);
+        assert_eq!(told.code, 2);
+        assert!(
+            told.err.contains("it is a pipe, not a file"),
+            "{}",
+            told.err
+        );
+    }
+}
+
+#[test]
+fn what_a_file_is_stays() {
+    let folder = fresh("kept-rights");
+    let file = folder.join("out.csv");
+    fs::write(&file, "old").unwrap();
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
+    let is_given = std::os::unix::fs::chown(&file, Some(4321), Some(1234)).is_ok();
+    let link = folder.join("link.csv");
+    symlink("out.csv", &link).unwrap();
+    let dangling = folder.join("dangling.csv");
+    symlink("made.csv", &dangling).unwrap();
+    let expected = done(&["table", "press"]);
+    for name in [&link, &dangling] {
+        done(&["table", "press", "-o", text(name)]);
+        assert_eq!(fs::read_to_string(name).unwrap(), expected);
+        assert!(fs::symlink_metadata(name).unwrap().is_symlink());
+    }
+    let found = fs::metadata(&file).unwrap();
+    assert_eq!(found.mode() & 0o7777, 0o640);
+    if is_given {
+        assert_eq!((found.uid(), found.gid()), (4321, 1234));
+    } else {
+        eprintln!("skipped: only root may give files away");
+    }
+    assert_eq!(
+        names(&folder),
+        ["dangling.csv", "link.csv", "made.csv", "out.csv"]
+    );
+}
+
+#[test]
+fn a_read_only_file_is_refused() {
+    let file = fresh("read-only").join("out.csv");
+    fs::write(&file, "kept").unwrap();
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o444)).unwrap();
+    let told = refused(1, &["table", "press", "-o", text(&file)]);
+    assert!(told.contains("it is read-only"), "{told}");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "kept");
+}
+
+/// In folders that take no new file: another's that only this file may be written in, and a sticky one.
+#[test]
+fn a_file_in_a_foreign_folder_is_written_in_its_place() {
+    let as_nobody = |folder: &Path, line: &str| {
+        let krank = env!("CARGO_BIN_EXE_krank");
+        let line = format!("setpriv --reuid 65534 --regid 65534 --clear-groups -- {line}");
+        shell(folder, &line.replace("$KRANK", krank))
+    };
+    let folder = fresh("foreign");
+    if as_nobody(&folder, "$KRANK list").code != 0 {
+        eprintln!("skipped: nobody else can be");
+        return;
+    }
+    let state = folder.join("state");
+    fs::create_dir(&state).unwrap();
+    fs::set_permissions(&state, fs::Permissions::from_mode(0o777)).unwrap();
+    for mode in [0o755, 0o1777] {
+        let place = folder.join(format!("{mode:o}"));
+        fs::create_dir(&place).unwrap();
+        fs::set_permissions(&place, fs::Permissions::from_mode(mode)).unwrap();
+        let file = place.join("out.csv");
+        fs::write(&file, "old").unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o666)).unwrap();
+        let name = text(&file);
+        let told = as_nobody(&folder, &format!("$KRANK table press -o {name}"));
+        assert_eq!(told.code, 0, "{mode:o}: {}", told.err);
+        assert_eq!(
+            fs::read_to_string(&file).unwrap(),
+            done(&["table", "press"])
+        );
+        let found = fs::metadata(&file).unwrap();
+        assert_eq!((found.uid(), found.mode() & 0o777), (0, 0o666));
+        assert_eq!(names(&place), ["out.csv"]);
+        // Another's file that is not to be written stays.
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o644)).unwrap();
+        let told = as_nobody(&folder, &format!("$KRANK check press -o {name}"));
+        assert_eq!(told.code, 1, "{}", told.err);
+        assert_eq!(
+            fs::read_to_string(&file).unwrap(),
+            done(&["table", "press"])
+        );
+    }
+}
+
+/// No file may grow beyond so many blocks: as a disk that is full half way.
+#[test]
+fn a_full_disk_leaves_the_old_file_whole() {
+    let folder = fresh("no-room");
+    let (one, two) = (folder.join("one.csv"), folder.join("two.csv"));
+    for is_linked in [false, true] {
+        fs::write(&one, "kept").unwrap();
+        let _ = fs::remove_file(&two);
+        if is_linked {
+            fs::hard_link(&one, &two).unwrap();
+        }
+        let told = shell(
+            &folder,
+            "trap '' XFSZ; ulimit -f 8; exec $KRANK sweep press -o one.csv",
+        );
+        assert_eq!(told.code, 1, "{}", told.err);
+        assert_eq!(fs::read_to_string(&one).unwrap(), "kept");
+        let left: Vec<String> = names(&folder)
+            .into_iter()
+            .filter(|n| n.contains("part"))
+            .collect();
+        assert!(left.is_empty(), "{left:?}");
+    }
+}
+
+/// The same on a disk that is full, where one may be mounted.
+#[test]
+fn a_small_disk_leaves_the_old_file_whole() {
+    let folder = fresh("small-disk");
+    let disk = folder.join("disk");
+    fs::create_dir(&disk).unwrap();
+    let mount = Command::new("mount")
+        .args(["-t", "tmpfs", "-o", "size=64k", "none", text(&disk)])
+        .stderr(Stdio::null())
+        .status();
+    if !mount.is_ok_and(|status| status.success()) {
+        eprintln!("skipped: nothing may be mounted here");
+        return;
+    }
+    let told = ["one", "linked"].map(|name| {
+        fs::write(disk.join(name), "kept").unwrap();
+        if name == "linked" {
+            fs::hard_link(disk.join(name), disk.join("second")).unwrap();
+        }
+        shell(&folder, &format!("$KRANK sweep press -o disk/{name}"))
+    });
+    let kept: Vec<String> = ["one", "linked"]
+        .iter()
+        .map(|name| fs::read_to_string(disk.join(name)).unwrap())
+        .collect();
+    let left = names(&disk);
+    let unmounted = Command::new("umount").arg(&disk).status().unwrap();
+    assert!(unmounted.success());
+    for told in told {
+        assert_eq!(told.code, 1, "{}", told.err);
+        assert!(told.err.contains("No space"), "{}", told.err);
+    }
+    assert_eq!(kept, ["kept", "kept"]);
+    assert_eq!(left, ["linked", "one", "second"]);
+}
+
+/// Killed at any time, the file is the old one or the new one; what was left beside it goes with the next.
+#[test]
+fn a_kill_leaves_the_old_file_or_the_new_one() {
+    let folder = fresh("killed");
+    let (one, two) = (folder.join("one.csv"), folder.join("two.csv"));
+    let sweep = |column: &str| {
+        ["sweep", "four-bar", "--step", "0.02", "--columns", column].map(str::to_owned)
+    };
+    let texts = ["C.x", "C.y"].map(|column| {
+        let arguments = sweep(column);
+        done(&arguments.each_ref().map(String::as_str))
+    });
+    fs::write(&one, &texts[0]).unwrap();
+    // Every other round under two names, so that it is written in its place.
+    for round in 0..40_u64 {
+        if round == 20 {
+            fs::hard_link(&one, &two).unwrap();
+        }
+        let column = ["C.y", "C.x"][round as usize % 2];
+        let mut child = Command::new(env!("CARGO_BIN_EXE_krank"))
+            .args(sweep(column))
+            .args(["-o", text(&one)])
+            .env("XDG_STATE_HOME", folder.join("state"))
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        thread::sleep(Duration::from_millis(round * 37 % 120));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let next = shell(&folder, "$KRANK list > /dev/null");
+        assert_eq!(next.code, 0, "{}", next.err);
+        let now = fs::read_to_string(&one).unwrap();
+        assert!(texts.contains(&now), "round {round}: torn");
+    }
+    assert_eq!(fs::metadata(&one).unwrap().nlink(), 2);
+    let told = shell(&folder, "$KRANK table press -o three.txt");
+    assert_eq!(told.code, 0, "{}", told.err);
+    assert_eq!(names(&folder), ["one.csv", "state", "three.txt", "two.csv"]);
+    let records = folder.join("state/krank/recovery/writing");
+    let told = shell(&folder, "$KRANK table press -o one.csv");
+    assert_eq!(told.code, 0, "{}", told.err);
+    assert!(names(&records).is_empty(), "{:?}", names(&records));
+}
+
+/// A draft may be read by nobody who may not read the file.
+#[test]
+fn a_private_file_is_private_while_it_is_written() {
+    let folder = fresh("private");
+    let file = folder.join("out.csv");
+    fs::write(&file, "old").unwrap();
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_krank"))
+        .args(["sweep", "press", "--step", "0.001", "-o", text(&file)])
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let mut seen = 0;
+    for _ in 0..2000 {
+        for name in names(&folder) {
+            if let Ok(found) = fs::metadata(folder.join(&name)) {
+                assert_eq!(found.mode() & 0o077, 0, "{name}");
+                seen += usize::from(name != "out.csv");
+            }
+        }
+        if seen > 20 {
+            break;
+        }
+        thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert!(seen > 0, "no draft was ever there");
+    assert_eq!(fs::read_to_string(&file).unwrap(), "old");
+}
+
+/// What others have put there under such a name is theirs.
+#[test]
+fn a_foreign_file_in_the_way_stays() {
+    let (folder, _) = scene("in-the-way");
+    let foreign = folder.join(".krank-1-0.part");
+    let mut held = File::create(&foreign).unwrap();
+    held.write_all(b"somebody's").unwrap();
+    held.lock().unwrap();
+    let mut run_it = command(&["table", "press", "-o", text(&folder.join("out"))]);
+    assert_eq!(run(&mut run_it).code, 0);
+    let mut kept = String::new();
+    File::open(&foreign)
+        .unwrap()
+        .read_to_string(&mut kept)
+        .unwrap();
+    assert_eq!(kept, "somebody's");
+}
