@@ -81,6 +81,56 @@ pub(crate) struct Judgement {
     colorterm: Option<String>,
 }
 
+/// Families of terminals that are no emulators with a window of their own, by the word that their names begin
+/// with (the descriptions of ncurses): `linux-16color` is a console, and `vte-256color` no VT100.
+const FAMILIES: [(&str, Kind); 28] = [
+    ("ansi", Kind::Old),
+    ("pcansi", Kind::Old),
+    ("adm", Kind::Old),
+    ("beterm", Kind::Old),
+    ("bsdos", Kind::Old),
+    ("cons", Kind::Old),
+    ("hp", Kind::Old),
+    ("hurd", Kind::Old),
+    ("ibm", Kind::Old),
+    ("mach", Kind::Old),
+    ("minitel", Kind::Old),
+    ("pcvt", Kind::Old),
+    ("qnx", Kind::Old),
+    ("scoansi", Kind::Old),
+    ("sun", Kind::Old),
+    ("tvi", Kind::Old),
+    ("vt", Kind::Old),
+    ("wsvt", Kind::Old),
+    ("wy", Kind::Old),
+    ("wyse", Kind::Old),
+    ("linux", Kind::Console),
+    ("bterm", Kind::Console),
+    ("jfbterm", Kind::Console),
+    ("kon", Kind::Console),
+    ("dumb", Kind::Dumb),
+    ("dialup", Kind::Unknown),
+    ("network", Kind::Unknown),
+    ("unknown", Kind::Unknown),
+];
+
+/// What kind of terminal has this name.
+fn kind_of(term: &str) -> Kind {
+    // Multiplexers tell in what they run: `screen.linux`.
+    let (outer, inner) = term.split_once('.').unwrap_or((term, ""));
+    if ["screen", "tmux"].contains(&outer) && kind_of(inner) == Kind::Console {
+        return Kind::Console;
+    }
+    // A number behind the word tells one of the family from others.
+    let word = term.split(|c: char| !c.is_ascii_alphabetic()).next();
+    let word = word.unwrap_or_default();
+    match FAMILIES.iter().find(|(family, _)| *family == word) {
+        _ if term.is_empty() => Kind::Unknown,
+        Some((_, kind)) => *kind,
+        None => Kind::Emulator,
+    }
+}
+
 /// What was found, and from what it follows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Found<T> {
@@ -110,13 +160,7 @@ impl Judgement {
 
     /// What TERM says.
     pub(crate) fn kind(&self) -> Kind {
-        match self.term.as_str() {
-            "" => Kind::Unknown,
-            "dumb" => Kind::Dumb,
-            "linux" => Kind::Console,
-            term if term.starts_with("vt") => Kind::Old,
-            _ => Kind::Emulator,
-        }
+        kind_of(&self.term)
     }
 
     /// Whether the locale's characters are UTF-8.
@@ -162,7 +206,9 @@ impl Judgement {
 
     fn colours_of_term(&self) -> Found<Colours> {
         let why = format!("TERM={}", self.term);
-        if self.term.contains("direct") {
+        if ["-mono", "-m"].iter().any(|end| self.term.ends_with(end)) {
+            found(Colours::None, why)
+        } else if self.term.contains("direct") {
             found(Colours::True, why)
         } else if self.term.contains("256color") {
             found(Colours::Indexed, why)
@@ -244,6 +290,40 @@ mod tests {
         assert_eq!(found(&[xterm, c_utf8]), (Braille, Indexed, true));
         let dumb = judge(&[("TERM", "dumb")]);
         assert_eq!(dumb.capability(Option::None, Option::None), Option::None);
+    }
+
+    /// By the first letters alone, the first one was a VT100, and the console had Braille.
+    #[test]
+    fn terminals_are_what_their_names_say() {
+        for (kind, names) in [
+            (
+                Kind::Emulator,
+                "vte vte-256color xterm-256color screen screen-256color tmux-256color screen.xterm-256color \
+                 rxvt-unicode-256color alacritty foot xterm-kitty xterm-ghostty wezterm konsole-256color \
+                 st-256color putty mintty iterm2 nsterm contour eterm-color Eterm ms-terminal cygwin",
+            ),
+            (
+                Kind::Console,
+                "linux linux-16color linux-basic linux-m linux2.6 linux3.0 screen.linux screen.linux-m \
+                 tmux.linux bterm",
+            ),
+            (
+                Kind::Old,
+                "vt52 vt100 vt100-am vt102 vt220 vt220-8bit vt320 vt420 vt510 ansi ansi-m ansi.sys cons25 \
+                 pcansi sun sun-color wy60 wyse50 wsvt25 tvi925 hp2392 adm3a vt-utf8 scoansi hurd",
+            ),
+            (Kind::Dumb, "dumb dumb-emacs-ansi"),
+            (Kind::Unknown, "unknown network dialup"),
+        ] {
+            for name in names.split_whitespace() {
+                assert_eq!(kind_of(name), kind, "{name}");
+            }
+        }
+        let colours = |term| judge(&[("TERM", term)]).colours().value;
+        assert_eq!(colours("vte-256color"), Colours::Indexed);
+        assert_eq!(colours("linux-16color"), Colours::Sixteen);
+        assert_eq!(colours("linux-m"), Colours::None);
+        assert_eq!(colours("xterm-mono"), Colours::None);
     }
 
     #[test]

@@ -33,9 +33,8 @@ const PLACES: [(&str, u8); 18] = [
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 19] = [
+const FOREIGN: [(&str, &[&str]); 18] = [
     ("ratatui", &["tui"]),
-    ("termina", &["tui"]),
     ("rustix", &["cli", "tui", "files"]),
     ("signal_hook", &["cli", "tui"]),
     ("clap", &["cli"]),

@@ -7,6 +7,7 @@ mod ending;
 mod environment;
 mod first_start;
 mod input;
+mod line;
 mod saving;
 mod session;
 mod slow;

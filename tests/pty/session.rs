@@ -70,6 +70,8 @@ struct Switches {
     cut: AtomicBool,
     /// To take whatever comes at once.
     hurry: AtomicBool,
+    /// To answer no more.
+    silent: AtomicBool,
 }
 
 /// How the terminal at the other end behaves.
@@ -175,8 +177,21 @@ impl Session {
     }
 
     pub(crate) fn send(&self, keys: &str) {
-        let mut writer = self.keys.lock().unwrap();
-        writer.write_all(keys.as_bytes()).unwrap();
+        self.send_bytes(keys.as_bytes());
+    }
+
+    pub(crate) fn send_bytes(&self, bytes: &[u8]) {
+        self.keys.lock().unwrap().write_all(bytes).unwrap();
+    }
+
+    /// Sends to a program that may be gone by now.
+    pub(crate) fn send_if_there(&self, bytes: &[u8]) {
+        let _ = self.keys.lock().unwrap().write_all(bytes);
+    }
+
+    /// From now on the terminal answers nothing.
+    pub(crate) fn fall_silent(&self) {
+        self.switches.silent.store(true, Ordering::SeqCst);
     }
 
     pub(crate) fn screen(&self) -> String {
@@ -343,7 +358,8 @@ fn watch(
         let new = seen.bytes[from..].windows(QUESTION.len());
         let questions = new.filter(|bytes| *bytes == QUESTION).count();
         drop(seen);
-        if matches!(manner, Manner::Answers | Manner::Slow) && questions > 0 {
+        let answers = matches!(manner, Manner::Answers | Manner::Slow);
+        if answers && questions > 0 && !switches.silent.load(Ordering::SeqCst) {
             let _ = keys.lock().unwrap().write_all(&ANSWER.repeat(questions));
         }
     }

@@ -31,6 +31,14 @@ const CAREFUL: Duration = Duration::from_millis(200);
 const MUTE: Duration = Duration::from_millis(100);
 /// An answer that takes longer will not come, or the line is too slow for anything.
 const PATIENCE: Duration = Duration::from_secs(4);
+/// An answer that takes so many times what it should is lost: somebody typed into it, or the line is noisy.
+const TOO_LATE: f64 = 4.0;
+/// However quick a line is, a terminal may have something else to do for a moment.
+const LEAST_PATIENCE: Duration = Duration::from_millis(200);
+/// After so many lost answers one after the other no more is asked.
+const MOST_LOST: u32 = 3;
+/// An answer that comes later tells nothing of the line: it may be to another question, or to none.
+const LONGEST_WAY: Duration = Duration::from_secs(2);
 /// How long leaving waits for an answer, which would otherwise be typed into the shell.
 const FAREWELL: Duration = Duration::from_millis(800);
 
@@ -75,6 +83,8 @@ pub(super) struct Pace {
     last: Option<Instant>,
     /// Bytes sent since the last question.
     unasked: usize,
+    /// Answers that were lost since the last one that came.
+    lost: u32,
     rate: Rate,
 }
 
@@ -96,6 +106,7 @@ impl Pace {
             asked: None,
             last: None,
             unasked: 0,
+            lost: 0,
             rate: Rate {
                 set,
                 measured: None,
@@ -125,11 +136,14 @@ impl Pace {
     /// The terminal answered `now`, late perhaps.
     pub(super) fn answered(&mut self, now: Instant) {
         self.manner = Manner::Answers;
+        self.lost = 0;
         if let Some(asked) = self.asked.take() {
             #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
             let bytes = asked.bytes as f64;
             let took = now.saturating_duration_since(asked.at);
-            self.rate.learn(bytes, took.as_secs_f64());
+            if took <= LONGEST_WAY {
+                self.rate.learn(bytes, took.as_secs_f64());
+            }
         }
     }
 
@@ -150,7 +164,7 @@ impl Pace {
             (Manner::Unknown, Some(asked)) => {
                 Some((last + self.fixed(CAREFUL)).min(asked.at + PATIENCE))
             }
-            (Manner::Answers, Some(asked)) => Some(asked.at + PATIENCE),
+            (Manner::Answers, Some(asked)) => Some(asked.at + self.patience(asked)),
             (Manner::Unknown | Manner::Answers, None) => None,
             (Manner::Mute, _) => Some(last + self.fixed(MUTE)),
         }
@@ -158,18 +172,44 @@ impl Pace {
 
     /// Until when to wait for an answer before leaving, if one may still come.
     pub(super) fn farewell(&self, now: Instant) -> Option<Instant> {
-        self.asked.map(|_| now + FAREWELL)
+        let patience = |asked| match self.manner {
+            Manner::Answers => self.patience(asked),
+            Manner::Unknown | Manner::Mute => FAREWELL,
+        };
+        self.asked.map(|asked| now + patience(asked).min(FAREWELL))
     }
 
-    /// A pause, or what a frame takes on a line that tells its speed.
+    /// A pause, or what a frame takes on a line whose speed is known.
     fn fixed(&self, pause: Duration) -> Duration {
-        self.rate.set.map_or(pause, |_| pause.max(FRAME))
+        self.rate.known().map_or(pause, |_| pause.max(FRAME))
+    }
+
+    /// How long the answer to a question is waited for: as the line was found, and twice as long after each
+    /// one that did not come.
+    fn patience(&self, asked: Asked) -> Duration {
+        #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
+        let bytes = asked.bytes as f64;
+        let Some(expected) = self.rate.expected(bytes) else {
+            return FIRST_PATIENCE;
+        };
+        let patience = (TOO_LATE * expected).max(LEAST_PATIENCE.as_secs_f64());
+        let patience = patience * f64::from(1 << self.lost.min(MOST_LOST));
+        Duration::from_secs_f64(patience.min(PATIENCE.as_secs_f64()))
     }
 
     fn give_up(&mut self, now: Instant) {
-        if self.asked.is_some_and(|asked| now >= asked.at + PATIENCE) {
+        let Some(asked) = self.asked else { return };
+        let patience = match self.manner {
+            Manner::Answers => self.patience(asked),
+            Manner::Unknown | Manner::Mute => PATIENCE,
+        };
+        if now < asked.at + patience {
+            return;
+        }
+        self.asked = None;
+        self.lost += 1;
+        if self.manner != Manner::Answers || self.lost >= MOST_LOST {
             self.manner = Manner::Mute;
-            self.asked = None;
         }
     }
 }
@@ -190,6 +230,12 @@ impl Rate {
     fn known(&self) -> Option<f64> {
         let of = |set: f64| self.measured.map_or(set, |measured| measured.min(set));
         self.set.map(of).or(self.measured)
+    }
+
+    /// What the way there and back takes, and so many bytes on the line: seconds, where that was measured.
+    fn expected(&self, bytes: f64) -> Option<f64> {
+        let (_, way) = self.quickest?;
+        Some(way + bytes / self.known()?)
     }
 
     /// An answer to so many bytes came after so many seconds.
@@ -356,10 +402,59 @@ mod tests {
         pace.answered(now + MOMENT);
         assert_eq!(pace.ready_at(), None);
         assert!(pace.send(100, now + MOMENT));
-        assert_eq!(pace.ready_at(), Some(now + MOMENT + PATIENCE));
+        assert!(pace.ready_at() > Some(now + MOMENT));
         assert!(pace.farewell(now).is_some());
         pace.answered(now + MOMENT);
         assert_eq!(pace.farewell(now), None);
+    }
+
+    /// One that was lost used to stop the screen for 4 s.
+    #[test]
+    fn a_lost_answer_is_waited_for_as_the_line_was_found() {
+        let mut now = Instant::now();
+        for (way, most) in [(3e-4, 0.25), (0.1, 1.0), (0.4, 3.5)] {
+            let line = Line { rate: 1e6, way };
+            let mut pace = Pace::new(None);
+            line.frames(&mut pace, 20, 3000);
+            assert!(pace.send(100, now));
+            let ready = pace.ready_at().unwrap();
+            assert!(
+                ready - now < Duration::from_secs_f64(most),
+                "{:?}",
+                ready - now
+            );
+            // It is asked again, and one that comes makes all good.
+            assert!(pace.send(100, ready));
+            let later = pace.ready_at().unwrap() - ready;
+            assert!(later >= (ready - now).min(PATIENCE), "{later:?}");
+            pace.answered(ready + MOMENT);
+            assert_eq!(pace.ready_at(), None);
+            now = ready + MOMENT;
+        }
+        // A slow line takes its time for what was sent.
+        let line = Line {
+            rate: 960.0,
+            way: 0.002,
+        };
+        let mut pace = Pace::new(None);
+        line.frames(&mut pace, 20, 3000);
+        assert!(pace.send(240, now));
+        assert!(pace.ready_at().unwrap() - now > Duration::from_millis(500));
+    }
+
+    #[test]
+    fn a_terminal_that_falls_silent_is_asked_no_more() {
+        let mut now = Instant::now();
+        let mut pace = Pace::new(None);
+        pace.send(100, now);
+        pace.answered(now + MOMENT);
+        let begun = now;
+        while pace.manner != Manner::Mute {
+            pace.send(100, now);
+            now = pace.ready_at().unwrap().max(now + MOMENT);
+        }
+        assert!(now - begun < Duration::from_secs(4), "{:?}", now - begun);
+        assert!(!pace.send(100, now));
     }
 
     #[test]

@@ -108,6 +108,8 @@ fn episode(seed: u64) -> usize {
 #[derive(Debug)]
 enum Deed {
     Press(Key),
+    /// What a line sends: keys, pieces of them, and noise.
+    Bytes(Vec<u8>),
     Paste(String),
     Resize(u16, u16),
     Pass(Duration),
@@ -132,6 +134,7 @@ fn live(chance: &mut Chance, done: &mut Vec<Deed>) {
     let opened = opening::preset(preset).unwrap();
     let workbench = Workbench::on(opened, None, capability, Size::new(cols, rows));
     let mut workbench = workbench.themed(theme).timed_by(made_up);
+    let mut keyboard = Keyboard::default();
     for _ in 0..EPISODE {
         let deed = deed(chance, workbench.app());
         done.push(deed);
@@ -139,6 +142,11 @@ fn live(chance: &mut Chance, done: &mut Vec<Deed>) {
         match deed {
             Deed::Press(key) => {
                 if workbench.key(*key) == Effect::Quit {
+                    return;
+                }
+            }
+            Deed::Bytes(bytes) => {
+                if !send(bytes, &mut keyboard, &mut workbench) {
                     return;
                 }
             }
@@ -154,6 +162,33 @@ fn live(chance: &mut Chance, done: &mut Vec<Deed>) {
             check(app);
         }
     }
+}
+
+/// Sends bytes as a terminal does, and after a nul nothing for a while. False once the workbench was left.
+fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> bool {
+    let mut inputs = Vec::new();
+    for byte in bytes {
+        match byte {
+            0 => {
+                keyboard.give_up(&mut inputs);
+                workbench.pass(Duration::from_millis(50));
+            }
+            _ => keyboard.feed(&[*byte], Instant::now(), &mut inputs),
+        }
+        for input in inputs.drain(..) {
+            match input {
+                Input::Key(key) if stays(workbench.app(), &Deed::Press(key)) => {
+                    if workbench.key(key) == Effect::Quit {
+                        return false;
+                    }
+                }
+                Input::Paste(text) => workbench.app().paste(&text.replace(['/', '~', '.'], "")),
+                Input::Key(_) | Input::Answer => {}
+            }
+            check(workbench.app());
+        }
+    }
+    true
 }
 
 fn made_up() -> Duration {
@@ -177,7 +212,8 @@ fn deed(chance: &mut Chance, app: &App) -> Deed {
         55..70 => Deed::Press(*chance.one_of(&LEADING)),
         70..84 => Deed::Press(Key::Char(char::from(b' ' + chance.small(95) as u8))),
         84..86 => Deed::Press(*chance.one_of(&ODD)),
-        86..88 => Deed::Paste(
+        86 => Deed::Bytes(noise(chance)),
+        87 => Deed::Paste(
             (0..chance.below(40))
                 .map(|_| *chance.one_of(&PASTED))
                 .collect(),
@@ -194,6 +230,19 @@ fn deed(chance: &mut Chance, app: &App) -> Deed {
     } else {
         Deed::Press(Key::Escape)
     }
+}
+
+/// Bytes as a bad line sends them; a quit by accident teaches nothing.
+fn noise(chance: &mut Chance) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    for _ in 0..chance.below(12) {
+        match chance.below(3) {
+            0 => bytes.push(chance.below(256) as u8),
+            _ => bytes.extend_from_slice(chance.one_of(&SEQUENCES).as_bytes()),
+        }
+    }
+    bytes.retain(|byte| !matches!(byte, b'q' | 3));
+    bytes
 }
 
 /// Keys that lead on and back, whatever is asked.
@@ -431,32 +480,8 @@ fn typed(first: u8, second: u8, bytes: &[u8]) -> u64 {
     let mut workbench = workbench.timed_by(made_up);
     let mut keyboard = Keyboard::default();
     let mut outcome = DefaultHasher::new();
-    let mut inputs = Vec::new();
-    for byte in bytes {
-        // A nul is a pause: what is held back is given up.
-        if *byte == 0 {
-            keyboard.give_up(&mut inputs);
-            workbench.pass(Duration::from_millis(50));
-        } else {
-            keyboard.feed(&[*byte], Instant::now(), &mut inputs);
-        }
-        for input in inputs.drain(..) {
-            let deed = match input {
-                Input::Key(key) => Deed::Press(key),
-                Input::Paste(text) => Deed::Paste(text),
-                Input::Answer => continue,
-            };
-            match deed {
-                Deed::Press(key) if stays(workbench.app(), &Deed::Press(key)) => {
-                    if workbench.key(key) == Effect::Quit {
-                        return 1;
-                    }
-                }
-                Deed::Paste(text) => workbench.app().paste(&text.replace(['/', '~', '.'], "")),
-                Deed::Press(_) | Deed::Resize(..) | Deed::Pass(_) => {}
-            }
-            check(workbench.app());
-        }
+    if !send(bytes, &mut keyboard, &mut workbench) {
+        return 1;
     }
     let frame = workbench.paint().to_vec();
     let app = workbench.app();

@@ -1,0 +1,118 @@
+//! What the sequences of keys mean.
+
+use crate::tui::key::Key;
+
+/// Bits of the modifiers, after one is taken off: Shift, Alt, Ctrl, then others that no terminal is set to
+/// send for a plain key.
+const SHIFT: u32 = 1;
+const CONTROL: u32 = 4;
+const OTHERS: u32 = 2 | 8 | 16 | 32;
+/// The kind of an event that tells that a key was let go.
+const RELEASE: u32 = 3;
+
+/// A control character.
+pub(super) fn control(byte: u8) -> Option<Key> {
+    Some(match byte {
+        0x00 => Key::Ctrl(' '),
+        // Some terminals send the first for the key that erases.
+        0x08 | 0x7f => Key::Backspace,
+        b'\t' => Key::Tab,
+        b'\r' => Key::Enter,
+        0x01..=0x1a => Key::Ctrl(char::from(byte - 1 + b'a')),
+        0x1c..=0x1f => Key::Ctrl(char::from(byte - 0x1c + b'4')),
+        _ => return None,
+    })
+}
+
+/// A key of the other keypad: `ESC O` and this.
+pub(super) fn ss3(last: u8) -> Option<Key> {
+    match last {
+        b'M' => Some(Key::Enter),
+        _ => moving(last).or_else(|| function(last)),
+    }
+}
+
+/// A control sequence: its parameters, and the letter at its end.
+pub(super) fn csi(parameters: &[u8], last: u8) -> Option<Key> {
+    let parameters = std::str::from_utf8(parameters).ok()?;
+    let mut parts = parameters.split(';');
+    let mut number = || parts.next().map_or(Some((0, 0)), numbers);
+    let ((first, _), (modifiers, event), (third, _)) = (number()?, number()?, number()?);
+    let modifiers = modifiers.saturating_sub(1);
+    if event == RELEASE || modifiers & OTHERS != 0 {
+        return None;
+    }
+    let key = match last {
+        b'u' => of_code(first, modifiers)?,
+        b'~' if first == 27 => of_code(third, modifiers)?,
+        b'~' => numbered(first)?,
+        b'Z' => Key::BackTab,
+        // With other parameters it is where the cursor is.
+        b'R' if first != 1 => return None,
+        _ => moving(last).or_else(|| function(last))?,
+    };
+    let has_control = modifiers & CONTROL != 0;
+    let is_plain = matches!(key, Key::Char(_) | Key::Ctrl(_) | Key::Backspace) || !has_control;
+    is_plain.then_some(key)
+}
+
+/// A parameter and the one behind its colon; `None` where it is no number.
+fn numbers(part: &str) -> Option<(u32, u32)> {
+    let mut parts = part.split(':');
+    let mut number = || match parts.next() {
+        None | Some("") => Some(0),
+        Some(digits) => digits.parse().ok(),
+    };
+    Some((number()?, number()?))
+}
+
+fn moving(last: u8) -> Option<Key> {
+    Some(match last {
+        b'A' => Key::Up,
+        b'B' => Key::Down,
+        b'C' => Key::Right,
+        b'D' => Key::Left,
+        b'H' => Key::Home,
+        b'F' => Key::End,
+        _ => return None,
+    })
+}
+
+fn function(last: u8) -> Option<Key> {
+    matches!(last, b'P'..=b'S').then(|| Key::Function(last - b'P' + 1))
+}
+
+/// The keys that VT220s have numbers for; there are gaps between their groups.
+fn numbered(number: u32) -> Option<Key> {
+    let function = match number {
+        1 | 7 => return Some(Key::Home),
+        4 | 8 => return Some(Key::End),
+        5 => return Some(Key::PageUp),
+        6 => return Some(Key::PageDown),
+        11..=15 => number - 10,
+        17..=21 => number - 11,
+        23..=26 => number - 12,
+        28 | 29 => number - 13,
+        31..=34 => number - 14,
+        _ => return None,
+    };
+    u8::try_from(function).ok().map(Key::Function)
+}
+
+/// A key by its character, as newer terminals tell it.
+fn of_code(code: u32, modifiers: u32) -> Option<Key> {
+    let key = match char::from_u32(code)? {
+        '\u{1b}' => Key::Escape,
+        '\r' => Key::Enter,
+        '\t' if modifiers & SHIFT != 0 => Key::BackTab,
+        '\t' => Key::Tab,
+        '\u{8}' | '\u{7f}' => Key::Backspace,
+        // Keys without a character have numbers from here.
+        '\u{e000}'..='\u{f8ff}' => return None,
+        c if c.is_control() => return None,
+        'h' if modifiers & CONTROL != 0 => Key::Backspace,
+        c if modifiers & CONTROL != 0 => Key::Ctrl(c.to_ascii_lowercase()),
+        c => Key::Char(c),
+    };
+    Some(key)
+}

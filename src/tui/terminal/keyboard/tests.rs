@@ -1,0 +1,252 @@
+//! Keys, pastes, answers and noise, in whatever pieces they come.
+
+use super::*;
+use proptest::prelude::*;
+
+fn keys_of(pieces: &[&[u8]]) -> Vec<Input> {
+    let mut keyboard = Keyboard::default();
+    let mut inputs = Vec::new();
+    let now = Instant::now();
+    for piece in pieces {
+        keyboard.feed(piece, now, &mut inputs);
+    }
+    if keyboard.deadline().is_some() {
+        keyboard.give_up(&mut inputs);
+    }
+    inputs
+}
+
+fn key_of(bytes: &[u8]) -> Vec<Input> {
+    keys_of(&[bytes])
+}
+
+fn key(key: Key) -> Vec<Input> {
+    vec![Input::Key(key)]
+}
+
+#[test]
+fn keys_are_told_apart() {
+    for (bytes, expected) in [
+        (&b" "[..], Key::Char(' ')),
+        (b"\x1b[A", Key::Up),
+        (b"\x1bOA", Key::Up),
+        (b"\x1b[1;2C", Key::Right),
+        (b"\x1b[H", Key::Home),
+        (b"\x1b[1~", Key::Home),
+        (b"\x1bOF", Key::End),
+        (b"\x1b[Z", Key::BackTab),
+        (b"\x1bOP", Key::Function(1)),
+        (b"\x1b[1;2R", Key::Function(3)),
+        (b"\x1b[[A", Key::Function(1)),
+        (b"\x1b[[E", Key::Function(5)),
+        (b"\x1b[15~", Key::Function(5)),
+        (b"\x1b[17~", Key::Function(6)),
+        (b"\x1b[24~", Key::Function(12)),
+        (b"\x1b[34~", Key::Function(20)),
+        (b"\x1b[5~", Key::PageUp),
+        (b"\x1b[99;5u", Key::Ctrl('c')),
+        (b"\x1b[27;5;99~", Key::Ctrl('c')),
+        (b"\x1b[97;1:1u", Key::Char('a')),
+        (b"\x03", Key::Ctrl('c')),
+        (b"\x1a", Key::Ctrl('z')),
+        (b"\r", Key::Enter),
+        (b"\t", Key::Tab),
+        (b"\x08", Key::Backspace),
+        (b"\x7f", Key::Backspace),
+        ("\u{e4}".as_bytes(), Key::Char('\u{e4}')),
+        ("\u{4e2d}".as_bytes(), Key::Char('\u{4e2d}')),
+        ("\u{1f600}".as_bytes(), Key::Char('\u{1f600}')),
+    ] {
+        assert_eq!(key_of(bytes), key(expected), "{bytes:?}");
+        // In any pieces.
+        for cut in 1..bytes.len() {
+            let (front, back) = bytes.split_at(cut);
+            assert_eq!(keys_of(&[front, back]), key(expected), "{bytes:?} at {cut}");
+        }
+    }
+    for nothing in [
+        &b"\x1b[1;5C"[..],
+        b"\x1b[97;1:3u",
+        b"\x1b[12;40R",
+        b"\x1b[3~",
+        b"\x1b[?62;1c",
+        b"\x1b[<0;1;1M",
+        b"\x1b[I",
+        b"\x1bq",
+        "\x1b\u{e4}".as_bytes(),
+        b"\x1b[201~",
+    ] {
+        assert_eq!(key_of(nothing), vec![], "{nothing:?}");
+    }
+    assert_eq!(key_of(b"\x1b[M !q "), key(Key::Char(' ')));
+}
+
+#[test]
+fn answers_are_told_from_keys_and_found_in_pastes() {
+    assert_eq!(
+        key_of(b"a\x1b[0nb"),
+        vec![
+            Input::Key(Key::Char('a')),
+            Input::Answer,
+            Input::Key(Key::Char('b'))
+        ]
+    );
+    assert_eq!(
+        key_of(b"\x1b[200~a\x1b[0nb\x1b[201~"),
+        vec![Input::Answer, Input::Paste("ab".into())]
+    );
+    // As a terminal of eight bits has it.
+    assert_eq!(key_of(b"\x9b0n"), vec![Input::Answer]);
+}
+
+/// These used to swallow the ESC of the answer behind them, and stopped the screen for 4 s.
+#[test]
+fn an_answer_is_heard_behind_whatever_was_unfinished() {
+    let unfinished: [&[u8]; 12] = [
+        b"\xe9",
+        b"\xf0\x9f",
+        b"\x1b[",
+        b"\x1b[1;",
+        b"\x1b[[",
+        b"\x1b[M",
+        b"\x1bO",
+        b"\x1b]",
+        b"\x1b]11;rgb:ffff/ffff/ffff",
+        b"\x1bP1$r",
+        b"\x1b_G",
+        b"\x9b",
+    ];
+    for bytes in unfinished {
+        let inputs = key_of(&[bytes, b"\x1b[0n"].concat());
+        assert_eq!(inputs, vec![Input::Answer], "{bytes:?}");
+    }
+    let both = vec![Input::Key(Key::Escape), Input::Answer];
+    assert_eq!(key_of(b"\x1b\x1b[0n"), both);
+    assert_eq!(keys_of(&[b"\x1b", b"\x1b[0", b"n"]), both);
+}
+
+#[test]
+fn a_letter_of_another_encoding_takes_no_key_with_it() {
+    assert_eq!(key_of(b"\xe9q"), key(Key::Char('q')));
+    assert_eq!(key_of(b"\xe9\xe9\r"), key(Key::Enter));
+    assert_eq!(key_of(b"\x80\xff\xc0q"), key(Key::Char('q')));
+    assert_eq!(key_of(b"\xed\xa0\x80q"), key(Key::Char('q')), "a surrogate");
+}
+
+/// A reply of more than 256 bytes used to be typed as keys, and its `q` left the program.
+#[test]
+fn strings_of_any_length_are_no_keys() {
+    for length in [0, 1, 255, 256, 257, 1 << 20] {
+        let text = "q".repeat(length);
+        for (begins, ends) in [
+            ("\x1b]52;c;", "\x07"),
+            ("\x1b]52;c;", "\x1b\\"),
+            ("\x1bP1+r", "\x1b\\"),
+            ("\x1b_G", "\x1b\\"),
+            ("\x1b^", "\x1b\\"),
+            ("\x1bX", "\x18"),
+        ] {
+            let bytes = format!("{begins}{text}{ends}g");
+            assert_eq!(key_of(bytes.as_bytes()), key(Key::Char('g')), "{begins:?}");
+        }
+        let digits = "1;".repeat(length);
+        let bytes = format!("\x1b[{digits}mg");
+        assert_eq!(key_of(bytes.as_bytes()), key(Key::Char('g')));
+    }
+}
+
+#[test]
+fn a_lone_escape_is_a_key_once_nothing_follows() {
+    let mut keyboard = Keyboard::default();
+    let mut inputs = Vec::new();
+    let now = Instant::now();
+    keyboard.feed(b"\x1b", now, &mut inputs);
+    assert_eq!(inputs, vec![]);
+    assert_eq!(keyboard.deadline(), Some(now + ESCAPE_PATIENCE));
+    keyboard.give_up(&mut inputs);
+    assert_eq!(inputs, key(Key::Escape));
+    assert_eq!(keyboard.deadline(), None);
+}
+
+#[test]
+fn a_paste_is_never_keys_however_long() {
+    let pasted = b"\x1b[200~q\x03\r\x1b[A\x1b]\x1b[201~";
+    let text = "q\x03\r\x1b[A\x1b]".to_owned();
+    assert_eq!(key_of(pasted), vec![Input::Paste(text.clone())]);
+    let pieces: Vec<&[u8]> = pasted.chunks(1).collect();
+    assert_eq!(keys_of(&pieces), vec![Input::Paste(text)]);
+    let mut long = b"\x1b[200~".to_vec();
+    long.resize(3 * LONGEST_PASTE, b'q');
+    long.extend_from_slice(b"\x1b[201~ ");
+    let inputs = key_of(&long);
+    assert!(
+        matches!(&inputs[..], [Input::Paste(text), Input::Key(_)] if text.len() == LONGEST_PASTE)
+    );
+}
+
+/// Ctrl-C that a person presses, and any within a paste that does not end.
+#[test]
+fn a_paste_without_an_end_is_left_by_ctrl_c() {
+    let leave = key(Key::Ctrl('c'));
+    let begun = Instant::now();
+    let mut inputs = Vec::new();
+    let mut keyboard = Keyboard::default();
+    keyboard.feed(b"\x1b[200~text", begun, &mut inputs);
+    keyboard.feed(b"\x03", begun + PRESSED, &mut inputs);
+    assert_eq!(inputs, leave);
+    // One that goes on and on.
+    inputs.clear();
+    keyboard.feed(b"\x1b[200~", begun, &mut inputs);
+    let mut now = begun;
+    while now < begun + LONGEST_PASTING {
+        now += PRESSED / 5;
+        keyboard.feed(b"text", now, &mut inputs);
+    }
+    keyboard.feed(b"text\x03text", now, &mut inputs);
+    assert_eq!(inputs[..1], leave[..]);
+    let mut endless = b"\x1b[200~".to_vec();
+    endless.resize(2 * LONGEST_PASTE, b'q');
+    endless.push(3);
+    assert_eq!(key_of(&endless), leave);
+}
+
+proptest! {
+    /// Whatever comes, in whatever pieces, Ctrl-C is heard afterwards and memory stays bounded.
+    #[test]
+    fn noise_neither_panics_nor_deafens(
+        pieces in prop::collection::vec(noise(), 0..12),
+    ) {
+        let mut keyboard = Keyboard::default();
+        let mut inputs = Vec::new();
+        let now = Instant::now();
+        for piece in &pieces {
+            keyboard.feed(piece, now, &mut inputs);
+            prop_assert!(keyboard.held.len() <= LONGEST_PASTE + PASTE_ENDS.len());
+        }
+        let is_pasting = keyboard.state == State::Paste;
+        inputs.clear();
+        // Within a paste, after a moment; everywhere else at once.
+        let later = if is_pasting { now + PRESSED } else { now };
+        keyboard.feed(b"\x03", later, &mut inputs);
+        prop_assert_eq!(inputs, key(Key::Ctrl('c')));
+        prop_assert_eq!(keyboard.deadline(), None);
+    }
+
+    /// What is understood does not depend on the pieces.
+    #[test]
+    fn pieces_do_not_matter(bytes in noise(), cut in 0_usize..60) {
+        let (front, back) = bytes.split_at(cut.min(bytes.len()));
+        prop_assert_eq!(keys_of(&[front, back]), key_of(&bytes));
+    }
+}
+
+/// Random bytes, and pieces of sequences, which random bytes seldom make.
+fn noise() -> impl Strategy<Value = Vec<u8>> {
+    let alphabet = prop::sample::select(b"\x1b\x1b[[]OP<>?;:0123456789ABMRcmnuyq~ \x07\\".to_vec());
+    prop_oneof![
+        prop::collection::vec(any::<u8>(), 0..60),
+        prop::collection::vec(alphabet, 0..30),
+        Just(b"\x1b[200~".to_vec()),
+        Just(b"\x1b[99999999999999999999;1R".to_vec()),
+    ]
+}

@@ -1,0 +1,177 @@
+//! Bad lines: noise, answers that get lost or come at the wrong time, strings that nobody asked for. After each
+//! of them the next key is heard, and shown.
+
+use crate::session::{Manner, PATIENCE, Session, Setup};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// After so much silence whatever was unfinished is given up: longer than the longest patience but that with a
+/// paste.
+const SILENCE: Duration = Duration::from_millis(350);
+/// A screen that waited for an answer used to stand still for 4 s.
+const STANDSTILL: Duration = Duration::from_secs(3);
+
+/// What unfinished or foreign things a terminal may send.
+fn hostile() -> Vec<Vec<u8>> {
+    let mut all: Vec<Vec<u8>> = [
+        &b"\xe9"[..],
+        b"\xf0\x9f\x98",
+        b"\x80\x9c\xff",
+        b"\x1b[",
+        b"\x1b[1;5",
+        b"\x1b[[",
+        b"\x1b[M",
+        b"\x1bO",
+        b"\x9b",
+        b"\x90q",
+        b"\x1b]",
+        b"\x1b]11;rgb:0000/0000/0000",
+        b"\x1bP1+r",
+        b"\x1b_G",
+        b"\x1b[5n",
+        b"\x1b[0n\x1b[0n\x1b[0n",
+        b"\x1b[0",
+        b"\x1b[200~q\x1b[201~",
+        b"\x1b[200~a\x1b[0nq\x03w\x1b[201~",
+        b"\x1b[?62;1;6;9;15;22c",
+        b"\x1b[24;80R",
+        b"\x1b[I\x1b[O",
+        b"\x1b[<0;10;10M",
+    ]
+    .map(<[u8]>::to_vec)
+    .to_vec();
+    // Replies longer than any key: what is behind 256 bytes used to be typed, and `q` leaves.
+    for (begins, ends) in [
+        ("\x1b]52;c;", "\x07"),
+        ("\x1bP1+r", "\x1b\\"),
+        ("\x1b_G", "\x1b\\"),
+    ] {
+        all.push(format!("{begins}{}{ends}", "q".repeat(3000)).into_bytes());
+    }
+    all.push(format!("\x1b[{}q", "1;".repeat(3000)).into_bytes());
+    all
+}
+
+/// Steps on, and waits until that is seen: how long it took.
+fn stepped(session: &Session, from: u32) -> Duration {
+    let begun = Instant::now();
+    session.send(".");
+    session.wait_for(&format!("{}.00 deg", from + 5));
+    begun.elapsed()
+}
+
+/// Sends noise to sessions of its own, whole or byte by byte; the worst time to the next key.
+fn worst(manner: Manner, by_bytes: bool) -> Duration {
+    let mut session = Setup::krank(&["four-bar"]).manner(manner).start();
+    session.wait_for("60.00 deg").wait_for("-3.9164");
+    let mut worst = Duration::ZERO;
+    let mut at = 60;
+    for noise in hostile() {
+        // A frame is on its way, so that its answer comes upon the heels of it. Within the bytes of a reply a
+        // terminal answers nothing.
+        session.send(".");
+        at = (at + 5) % 360;
+        if by_bytes {
+            session.wait_for(&format!("{at}.00 deg"));
+            session.settle();
+        }
+        match by_bytes {
+            false => session.send_bytes(&noise),
+            // An ESC alone is a key after 25 ms, which a busy machine may take between two bytes.
+            true => noise
+                .chunk_by(|byte, _| *byte == 0x1b)
+                .take(64)
+                .for_each(|piece| {
+                    session.send_bytes(piece);
+                    thread::sleep(Duration::from_micros(500));
+                }),
+        }
+        thread::sleep(SILENCE);
+        session.wait_for(&format!("{at}.00 deg"));
+        let took = stepped(&session, at);
+        assert!(took < STANDSTILL, "{took:?} after {noise:?}");
+        worst = worst.max(took);
+        at = (at + 5) % 360;
+        // The other way, so that no turn is completed.
+        if at > 300 {
+            session.send("\x1b");
+            thread::sleep(SILENCE);
+            session.send("g60\r");
+            session.wait_for("60.00 deg");
+            at = 60;
+        }
+    }
+    session.send("\x03");
+    assert!(session.ended_as_found().success());
+    worst
+}
+
+#[test]
+fn after_any_noise_the_next_key_is_heard_and_shown() {
+    thread::scope(|scope| {
+        for manner in [Manner::Answers, Manner::Mute] {
+            for by_bytes in [false, true] {
+                scope.spawn(move || {
+                    let took = worst(manner, by_bytes);
+                    let manner = if manner == Manner::Mute {
+                        "mute"
+                    } else {
+                        "answers"
+                    };
+                    eprintln!("{manner}, by bytes {by_bytes}: {took:?} to the next key");
+                });
+            }
+        }
+    });
+}
+
+/// The terminal that answered so far answers no more.
+#[test]
+fn a_lost_answer_does_not_stop_the_screen() {
+    let session = Session::krank(&["four-bar"]);
+    session.wait_for("60.00 deg").wait_for("-3.9164");
+    session.settle();
+    session.fall_silent();
+    let mut at = 60;
+    for _ in 0..8 {
+        let took = stepped(&session, at);
+        assert!(took < STANDSTILL, "{took:?}");
+        at += 5;
+    }
+}
+
+#[test]
+fn ctrl_c_leaves_a_paste_that_never_ends() {
+    // After a moment, as a person presses it.
+    let mut session = Session::krank(&["four-bar"]);
+    session.wait_for("60.00 deg").send("\x1b[200~some text");
+    thread::sleep(Duration::from_millis(120));
+    session.send("\x03");
+    assert!(session.ended_as_found().success());
+    // And while it goes on and on.
+    let mut session = Session::krank(&["four-bar"]);
+    session.wait_for("60.00 deg").send("\x1b[200~");
+    let end = Instant::now() + PATIENCE;
+    while session.child.try_wait().unwrap().is_none() {
+        assert!(Instant::now() < end, "it never hears");
+        session.send_if_there(b"text and \x03 more text\r");
+        thread::sleep(Duration::from_millis(5));
+    }
+    assert!(session.ended().success());
+}
+
+/// In the midst of whatever else.
+#[test]
+fn ctrl_c_leaves_from_anywhere() {
+    for noise in hostile() {
+        let is_pasted = noise.starts_with(b"\x1b[200~");
+        let noise: Vec<u8> = noise.into_iter().filter(|byte| *byte != 3).collect();
+        let mut session = Session::krank(&["four-bar"]);
+        session.wait_for("60.00 deg").send_bytes(&noise);
+        if is_pasted {
+            thread::sleep(SILENCE);
+        }
+        session.send("\x03");
+        assert!(session.ended_as_found().success(), "{noise:?}");
+    }
+}
