@@ -38,6 +38,11 @@ pub(super) struct Change {
     pub(super) rate: Vec<f64>,
 }
 
+/// Distances at which a place is passed, closer and closer.
+fn approaches() -> impl Iterator<Item = f64> {
+    (0..APPROACHES).map(|k| PASSING * CLOSER.powi(k))
+}
+
 impl Walker<'_> {
     /// Goes on beyond a limit, if it is a change point: the coordinate that was reached.
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
@@ -60,25 +65,9 @@ impl Walker<'_> {
 
     /// Goes on past a near miss: on the side on which the motion came.
     fn step_over(&mut self, junction: &Junction) -> Option<f64> {
-        let engine = self.engine;
-        let at = junction.at.hi;
-        let distances = (0..APPROACHES).map(|k| PASSING * CLOSER.powi(k));
-        let beyond = distances.into_iter().find_map(|by| {
-            let before = engine.moved(at, -self.sense * by);
-            let beyond = engine.moved(at, self.sense * by);
-            self.aim_at(before);
-            if engine.run(before, Order::Acceleration, &mut self.state) != Condition::Ok {
-                return None;
-            }
-            let saved = self.state.clone();
-            let passed = self.try_step(before, beyond, &saved);
-            if !passed {
-                self.state = saved;
-            }
-            passed.then_some(beyond)
-        })?;
+        let beyond = approaches().find_map(|by| self.step_across(junction, by))?;
         for missed in &junction.missed {
-            let (group, sine) = (GroupId::new(missed.group), missed.sine);
+            let (group, sine, at) = (GroupId::new(missed.group), missed.sine, junction.at.hi);
             self.misses.push(NearMiss { group, sine, at });
         }
         self.seen.clear();
@@ -89,10 +78,7 @@ impl Walker<'_> {
     /// Passes a place in one step, from as far before as it can be to the same beyond.
     pub(super) fn pass_through(&mut self, junction: &Junction) -> Option<f64> {
         let mut passages = self.passages(junction)?;
-        let distances = (0..APPROACHES).map(|k| PASSING * CLOSER.powi(k));
-        let beyond = distances
-            .into_iter()
-            .find_map(|by| self.pass_at(junction, by))?;
+        let beyond = approaches().find_map(|by| self.pass_at(junction, by))?;
         for passage in &mut passages {
             passage.is_led = self.is_led(passage.group, junction.at.hi);
         }
@@ -107,8 +93,22 @@ impl Walker<'_> {
         Some(beyond)
     }
 
-    /// Passes a place in one step from a distance before to the same beyond.
+    /// Passes a place in one step from a distance before to the same beyond, if the series tell where
+    /// everything is at both.
     fn pass_at(&mut self, junction: &Junction, by: f64) -> Option<f64> {
+        let signs = self.state.signs.clone();
+        let beyond = self.step_across(junction, by)?;
+        let reached = self.state.clone();
+        let proved = self.proves(junction, by, self.engine.program.steps.len());
+        self.state = reached;
+        if !proved {
+            self.state.state.signs = signs;
+        }
+        proved.then_some(beyond)
+    }
+
+    /// Goes from a distance before a place to the same beyond; what is singular there goes on as it does.
+    fn step_across(&mut self, junction: &Junction, by: f64) -> Option<f64> {
         let engine = self.engine;
         let at = junction.at.hi;
         let before = engine.moved(at, -self.sense * by);
@@ -121,18 +121,11 @@ impl Walker<'_> {
         for step in junction.turning() {
             self.flip(step);
         }
-        let passed = self.try_step(before, beyond, &saved) && {
-            let reached = self.state.clone();
-            let all = engine.program.steps.len();
-            self.state.clone_from(&saved);
-            let proved = self.proves(junction, by, all);
-            self.state = reached;
-            proved
-        };
-        if !passed {
-            self.state = saved;
+        if self.try_step(before, beyond, &saved) {
+            return Some(beyond);
         }
-        passed.then_some(beyond)
+        self.state = saved;
+        None
     }
 
     /// Whether a constraint that was set aside parts from the other assembly of a group at once, beyond a
