@@ -248,9 +248,11 @@ impl Session {
     }
 
     pub(crate) fn resize(&self, cols: u16, rows: u16) {
+        // What is drawn for the new size is not to be seen by the old screen.
+        let mut seen = self.seen.lock().unwrap();
         self.tell_size(cols, rows);
         if cols > 0 && rows > 0 {
-            self.seen.lock().unwrap().terminal = emulator(cols, rows);
+            seen.terminal = emulator(cols, rows);
         }
     }
 
