@@ -1,7 +1,7 @@
 //! Numbers with a bound on their error.
 
 use super::U;
-use super::double::two_sum;
+use super::double::{two_product, two_sum};
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
@@ -9,7 +9,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// Radii are sums of positive terms, each rounded: this part more covers some ten million of these
 /// roundings, and what underflows.
-const INFLATION: f64 = 1.0 + 1e-9;
+pub(crate) const INFLATION: f64 = 1.0 + 1e-9;
 const TINY: f64 = 1e-290;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
@@ -112,9 +112,10 @@ impl Mul for Ball {
     type Output = Ball;
     #[inline]
     fn mul(self, o: Ball) -> Ball {
-        let mid = self.mid * o.mid;
+        // As of a sum.
+        let (mid, lost) = two_product(self.mid, o.mid);
         let carried = self.mid.abs() * o.radius + self.radius * (o.mid.abs() + o.radius);
-        Ball::new(mid, carried + half_ulp(mid))
+        Ball::new(mid, carried + lost.abs())
     }
 }
 

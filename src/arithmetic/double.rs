@@ -26,7 +26,7 @@ fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 #[inline]
-fn split(a: f64) -> (f64, f64) {
+pub(super) fn split(a: f64) -> (f64, f64) {
     let t = SPLITTER * a;
     let top = t - (t - a);
     (top, a - top)

@@ -10,20 +10,24 @@ mod ball;
 mod constant;
 mod decimal;
 mod double;
+mod halves;
 mod lanes;
 mod number;
 mod series;
+mod sharp;
 mod vec2;
 
 pub use ball::Ball;
-pub(crate) use ball::half_ulp;
+pub(crate) use ball::INFLATION;
 pub use constant::Constant;
 pub(crate) use constant::typed_radius;
 pub use double::Double;
 pub(crate) use double::{two_product, two_sum};
+pub(crate) use halves::Halves;
 pub use lanes::{LANES, Lanes, vectorized};
 pub use number::Number;
 pub(crate) use series::{Series, TERMS};
+pub(crate) use sharp::Sharp;
 pub use vec2::Vec2;
 
 /// The unit roundoff of a double, 2^-53: half an ulp of 1.

@@ -3,7 +3,7 @@
 use super::Demand;
 use super::coupled::Coupled;
 use super::plan::Program;
-use super::step::{Line, Step};
+use super::step::{Dyad, Line, Step};
 use crate::{LinkId, PointId, SlideId};
 
 /// Some of the points, links and slides of a program.
@@ -16,7 +16,7 @@ pub(super) struct Marks {
 
 /// What a step places.
 #[derive(Clone, Copy, Debug)]
-enum Part {
+pub(super) enum Part {
     Point(PointId),
     Link(LinkId),
     Slide(SlideId),
@@ -38,33 +38,23 @@ impl Marks {
             Part::Slide(slide) => &mut self.slides[slide.index()],
         }
     }
-
-    fn point(&mut self, point: PointId) {
-        *self.of(Part::Point(point)) = true;
-    }
-
-    fn link(&mut self, link: LinkId) {
-        *self.of(Part::Link(link)) = true;
-    }
-
-    fn line(&mut self, line: &Line) {
-        self.point(line.through);
-        self.link(line.link);
-    }
 }
 
 /// Takes the steps that the demand does not need out of a program, and marks what they placed.
 pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks) {
     let mut needed = Marks::none(program, left_out.slides.len());
-    demand.points.iter().for_each(|&p| needed.point(p));
-    demand.links.iter().for_each(|&l| needed.link(l));
+    let points = demand.points.iter().map(|&p| Part::Point(p));
+    let links = demand.links.iter().map(|&l| Part::Link(l));
     let slides = demand.slides.iter().map(|&s| Part::Slide(s));
-    slides.for_each(|slide| *needed.of(slide) = true);
+    let asked = points.chain(links).chain(slides);
+    asked.for_each(|part| *needed.of(part) = true);
     let mut kept = Vec::new();
     for &step in program.steps.iter().rev() {
-        let parts = parts(&step, &program.coupled);
+        let mut parts = Vec::new();
+        outputs(&step, &program.coupled, &mut |part| parts.push(part));
         if demand.forces || parts.iter().any(|&part| *needed.of(part)) {
-            mark_inputs(&step, &program.coupled, &mut needed);
+            let mut need = |part| *needed.of(part) = true;
+            inputs(&step, &program.coupled, &mut need);
             kept.push(step);
         } else {
             parts.iter().for_each(|&part| *left_out.of(part) = true);
@@ -74,72 +64,85 @@ pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks
     program.steps = kept;
 }
 
-/// What a step places.
-fn parts(step: &Step, coupled: &[Coupled]) -> Vec<Part> {
+/// Says of everything that a step places that it does.
+pub(super) fn outputs(step: &Step, coupled: &[Coupled], places: &mut impl FnMut(Part)) {
     let (point, link) = (Part::Point, Part::Link);
     match step {
-        Step::Crank { link: l } | Step::Lock { link: l, .. } => vec![link(*l)],
+        Step::Crank { link: l } | Step::Lock { link: l, .. } => places(link(*l)),
         Step::Ride { point: p, .. }
         | Step::Push { point: p, .. }
         | Step::Spin { point: p, .. }
-        | Step::Lines { point: p, .. } => vec![point(*p)],
-        Step::Aim { arm, .. } => vec![link(arm.link)],
-        Step::Circles(c) => vec![point(c.point), link(c.near.link), link(c.far.link)],
-        Step::CircleLine(c) => vec![point(c.point), link(c.arm.link)],
-        Step::CircleRail(c) => vec![point(c.point), link(c.arm.link)],
-        Step::Swing(s) => vec![link(s.link)],
-        Step::Cylinder(c) => vec![point(c.point), link(c.link), link(c.far.link)],
+        | Step::Lines { point: p, .. } => places(point(*p)),
+        Step::Aim { arm, .. } => places(link(arm.link)),
+        Step::Circles(_)
+        | Step::CircleLine(_)
+        | Step::CircleRail(_)
+        | Step::Swing(_)
+        | Step::Cylinder(_) => {
+            let (placed, turned) = step.dyad().map(Dyad::outputs).unwrap_or_default();
+            placed.into_iter().for_each(|p| places(point(p)));
+            let turned = turned.into_iter().flatten();
+            turned.for_each(|l| places(link(l)));
+        }
         Step::Coupled { index } => {
             let group = &coupled[*index];
-            let turning = group.turning().iter().copied();
-            group.joints().map(point).chain(turning.map(link)).collect()
+            group.joints().for_each(|p| places(point(p)));
+            let turning = group.turning().iter();
+            turning.for_each(|&l| places(link(l)));
         }
-        Step::Travel { slide, .. } => vec![Part::Slide(*slide)],
+        Step::Travel { slide, .. } => places(Part::Slide(*slide)),
     }
 }
 
-fn mark_inputs(step: &Step, coupled: &[Coupled], needed: &mut Marks) {
+/// Says of everything that a step reads that it does.
+pub(super) fn inputs(step: &Step, coupled: &[Coupled], reads: &mut impl FnMut(Part)) {
+    let (point, body) = (Part::Point, Part::Link);
+    let line = |line: &Line| [point(line.through), body(line.link)];
     match step {
         Step::Crank { .. } => {}
-        Step::Spin { pivot, .. } => needed.point(*pivot),
-        Step::CircleRail(c) => needed.point(c.arm.pivot),
+        Step::Spin { pivot, .. } => reads(point(*pivot)),
+        Step::CircleRail(c) => reads(point(c.arm.pivot)),
         Step::Ride { base, link, .. } | Step::Push { base, link, .. } => {
-            needed.point(*base);
-            needed.link(*link);
+            reads(point(*base));
+            reads(body(*link));
         }
         Step::Aim { arm, end } => {
-            needed.point(arm.pivot);
-            needed.point(*end);
+            reads(point(arm.pivot));
+            reads(point(*end));
         }
-        Step::Lock { to, .. } => needed.link(*to),
+        Step::Lock { to, .. } => reads(body(*to)),
         Step::Circles(c) => {
-            needed.point(c.near.pivot);
-            needed.point(c.far.pivot);
+            reads(point(c.near.pivot));
+            reads(point(c.far.pivot));
         }
         Step::CircleLine(c) => {
-            needed.point(c.arm.pivot);
-            needed.line(&c.line);
+            reads(point(c.arm.pivot));
+            line(&c.line).into_iter().for_each(&mut *reads);
         }
         Step::Swing(s) => {
-            needed.point(s.pivot);
-            needed.point(s.pin);
+            reads(point(s.pivot));
+            reads(point(s.pin));
         }
         Step::Cylinder(c) => {
-            needed.point(c.pivot);
-            needed.point(c.far.pivot);
+            reads(point(c.pivot));
+            reads(point(c.far.pivot));
         }
         Step::Lines { first, second, .. } => {
-            needed.line(first);
-            needed.line(second);
+            line(first).into_iter().for_each(&mut *reads);
+            line(second).into_iter().for_each(&mut *reads);
         }
         Step::Coupled { index } => {
             let (points, links) = coupled[*index].inputs();
-            points.into_iter().for_each(|p| needed.point(p));
-            links.into_iter().for_each(|l| needed.link(l));
+            points.into_iter().for_each(|p| reads(point(p)));
+            links.into_iter().for_each(|l| reads(body(l)));
         }
-        Step::Travel { point, line, .. } => {
-            needed.point(*point);
-            needed.line(line);
+        Step::Travel {
+            point: p,
+            line: guide,
+            ..
+        } => {
+            reads(point(*p));
+            line(guide).into_iter().for_each(&mut *reads);
         }
     }
 }

@@ -27,8 +27,6 @@ pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
-    /// How many points the mechanism has; those behind are the program's own.
-    pub named_points: usize,
     /// For every group the sign that its assembly has at the start.
     pub signs: Vec<f64>,
     /// What is not placed, because nobody asked for it.
@@ -56,7 +54,6 @@ impl Engine {
             program,
             frame,
             turns,
-            named_points: mechanism.points().len(),
             driven,
             accepted: frame.length(mechanism.misfit()),
             driver_rates,

@@ -118,8 +118,6 @@ pub struct Solver {
     ordering: Ordering,
     plan: Plan,
     motion: Motion,
-    /// The whole as one list of rows, for the bounds of long chains.
-    at_once: Option<Arc<Engine>>,
     first_loop: Option<Loop>,
     slides: usize,
     /// Where the scene opens, if the motion comes there.
@@ -206,7 +204,6 @@ impl Solver {
         let first_loop = classify::classify(&engine, network);
         let mut solver = Solver {
             mechanism: mechanism.clone(),
-            at_once: bounds::at_once(network, ordering, &plan),
             first_loop,
             engine,
             ordering: ordering.clone(),

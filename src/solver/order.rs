@@ -14,16 +14,6 @@ pub(super) struct Block {
     pub rows: Vec<Row>,
 }
 
-impl Block {
-    /// All blocks as one.
-    pub(super) fn of_all(blocks: &[Block]) -> Block {
-        Block {
-            unknowns: blocks.iter().flat_map(|b| &b.unknowns).copied().collect(),
-            rows: blocks.iter().flat_map(|b| &b.rows).copied().collect(),
-        }
-    }
-}
-
 /// The blocks in the order in which they can be settled.
 #[derive(Clone, Debug)]
 pub(super) struct Ordering {

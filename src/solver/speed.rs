@@ -1,8 +1,6 @@
 //! The same motion at another speed of the driver.
 
 use super::Solver;
-use super::engine::Engine;
-use std::sync::Arc;
 
 impl Solver {
     /// The same solver with another speed and acceleration of its driver, in rad/s and rad/s^2 or in the
@@ -11,11 +9,9 @@ impl Solver {
     /// they are those of the way back.
     #[must_use]
     pub fn at_speed(&self, speed: f64, acceleration: f64) -> Solver {
-        let paced = |engine: &Engine| engine.at_speed(speed, acceleration);
         Solver {
             mechanism: self.mechanism.at_speed(speed, acceleration),
-            engine: paced(&self.engine),
-            at_once: self.at_once.as_deref().map(|rows| Arc::new(paced(rows))),
+            engine: self.engine.at_speed(speed, acceleration),
             ..self.clone()
         }
     }

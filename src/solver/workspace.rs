@@ -1,5 +1,6 @@
 //! The room in which states are found, apart from the states.
 
+use super::bounds::Errors;
 use super::coupled::Scratch;
 use super::state::State;
 use crate::Number;
@@ -15,8 +16,8 @@ pub struct Workspace<T = f64> {
     pub(super) state: State<T>,
     /// Of the coupled groups.
     pub(super) scratch: Scratch<T>,
-    /// Room for the same mechanism as one list of rows, where its bounds are found so.
-    pub(super) at_once: Option<Box<Workspace<T>>>,
+    /// What is known of the errors of the state, where these are looked for.
+    pub(super) errors: Errors,
 }
 
 impl<T> Workspace<T> {
@@ -39,7 +40,7 @@ impl<T: Number> Workspace<T> {
         Workspace {
             state,
             scratch,
-            at_once: None,
+            errors: Errors::default(),
         }
     }
 }

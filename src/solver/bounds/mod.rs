@@ -1,37 +1,40 @@
 //! How far a state can be from the truth.
 //!
 //! The figures of a state come from formulas that are fast; here each group is looked at once more,
-//! from the outside. The residuals of its constraints at the computed position, to twice the
-//! precision, go through the inverse of its own matrix; Krawczyk's operator proves that a solution
-//! lies within what comes out, and how near (Rump, Verification methods, Acta Numerica 19, 2010,
-//! section 13). What follows from positions - riders, rates, later groups - is computed in balls.
-//! The bound of a figure is its distance from the farthest point of its ball: it does not matter how
-//! the figure was come by.
+//! from the outside. The residuals of its constraints and of their rates at the computed state, to twice
+//! the precision, go through the inverse of its own matrix: that shifts what was computed to where it
+//! should be, to the first order and with its sign, and goes on to the groups behind. What is left - the
+//! second order, and digits that nobody typed - is bounded, and carried by the influences of each constraint
+//! on what stands on it. Both are one pass in the order of the plan. That a solution lies there is proved
+//! group by group. It does not matter how the figure was come by.
 //!
-//! Group by group a bound grows by what each makes of the sizes, not of the signs, of the errors before it.
-//! A long chain of groups is therefore enclosed at once, as one list of rows.
+//! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits.
 //!
 //! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and
 //! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's square root to be
 //! rounded correctly and its arctangent to an ulp.
 
-mod arm;
-mod pairs;
+mod carried;
+mod driver;
+mod errors;
+mod influence;
+mod limb;
+mod pair;
 mod stretched;
 
-use super::chain;
+pub(super) use errors::Errors;
+
+use super::coupled::{Scratch, Views};
+use super::demand::{Part, outputs};
 use super::engine::Engine;
 use super::forces::Balance;
-use super::frame::Frame;
-use super::network::Network;
-use super::order::Ordering;
-use super::plan::Plan;
-use super::state::{Condition, State};
+use super::state::{Condition, LinkState, State};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver, Workspace};
-use crate::arithmetic::typed_radius;
-use crate::{Ball, LinkId, Number, PointId, Vec2};
-use std::sync::Arc;
+use crate::arithmetic::Sharp;
+use crate::{Ball, Double, Number, Vec2};
+use driver::{asked_radius, crank_error};
+use errors::LinkError;
 
 /// Nothing is known.
 const UNKNOWN: Ball = Ball {
@@ -39,42 +42,11 @@ const UNKNOWN: Ball = Ball {
     radius: f64::INFINITY,
 };
 
-/// So many groups in series widen what they are given to where little is left: by about ten from
-/// stage to stage of a scissor lift. Then all are enclosed at once,
-const LONG: usize = 8;
-/// unless there are more unknowns than this: the inverse of the matrix costs the cube of them.
-const MOST_AT_ONCE: usize = 256;
-
-/// The whole mechanism as one list of rows, if that is how its bounds are to be found.
-pub(super) fn at_once(
-    network: &Network<'_>,
-    ordering: &Ordering,
-    plan: &Plan,
-) -> Option<Arc<Engine>> {
-    if plan.groups.len() <= LONG {
-        return None;
-    }
-    let unknowns = ordering
-        .blocks
-        .iter()
-        .map(|b| b.unknowns.len())
-        .sum::<usize>();
-    if unknowns > MOST_AT_ONCE {
-        return None;
-    }
-    let frame = Frame::of(network.mechanism);
-    let (_, program) = chain::build(network, frame, ordering, chain::Dyads::AtOnce).ok()?;
-    Some(Arc::new(Engine::new(network.mechanism, frame, program)))
-}
-
 impl Solver {
     /// Room for a state with bounds.
     #[must_use]
     pub fn enclosure(&self) -> Workspace<Ball> {
-        let mut enclosure = self.with_forces(self.engine.enclosure(self.slides));
-        let at_once = self.at_once.as_ref();
-        enclosure.at_once = at_once.map(|engine| Box::new(engine.enclosure(self.slides)));
-        enclosure
+        self.with_forces(self.engine.enclosure(self.slides))
     }
 
     /// Encloses what the solver has just put into `state`: every figure that is read from
@@ -87,14 +59,6 @@ impl Solver {
         // Within rounding beyond a limit the figures are those of the limit: there is no other truth.
         let at = self.motion.within(state.at);
         let order = order.min(state.order);
-        if let (Some(engine), Some(whole)) = (&self.at_once, &mut enclosure.at_once)
-            && engine.enclose_to(at, order, state, whole)
-        {
-            enclosure.state.take_over(whole, engine);
-            self.engine.enclose_helpers(&mut enclosure.state);
-            self.enclose_forces(order, state, enclosure);
-            return;
-        }
         self.engine.enclose_to(at, order, state, enclosure);
         self.enclose_forces(order, state, enclosure);
     }
@@ -107,18 +71,6 @@ impl Solver {
             state,
             enclosure,
         );
-    }
-}
-
-impl State<Ball> {
-    /// Takes what belongs to the mechanism from a state of another program of it.
-    fn take_over(&mut self, from: &State<Ball>, engine: &Engine) {
-        self.begin(from.at, from.order);
-        self.condition = from.condition;
-        let named = engine.named_points;
-        self.points[..named].copy_from_slice(&from.points[..named]);
-        self.links.copy_from_slice(&from.links);
-        self.travels.copy_from_slice(&from.travels);
     }
 }
 
@@ -142,29 +94,17 @@ impl Engine {
         let groups = self.program.coupled.iter();
         let work = groups.map(|g| g.work()).max().unwrap_or(0);
         enclosure.scratch.work = vec![0.0; work];
+        enclosure.errors = Errors::new(self, slides);
         enclosure
     }
 
-    /// The points of the program's own that ride on links: what was proved of the mechanism carries them.
-    fn enclose_helpers(&self, enclosure: &mut State<Ball>) {
-        let (q, direction) = self.coordinate(enclosure.at);
-        for step in &self.program.steps {
-            if matches!(step, Step::Ride { point, .. } if point.index() >= self.named_points) {
-                step.run::<Ball, ACCELERATION>(q, direction, enclosure);
-            }
-        }
-    }
-
-    /// Encloses a state; whether every step was proved, with its rates.
-    fn enclose_to(&self, at: f64, order: Order, state: &State, work: &mut Workspace<Ball>) -> bool {
+    /// Encloses a state.
+    fn enclose_to(&self, at: f64, order: Order, state: &State, work: &mut Workspace<Ball>) {
         let enclosure = &mut work.state;
-        enclosure.begin(Ball::new(at, typed_radius(at)), order);
+        enclosure.begin(Ball::new(at, asked_radius(at)), order);
         enclosure.condition = state.condition;
         if state.condition == Condition::NoAssembly {
-            return false;
-        }
-        for (ball, &sign) in enclosure.signs.iter_mut().zip(&state.signs) {
-            *ball = Ball::exactly(sign);
+            return;
         }
         match order {
             Order::Position => self.enclose::<POSITION>(state, work),
@@ -173,83 +113,145 @@ impl Engine {
         }
     }
 
-    fn enclose<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Ball>) -> bool {
-        let Workspace {
-            state: enclosure,
-            scratch,
-            ..
-        } = work;
-        let (q, direction) = self.coordinate(enclosure.at);
-        let mut all = true;
+    fn enclose<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Ball>) {
+        let enclosure = &mut work.state;
+        let errors = &mut work.errors;
+        let at = enclosure.at;
+        let (_, d) = self.coordinate(at.mid);
+        let crank = LinkState { d, w: 1.0, a: 0.0 };
+        let turned = if self.turns {
+            crank_error(d, at.mid, at.radius)
+        } else {
+            LinkError::default()
+        };
+        errors.influences.begin();
         for step in &self.program.steps {
-            let proved = match step {
-                Step::Circles(c) => c.enclose::<ORDER>(state, enclosure),
-                Step::CircleLine(c) => c.enclose::<ORDER>(state, enclosure),
-                Step::CircleRail(c) => c.enclose::<ORDER>(state, enclosure),
-                Step::Cylinder(c) => c.enclose::<ORDER>(q, state, enclosure),
-                Step::Swing(s) => s.enclose::<ORDER>(state, enclosure),
-                Step::Coupled { index } => {
-                    self.program.coupled[*index].enclose(q, ORDER, state, enclosure, scratch)
+            let proved = match *step {
+                Step::Circles(ref c) => c.enclose::<ORDER>(state, errors, enclosure),
+                Step::CircleRail(ref c) => c.enclose::<ORDER>(state, errors, enclosure),
+                Step::Crank { link } => {
+                    errors.set_link(link, &turned, &crank, enclosure);
+                    true
                 }
-                Step::Crank { .. }
-                | Step::Spin { .. }
-                | Step::Ride { .. }
+                Step::Spin {
+                    point,
+                    pivot,
+                    local,
+                } => {
+                    let points = [point, pivot];
+                    errors.spin::<ORDER>(points, (&crank, &turned), local, state, enclosure);
+                    true
+                }
+                Step::Ride {
+                    point,
+                    base,
+                    link,
+                    local,
+                } => {
+                    errors.ride::<ORDER>([point, base], link, local, state, enclosure);
+                    true
+                }
+                Step::Aim { ref arm, end } => {
+                    errors.aim_at::<ORDER>(arm, end, state, enclosure);
+                    true
+                }
+                Step::Lock { link, to, turn } => {
+                    errors.lock([link, to], turn, state, enclosure);
+                    true
+                }
+                Step::CircleLine(_)
+                | Step::Cylinder(_)
+                | Step::Swing(_)
+                | Step::Coupled { .. }
                 | Step::Push { .. }
-                | Step::Aim { .. }
-                | Step::Lock { .. }
-                | Step::Lines { .. }
-                | Step::Travel { .. } => {
-                    step.run::<Ball, ORDER>(q, direction, enclosure) == Outcome::Done
+                | Step::Lines { .. } => {
+                    self.enclose_closely::<ORDER>(step, state, enclosure, errors, &mut work.scratch)
+                }
+                Step::Travel { .. } => {
+                    let (q, none) = (Ball::default(), Vec2::default());
+                    step.run::<Ball, ORDER>(q, none, enclosure) == Outcome::Done
                 }
             };
-            all &= proved;
-            let stretched = |dyad: Dyad<'_>| dyad.enclose_stretched(enclosure);
-            if !proved && !step.dyad().is_some_and(stretched) {
-                self.forget(step, enclosure);
+            if !proved {
+                self.enclose_loosely(step, state, enclosure, errors);
             }
         }
-        all
+    }
+
+    /// Runs a step in twice the digits; whether it could be.
+    fn enclose_closely<const ORDER: u8>(
+        &self,
+        step: &Step,
+        state: &State,
+        enclosure: &mut State<Ball>,
+        errors: &mut Errors,
+        scratch: &mut Scratch<Ball>,
+    ) -> bool {
+        let Some(mut closely) = errors.sharp.take() else {
+            return false;
+        };
+        let at = enclosure.at;
+        let exact = Sharp::new(Double::exactly(at.mid), at.radius);
+        let q = if self.turns {
+            Sharp::default()
+        } else {
+            exact / Sharp::exactly(self.frame.scale)
+        };
+        if let Some(group) = step.choice() {
+            closely.state.signs[group] = Sharp::exactly(state.signs[group]);
+        }
+        let proved = if let Step::Coupled { index } = *step {
+            let ball = Ball::new(q.mid.hi, q.radius + q.mid.lo.abs());
+            let mut views = Views {
+                balls: (enclosure, scratch),
+                sharp: (&mut closely.state, &mut closely.scratch),
+            };
+            self.program.coupled[index].enclose((ball, q), ORDER, state, &mut views)
+        } else {
+            let none = Vec2::default();
+            step.run::<Sharp, ORDER>(q, none, &mut closely.state) == Outcome::Done
+        };
+        if proved {
+            outputs(step, &self.program.coupled, &mut |part| {
+                errors.take_sharp(part, &closely.state, state, enclosure);
+            });
+        }
+        errors.sharp = Some(closely);
+        proved
+    }
+
+    /// What a step places where nothing could be proved: positions, if it is a dyad at its limit.
+    #[cold]
+    fn enclose_loosely(
+        &self,
+        step: &Step,
+        state: &State,
+        enclosure: &mut State<Ball>,
+        errors: &mut Errors,
+    ) {
+        let stretched = |dyad: Dyad<'_>| dyad.enclose_stretched(enclosure);
+        if !step.dyad().is_some_and(stretched) {
+            self.forget(step, enclosure);
+        }
+        outputs(step, &self.program.coupled, &mut |part| {
+            errors.take_balls(part, state, enclosure);
+        });
     }
 
     /// Nothing is known of what a step places.
-    #[cold]
     fn forget(&self, step: &Step, enclosure: &mut State<Ball>) {
-        let point = |p: PointId, enclosure: &mut State<Ball>| {
-            let nowhere = Vec2::new(UNKNOWN, UNKNOWN);
-            let place = &mut enclosure.points[p.index()];
-            (place.p, place.v, place.a) = (nowhere, nowhere, nowhere);
-        };
-        let link = |l: LinkId, enclosure: &mut State<Ball>| {
-            let link = &mut enclosure.links[l.index()];
-            (link.d, link.w, link.a) = (Vec2::new(UNKNOWN, UNKNOWN), UNKNOWN, UNKNOWN);
-        };
-        let outputs = step.dyad().map(Dyad::outputs);
-        let (placed, turned) = outputs.unwrap_or_default();
-        placed.into_iter().for_each(|p| point(p, enclosure));
-        turned
-            .into_iter()
-            .flatten()
-            .for_each(|l| link(l, enclosure));
-        match step {
-            Step::Lines { point: p, .. } => point(*p, enclosure),
-            Step::Coupled { index } => {
-                let group = &self.program.coupled[*index];
-                group.joints().for_each(|p| point(p, enclosure));
-                group.turning().iter().for_each(|&l| link(l, enclosure));
+        let nowhere = Vec2::new(UNKNOWN, UNKNOWN);
+        outputs(step, &self.program.coupled, &mut |part| match part {
+            Part::Point(point) => {
+                let place = &mut enclosure.points[point.index()];
+                (place.p, place.v, place.a) = (nowhere, nowhere, nowhere);
             }
-            Step::Circles(_)
-            | Step::CircleLine(_)
-            | Step::CircleRail(_)
-            | Step::Cylinder(_)
-            | Step::Swing(_)
-            | Step::Crank { .. }
-            | Step::Spin { .. }
-            | Step::Ride { .. }
-            | Step::Push { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
-            | Step::Travel { .. } => {}
-        }
+            Part::Link(link) => {
+                let link = &mut enclosure.links[link.index()];
+                (link.d, link.w, link.a) = (nowhere, UNKNOWN, UNKNOWN);
+            }
+            Part::Slide(_) => {}
+        });
     }
 }
 
@@ -273,11 +275,21 @@ mod tests {
             let _ = solver.solve(at, Order::Position, &mut state);
             assert!(solver.solve_twice(&state, Order::Position, &mut truth));
             let off = |k: usize| OFF * (1.0 + k as f64).sin();
-            for (k, point) in state.state.points.iter_mut().enumerate() {
-                point.p += Vec2::new(off(2 * k), off(2 * k + 1));
-            }
-            for (k, link) in state.state.links.iter_mut().enumerate() {
-                link.d = link.d.turned(crate::angle::unit(off(3 * k).to_degrees()));
+            let program = &solver.engine.program;
+            let mut spoil = |part| match part {
+                Part::Point(point) => {
+                    let k = point.index();
+                    state.state.points[k].p += Vec2::new(off(2 * k), off(2 * k + 1));
+                }
+                Part::Link(link) => {
+                    let turn = crate::angle::unit(off(3 * link.index()).to_degrees());
+                    let link = &mut state.state.links[link.index()];
+                    link.d = link.d.turned(turn);
+                }
+                Part::Slide(_) => {}
+            };
+            for step in &program.steps {
+                outputs(step, &program.coupled, &mut spoil);
             }
             for group in &solver.engine.program.coupled {
                 // Its joints; its directions must stay unit vectors.

@@ -30,8 +30,6 @@ pub(super) enum Dyads {
     Closed,
     /// It is a list of rows as any other block.
     AsRows,
-    /// All blocks are one list of rows.
-    AtOnce,
 }
 
 /// Builds the program block by block.
@@ -63,12 +61,8 @@ pub(super) fn build(
 ) -> Result<(Plan, Program), Fault> {
     let mut chain = Chain::new(network, frame, dyads);
     chain.drive();
-    if dyads == Dyads::AtOnce {
-        chain.settle_block(&Block::of_all(&ordering.blocks))?;
-    } else {
-        for block in &ordering.blocks {
-            chain.settle_block(block)?;
-        }
+    for block in &ordering.blocks {
+        chain.settle_block(block)?;
     }
     chain.watch(&ordering.set_aside);
     chain.travels();
@@ -327,7 +321,7 @@ impl<'n> Chain<'n> {
 
     fn dyad(&mut self, scope: &Scope) -> bool {
         match self.dyads {
-            Dyads::AsRows | Dyads::AtOnce => false,
+            Dyads::AsRows => false,
             Dyads::Closed => {
                 self.circles(scope)
                     || self.circle_line(scope)

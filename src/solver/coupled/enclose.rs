@@ -4,19 +4,25 @@
 //! computed z, every solution in the box z + [-t, t] lies in z - R F(z) + (I - R J)[-t, t], J the
 //! matrix over the whole box; where this falls inside the box, there is exactly one. The rates
 //! are solutions of linear equations with the same matrix, and are enclosed likewise.
+//!
+//! The matrix is one of balls; the equations are held against the computed state in twice the digits, so
+//! that what they ask for is known with its sign.
 
 use super::{Coupled, Room, Scratch};
-use crate::arithmetic::{U, half_ulp, two_product, two_sum};
+use crate::arithmetic::{Sharp, U};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::solver::step::{ACCELERATION, VELOCITY};
-use crate::{Ball, Number};
+use crate::{Ball, Double, Number, Vec2};
 
 /// How much larger than the first step the box is that has to prove itself.
 const BOX: f64 = 2.0;
 /// No row of I - R J may be larger than this in sum; with the box twice the step it then proves
 /// itself.
 const CONTRACTION: f64 = 0.5;
+
+/// What a step of Newton for the length of a direction rounds.
+const UNIT: f64 = 64.0 * U * U;
 
 /// The inverse R of the matrix, and what is left of I - R J, row by row.
 struct Inverse<'a> {
@@ -27,34 +33,32 @@ struct Inverse<'a> {
     most: f64,
 }
 
+/// The inputs of a group, and the room for its equations: in balls for the matrix, in twice the digits for
+/// what they miss by.
+pub(in crate::solver) struct Views<'a> {
+    pub balls: (&'a State<Ball>, &'a mut Scratch<Ball>),
+    pub sharp: (&'a mut State<Sharp>, &'a mut Scratch<Sharp>),
+}
+
 impl Coupled {
-    /// Encloses what the group places; whether a solution was proved.
+    /// Encloses what the group places, in twice the digits; whether a solution was proved.
     pub(in crate::solver) fn enclose(
         &self,
-        q: Ball,
+        q: (Ball, Sharp),
         order: u8,
         state: &State,
-        enclosure: &mut State<Ball>,
-        scratch: &mut Scratch<Ball>,
+        views: &mut Views<'_>,
     ) -> bool {
-        let proved = self.prove(q, order, state, enclosure, scratch).is_some();
+        let mut work = std::mem::take(&mut views.balls.1.work);
+        let proved = self.prove(q, order, state, views, &mut work).is_some();
+        views.balls.1.work = work;
         if proved {
-            self.write(q, enclosure, &self.open(scratch));
+            let (state, scratch) = &mut views.sharp;
+            self.write(q.1, state, &self.open(scratch));
         }
         proved
     }
-}
 
-/// How far a stored direction can be from the unit vector of its angle: (|d|^2 - 1) / 2, to twice
-/// the precision.
-fn off_unit(x: f64, y: f64) -> f64 {
-    let ((xx, xx_rest), (yy, yy_rest)) = (two_product(x, x), two_product(y, y));
-    let (sum, lost) = two_sum(xx, yy);
-    let excess = (sum - 1.0) + (lost + xx_rest + yy_rest);
-    0.5 * excess.abs() * (1.0 + 4.0 * U) + U * U
-}
-
-impl Coupled {
     /// Room for [`Coupled::enclose`]: R, a copy of the matrix, two vectors, and z with its rates.
     pub(in crate::solver) fn work(&self) -> usize {
         let n = self.unknowns();
@@ -63,142 +67,115 @@ impl Coupled {
 
     fn prove(
         &self,
-        q: Ball,
+        q: (Ball, Sharp),
         order: u8,
         state: &State,
-        enclosure: &State<Ball>,
-        scratch: &mut Scratch<Ball>,
+        views: &mut Views<'_>,
+        work: &mut [f64],
     ) -> Option<()> {
         let n = self.unknowns();
-        let mut work = std::mem::take(&mut scratch.work);
-        let proved = {
-            let mut room = self.open(scratch);
-            let (rows, rest) = work.split_at_mut(n * n);
-            let (matrix, rest) = rest.split_at_mut(n * n);
-            let (left, rest) = rest.split_at_mut(n);
-            let (column, numbers) = rest.split_at_mut(n);
-            let numbers = &mut numbers[..self.width() + 2 * n];
-            let mut inverse = Inverse {
-                n,
-                rows,
-                left,
-                most: f64::INFINITY,
-            };
-            let (z, rates) = numbers.split_at_mut(self.width());
-            let (first, second) = rates.split_at_mut(n);
-            self.read(state, z);
-            self.read_rates(state, first, second);
-            let z = &*numbers;
-            self.centre(z, &mut room);
-            self.jacobian(q, enclosure, &mut room);
-            for (copy, ball) in matrix.iter_mut().zip(&*room.matrix) {
-                *copy = ball.mid;
-            }
-            inverse
-                .fill(matrix, room.pivots, column)
-                .and_then(|()| self.prove_position(q, z, enclosure, &mut room, &mut inverse))
-                .map(|()| self.bound_rates(q, order, z, enclosure, &mut room, &inverse))
+        let (inputs, scratch) = &mut views.balls;
+        let mut box_room = self.open(scratch);
+        let (known, scratch) = &mut views.sharp;
+        let mut room = self.open(scratch);
+        let (rows, rest) = work.split_at_mut(n * n);
+        let (matrix, rest) = rest.split_at_mut(n * n);
+        let (left, rest) = rest.split_at_mut(n);
+        let (column, numbers) = rest.split_at_mut(n);
+        let (z, rates) = numbers.split_at_mut(self.width());
+        let (first, second) = rates[..2 * n].split_at_mut(n);
+        self.read(state, z);
+        self.read_rates(state, first, second);
+        self.centre(z, &mut room);
+        for (ball, z) in box_room.z.iter_mut().zip(&*z) {
+            *ball = Ball::exactly(*z);
+        }
+        self.jacobian(q.0, inputs, &mut box_room);
+        for (copy, ball) in matrix.iter_mut().zip(&*box_room.matrix) {
+            *copy = ball.mid;
+        }
+        let mut inverse = Inverse {
+            n,
+            rows,
+            left,
+            most: f64::INFINITY,
         };
-        scratch.work = work;
-        proved
-    }
-
-    /// The computed z, as it is.
-    fn centre(&self, z: &[f64], room: &mut Room<'_, Ball>) {
-        let joints = 2 * self.free;
-        for (ball, &z) in room.z.iter_mut().zip(z) {
-            *ball = Ball::exactly(z);
-        }
-        for direction in room.z[joints..].chunks_exact_mut(2) {
-            let off = off_unit(direction[0].mid, direction[1].mid);
-            direction.iter_mut().for_each(|d| d.radius = off);
-        }
-        room.first.fill(Ball::default());
-        room.second.fill(Ball::default());
-    }
-
-    /// The z that lie within `radius` of the computed one in every unknown, moved by `shift`.
-    fn spread(
-        &self,
-        z: &[f64],
-        shift: impl Fn(usize) -> f64,
-        radius: impl Fn(usize) -> f64,
-        balls: &mut [Ball],
-    ) {
-        let joints = 2 * self.free;
-        for i in 0..joints {
-            let mid = z[i] + shift(i);
-            balls[i] = Ball::new(mid, radius(i) + half_ulp(mid));
-        }
-        for i in 0..self.turning.len() {
-            let (angle, at) = (shift(joints + i), joints + 2 * i);
-            let (x, y) = (z[at], z[at + 1]);
-            // Turned to the first order; and the truth is a unit vector.
-            let off =
-                radius(joints + i) + angle * angle + off_unit(x, y) + 2.0 * U * angle.abs() + U;
-            balls[at] = Ball::new(x - angle * y, off);
-            balls[at + 1] = Ball::new(y + angle * x, off);
-        }
-    }
-
-    fn prove_position(
-        &self,
-        q: Ball,
-        z: &[f64],
-        enclosure: &State<Ball>,
-        room: &mut Room<'_, Ball>,
-        inverse: &mut Inverse<'_>,
-    ) -> Option<()> {
-        self.residuals(q, enclosure, room);
-        let n = self.unknowns();
-        let size = (0..n).fold(0.0, |m: f64, i| {
-            m.max(inverse.apply(i, room.right, Ball::largest))
-        });
-        let reach = BOX * size;
-        self.spread(z, |_| 0.0, |_| reach, room.z);
-        self.jacobian(q, enclosure, room);
-        inverse.measure(room.matrix);
+        inverse.fill(matrix, box_room.pivots, column)?;
+        self.residuals(q.1, known, &mut room);
+        let size = inverse.most_step(room.right);
+        self.spread(z, BOX * size, box_room.z);
+        self.jacobian(q.0, inputs, &mut box_room);
+        inverse.measure(box_room.matrix);
         // Written so that NaN proves nothing.
         if !(inverse.most <= CONTRACTION) {
             return None;
         }
-        // The matrix is no longer needed: its first row keeps the step.
-        for i in 0..n {
-            let fuzz = inverse.apply(i, room.right, |b| b.radius);
-            let around = size / (1.0 - inverse.most);
-            let round = (n as f64 + 2.0) * U * inverse.apply(i, room.right, |b| b.mid.abs());
-            let shift = -inverse.apply_signed(i, room.right);
-            room.matrix[i] = Ball::new(shift, fuzz + inverse.left[i] * around + round);
-        }
-        let steps = &room.matrix[..n];
-        self.spread(z, |i| steps[i].mid, |i| steps[i].radius, room.z);
-        Some(())
-    }
-
-    /// J z' = -b, and J z'' = -b2: what the computed rates leave over goes through R.
-    fn bound_rates(
-        &self,
-        q: Ball,
-        order: u8,
-        z: &[f64],
-        enclosure: &State<Ball>,
-        room: &mut Room<'_, Ball>,
-        inverse: &Inverse<'_>,
-    ) {
-        let (n, width) = (self.unknowns(), self.width());
-        if order >= VELOCITY {
-            for i in 0..n {
-                room.first[i] = Ball::exactly(z[width + i]);
+        self.advance(&inverse, &mut room);
+        let exactly = |to: &mut [Sharp], from: &[f64]| {
+            for (to, from) in to.iter_mut().zip(from) {
+                *to = Sharp::exactly(*from);
             }
-            self.rates(q, enclosure, room, 1);
+        };
+        if order >= VELOCITY {
+            exactly(room.first, first);
+            self.rates(q.1, known, &mut room, 1);
             inverse.correct(room.right, room.first);
         }
         if order >= ACCELERATION {
-            for i in 0..n {
-                room.second[i] = Ball::exactly(z[width + n + i]);
-            }
-            self.rates(q, enclosure, room, 2);
+            exactly(room.second, second);
+            self.rates(q.1, known, &mut room, 2);
             inverse.correct(room.right, room.second);
+        }
+        Some(())
+    }
+
+    /// The computed z, with directions of the length 1.
+    fn centre(&self, z: &[f64], room: &mut Room<'_, Sharp>) {
+        let joints = 2 * self.free;
+        for (to, &z) in room.z.iter_mut().zip(z) {
+            *to = Sharp::exactly(z);
+        }
+        for d in room.z[joints..].chunks_exact_mut(2) {
+            let stored = Vec2::new(d[0].mid, d[1].mid);
+            // One step of Newton for the length, which is off by some u.
+            let long = stored.norm2() - Double::ONE;
+            let unit = stored * (Double::ONE - long.scaled(0.5));
+            let unit = unit.map(|v| Sharp::new(v, long.hi * long.hi + UNIT));
+            (d[0], d[1]) = (unit.x, unit.y);
+        }
+        room.first.fill(Sharp::default());
+        room.second.fill(Sharp::default());
+    }
+
+    /// The z that lie within `radius` of the computed one in every unknown.
+    fn spread(&self, z: &[f64], radius: f64, balls: &mut [Ball]) {
+        let joints = 2 * self.free;
+        for (i, (ball, &z)) in balls.iter_mut().zip(z).enumerate() {
+            let slack = if i < joints { 0.0 } else { 4.0 * U };
+            *ball = Ball::new(z, radius + slack);
+        }
+    }
+
+    /// Moves z by what the residuals ask for, with a bound.
+    fn advance(&self, inverse: &Inverse<'_>, room: &mut Room<'_, Sharp>) {
+        let joints = 2 * self.free;
+        let around = inverse.most_step(room.right) / (1.0 - inverse.most);
+        for i in 0..inverse.n {
+            let step = inverse.step(i, room.right, around);
+            if i < joints {
+                room.z[i] += step;
+                continue;
+            }
+            let at = joints + 2 * (i - joints);
+            let d = Vec2::new(room.z[at], room.z[at + 1]);
+            // Turned to the second order.
+            let angle = step.mid.hi.abs() + step.radius;
+            let along = Sharp::new(Double::exactly(-0.5 * step.mid.hi * step.mid.hi), 0.0);
+            let more = step.mid.hi.abs() * step.radius + angle * angle * angle;
+            let turned = d + d.perp() * step + d * along;
+            let widened =
+                turned.map(|v| Sharp::new(v.mid, v.radius + more + step.radius * step.radius));
+            (room.z[at], room.z[at + 1]) = (widened.x, widened.y);
         }
     }
 }
@@ -219,16 +196,33 @@ impl Inverse<'_> {
         Some(())
     }
 
-    /// One component of |R| v, v the sizes of balls.
-    fn apply(&self, i: usize, balls: &[Ball], size: impl Fn(Ball) -> f64) -> f64 {
-        let row = &self.rows[i * self.n..(i + 1) * self.n];
-        row.iter().zip(balls).map(|(r, &b)| r.abs() * size(b)).sum()
+    fn row(&self, i: usize) -> &[f64] {
+        &self.rows[i * self.n..(i + 1) * self.n]
     }
 
-    /// One component of R v, v the middles of balls.
-    fn apply_signed(&self, i: usize, balls: &[Ball]) -> f64 {
-        let row = &self.rows[i * self.n..(i + 1) * self.n];
-        row.iter().zip(balls).map(|(r, b)| r * b.mid).sum()
+    /// The largest component of |R| v.
+    fn most_step(&self, residuals: &[Sharp]) -> f64 {
+        let size = |r: Sharp| r.mid.hi.abs() + r.radius;
+        let step = |i| -> f64 {
+            let terms = self.row(i).iter().zip(residuals);
+            terms.map(|(r, &v)| r.abs() * size(v)).sum()
+        };
+        // Written so that NaN is kept.
+        (0..self.n)
+            .map(step)
+            .fold(0.0, |m, v| if v <= m { m } else { v })
+    }
+
+    /// One component of the step that the residuals ask for; `around` bounds all of them.
+    fn step(&self, i: usize, residuals: &[Sharp], around: f64) -> Sharp {
+        let (mut step, mut terms, mut fuzz) = (0.0, 0.0, 0.0);
+        for (r, v) in self.row(i).iter().zip(residuals) {
+            step -= r * v.mid.hi;
+            terms += (r * v.mid.hi).abs();
+            fuzz += r.abs() * v.radius;
+        }
+        let round = (self.n as f64 + 3.0) * U * terms;
+        Sharp::new(Double::exactly(step), fuzz + self.left[i] * around + round)
     }
 
     /// How large I - R J can be in every row, J any matrix of a matrix of balls.
@@ -257,16 +251,10 @@ impl Inverse<'_> {
     }
 
     /// Moves computed solutions of a linear system by what their residuals say, with a bound.
-    fn correct(&self, residuals: &[Ball], solutions: &mut [Ball]) {
-        let size = |b: Ball| b.largest();
-        let most = (0..self.n).fold(0.0, |m: f64, i| m.max(self.apply(i, residuals, size)));
-        let around = most / (1.0 - self.most);
+    fn correct(&self, residuals: &[Sharp], solutions: &mut [Sharp]) {
+        let around = self.most_step(residuals) / (1.0 - self.most);
         for (i, solution) in solutions.iter_mut().enumerate() {
-            let step = self.apply(i, residuals, |b| b.mid.abs());
-            let mid = solution.mid - self.apply_signed(i, residuals);
-            let radius = self.apply(i, residuals, |b| b.radius) + self.left[i] * around;
-            let round = (self.n as f64 + 2.0) * U * step + half_ulp(mid);
-            *solution = Ball::new(mid, radius + round);
+            *solution += self.step(i, residuals, around);
         }
     }
 }

@@ -17,6 +17,7 @@ mod singular;
 mod textbook;
 mod twice;
 
+pub(super) use enclose::Views;
 pub(super) use relatives::is_same;
 pub use shown::{Newton, NewtonRow, NewtonUnknown};
 pub(super) use textbook::Closing;
