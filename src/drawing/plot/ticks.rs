@@ -36,7 +36,9 @@ impl Ticks {
         let first = multiple((low / step).ceil(), (low / step).round(), low / step);
         let values = (0..most).map(|k| (first + k as f64) * step);
         let end = high + step * SLACK;
-        let values: Vec<f64> = values.take_while(|&v| v <= end).collect();
+        // Far from 0 a multiple rounds by more than the slack, out of the axis.
+        let inside = |v: f64| v.clamp(low, high);
+        let values: Vec<f64> = values.take_while(|&v| v <= end).map(inside).collect();
         Ticks {
             values,
             style: Style::of_ticks(largest, step),
@@ -244,6 +246,16 @@ mod tests {
             labels(8e-6, 1.1e-5, false, 5),
             ["8e-6", "9e-6", "1.0e-5", "1.1e-5"]
         );
+    }
+
+    #[test]
+    fn far_from_nought_no_tick_lies_outside() {
+        let low = -450_234_668.079_885;
+        let high = low + 10_f64.powf(-4.073_692_900_992_865);
+        for most in 1..20 {
+            let ticks = Ticks::between(low, high, false, most);
+            assert!(ticks.values.iter().all(|v| (low..=high).contains(v)));
+        }
     }
 
     proptest! {
