@@ -1,6 +1,6 @@
 //! Files of every kind as input and output: nothing that was there is lost, nothing half written looks whole.
 
-use super::{Run, command, done, folder, krank, refused, run};
+use super::{Run, command, done, folder, refused, run};
 use std::fs::{self, File};
 use std::io::{Read, Write};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};

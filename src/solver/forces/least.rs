@@ -5,16 +5,16 @@
 //! r + sum c_k d_k are. Of these the one with the least sum of squares, of all forces at pins and guides
 //! and of moments over the longest length, is what pins and guides would bear that give way alike.
 
-use super::open::{Felt, probes};
+use super::open::{FELT, Felt, probes};
 use super::{Balance, Forces, Indeterminate};
 use crate::solver::network::Network;
 use crate::solver::workspace::Workspace;
 use crate::solver::{Condition, Order, Solver};
 use crate::{LinkId, PointId, SlideId, Vec2};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-/// Singular values below this part of the largest are rounding: unit forces that are felt alike.
-const ALIKE: f64 = 1e-10;
+/// What is left of a unit force beside others below this part of it is rounding: it is felt as they are.
+const ALIKE: f64 = 1e-9;
 
 /// Reactions of least norm of one state: only those are its own that the equilibrium leaves open.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,31 +88,43 @@ fn least(
     let slides = balance.open.normals.len();
     let found = work.state.forces.as_deref()?;
     let mut reactions = listed(found, &Felt::new(&balance.open), members);
-    let mut columns: Vec<DVector<f64>> = Vec::new();
-    probes(balance, network, solver, work, |forces, felt| {
-        columns.push(listed(forces, felt, members));
-    });
-    if columns.is_empty() {
-        return None;
-    }
-    let mut unit = DMatrix::from_columns(&columns);
     // Moments count by what they are at the end of the longest length.
+    let moments = 2 * members + slides..reactions.len();
+    let weigh = |all: &mut DVector<f64>, by: f64| {
+        for row in moments.clone() {
+            all[row] *= by;
+        }
+    };
     let longest = solver.engine.frame.longest;
-    let mut weighed = reactions.clone();
-    for row in 2 * members + slides..reactions.len() {
-        unit.row_mut(row).unscale_mut(longest);
-        weighed[row] /= longest;
-    }
-    let decomposed = unit.clone().svd(true, true);
-    let cut = ALIKE * decomposed.singular_values.max();
-    let pressed = decomposed.solve(&weighed, cut).ok()?;
-    for (column, part) in columns.iter().zip(pressed.iter()) {
-        reactions.axpy(-part, column, 1.0);
-    }
+    weigh(&mut reactions, 1.0 / longest);
+    // Gram and Schmidt, twice: the decompositions at hand lose digits of directions that are alike in size.
+    let mut units: Vec<DVector<f64>> = Vec::new();
+    probes(balance, network, solver, work, |forces, felt| {
+        let mut unit = listed(forces, felt, members);
+        weigh(&mut unit, 1.0 / longest);
+        let size = unit.norm();
+        without(&mut unit, &units);
+        let left = unit.norm();
+        if left > FELT.max(ALIKE * size) {
+            units.push(unit / left);
+        }
+    });
+    without(&mut reactions, &units);
+    weigh(&mut reactions, longest);
     reactions
         .iter()
         .all(|r| r.is_finite())
         .then(|| told(balance, solver, &reactions))
+}
+
+/// Takes all that lies along directions, which stand on each other at right angles, out of a vector.
+fn without(vector: &mut DVector<f64>, directions: &[DVector<f64>]) {
+    for _ in 0..2 {
+        for direction in directions {
+            let along = direction.dot(vector);
+            vector.axpy(-along, direction, 1.0);
+        }
+    }
 }
 
 /// Those that are open.

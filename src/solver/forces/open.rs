@@ -14,7 +14,7 @@ use crate::solver::{Order, Solver};
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// Below this part of a unit force, what is felt is rounding.
-const FELT: f64 = 1e-9;
+pub(super) const FELT: f64 = 1e-9;
 /// Where in the motion constraints are tried, besides where the scene opens: what is open need not be
 /// felt at each place, and scenes open at special ones.
 const PLACES: [f64; 4] = [0.137, 0.382, 0.618, 0.861];
