@@ -1,5 +1,7 @@
 //! Files of every kind as input and output: nothing that was there is lost, nothing half written looks whole.
 
+#[cfg(feature = "tui")]
+use super::krank;
 use super::{Run, command, done, folder, refused, run};
 use std::fs::{self, File};
 use std::io::{Read, Write};
