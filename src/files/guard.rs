@@ -15,7 +15,16 @@ use std::path::PathBuf;
 /// What the system says, or in words of what kind it is.
 #[cfg(feature = "tui")]
 pub(crate) fn read_file(path: &Path, most: usize) -> io::Result<Vec<u8>> {
-    limited(open_file(path, OFlags::RDONLY)?, most)
+    limited(open_to_read(path)?, most)
+}
+
+/// A regular file, to be read.
+///
+/// # Errors
+/// What the system says, or in words of what kind it is.
+#[cfg(feature = "tui")]
+pub(crate) fn open_to_read(path: &Path) -> io::Result<File> {
+    open_file(path, OFlags::RDONLY)
 }
 
 /// What a name leads to holds, up to one byte more than `most`: pipes and devices too, which a person has

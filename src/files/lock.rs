@@ -61,12 +61,11 @@ pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, super::Trouble> {
     }
 }
 
-/// Whether somebody holds the lock on a file, which is not disturbed by being asked; `None` where that
-/// cannot be told.
+/// Whether somebody else holds the lock on an open file, which is not disturbed by being asked; `None` where
+/// that cannot be told.
 #[cfg(feature = "tui")]
-pub(crate) fn is_held(path: &Path) -> Option<bool> {
-    let file = super::guard::open_file(path, OFlags::RDONLY).ok()?;
-    match flock(&file, FlockOperation::NonBlockingLockShared) {
+pub(crate) fn is_held(file: &File) -> Option<bool> {
+    match flock(file, FlockOperation::NonBlockingLockShared) {
         Ok(()) => Some(false),
         Err(Errno::WOULDBLOCK) => Some(true),
         Err(_) => None,

@@ -21,7 +21,7 @@ mod rights;
 mod target;
 
 #[cfg(feature = "tui")]
-pub(crate) use guard::{from_home, read_file};
+pub(crate) use guard::{from_home, open_to_read, read_file};
 pub(crate) use guard::{limited, read_any};
 pub(crate) use in_place::mend;
 pub(crate) use output::Output;

@@ -68,6 +68,8 @@ pub(crate) struct Disk {
     looked: Option<Duration>,
     /// Whether somebody is looking.
     looking: bool,
+    /// Whether something was written meanwhile, which that look may not have seen.
+    missed: bool,
 }
 
 /// A look at the file, which may take long.
@@ -96,6 +98,7 @@ impl Disk {
             stamp: None,
             looked: None,
             looking: false,
+            missed: false,
         }
     }
 
@@ -108,8 +111,9 @@ impl Disk {
         self.place.as_deref()
     }
 
-    /// A look at it, where one is due: `at_once`, or after a while.
+    /// A look at it, where one is due: `at_once`, or after a while. While somebody is looking it is owed.
     pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<Look> {
+        self.missed |= self.looking && at_once;
         let is_due = at_once || self.looked.is_none_or(|looked| now >= looked + PAUSE);
         if self.looking || !is_due {
             return None;
@@ -122,13 +126,18 @@ impl Disk {
         })
     }
 
-    /// Takes in what was seen. What was not attended to the next look will tell again.
-    pub(crate) fn see(&mut self, seen: &Seen, attended: bool) {
+    /// Takes in what was seen. What was not attended to the next look will tell again. Whether one is owed.
+    #[must_use]
+    pub(crate) fn see(&mut self, seen: &Seen, attended: bool) -> bool {
         self.looking = false;
-        self.place.clone_from(&seen.place);
+        // Where a file is gone, one may come again.
+        if seen.place.is_some() {
+            self.place.clone_from(&seen.place);
+        }
         if attended {
             self.stamp = Some(seen.stamp);
         }
+        std::mem::take(&mut self.missed)
     }
 }
 
@@ -151,4 +160,21 @@ pub(crate) fn unmarked(bytes: &[u8]) -> &[u8] {
     bytes
         .strip_prefix(BYTE_ORDER_MARK.as_bytes())
         .unwrap_or(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file that is taken away and written anew: the second piece of news comes while the first is looked
+    /// at, and is not lost.
+    #[test]
+    fn what_is_written_while_somebody_looks_is_looked_at_again() {
+        let mut disk = Disk::new(Path::new("no such file"));
+        let look = disk.look(Duration::ZERO, true).unwrap();
+        assert!(disk.look(Duration::ZERO, true).is_none());
+        assert!(disk.see(&look.run(), true), "one is owed");
+        let look = disk.look(Duration::ZERO, true).unwrap();
+        assert!(!disk.see(&look.run(), true), "none is owed");
+    }
 }

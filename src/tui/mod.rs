@@ -294,7 +294,11 @@ impl Session {
                 fault_on_demand();
             }
             let deadline = self.deadline(owed);
-            self.gate.follow(self.workbench.app().watched());
+            if self.gate.follow(self.workbench.app().watched()) {
+                // It may have been written between the first look and now.
+                let now = self.begun.elapsed();
+                self.workbench.app().look_at_file(now, true);
+            }
             let bell = self.workbench.app().bell();
             let wakes = self.gate.wait(deadline, bell)?;
             owed = true;

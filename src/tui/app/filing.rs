@@ -62,7 +62,9 @@ impl App {
         let Some(disk) = self.disk.as_mut().filter(|disk| disk.path() == seen.path) else {
             return;
         };
-        disk.see(&seen, is_free || seen.news.is_none());
+        if disk.see(&seen, is_free || seen.news.is_none()) {
+            self.look_at_file(now, true);
+        }
         let Some(news) = seen.news.filter(|_| is_free) else {
             return;
         };

@@ -10,11 +10,12 @@ mod subject;
 pub(crate) use record::Session;
 
 use super::Origin;
-use crate::files::{Draft, is_held, make_private, read_file};
+use crate::files::{Draft, is_held, limited, make_private, open_to_read};
 use crate::scene::LARGEST_FILE;
 use record::{LONGEST_HEAD, Record, sum};
 use std::fs::{self, File};
 use std::io::{self, Write};
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::SystemTime;
@@ -22,6 +23,8 @@ use subject::Subject;
 
 /// More files than this nobody leaves; the rest is not read.
 const MOST_FILES: usize = 1000;
+/// Who puts another file there each time that we look is alive.
+const MOST_READS: usize = 10;
 /// What the names of edits end with.
 const ENDS: &str = "edits";
 
@@ -110,13 +113,13 @@ impl Recovery {
     }
 
     fn judge(&self, path: PathBuf, present: &str, others: &mut Others) {
-        let most = LARGEST_FILE + LONGEST_HEAD;
-        let bytes = read_file(&path, most).ok();
-        let record = bytes.and_then(|bytes| Record::read(&bytes));
-        let Some(record) = record.filter(|record| record.session != self.session) else {
+        let Some((record, held)) = read_record(&path) else {
             return;
         };
-        let is_alive = is_held(&path).unwrap_or_else(|| !record.session.is_gone());
+        if record.session == self.session {
+            return;
+        }
+        let is_alive = held.unwrap_or_else(|| !record.session.is_gone());
         match record.text {
             _ if is_alive => {
                 if self.subject.is(&record.subject) {
@@ -217,6 +220,20 @@ impl Drop for Recovery {
             delete(&self.file());
         }
     }
+}
+
+/// What lies there, and whether its session holds it. A session that puts its next edits there lets go of the
+/// file that held those before: that one is no file of a session that is no more.
+fn read_record(path: &Path) -> Option<(Record, Option<bool>)> {
+    for _ in 0..MOST_READS {
+        let file = open_to_read(path).ok()?;
+        let held = is_held(&file);
+        if file.metadata().ok()?.nlink() > 0 {
+            let bytes = limited(&file, LARGEST_FILE + LONGEST_HEAD).ok()?;
+            return Some((Record::read(&bytes)?, held));
+        }
+    }
+    None
 }
 
 /// Deletes edits that a person has no use for. What cannot be deleted is offered again.

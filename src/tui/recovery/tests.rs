@@ -141,3 +141,33 @@ fn a_folder_that_cannot_be_written_is_said_once() {
     assert_eq!(recovery.keep("text", "old", at(0)), None);
     fs::remove_file(folder).unwrap();
 }
+
+/// Whoever looks while a session puts its next edits there sees one that is alive, and takes nothing away.
+#[test]
+fn looking_while_edits_are_kept_takes_none_away() {
+    let folder = folder("recovery-busy");
+    let scene = folder.join("scene.toml");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(&scene, "old").unwrap();
+    let origin = Origin::File(scene);
+    let mut busy = session(&folder, 1, &origin);
+    let other = session(&folder, 2, &origin);
+    std::thread::scope(|scope| {
+        let busy = scope.spawn(|| {
+            for round in 0..500 {
+                assert_eq!(busy.keep("new", "old", at(round)), None);
+                assert!(busy.file().exists(), "in round {round}");
+                busy.rest();
+            }
+            busy.keep("new", "old", at(500))
+        });
+        while !busy.is_finished() {
+            assert_eq!(other.others("old").left, []);
+        }
+        assert_eq!(busy.join().unwrap(), None);
+    });
+    drop(busy);
+    assert_eq!(other.others("old").left.len(), 1);
+    drop(other);
+    fs::remove_dir_all(&folder).unwrap();
+}

@@ -171,9 +171,9 @@ impl Gate {
         (1.0..=4.0).contains(&aspect).then_some(aspect)
     }
 
-    /// Tells from now on what happens to this file, and to no other.
-    pub(crate) fn follow(&mut self, file: Option<&Path>) {
-        self.watch.follow(file);
+    /// Tells from now on what happens to this file, and to no other; whether that begins now.
+    pub(crate) fn follow(&mut self, file: Option<&Path>) -> bool {
+        self.watch.follow(file)
     }
 
     /// From when on a frame may be sent, if [`Wake::Room`] does not come before; `None` if at once.

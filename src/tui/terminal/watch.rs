@@ -42,13 +42,16 @@ impl Watch {
         }
     }
 
-    /// Watches this file from now on, and no other. It is behind all links: only there it is written.
-    pub(super) fn follow(&mut self, file: Option<&Path>) {
+    /// Watches this file from now on, and no other; whether that begins now. It is behind all links: only
+    /// there it is written.
+    pub(super) fn follow(&mut self, file: Option<&Path>) -> bool {
         if self.file.as_deref() == file {
-            return;
+            return false;
         }
         self.file = file.map(Path::to_owned);
-        let Some(inotify) = &self.inotify else { return };
+        let Some(inotify) = &self.inotify else {
+            return false;
+        };
         if let Some((watch, _)) = self.watched.take() {
             let _ = remove_watch(inotify, watch);
         }
@@ -57,6 +60,7 @@ impl Watch {
             let watch = add_watch(inotify, file.parent()?, flags()).ok()?;
             Some((watch, name))
         });
+        self.watched.is_some()
     }
 
     /// What to wait on.
