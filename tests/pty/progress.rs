@@ -1,0 +1,179 @@
+//! The line that tells how far a sweep has come, on a pseudo-terminal: when it is there, and that it
+//! leaves nothing behind.
+
+use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+use std::io::{Read, Write};
+use std::num::NonZeroU16;
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// On a machine with much else to do everything takes its time.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A shell's command line on a terminal of its own.
+struct Terminal {
+    screen: Arc<Mutex<vt100::Parser>>,
+    bytes: Arc<Mutex<Vec<u8>>>,
+    child: Box<dyn Child + Send + Sync>,
+    /// Kept: dropping it types an end of input.
+    keys: Box<dyn Write + Send>,
+    _master: Box<dyn MasterPty + Send>,
+}
+
+impl Terminal {
+    fn run(script: &str, term: &str, cols: u16) -> Terminal {
+        let rows = 10;
+        let size = PtySize {
+            rows,
+            cols,
+            pixel_width: 0,
+            pixel_height: 0,
+        };
+        let pair = native_pty_system().openpty(size).unwrap();
+        let mut command = CommandBuilder::new("/bin/sh");
+        command.args(["-c", script]);
+        command.env("KRANK", env!("CARGO_BIN_EXE_krank"));
+        command.env("TERM", term);
+        command.env("LC_ALL", "C.UTF-8");
+        let child = pair.slave.spawn_command(command).unwrap();
+        let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
+        let screen = Arc::new(Mutex::new(vt100::Parser::new(rows, cols, 0)));
+        let bytes = Arc::new(Mutex::new(Vec::new()));
+        let mut reader = pair.master.try_clone_reader().unwrap();
+        let (to_screen, to_bytes) = (Arc::clone(&screen), Arc::clone(&bytes));
+        thread::spawn(move || {
+            let mut buffer = [0; 4096];
+            while let Ok(n @ 1..) = reader.read(&mut buffer) {
+                to_screen.lock().unwrap().process(&buffer[..n]);
+                to_bytes.lock().unwrap().extend_from_slice(&buffer[..n]);
+            }
+        });
+        Terminal {
+            screen,
+            bytes,
+            child,
+            keys: pair.master.take_writer().unwrap(),
+            _master: pair.master,
+        }
+    }
+
+    fn contents(&self) -> String {
+        self.screen.lock().unwrap().screen().contents()
+    }
+
+    fn wait_until(&self, what: &str, holds: impl Fn(&str) -> bool) {
+        let end = Instant::now() + PATIENCE;
+        while !holds(&self.contents()) {
+            assert!(Instant::now() < end, "no {what} on\n{}", self.contents());
+            thread::sleep(Duration::from_millis(5));
+        }
+    }
+
+    fn wait_for(&self, text: &str) {
+        self.wait_until(text, |screen| screen.contains(text));
+    }
+
+    fn type_in(&mut self, keys: &str) {
+        self.keys.write_all(keys.as_bytes()).unwrap();
+    }
+}
+
+impl Drop for Terminal {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+    }
+}
+
+/// Far longer than any test; ended by a key.
+const ENDLESS: &str = "$KRANK sweep four-bar --step 1e-6";
+
+#[test]
+fn it_is_there_while_one_waits_and_ctrl_c_leaves_a_clean_line() {
+    let script = format!("trap : INT; {ENDLESS} -o /dev/null; echo code $?");
+    for (term, cols, bar) in [
+        ("xterm", 100, "\u{2500}"),
+        ("linux", 60, "[..."),
+        ("xterm", 30, "\u{2500}"),
+    ] {
+        let mut terminal = Terminal::run(&script, term, cols);
+        terminal.wait_for(if cols > 30 { " left" } else { " %" });
+        assert!(terminal.contents().contains(bar), "{}", terminal.contents());
+        if cols == 100 {
+            assert!(terminal.contents().contains(" of 360,000,001 rows  "));
+        }
+        assert_eq!(terminal.contents().lines().count(), 1);
+        terminal.type_in("\x03");
+        terminal.wait_for("code 130");
+        let left: Vec<String> = terminal.contents().lines().map(str::to_owned).collect();
+        // The terminal itself shows the key; it stands before the line is cleared or behind.
+        assert!(
+            ["code 130", "^Ccode 130"].contains(&left.concat().as_str()),
+            "{left:?}"
+        );
+    }
+}
+
+/// The sweep waits in a write that never ends, its line on the terminal.
+#[test]
+fn ctrl_c_ends_it_where_nobody_takes_the_rows_any_more() {
+    let mark = concat!(env!("CARGO_TARGET_TMPDIR"), "/progress-stuck");
+    let _ = std::fs::remove_file(mark);
+    let reader = format!("{{ timeout 2 cat > /dev/null; echo > {mark}; sleep 1000; }}");
+    let script = format!("trap : INT; {ENDLESS} | {reader}; echo code $?");
+    let mut terminal = Terminal::run(&script, "xterm", 80);
+    terminal.wait_for(" left");
+    terminal.wait_until("reader that has stopped", |_| {
+        std::fs::exists(mark).unwrap()
+    });
+    thread::sleep(Duration::from_millis(200));
+    terminal.type_in("\x03");
+    terminal.wait_for("code 130");
+    assert!(
+        !terminal.contents().contains('%'),
+        "{}",
+        terminal.contents()
+    );
+}
+
+#[test]
+fn it_is_gone_when_the_sweep_has_ended() {
+    let sweep = "$KRANK sweep stephenson-six-bar --step 0.0005 -o /dev/null; echo done";
+    let terminal = Terminal::run(sweep, "xterm", 80);
+    terminal.wait_for("done");
+    assert_eq!(terminal.contents().trim_end(), "done");
+}
+
+#[test]
+fn it_is_not_shown_where_it_would_be_in_the_way() {
+    // Results on the same terminal; a terminal that cannot go back; messages to a file.
+    for (sweep, term) in [
+        ("$KRANK sweep four-bar --step 0.001 --columns C.x", "xterm"),
+        ("$KRANK sweep press --step 0.001 -o /dev/null", "dumb"),
+        (
+            "$KRANK sweep press --step 0.001 -o /dev/null 2>/dev/null",
+            "xterm",
+        ),
+    ] {
+        let terminal = Terminal::run(&format!("{sweep}; echo done"), term, 80);
+        terminal.wait_for("done");
+        let bytes = terminal.bytes.lock().unwrap();
+        assert!(!bytes.contains(&b'\x1b'), "{sweep}");
+        assert!(!bytes.windows(2).any(|two| two == b" %"), "{sweep}");
+    }
+}
+
+/// The same line while methods are measured; Ctrl-C leaves nothing of it, and no half results.
+#[test]
+fn a_study_tells_how_far_it_has_come_and_ends_cleanly() {
+    let script = "trap : INT; $KRANK accuracy scissor-lift; echo code $?";
+    let mut terminal = Terminal::run(script, "linux", 80);
+    terminal.wait_for(" of 1,000 parts  ");
+    terminal.type_in("\x03");
+    terminal.wait_for("code 130");
+    let left: Vec<String> = terminal.contents().lines().map(str::to_owned).collect();
+    assert!(
+        ["code 130", "^Ccode 130"].contains(&left.concat().as_str()),
+        "{left:?}"
+    );
+}

@@ -1,0 +1,146 @@
+//! Rows that are solved several at once are those that are solved one by one.
+
+use krank::quantity::{Catalogue, Quantity, state_word};
+use krank::report::{Columns, Decimal, RowFormat, Steps, Sweep};
+use krank::scene::{Scene, presets};
+use krank::solver::{Condition, Order, Range, Solver};
+
+fn decimal(value: f64) -> Decimal {
+    Decimal::of(value).unwrap()
+}
+
+/// The rows of a sweep over all figures, cell by cell; the last is the state.
+fn swept(scene: &Scene, solver: &Solver, figures: &[Quantity], steps: &Steps) -> Vec<Vec<String>> {
+    let catalogue = Catalogue::new(scene);
+    let columns = Columns::new(catalogue.driver(), figures, false);
+    let sweep = Sweep {
+        scene,
+        solver,
+        columns: &columns,
+        steps,
+        format: RowFormat::Csv,
+    };
+    let mut csv = Vec::new();
+    let mut told = 0;
+    let outcome = sweep.write(&mut csv, &mut |rows| told = rows).unwrap();
+    assert_eq!(outcome.rows, steps.count());
+    assert!(told <= outcome.rows && outcome.rows - told < 2048);
+    let csv = String::from_utf8(csv).unwrap();
+    let rows = csv.lines().skip(1);
+    rows.map(|row| row.split(',').map(str::to_owned).collect())
+        .collect()
+}
+
+/// Holds every row against the same state, solved alone.
+fn agree(scene: &Scene, steps: &Steps) {
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let catalogue = Catalogue::new(scene);
+    let rows = swept(scene, &solver, catalogue.all(), steps);
+    assert_eq!(rows.len() as u64, steps.count());
+    let mut state = solver.state();
+    for (at, row) in steps.iter().zip(rows) {
+        let condition = solver.solve(at, Order::Force, &mut state);
+        assert_eq!(
+            row.last().unwrap(),
+            state_word(condition),
+            "{} at {at}",
+            scene.name
+        );
+        for (quantity, cell) in catalogue.all().iter().zip(row) {
+            let bits = |v: f64| (v + 0.0).to_bits();
+            let value = quantity.value(&state).map(bits);
+            let written = cell.parse().ok().map(bits);
+            assert_eq!(written, value, "{}: {} at {at}", scene.name, quantity.name);
+        }
+    }
+}
+
+/// Over the motion, its limits and change points, and a little beyond.
+#[test]
+fn every_preset_is_swept_as_it_is_solved() {
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let (low, high) = match Solver::new(&scene.mechanism).unwrap().motion().range {
+            Range::Full { period } => (-30.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        let step = (high - low) / 777.0;
+        let [from, to] = [low - 3.0 * step, high + 3.0 * step];
+        agree(
+            &scene,
+            &Steps::new(decimal(from), decimal(to), decimal(step)).unwrap(),
+        );
+        agree(
+            &scene,
+            &Steps::new(decimal(low), decimal(high), decimal(step))
+                .unwrap()
+                .ending_on(high),
+        );
+    }
+}
+
+/// Fewer rows than are solved at once, and whole degrees through the change points.
+#[test]
+fn short_sweeps_and_round_angles() {
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let start = scene.mechanism.driver().start;
+        for rows in 0..20 {
+            let to = decimal(start + 1e-3 * f64::from(rows));
+            agree(
+                &scene,
+                &Steps::new(decimal(start), to, decimal(1e-3)).unwrap(),
+            );
+        }
+        let whole = Steps::new(decimal(-200.0), decimal(800.0), decimal(10.0));
+        agree(&scene, &whole.unwrap());
+    }
+}
+
+#[test]
+fn solving_at_once_allocates_nothing() {
+    let preset = presets::find("jansen-leg").unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let mut lanes = solver.lanes();
+    let at = std::array::from_fn(|lane| 10.0 * lane as f64);
+    let info = allocation_counter::measure(|| {
+        assert!(solver.solve_lanes(at, Order::Acceleration, &mut lanes));
+    });
+    assert_eq!(info.count_total, 0);
+}
+
+/// A vector between two points that meet has no direction there, and there alone.
+#[test]
+fn a_figure_that_does_not_exist_in_one_row_exists_in_its_neighbours() {
+    let text = r#"
+name = "A crank that meets a post"
+[ground]
+A = [0, 0]
+P = [1, 0]
+[driver]
+link = "r2"
+angle = 60
+[links]
+r2 = { from = "A", to = "B", length = 1 }
+r3 = { from = "B", to = "C", length = 3 }
+[slides]
+r4 = { point = "C", on = "ground", through = "A" }
+[start]
+C = [3, 0]
+[vectors]
+gap = ["P", "B"]
+"#;
+    let scene = Scene::parse(text, "post").unwrap();
+    let steps = Steps::new(decimal(-4.0), decimal(4.0), decimal(1.0)).unwrap();
+    agree(&scene, &steps);
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let figures = Catalogue::new(&scene).select(&["gap.omega"]).unwrap();
+    let rows = swept(&scene, &solver, &figures, &steps);
+    let empty: Vec<bool> = rows.iter().map(|row| row[1].is_empty()).collect();
+    assert_eq!(
+        empty,
+        [false, false, false, false, true, false, false, false, false]
+    );
+    assert!(rows.iter().all(|row| row[2] == state_word(Condition::Ok)));
+}

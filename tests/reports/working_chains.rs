@@ -1,0 +1,201 @@
+//! Every chain of equal sides with numbers in it is true as it stands on the page.
+
+use krank::report::{Block, Document, TextStyle, Working};
+use krank::scene::{Scene, presets};
+use krank::solver::{Order, Solver};
+
+/// What is done to the value in a pair of brackets.
+type Function = fn(f64) -> f64;
+
+/// A reader of printed numbers: sums, products, squares, roots, sines and cosines of degrees.
+struct Reader<'a> {
+    rest: &'a str,
+    /// The largest number that was read: what a side is rounded by.
+    largest: f64,
+}
+
+impl<'a> Reader<'a> {
+    /// The value of a side, and the largest of its parts; `None` where it has a symbol in it.
+    fn side(text: &'a str) -> Option<(f64, f64)> {
+        let mut reader = Reader {
+            rest: text,
+            largest: 0.0,
+        };
+        let value = reader.sum()?;
+        // A unit may stand behind a figure, and then its direction.
+        let is_over = reader.rest.is_empty() || reader.rest.starts_with(' ');
+        is_over.then_some((value, reader.largest))
+    }
+
+    fn takes(&mut self, text: &str) -> bool {
+        let rest = self.rest.strip_prefix(text);
+        self.rest = rest.unwrap_or(self.rest);
+        rest.is_some()
+    }
+
+    fn sum(&mut self) -> Option<f64> {
+        let mut sum = self.product()?;
+        loop {
+            let sign = match () {
+                () if self.takes(" + ") => 1.0,
+                () if self.takes(" - ") => -1.0,
+                () => return Some(sum),
+            };
+            sum += sign * self.product()?;
+        }
+    }
+
+    fn product(&mut self) -> Option<f64> {
+        let sign = if self.takes("-") { -1.0 } else { 1.0 };
+        let mut product = sign * self.power()?;
+        loop {
+            match () {
+                () if self.takes("·") => product *= self.power()?,
+                () if self.takes("/") => product /= self.power()?,
+                () => break,
+            }
+        }
+        self.largest = self.largest.max(product.abs());
+        Some(product)
+    }
+
+    fn power(&mut self) -> Option<f64> {
+        let base = self.factor()?;
+        Some(if self.takes("^2") { base * base } else { base })
+    }
+
+    fn factor(&mut self) -> Option<f64> {
+        let functions: [(&str, Function); 4] = [
+            ("sqrt(", f64::sqrt),
+            ("cos(", |degrees| degrees.to_radians().cos()),
+            ("sin(", |degrees| degrees.to_radians().sin()),
+            ("(", |value| value),
+        ];
+        for (name, function) in functions {
+            if self.takes(name) {
+                let value = self.sum()?;
+                return self.takes(")").then(|| function(value));
+            }
+        }
+        let part = |c: char| c.is_ascii_digit() || c == '.';
+        let end = self.rest.find(|c| !part(c)).unwrap_or(self.rest.len());
+        let mut end = end;
+        // A power of ten.
+        if let Some(power) = self.rest[end..].strip_prefix('e') {
+            let digits = power.trim_start_matches('-');
+            let last = digits.find(|c: char| !c.is_ascii_digit());
+            end = self.rest.len() - digits.len() + last.unwrap_or(digits.len());
+        }
+        let (number, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        number.parse().ok()
+    }
+}
+
+/// Counts the chains of points and forces, each of which must be true to its printed digits.
+fn hold(document: &Document, context: &str) -> usize {
+    let begins = |block: &Block| matches!(block, Block::Heading(1, text) if text.starts_with("7 "));
+    let ends = |block: &Block| matches!(block, Block::Heading(1, text) if text.ends_with("Check"));
+    let blocks = document.blocks.iter().skip_while(|b| !begins(b));
+    let mut count = 0;
+    for block in blocks.take_while(|b| !ends(b)) {
+        let Block::Equations(equations) = block else {
+            continue;
+        };
+        for equation in equations {
+            let sides = equation.sides.iter();
+            let values: Vec<(f64, f64)> = sides.filter_map(|side| Reader::side(side)).collect();
+            for pair in values.windows(2) {
+                let size = pair[0].1.max(pair[1].1).max(f64::MIN_POSITIVE);
+                let off = (pair[0].0 - pair[1].0).abs() / size;
+                assert!(off < 1e-8, "{context}: {:?}: {off:e}", equation.sides);
+                count += 1;
+            }
+        }
+    }
+    count
+}
+
+fn follow(name: &str, text: &str) -> Vec<String> {
+    let mut texts = Vec::new();
+    let scene = Scene::parse(text, name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let working = Working::new(&scene, &solver);
+    let mut state = solver.state();
+    let (low, high) = solver.motion().range.ends();
+    let mut count = 0;
+    for k in 1..24 {
+        let at = low + (high - low) * f64::from(k) / 24.0 + 0.01;
+        let _ = solver.solve(at, Order::Force, &mut state);
+        let worked = working.of(&scene, &solver, &state, 12);
+        for agreement in &worked.agreements {
+            let off = agreement.part();
+            assert!(off < 1e-13, "{name} at {at}: {agreement:?}: {off:e}");
+        }
+        let style = TextStyle {
+            ascii: true,
+            width: 10_000,
+        };
+        texts.push(worked.document.to_text(style));
+        count += hold(&worked.document, &format!("{name} at {at}"));
+    }
+    assert!(count > 23, "{name}: {count}");
+    texts
+}
+
+#[test]
+fn every_chain_of_every_preset_is_true_as_it_stands() {
+    for preset in presets::all() {
+        follow(preset.name, preset.text);
+    }
+}
+
+/// A load on a joint is in no link's table: the pin's own balance has it, and the slot's guide.
+#[test]
+fn a_load_at_a_joint_has_its_pins_balance() {
+    for (preset, point) in [
+        ("four-bar", "C"),
+        ("slider-crank", "C"),
+        ("slotted-lever", "B"),
+    ] {
+        let given = presets::find(preset).unwrap().text;
+        let load = format!("[[loads]]\npoint = \"{point}\"\nforce = [30, -500]\n");
+        for text in follow(preset, &format!("{given}\n{load}")) {
+            let (_, pin) = text.split_once(&format!(" Pin {point}\n")).unwrap();
+            let rows: Vec<&str> = pin.lines().take(5).map(str::trim_start).collect();
+            assert!(rows[1].starts_with("force  "), "{preset}: {rows:?}");
+            assert!(rows[2].starts_with("-(r"), "{preset}: {rows:?}");
+            assert!(pin.contains(" = 0 N\n"), "{preset}: {pin}");
+            let has_guide = rows.iter().any(|row| row.starts_with("guide of "));
+            assert_eq!(has_guide, preset != "four-bar", "{preset}: {rows:?}");
+        }
+    }
+}
+
+/// The law of a spring, and the factor of a load, are chains that are followed like any other.
+#[test]
+fn springs_and_factors_are_told() {
+    let given = presets::find("four-bar").unwrap().text;
+    let loads = "[[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 1200\nlength = 80\ndamping = 5\n\
+        [[loads]]\nlink = \"r4\"\ntorque = 12\nover = [[0, 0.2], [180, 1], [360, 0.2]]\n";
+    for text in follow("four-bar", &format!("{given}\n{loads}")) {
+        assert!(
+            text.contains("pull = k (L - L0) + c dL/dt = 1200*("),
+            "{text}"
+        );
+        assert!(text.contains("torque on r4 = factor*12 = "), "{text}");
+        assert!(text.contains(" Pin C\n"), "{text}");
+    }
+}
+
+#[test]
+fn the_reader_knows_a_lost_sign() {
+    assert_eq!(Reader::side("(-3.5)·2"), Some((-7.0, 7.0)));
+    assert_eq!(Reader::side("7.00 mm/s at 90 deg"), Some((7.0, 7.0)));
+    assert_eq!(Reader::side("sqrt(3^2 + (-4)^2)").unwrap().0, 5.0);
+    assert_eq!(
+        Reader::side("2·cos(60) - 1e-3").unwrap().0,
+        2.0 * 60_f64.to_radians().cos() - 1e-3
+    );
+    assert_eq!(Reader::side("|ω3| r"), None);
+}

@@ -1,0 +1,218 @@
+//! Names, titles, notes and file names that hold control, bidirectional and invisible characters: none of them
+//! reaches a terminal, wherever a scene, a folder, a configuration or an error is shown.
+
+use krank::scene::is_harmful;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// Clears the screen, sets the title, turns the direction of writing, and is not seen.
+const EVIL: &str = "a\u{1b}[2J\u{1b}]0;b\u{7}\u{9b}31mc\u{202e}d\u{200b}e\u{2066}f\u{feff}";
+
+/// The same as TOML writes it: raw where TOML lets it be, escaped elsewhere.
+const EVIL_TEXT: &str =
+    "a\\u001b[2J\\u001b]0;b\\u0007\\u009b31mc\u{202e}d\u{200b}e\\u2066f\u{feff}\\u007f";
+
+fn hostile() -> String {
+    format!(
+        "# {bare}\nname = \"{EVIL_TEXT}\"\nsource = \"{EVIL_TEXT}\"\nnote = \"{EVIL_TEXT}\"\n\
+         [ground]\nA = [0, 0]\nD = [400, 0] # {bare}\n[driver]\nlink = \"r2\"\nangle = 60\nspeed = \"15 rad/s\"\n\
+         [links]\nr2 = {{ from = \"A\", to = \"B\", length = 100 }}\n\
+         r3 = {{ from = \"B\", to = \"C\", length = 300, com = [150, 0] }}\n\
+         r4 = {{ from = \"C\", to = \"D\", length = 250 }}\n[start] # {bare}\nC = [310, 230]\n",
+        bare = "a\u{202e}d\u{200b}e\u{2066}f\u{feff}",
+    )
+}
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// What no terminal is sent; line feeds end lines.
+fn assert_harmless(text: &str, ascii: bool, what: &str) {
+    let bad = |c: char| c != '\n' && (is_harmful(c) || ascii && !c.is_ascii());
+    assert!(!text.contains(bad), "{what}: {text:?}");
+}
+
+/// Runs it where only ASCII may be seen, and where everything may.
+fn heard(here: &Path, args: &[&str]) -> [(bool, Output); 2] {
+    ["C", "C.UTF-8"].map(|locale| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
+        command.env_clear().env("TERM", "xterm-256color");
+        command.env("LC_ALL", locale).current_dir(here).args(args);
+        (locale == "C", command.output().unwrap())
+    })
+}
+
+fn assert_heard_harmless(here: &Path, args: &[&str], code: i32) {
+    for (ascii, output) in heard(here, args) {
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(code), "{args:?}: {told}");
+        assert_harmless(&told, ascii, &format!("{args:?}"));
+        let out = String::from_utf8(output.stdout).unwrap();
+        // An SVG and JSON are UTF-8 by themselves.
+        let ascii = ascii && !args.contains(&"svg") && !args.contains(&"json");
+        assert_harmless(&out, ascii, &format!("{args:?}"));
+    }
+}
+
+#[test]
+fn what_commands_print_of_a_scene_is_harmless() {
+    let here = folder("harmless-scene");
+    let file = format!("{EVIL}.toml").replace('/', "");
+    std::fs::write(here.join(&file), hostile()).unwrap();
+    let file = file.as_str();
+    for args in [
+        &["check", file][..],
+        &["check", file, "--format", "json"],
+        &["table", file],
+        &["table", file, "--bounds", "--sensitivity"],
+        &["table", file, "--format", "csv"],
+        &["table", file, "--format", "json"],
+        &["sweep", file, "--step", "90"],
+        &["sweep", file, "--step", "90", "--format", "text"],
+        &["sweep", file, "--step", "90", "--format", "json"],
+        &["draw", file],
+        &["draw", file, "--format", "svg"],
+        &["plot", file, "--columns", "C.x"],
+        &["plot", file, "--columns", "C.x", "--format", "svg"],
+        &["accuracy", file, "--positions", "1", "--format", "json"],
+    ] {
+        assert_heard_harmless(&here, args, 0);
+    }
+    // What `start` prints is the file itself, and not for a terminal's eyes; it is kept to the byte.
+    let [_, (_, output)] = heard(&here, &["start", file]);
+    assert!(
+        String::from_utf8(output.stdout)
+            .unwrap()
+            .contains('\u{202e}')
+    );
+}
+
+#[test]
+fn what_is_said_about_what_is_wrong_is_harmless() {
+    let here = folder("harmless-faults");
+    let file = format!("{EVIL}.toml").replace('/', "");
+    let broken = hostile()
+        .replace("length = 300", &format!("lenght = \"{EVIL_TEXT}\""))
+        .replace("r4 = {", &format!("\"{EVIL_TEXT}\" = {{"));
+    std::fs::write(here.join(&file), broken).unwrap();
+    let raw = format!("{file}-raw.toml");
+    std::fs::write(here.join(&raw), format!("name = \"{EVIL}\"\n{EVIL} = 1\n")).unwrap();
+    for file in [
+        file.as_str(),
+        raw.as_str(),
+        "no\u{1b}[2J\u{202e}file.toml",
+        EVIL,
+    ] {
+        for command in ["check", "table", "sweep", "draw", "start", "accuracy"] {
+            assert_heard_harmless(&here, &[command, file], 2);
+        }
+        assert_heard_harmless(&here, &[file], 2);
+    }
+    for args in [
+        &["check", "four-bar", EVIL][..],
+        &[EVIL, "four-bar"],
+        &["man", EVIL],
+        &["completions", EVIL],
+        &["table", "four-bar", "--at", EVIL],
+        &["check", "four-bar", "--assembly", EVIL],
+        &["sweep", "four-bar", "--columns", EVIL],
+        &["plot", "four-bar", "--columns", EVIL],
+        &["plot", "four-bar", "--columns", "C.x", "--against", EVIL],
+    ] {
+        assert_heard_harmless(&here, args, 2);
+    }
+    let lost = format!("nowhere/{EVIL}");
+    assert_heard_harmless(&here, &["table", "four-bar", "-o", &lost], 1);
+}
+
+#[cfg(feature = "tui")]
+mod workbench {
+    use super::{EVIL, EVIL_TEXT, assert_heard_harmless, folder, hostile};
+    use krank::drawing::Glyphs;
+    use krank::scene::{Scene, is_harmful};
+    use krank::solver::Solver;
+    use krank::tui::{Colours, Opened, Origin, Workbench};
+
+    #[test]
+    fn what_is_printed_of_the_workbench_and_its_configuration_is_harmless() {
+        let here = folder("harmless-print");
+        let file = format!("{EVIL}.toml").replace('/', "");
+        std::fs::write(here.join(&file), hostile()).unwrap();
+        for view in [
+            "motion", "tables", "plots", "forces", "scene", "lengths", "working",
+        ] {
+            assert_heard_harmless(&here, &["--print", "--view", view, &file], 0);
+        }
+        let config = format!("{EVIL}-config.toml").replace('/', "");
+        for text in [
+            format!("\"{EVIL_TEXT}\" = 1\n"),
+            format!("glyphs = \"{EVIL_TEXT}\"\n"),
+            format!("[keys]\n\"{EVIL_TEXT}\" = \"x\"\nplay = \"{EVIL_TEXT}\"\n"),
+            EVIL.to_owned(),
+        ] {
+            std::fs::write(here.join(&config), text).unwrap();
+            assert_heard_harmless(&here, &["--config", &config], 2);
+        }
+        assert_heard_harmless(&here, &["--config", "no\u{1b}\u{202e}file"], 2);
+    }
+
+    /// Every view, overlay, prompt and message, in every set of glyphs.
+    #[test]
+    fn every_frame_is_harmless() {
+        let here = folder("harmless-frames");
+        let file = here.join(format!("{EVIL}.toml").replace('/', ""));
+        std::fs::write(&file, hostile()).unwrap();
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            for (cols, rows) in [(80, 24), (40, 12), (160, 50)] {
+                let scene = Scene::parse(&hostile(), &file.display().to_string()).unwrap();
+                let solver = Solver::new(&scene.mechanism).unwrap();
+                let origin = Origin::File(file.clone());
+                let opened = Opened {
+                    scene,
+                    solver,
+                    origin,
+                };
+                let mut workbench = Workbench::new(opened, glyphs, Colours::None, cols, rows);
+                workbench.paint();
+                for key in [
+                    "i", "v", "T", "2", "3", "4", "Esc", "5", "6", "e", "1", "?", "/", "Esc",
+                    "Esc", "I", "Esc", "a", "Esc", "w", "Esc", "W", "Esc", "o", "Down", "Up",
+                    "Esc", "D", "Down", "Esc", "R", "Esc", "6", "Enter", "x", "Enter", "Esc", "u",
+                    "P", "Esc", "S", "Esc", "2", "Y", "Esc",
+                ] {
+                    workbench.press(key);
+                    let frame = String::from_utf8(workbench.paint().to_vec()).unwrap();
+                    let shown = without_sequences(&frame);
+                    let bad = |c: char| !matches!(c, '\r' | '\n') && is_harmful(c);
+                    assert!(!shown.contains(bad), "{glyphs:?} {key}: {shown:?}");
+                    assert!(
+                        glyphs != Glyphs::Ascii || shown.is_ascii(),
+                        "{key}: {shown:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// A frame without the sequences that a painter writes: the cursor, styles, erasing, modes.
+    fn without_sequences(frame: &str) -> String {
+        let mut pieces = frame.split("\u{1b}[");
+        let mut shown = pieces.next().unwrap_or_default().to_owned();
+        for piece in pieces {
+            let end = piece.find(|c: char| c.is_ascii_alphabetic()).unwrap();
+            let ours = matches!(
+                &piece[end..=end],
+                "H" | "m" | "K" | "J" | "h" | "l" | "A" | "B" | "C" | "D" | "G" | "d" | "X"
+            );
+            assert!(ours, "an unknown sequence: {piece:?}");
+            // What the scene would do, the painter does not.
+            assert_ne!(&piece[..=end], "31m");
+            shown.push_str(&piece[end + 1..]);
+        }
+        shown
+    }
+}

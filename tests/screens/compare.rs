@@ -1,0 +1,284 @@
+//! A second scene beside the open one: its ghost in the drawing, and what the figures differ by.
+
+use crate::screen::{Session, folder, open, text};
+use krank::drawing::Glyphs;
+use krank::tui::Origin;
+use std::fs;
+
+/// The four-bar with a crank of 101 mm.
+fn longer() -> String {
+    text("four-bar").replace("length = 100", "length = 101")
+}
+
+/// The four-bar in inches, as large as it is in millimetres.
+fn in_inches() -> String {
+    let mut text = text("four-bar").replace("\"mm\"", "\"in\"");
+    for length in ["400", "100", "300", "250", "150", "125", "310", "230"] {
+        let inches = length.parse::<f64>().unwrap() / 25.4;
+        for (before, after) in [("= ", " "), ("[", ","), (", ", "]"), ("= ", ",")] {
+            let old = format!("{before}{length}{after}");
+            text = text.replace(&old, &format!("{before}{inches}{after}"));
+        }
+    }
+    text
+}
+
+/// The four-bar, with scenes to compare it with in its folder.
+fn beside(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    let folder = folder(test);
+    let shorter = text("four-bar").replace("length = 300", "length = 220");
+    let scenes = [
+        ("longer", longer()),
+        ("inches", in_inches()),
+        ("shorter", shorter),
+    ];
+    for (name, text) in scenes {
+        fs::write(folder.join(format!("{name}.toml")), text).unwrap();
+    }
+    let origin = Origin::File(folder.join("mine.toml"));
+    Session::new(open(text("four-bar"), origin), glyphs, cols, rows)
+}
+
+/// The screen without bounds: a sharper proof is no other screen.
+fn masked(screen: &str) -> String {
+    let line = |line: &str| match line.find("+-") {
+        Some(at) if line.starts_with(' ') => {
+            let end = line[at..].find(' ').map_or(line.len(), |n| at + n);
+            format!("{}+-BOUND{}\n", &line[..at], &line[end..])
+        }
+        _ => format!("{line}\n"),
+    };
+    screen.lines().map(line).collect()
+}
+
+/// The words of the first line that begins with this one.
+fn row(screen: &str, name: &str) -> Vec<String> {
+    let lines = screen
+        .lines()
+        .map(|line| line.trim_start_matches([' ', '>', '+']));
+    let mut rows = lines.filter(|line| line.split_whitespace().next() == Some(name));
+    let row = rows
+        .next()
+        .unwrap_or_else(|| panic!("no row {name}:\n{screen}"));
+    let figures = row.split_whitespace();
+    figures
+        .map(|word| word.trim_matches(['[', ']', '*']).to_owned())
+        .collect()
+}
+
+#[test]
+fn a_ghost_and_differences_stand_where_figures_stood() {
+    let screens = [
+        ("ascii-80x24", Glyphs::Ascii, 80, 24),
+        ("braille-80x24", Glyphs::Braille, 80, 24),
+        ("ascii-120x40", Glyphs::Ascii, 120, 40),
+        ("braille-120x40", Glyphs::Braille, 120, 40),
+        ("ascii-40x12", Glyphs::Ascii, 40, 12),
+        ("braille-40x12", Glyphs::Braille, 40, 12),
+    ];
+    for (name, glyphs, cols, rows) in screens {
+        let mut session = beside(name, glyphs, cols, rows);
+        let screen = session.press("D").type_in("shorter").press("Enter").look();
+        insta::assert_snapshot!(format!("motion-{name}"), masked(&screen));
+        let screen = session.press("2").look();
+        insta::assert_snapshot!(format!("tables-{name}"), masked(&screen));
+    }
+}
+
+/// B lies at 101 (cos 60, sin 60) deg there, and at 100 here; it moves at 15 rad/s.
+#[test]
+fn differences_are_those_of_the_figures() {
+    let mut session = beside("numbers", Glyphs::Ascii, 100, 40);
+    let screen = session.press("2 D").type_in("longer").press("Enter").look();
+    assert!(
+        screen.contains("difference: this - longer.toml"),
+        "{screen}"
+    );
+    assert_eq!(row(&screen, "r2")[1..3], ["-1.00000", "0.000"]);
+    assert_eq!(row(&screen, "r3")[1..3], ["0.00000", "0.122"]);
+    let b = row(&screen, "B");
+    assert_eq!(
+        b[1..6],
+        ["-0.50000", "-0.86603", "12.9904", "-7.5000", "-15.0000"]
+    );
+    // It goes where the driver goes: B is at 90 deg now.
+    let screen = session.press("g 9 0 Enter").look();
+    assert_eq!(
+        row(&screen, "B")[1..6],
+        ["0.00000", "-1.00000", "15.0000", "0.0000", "-15.0000"]
+    );
+    // And the other way round, with the other sign.
+    let screen = session.press("D o").type_in("longer").press("Enter").look();
+    assert!(!screen.contains("against"), "{screen}");
+    let origin = Origin::File(folder("numbers-back").join("longer.toml"));
+    let mut back = Session::new(open(&longer(), origin), Glyphs::Ascii, 100, 40);
+    let screen = back.press("2 D").type_in("four-bar").press("Enter").look();
+    assert_eq!(row(&screen, "r2")[1], "1.00000");
+    assert_eq!(row(&screen, "r3")[2], "-0.122");
+}
+
+#[test]
+fn another_unit_is_converted() {
+    let mut session = beside("units", Glyphs::Ascii, 100, 40);
+    session.press("D").type_in("inches").press("Enter");
+    let tables = session.press("2").look();
+    assert!(tables.contains("r [mm]"), "{tables}");
+    for (name, figures) in [("r2", 1..7), ("r3", 1..7), ("B", 1..6), ("C", 1..6)] {
+        for figure in &row(&tables, name)[figures] {
+            assert_eq!(figure.parse::<f64>().unwrap(), 0.0, "{name}: {tables}");
+        }
+    }
+}
+
+#[test]
+fn rows_without_partner_say_so() {
+    let mut session = beside("partners", Glyphs::Ascii, 100, 40);
+    let screen = session.press("2 D").type_in("press").press("Enter").look();
+    assert_eq!(row(&screen, "r2.com")[1..], ["only", "here"]);
+    assert!(screen.contains("only there: r5"), "{screen}");
+    // Rates differ by the speeds of the drivers too, which is said.
+    let screen = session
+        .press("D D")
+        .type_in("slider-crank")
+        .press("Down Up Enter")
+        .look();
+    assert!(screen.contains("driven at 15.0 and 200 rad/s"), "{screen}");
+}
+
+#[test]
+fn where_the_other_has_no_assembly_it_says_so() {
+    let mut session = beside("nowhere", Glyphs::Ascii, 80, 24);
+    session.press("g 1 8 0 Enter");
+    let screen = session.press("D").type_in("shorter").press("Enter").look();
+    let title = " Four-bar crank-rocker against shorter.toml: no assembly here";
+    assert!(screen.starts_with(title), "{screen}");
+    assert!(screen.contains("| shorter.toml has no asse.."), "{screen}");
+    assert!(screen.contains("| r3       80.0000        -"), "{screen}");
+    // It comes back where it can be.
+    let screen = session.press("Home").look();
+    assert!(!screen.contains("no assembly"), "{screen}");
+}
+
+#[test]
+fn a_slide_and_a_link_have_no_coordinate_in_common() {
+    let mut session = beside("refused", Glyphs::Ascii, 120, 40);
+    let before = session.look();
+    let line = session
+        .press("D")
+        .type_in("scissor")
+        .press("Enter")
+        .last_line();
+    let said = "scissor-lift is driven by a slide, this scene by a link that turns";
+    assert!(line.contains(said), "{line}");
+    // The list stays for another choice.
+    assert!(line.starts_with(" compare "), "{line}");
+    assert_eq!(session.press("Esc").look(), before);
+}
+
+#[test]
+fn it_ends_by_its_key_and_with_the_scene() {
+    let mut session = beside("ends", Glyphs::Ascii, 80, 24);
+    let before = session.look();
+    session.press("D").type_in("longer").press("Enter");
+    assert!(session.look().contains("against longer.toml"));
+    assert!(
+        session
+            .press("D")
+            .last_line()
+            .contains("no longer compared")
+    );
+    // The message goes with the next key.
+    assert_eq!(session.press("Esc").look(), before);
+    // What was compared last is under the cursor: to and fro takes two keys.
+    let again = session.press("D").look();
+    assert!(again.contains("> longer.toml"), "{again}");
+    assert!(
+        session
+            .press("Enter")
+            .look()
+            .contains("against longer.toml")
+    );
+    assert!(!session.press("n").look().contains("against"));
+}
+
+/// Whatever is compared with whatever, at whatever size: nothing breaks.
+#[test]
+fn every_preset_stands_beside_every_other() {
+    let presets = krank::scene::presets::all();
+    let mut compared = 0;
+    for this in presets.iter().step_by(3) {
+        let origin = Origin::Preset(this.name.into());
+        let mut session = Session::new(open(this.text, origin), Glyphs::Braille, 80, 24);
+        for other in presets {
+            session.press("D").type_in(other.name).press("Enter");
+            let screen = session.look();
+            if screen.lines().next().unwrap().contains(" against ") {
+                compared += 1;
+                session.press(". 2 PgDn Tab 1 , D");
+            } else {
+                assert!(screen.contains("is driven by"), "{screen}");
+                session.press("Esc");
+            }
+        }
+    }
+    assert!(compared > 100, "{compared}");
+}
+
+/// After an edit, what was opened is the first that is offered, and follows every further edit.
+#[test]
+fn an_edited_scene_stands_beside_what_was_opened() {
+    let mut session = beside("edited", Glyphs::Ascii, 100, 40);
+    assert!(!session.press("D").look().contains("as opened"));
+    session.press("Esc 6 / r 2 space l e n Enter Enter 1 0 1 Enter");
+    let list = session.press("2 D").look();
+    assert!(
+        list.contains("> as opened") && list.contains("| Four-bar"),
+        "{list}"
+    );
+    let screen = session.press("Enter").look();
+    assert!(screen.contains("against as opened"), "{screen}");
+    assert_eq!(row(&screen, "r2")[1..3], ["1.00000", "0.000"]);
+    assert_eq!(row(&screen, "B")[1], "0.50000");
+    // A further edit: the difference is to what was opened, not to the step before.
+    let screen = session.press("6 Enter 1 0 2 Enter 2").look();
+    assert_eq!(row(&screen, "r2")[1], "2.00000");
+    // Taken back, nothing differs, and the comparison goes on.
+    let screen = session.press("u u").look();
+    assert_eq!(row(&screen, "r2")[1].parse::<f64>().unwrap(), 0.0);
+    assert!(screen.contains("against as opened"), "{screen}");
+}
+
+/// The other's curves are dotted, in the unit of this one, and go with the comparison.
+#[test]
+fn plots_have_a_dotted_curve() {
+    let screens = [
+        ("ascii-80x24", Glyphs::Ascii, 80, 24),
+        ("braille-120x40", Glyphs::Braille, 120, 40),
+        ("ascii-40x12", Glyphs::Ascii, 40, 12),
+    ];
+    for (name, glyphs, cols, rows) in screens {
+        let mut session = beside(&format!("plots-{name}"), glyphs, cols, rows);
+        let alone = session.press("3").look();
+        let screen = session.press("D").type_in("longer").press("Enter").look();
+        insta::assert_snapshot!(format!("plots-{name}"), screen);
+        // Chosen anew, they are there again; ended, they are gone.
+        assert_eq!(session.press("m m").press("Esc").look(), screen);
+        assert_eq!(session.press("1 3").look(), screen);
+        assert_eq!(session.press("D Esc").look(), alone);
+    }
+    // The same in inches lies on it: the axis and its ticks are the same.
+    let mut session = beside("plots-units", Glyphs::Ascii, 80, 24);
+    session.press("3 x c / B . x Enter space Esc");
+    let alone = session.press("Esc").look();
+    assert!(alone.contains("B.x"), "{alone}");
+    let screen = session.press("D").type_in("inches").press("Enter").look();
+    assert!(screen.contains("B.x inches.toml"), "{screen}");
+    let ticks = |screen: &str| -> Vec<String> {
+        let labels = screen
+            .lines()
+            .skip(2)
+            .filter_map(|line| line.split_once('|'));
+        labels.map(|(label, _)| label.trim().to_owned()).collect()
+    };
+    assert_eq!(ticks(&screen), ticks(&alone), "{screen}\n{alone}");
+}

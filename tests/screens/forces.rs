@@ -1,0 +1,226 @@
+//! The view of forces, as it is seen.
+
+use crate::screen::{Session, open, preset, text};
+use krank::drawing::Glyphs;
+use krank::report::Forces;
+use krank::solver::Order;
+use krank::tui::{Colours, Origin, Workbench};
+
+fn session(name: &str, cols: u16, rows: u16) -> Session {
+    Session::new(preset(name), Glyphs::Ascii, cols, rows)
+}
+
+/// A preset with more in its file.
+fn with(name: &str, more: &str, cols: u16, rows: u16) -> Session {
+    let text = format!("{}\n{more}", text(name));
+    let mut session = Session::new(open(&text, Origin::Stdin), Glyphs::Ascii, cols, rows);
+    session.press("5");
+    session
+}
+
+const PULL: &str = "[[loads]]\npoint = \"C\"\nforce = [0, -10]\n";
+
+/// Rounding alone decides what a check misses and how large a bound is.
+fn masked(screen: &str) -> String {
+    let line = |line: &str| match line.split_once("+-") {
+        Some((before, _)) => format!("{before}+-(bound)\n"),
+        None if line.starts_with(" off by") => " off by  (rounding)\n".to_owned(),
+        None => format!("{line}\n"),
+    };
+    screen.lines().map(line).collect()
+}
+
+#[test]
+fn forces_stand_in_blocks_of_one_width() {
+    let screen = session("four-bar-load", 80, 24).press("5").look();
+    insta::assert_snapshot!("forces-ascii-80x24", masked(&screen));
+    let mut large = Session::new(preset("press-ram"), Glyphs::Braille, 120, 40);
+    let screen = large.press("5").look();
+    insta::assert_snapshot!("forces-press-ram-braille-120x40", masked(&screen));
+    let mut small = session("press-ram", 40, 12);
+    let screen = small.press("5").look();
+    insta::assert_snapshot!("forces-press-ram-ascii-40x12", masked(&screen));
+    let screen = small.press("PgDn PgDn PgDn PgDn PgDn PgDn").look();
+    insta::assert_snapshot!("forces-press-ram-end-ascii-40x12", masked(&screen));
+    let screen = session("excavator-boom", 80, 24).press("5").look();
+    insta::assert_snapshot!("forces-excavator-boom-ascii-80x24", masked(&screen));
+}
+
+/// The screen in the README is the one that is seen.
+#[test]
+fn the_screen_of_the_readme_is_real() {
+    let readme = include_str!("../../README.md");
+    let mut workbench = Workbench::new(
+        preset("four-bar-load"),
+        Glyphs::Ascii,
+        Colours::None,
+        80,
+        17,
+    );
+    workbench.press("5");
+    let screen = workbench.text();
+    let block = format!("```txt\n{}\n```", screen.trim_end());
+    assert!(
+        masked(readme).contains(&masked(&block)),
+        "the README should show\n{screen}"
+    );
+}
+
+/// Everything is seen once at every size, and nothing is cut.
+#[test]
+fn every_size_shows_every_force() {
+    for (cols, rows) in [(40, 12), (57, 20), (80, 24), (120, 40), (200, 60)] {
+        let mut session = session("press-ram", cols, rows);
+        let mut all = session.press("5").body();
+        for _ in 0..40 {
+            all += &session.press("Down").body();
+        }
+        for what in [
+            "r2 at B", "r5 at F", "ground", "r6", "off by", "dir f", "moment", "power",
+        ] {
+            assert!(all.contains(what), "{what} at {cols} x {rows}: {all}");
+        }
+        for line in all.lines() {
+            assert!(!line.contains(".. "), "{line}");
+        }
+    }
+}
+
+/// The figures under one heading, cell by cell.
+fn row(screen: &str, name: &str) -> Vec<f64> {
+    let line = screen.lines().find(|line| line.starts_with(name));
+    let line = line.unwrap_or_else(|| panic!("no {name}: {screen}"));
+    let cells = line[name.len()..].split_whitespace();
+    cells.filter_map(|cell| cell.parse().ok()).collect()
+}
+
+#[test]
+fn the_figures_are_those_of_the_state() {
+    let opened = preset("press-ram");
+    let mut state = opened.solver.state();
+    let _ = opened.solver.solve(20.0, Order::Force, &mut state);
+    let forces = Forces::new(&opened.scene, &opened.solver, &state, None).unwrap();
+    let mut session = session("press-ram", 120, 40);
+    session.press("5 g").type_in("20").press("Enter");
+    let screen = session.look();
+    let near = |shown: f64, value: Option<f64>| {
+        let value = value.unwrap();
+        assert!(
+            (shown - value).abs() <= 1e-3 * value.abs().max(0.1),
+            "{shown} for {value}"
+        );
+    };
+    let drive = row(&screen, " r2 ");
+    near(drive[0], forces.drive.total.value);
+    for (shown, part) in drive[1..4].iter().zip(forces.drive.parts) {
+        near(*shown, part.value);
+    }
+    near(drive[4], forces.drive.power.value);
+    let joint = forces
+        .joints
+        .iter()
+        .find(|j| (j.link.as_str(), j.point.as_str()) == ("r5", "F"));
+    let joint = joint.unwrap();
+    let plane = joint.force.unwrap();
+    let shown = row(&screen, " r5 at F by ram");
+    near(shown[0], Some(plane.components.x));
+    near(shown[1], Some(plane.components.y));
+    near(shown[2], Some(plane.magnitude));
+    near(shown[3], plane.direction);
+    let ground = row(&screen, " ground by all");
+    near(ground[4], forces.frame.moment.value);
+    near(row(&screen, " r6 on ram")[0], forces.guides[0].normal.value);
+}
+
+#[test]
+fn the_forces_are_copied_with_all_their_digits() {
+    let mut session = session("press-ram", 80, 24);
+    let line = session.press("5 y").last_line();
+    assert!(
+        line.contains("sent to the terminal's clipboard: "),
+        "{line}"
+    );
+    assert!(session.workbench.take_sent().len() > 1000);
+    let line = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24)
+        .press("5 y")
+        .last_line();
+    assert!(line.contains("nothing to copy here"), "{line}");
+}
+
+/// Whatever the driver's coordinate, the last characters of a column stand below one another.
+#[test]
+fn numbers_do_not_dance() {
+    let ends = |screen: &str| -> Vec<Vec<usize>> {
+        let rows = screen
+            .lines()
+            .filter(|line| line.starts_with(" r") && line.contains(" at "));
+        rows.map(|line| {
+            let line = format!("{line} ").into_bytes();
+            let ends = line.windows(2).enumerate();
+            let ends = ends.filter(|(_, pair)| pair[0].is_ascii_digit() && pair[1] == b' ');
+            ends.map(|(at, _)| at).filter(|at| *at > 24).collect()
+        })
+        .collect()
+    };
+    let mut session = session("press-ram", 80, 24);
+    let first = ends(&session.press("5").look());
+    assert_eq!(first.len(), 6);
+    for _ in 0..24 {
+        let screen = session.press(". . .").look();
+        assert_eq!(ends(&screen), first, "{screen}");
+    }
+}
+
+#[test]
+fn a_scene_on_which_nothing_acts_says_so() {
+    let screen = session("four-bar", 80, 24).press("5").look();
+    insta::assert_snapshot!("forces-nothing-ascii-80x24", screen);
+    let text = format!("gravity = [0, -9.81]\n{}", text("four-bar"));
+    let mut session = Session::new(open(&text, Origin::Stdin), Glyphs::Ascii, 40, 12);
+    let screen = session.press("5").look();
+    insta::assert_snapshot!("forces-gravity-alone-ascii-40x12", screen);
+}
+
+#[test]
+fn at_a_dead_point_no_force_is_shown_as_a_number() {
+    let mut session = session("excavator-boom", 80, 24);
+    // Further steps than there is way.
+    let screen = session.press("5 ] ] ] ] ] . . . . . . . .").look();
+    insta::assert_snapshot!("forces-dead-point-ascii-80x24", screen);
+    let screen = session.press("[ ,").look();
+    assert!(screen.contains("off by"), "{screen}");
+}
+
+#[test]
+fn at_a_change_point_the_torque_is_all_there_is() {
+    let mut session = with("parallelogram", PULL, 80, 24);
+    let screen = session.press("g").type_in("0").press("Enter").look();
+    insta::assert_snapshot!("forces-change-point-ascii-80x24", masked(&screen));
+}
+
+#[test]
+fn reactions_that_are_left_open_are_named() {
+    let mut session = with("triple-parallelogram", PULL, 80, 24);
+    insta::assert_snapshot!("forces-indeterminate-ascii-80x24", masked(&session.look()));
+    let below = session.press("PgDn").look();
+    for said in ["Indeterminate: r2.A", "Of least norm: "] {
+        assert!(below.contains(said), "{below}");
+    }
+}
+
+/// Another assembly, another length, another scene: the forces follow.
+#[test]
+fn forces_follow_what_changes() {
+    let mut session = session("four-bar-load", 80, 24);
+    let before = row(&session.press("5").look(), " r2 ");
+    let other = row(&session.press(".").look(), " r2 ");
+    assert_ne!(before, other);
+    // The engine, and then a scene on which nothing acts.
+    let screen = session.press("n").look();
+    assert!(
+        screen.contains("r3 at C by piston") && !screen.contains("piston at C"),
+        "{screen}"
+    );
+    let screen = session.press("n").look();
+    assert!(screen.contains("Nothing acts on this linkage"), "{screen}");
+}

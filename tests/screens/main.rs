@@ -1,0 +1,35 @@
+//! The drawing, and the whole workbench as a terminal shows it, driven by key scripts: only the terminal is
+//! an emulated one. Snapshots are in `snapshots` beside this file; look at them before you accept new ones.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod drawing;
+
+#[cfg(feature = "tui")]
+mod compare;
+#[cfg(feature = "tui")]
+mod forces;
+#[cfg(feature = "tui")]
+mod motion;
+#[cfg(feature = "tui")]
+mod motor;
+#[cfg(feature = "tui")]
+mod picker;
+#[cfg(feature = "tui")]
+mod plots;
+#[cfg(feature = "tui")]
+mod scene;
+#[cfg(feature = "tui")]
+mod screen;
+#[cfg(feature = "tui")]
+mod tables;
+#[cfg(feature = "tui")]
+mod terminal;
+#[cfg(feature = "tui")]
+mod way;
+#[cfg(feature = "tui")]
+mod whole;
+#[cfg(feature = "tui")]
+mod words;
+#[cfg(feature = "tui")]
+mod working;

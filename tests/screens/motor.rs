@@ -1,0 +1,141 @@
+//! The motor view, as a terminal shows it.
+
+use crate::screen::{Session, folder, open, preset, text};
+use krank::drawing::Glyphs;
+use krank::scene::presets;
+use krank::tui::Origin;
+
+const SIZES: [(u16, u16); 3] = [(40, 12), (80, 24), (120, 40)];
+
+#[test]
+fn the_curve_and_the_figures_have_room_on_every_screen() {
+    for (cols, rows) in SIZES {
+        for (glyphs, name) in [(Glyphs::Ascii, "ascii"), (Glyphs::Braille, "braille")] {
+            let mut session = Session::new(preset("four-bar-load"), glyphs, cols, rows);
+            let name = format!("motor-{name}-{cols}x{rows}");
+            insta::assert_snapshot!(name, session.press("8").body());
+        }
+    }
+}
+
+#[test]
+fn a_press_shows_its_ram_below() {
+    let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
+    insta::assert_snapshot!("motor-press-ascii-120x40", session.press("8").body());
+    let mut small = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 24);
+    small.press("8");
+    assert!(!small.look().contains("time ratio"));
+    // Down to the end, and no further.
+    for _ in 0..20 {
+        small.press("PgDn");
+    }
+    let end = small.body();
+    assert!(
+        end.contains("time ratio") && end.contains("dwells"),
+        "{end}"
+    );
+    assert_eq!(small.press("Down").body(), end);
+    insta::assert_snapshot!("motor-press-ascii-80x24-end", end);
+}
+
+#[test]
+fn where_nothing_acts_that_is_said_and_a_ram_is_still_told_of() {
+    let mut bare = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
+    insta::assert_snapshot!("motor-nothing-ascii-80x24", bare.press("8").body());
+    let mut slider = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 80, 24);
+    let shown = slider.press("8").body();
+    assert!(
+        shown.contains("nothing acts") && shown.contains("stroke"),
+        "{shown}"
+    );
+    // There is nothing to write, and that is said.
+    bare.press("Y");
+    assert!(
+        bare.last_line().contains("nothing acts"),
+        "{}",
+        bare.last_line()
+    );
+}
+
+#[test]
+fn the_cursor_goes_with_the_driver_and_round_after_the_loads_cycle() {
+    let mut session = Session::new(preset("engine"), Glyphs::Ascii, 100, 30);
+    let at = |session: &mut Session, place: &str| {
+        session.press("8 g").type_in(place).press("Enter").body()
+    };
+    let (first, second) = (at(&mut session, "30"), at(&mut session, "390"));
+    assert_ne!(first, second, "the second turn is another one");
+    assert_eq!(at(&mut session, "750"), first);
+    assert!(first.contains("driver.torque"), "{first}");
+}
+
+#[test]
+fn an_edit_is_seen_at_once() {
+    let mut session = Session::new(preset("four-bar-load"), Glyphs::Ascii, 80, 24);
+    let before = session.press("8").body();
+    let heavier = text("four-bar-load").replace("[0, -500]", "[0, -600]");
+    let origin = Origin::Preset("four-bar-load".into());
+    let mut other = Session::new(open(&heavier, origin), Glyphs::Ascii, 80, 24);
+    assert_ne!(other.press("8").body(), before);
+    // Back from another scene, what was seen is seen again.
+    session.press("n");
+    assert_ne!(session.body(), before);
+    session.press("p");
+    assert_eq!(session.body(), before);
+}
+
+#[test]
+fn the_cycle_can_be_taken_out() {
+    let folder = folder("take");
+    let mut session = Session::new(preset("four-bar-load"), Glyphs::Ascii, 80, 24);
+    let mut take = |key: &str, ending: &str| {
+        let line = session.press("8").press(key).last_line();
+        let proposal = format!("write to: four-bar-load-motor.{ending}");
+        assert!(line.contains(&proposal), "{line}");
+        let file = folder.join("taken");
+        session.press("Ctrl-U").type_in(file.to_str().unwrap());
+        session.press("Enter");
+        let text = std::fs::read_to_string(&file).unwrap();
+        std::fs::remove_file(file).unwrap();
+        text
+    };
+    let csv = take("Y", "csv");
+    assert!(
+        csv.starts_with("driver.angle [deg],driver.torque [N m],"),
+        "{csv}"
+    );
+    assert_eq!(csv.lines().count(), 362);
+    let svg = take("S", "svg");
+    assert!(svg.contains("driver.torque"), "{svg}");
+    session.press("y");
+    assert!(
+        session.last_line().contains("clipboard"),
+        "{}",
+        session.last_line()
+    );
+}
+
+#[test]
+fn no_preset_leaves_the_screen_empty_or_broken() {
+    for found in presets::all() {
+        for (cols, rows) in SIZES {
+            let mut session = Session::new(preset(found.name), Glyphs::Ascii, cols, rows);
+            let shown = session.press("8").body();
+            assert!(shown.is_ascii(), "{shown}");
+            assert!(shown.trim().len() > 20, "{}: {shown}", found.name);
+            for bad in ["NaN", "inf", "nan"] {
+                assert!(!shown.contains(bad), "{}: {shown}", found.name);
+            }
+        }
+    }
+}
+
+/// The screen in the README is the one that is seen.
+#[test]
+fn the_screen_of_the_readme_is_real() {
+    let readme = include_str!("../../README.md");
+    let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 18);
+    let screen = session.press("8").look();
+    let block = format!("```txt\n{}\n```", screen.trim_end());
+    assert!(readme.contains(&block), "the README should show\n{screen}");
+}

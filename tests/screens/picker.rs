@@ -1,0 +1,306 @@
+//! Choosing a scene in the workbench, driven by keys: presets, files, and folders with whatever people
+//! and programs leave in them.
+
+use crate::screen::{Session, folder, open, text};
+use krank::drawing::Glyphs;
+use krank::scene::LARGEST_FILE;
+use krank::tui::Origin;
+use std::fs;
+use std::time::Duration;
+
+/// The four-bar as a file of a folder that has some more scenes in it.
+fn among_files(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    let folder = folder(name).join("scenes");
+    fs::create_dir(&folder).unwrap();
+    fs::create_dir(folder.join("old")).unwrap();
+    for (file, preset) in [("mine.toml", "four-bar"), ("Leg.toml", "klann-leg")] {
+        fs::write(folder.join(file), text(preset)).unwrap();
+    }
+    fs::write(folder.join("old/lift.toml"), text("scissor-lift")).unwrap();
+    fs::write(folder.join("wrong.toml"), "[ground]\nA = [0, 0, 0]\n").unwrap();
+    fs::write(folder.join("notes.txt"), "not a scene").unwrap();
+    let origin = Origin::File(folder.join("mine.toml"));
+    Session::new(open(text("four-bar"), origin), glyphs, cols, rows)
+}
+
+/// The screen without the path of the folder, which is another on every machine.
+fn masked(screen: &str) -> String {
+    const END: &str = "/scenes";
+    let line = |line: &str| match line.find(END) {
+        // What stands beside it keeps its columns.
+        Some(at) => {
+            let (path, rest) = line.split_at(at + END.len());
+            let room = path.chars().count().saturating_sub(2);
+            format!(" ~{END:room$}{rest}").trim_end().to_owned() + "\n"
+        }
+        None => format!("{line}\n"),
+    };
+    screen.lines().map(line).collect()
+}
+
+#[test]
+fn presets_and_files_stand_beside_what_they_show() {
+    let screens = [
+        ("ascii-80x24", Glyphs::Ascii, 80, 24),
+        ("braille-80x24", Glyphs::Braille, 80, 24),
+        ("ascii-120x40", Glyphs::Ascii, 120, 40),
+        ("braille-120x40", Glyphs::Braille, 120, 40),
+        ("ascii-40x12", Glyphs::Ascii, 40, 12),
+        ("braille-40x12", Glyphs::Braille, 40, 12),
+    ];
+    for (name, glyphs, cols, rows) in screens {
+        let mut session = among_files(name, glyphs, cols, rows);
+        let screen = session.press("o").look();
+        insta::assert_snapshot!(format!("picker-{name}"), masked(&screen));
+    }
+}
+
+#[test]
+fn what_cannot_be_opened_says_why_and_where() {
+    for (cols, rows) in [(80, 24), (40, 12)] {
+        let name = format!("fault-{cols}x{rows}");
+        let mut session = among_files(&name, Glyphs::Ascii, cols, rows);
+        let screen = session.press("o Down").look();
+        insta::assert_snapshot!(format!("picker-{name}"), masked(&screen));
+        // Asked for, it is said again, and the list stays.
+        let line = session.press("Enter").last_line();
+        assert!(line.starts_with(" open "), "{line}");
+        assert!(
+            session
+                .press("Esc")
+                .look()
+                .contains("Four-bar crank-rocker")
+        );
+    }
+}
+
+#[test]
+fn typing_narrows_the_list_at_once() {
+    let mut session = among_files("search", Glyphs::Ascii, 80, 24);
+    let screen = session.press("o").type_in("ram").look();
+    insta::assert_snapshot!("picker-search-80x24", masked(&screen));
+    // Titles are searched as well as names, word by word, and letters are never keys.
+    let screen = session
+        .press("Ctrl-U")
+        .type_in("LEG")
+        .press("space")
+        .type_in("walk")
+        .look();
+    assert!(
+        screen.contains("search: LEG walk") && screen.contains("2 of 30"),
+        "{screen}"
+    );
+    assert!(screen.contains("> jansen-leg"), "{screen}");
+    assert!(
+        session
+            .press("Backspace")
+            .look()
+            .contains("search: LEG wal ")
+    );
+    let nothing = session.type_in("q?").look();
+    assert!(nothing.contains("nothing matches; Ctrl-U"), "{nothing}");
+    assert!(nothing.contains("0 of 30"), "{nothing}");
+    // There is nothing under the cursor, and Enter does nothing.
+    assert_eq!(session.press("Enter Down Up PgDn Right").look(), nothing);
+    assert!(session.press("Ctrl-U").look().contains("30 of 30"));
+}
+
+#[test]
+fn nothing_is_opened_before_enter_and_nothing_changes_by_looking() {
+    let mut session = among_files("esc", Glyphs::Ascii, 80, 24);
+    let before = session.press("2 . . ]").look();
+    session
+        .press("o Down Up PgDn End Home Left Left")
+        .type_in("leg");
+    assert_eq!(session.press("Esc").look(), before);
+    let opened = session.press("o").type_in("jansen").press("Enter").look();
+    assert!(opened.starts_with(" Jansen's walking leg"), "{opened}");
+}
+
+#[test]
+fn a_file_opens_and_folders_are_walked() {
+    let mut session = among_files("walk", Glyphs::Ascii, 80, 24);
+    // The open file is under the cursor.
+    assert!(session.press("o").look().contains("> mine.toml"));
+    let inside = session.press("Up Up Enter").look();
+    assert!(
+        inside.contains("> lift.toml") && inside.contains("| Scissor lift"),
+        "{inside}"
+    );
+    // Out again, the folder that was left is under the cursor.
+    let outside = session.press("Left").look();
+    assert!(
+        outside.contains("> old/") && outside.contains("| lift.toml"),
+        "{outside}"
+    );
+    let again = session.press("Right").look();
+    assert_eq!(again, inside);
+    let outside = session.press("Home Enter").look();
+    assert!(outside.contains("> old/"), "{outside}");
+    let opened = session.press("Right Enter").look();
+    assert!(opened.starts_with(" Scissor lift"), "{opened}");
+    assert!(opened.contains("lift.toml"), "{opened}");
+    // It is listed from its own folder now.
+    assert!(session.press("o").look().contains("> lift.toml"));
+}
+
+#[test]
+fn what_was_playing_goes_on_where_it_was() {
+    let mut session = among_files("playing", Glyphs::Ascii, 80, 24);
+    session.press("space");
+    session.workbench.pass(Duration::from_millis(500));
+    let before = session.look();
+    session.press("o");
+    session.workbench.pass(Duration::from_secs(100));
+    assert_eq!(session.press("Esc").look(), before);
+    session.workbench.pass(Duration::from_millis(500));
+    assert!(
+        session.last_line().contains("150.00 deg"),
+        "{}",
+        session.last_line()
+    );
+}
+
+/// Whatever lies in a folder is listed, and said in words; nothing of it acts on the terminal, and
+/// nothing keeps whoever looks at it waiting.
+#[test]
+fn nasty_folders_are_harmless() {
+    use std::os::unix::ffi::OsStrExt;
+    use std::os::unix::fs::symlink;
+    let folder = folder("nasty");
+    let put = |name: &str, text: &[u8]| fs::write(folder.join(name), text).unwrap();
+    put("empty.toml", b"");
+    put(
+        "escape\u{1b}[2J\n\u{202e}.toml",
+        text("four-bar").as_bytes(),
+    );
+    put("huge.toml", &vec![b'#'; LARGEST_FILE + 1]);
+    put("large.toml", &vec![b'#'; LARGEST_FILE]);
+    put("latin.toml", b"name = \"\xe4\"");
+    put("nought.toml", &[0; 64]);
+    let raw = std::ffi::OsStr::from_bytes(b"raw\xff\xfe.toml");
+    fs::write(folder.join(raw), text("press")).unwrap();
+    fs::create_dir(folder.join("folder.toml")).unwrap();
+    symlink(folder.join("nowhere"), folder.join("dangling.toml")).unwrap();
+    symlink(folder.join("loop.toml"), folder.join("loop.toml")).unwrap();
+    symlink("/dev/zero", folder.join("zero.toml")).unwrap();
+    symlink("/dev/tty", folder.join("tty.toml")).unwrap();
+    symlink(&folder, folder.join("self")).unwrap();
+    let pipe = folder.join("pipe.toml");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.unwrap().success());
+    let origin = Origin::File(folder.join("empty.toml"));
+    let mut session = Session::new(open(text("four-bar"), origin), Glyphs::Braille, 80, 24);
+    session.press("o");
+    let cases = [
+        ("dangling", "No such file"),
+        ("empty.toml", "cannot be opened"),
+        ("escape", "Four-bar crank-rocker"),
+        ("folder.toml/", "no scene file in it"),
+        ("huge", "too large: a scene may have at most"),
+        ("large", "1024 KiB: too large for a preview"),
+        ("latin", "the file is not UTF-8"),
+        ("loop", "cannot be read"),
+        ("nought", "cannot be opened"),
+        ("pipe", "it is a pipe, not a file"),
+        ("raw", "Press of two four-bars"),
+        ("self", "folder.toml/"),
+        ("tty", "it is a device, not a file"),
+        ("zero", "it is a device, not a file"),
+    ];
+    for (name, said) in cases {
+        let screen = session.press("Ctrl-U").type_in(name).look();
+        assert!(screen.contains(said), "{name}:\n{screen}");
+        assert!(
+            !screen
+                .chars()
+                .any(|c| c != '\n' && krank::scene::is_harmful(c)),
+            "{screen}"
+        );
+    }
+    // Enter says the same in the last line, and the list stays.
+    for name in [
+        "dangling", "loop", "pipe", "tty", "zero", "huge", "large", "nought",
+    ] {
+        let line = session
+            .press("Ctrl-U")
+            .type_in(name)
+            .press("Enter")
+            .last_line();
+        assert!(line.starts_with(" open "), "{line}");
+        assert!(line.len() > 20, "{line}");
+    }
+    // The whole list, from one end to the other.
+    session.press("Ctrl-U Home");
+    for _ in 0..40 {
+        let screen = session.press("Down").look();
+        assert!(
+            !screen
+                .chars()
+                .any(|c| c != '\n' && krank::scene::is_harmful(c)),
+            "{screen}"
+        );
+    }
+}
+
+#[test]
+fn a_folder_that_cannot_be_read_is_said_and_can_be_left() {
+    let folder = folder("gone");
+    let inner = folder.join("inner");
+    fs::create_dir(&inner).unwrap();
+    let origin = Origin::File(inner.join("mine.toml"));
+    let mut session = Session::new(open(text("four-bar"), origin), Glyphs::Ascii, 80, 24);
+    let empty = session.press("o").look();
+    assert!(empty.contains("no scene file here"), "{empty}");
+    // The first preset is under the cursor, and shown.
+    assert!(empty.contains("> four-bar"), "{empty}");
+    fs::remove_dir(&inner).unwrap();
+    let gone = session.press("Esc o").look();
+    assert!(gone.contains("cannot be read: No such"), "{gone}");
+    let left = session.press("Left").look();
+    assert!(left.contains("/gone"), "{left}");
+    assert!(!left.contains("cannot be read"), "{left}");
+}
+
+#[test]
+fn ten_thousand_files_are_a_list_like_any_other() {
+    let folder = folder("many");
+    for n in 0..10_000 {
+        fs::write(folder.join(format!("scene-{n:04}.toml")), "").unwrap();
+    }
+    let origin = Origin::File(folder.join("scene-5000.toml"));
+    let mut session = Session::new(open(text("four-bar"), origin), Glyphs::Ascii, 80, 24);
+    let screen = session.press("o").look();
+    assert!(
+        screen.contains("> scene-5000.toml") && screen.contains("10026 of 10026"),
+        "{screen}"
+    );
+    assert!(session.press("Down").look().contains("> scene-5001.toml"));
+    assert!(
+        session
+            .press("End")
+            .look()
+            .contains("> triple-parallelogram")
+    );
+    assert!(session.press("Home").look().contains("> .."));
+    let screen = session.type_in("77").look();
+    assert!(screen.contains("280 of 10026"), "{screen}");
+    fs::remove_dir_all(&folder).unwrap();
+}
+
+/// Everything that is printable is searched for, and what is pasted too.
+#[test]
+fn no_key_does_harm() {
+    let mut session = among_files("keys", Glyphs::Ascii, 40, 12);
+    session.press("o");
+    for c in ' '..='~' {
+        session.press(&c.to_string());
+    }
+    session.press("F1 F2 Tab Shift-Tab Ctrl-L Ctrl-A Ctrl-R Ctrl-W");
+    assert!(session.look().starts_with(" Open a scene"));
+    session.workbench.resize(39, 11);
+    assert!(session.look().contains("krank needs"));
+    session.workbench.resize(40, 12);
+    assert!(session.press("Ctrl-U").look().contains("30 of 30"));
+    assert!(!session.workbench.press("Ctrl-C"));
+}

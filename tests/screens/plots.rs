@@ -1,0 +1,340 @@
+//! The plots view, its list, and its empty states, as a terminal shows them.
+
+use crate::screen::{Session, open, preset};
+use krank::drawing::Glyphs;
+use krank::quantity::Catalogue;
+use krank::scene::{Scene, presets};
+use krank::tui::{Colours, Origin, Workbench};
+use proptest::prelude::*;
+use std::time::{Duration, Instant};
+
+/// A driver of no speed: no time passes, and every rate is 0.
+const STILL: &str = r#"
+name = "Still"
+unit = "mm"
+[ground]
+A = [0, 0]
+D = [100, 0]
+[driver]
+link = "r2"
+angle = 60
+speed = "0 rad/s"
+[links]
+r2 = { from = "A", to = "B", length = 20 }
+r3 = { from = "B", to = "C", length = 100 }
+r4 = { from = "C", to = "D", length = 50 }
+[start]
+C = [90, 50]
+"#;
+
+#[test]
+fn the_first_look_shows_how_the_output_turns() {
+    for (glyphs, name) in [
+        (Glyphs::Ascii, "ascii"),
+        (Glyphs::Line, "line"),
+        (Glyphs::Braille, "braille"),
+    ] {
+        let mut session = Session::new(preset("four-bar"), glyphs, 80, 24);
+        insta::assert_snapshot!(format!("plots-{name}-80x24"), session.press("3").body());
+        let mut session = Session::new(preset("four-bar"), glyphs, 40, 12);
+        insta::assert_snapshot!(format!("plots-{name}-40x12"), session.press("3").body());
+    }
+    // A slider's output, and a point's where there is nothing else on the ground.
+    let first = |name| {
+        let mut session = Session::new(preset(name), Glyphs::Ascii, 80, 24);
+        session.press("3").body()
+    };
+    assert!(first("slider-crank").contains("* r4.length"));
+    assert!(first("four-bar").contains("* r4.omega"));
+}
+
+#[test]
+fn the_list_chooses_what_is_plotted() {
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
+    session.press("3 x c /").type_in("C. mm/s");
+    session.press("Enter");
+    let listed = session.look();
+    assert!(listed.contains("[ ] C.vx"), "{listed}");
+    assert!(!listed.contains("[ ] B.vx"), "{listed}");
+    session.press("Enter Down space");
+    insta::assert_snapshot!("plots-list-ascii-80x24", session.look());
+    // Esc ends the search, then the list; what was chosen stays.
+    session.press("Esc");
+    assert!(session.look().contains("[ ] B.vx"));
+    session.press("Esc");
+    let plotted = session.look();
+    assert!(
+        plotted.contains("* C.vx") && plotted.contains("x C.vy"),
+        "{plotted}"
+    );
+    // On a small screen the list stands alone.
+    let mut small = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
+    insta::assert_snapshot!("plots-list-ascii-40x12", small.press("3 Enter Down").look());
+    small.press("/").type_in("nothing");
+    assert!(small.look().contains("no figure has that"));
+}
+
+#[test]
+fn the_cursor_and_its_values_follow_the_driver() {
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 100, 24);
+    let before = session.press("3").look();
+    assert!(before.contains("over driver.angle  60.00 deg"), "{before}");
+    assert!(
+        before.contains("r4.omega  -3.09") || before.contains("r4.omega  3.09"),
+        "{before}"
+    );
+    let after = session.press(".").look();
+    assert!(after.contains("over driver.angle  65.00 deg"), "{after}");
+    assert_ne!(before, after);
+    // A turn later the cursor is where it was.
+    session.press("g").type_in("425");
+    let turned = session.press("Enter").look();
+    assert!(turned.contains("over driver.angle  65.00 deg"), "{turned}");
+}
+
+#[test]
+fn x_stands_for_the_driver_then_time_then_each_figure() {
+    let mut session = Session::new(preset("hoecken"), Glyphs::Ascii, 80, 24);
+    session.press("3 x c /").type_in("P.");
+    session.press("Enter Enter Down Enter Esc Esc");
+    assert!(session.look().contains("over driver.angle"));
+    let time = session.press("X").look();
+    assert!(
+        time.contains("over time: 0 s is where the scene opens"),
+        "{time}"
+    );
+    assert!(session.press(".").look().contains("over time"));
+    let against = session.press("X").look();
+    assert!(
+        against.contains("against P.x") && against.contains("* P.y"),
+        "{against}"
+    );
+    assert!(!against.contains("* P.x"), "{against}");
+    insta::assert_snapshot!("plots-coupler-curve-ascii-80x24", session.press("m").body());
+    let other = session.press("X").look();
+    assert!(other.contains("against P.y"), "{other}");
+    assert!(session.press("X").look().contains("over driver.angle"));
+    // Without a speed no time passes.
+    let still = open(STILL, Origin::Stdin);
+    let mut still = Session::new(still, Glyphs::Ascii, 80, 24);
+    assert!(still.press("3 X").look().contains("against r4.omega"));
+}
+
+#[test]
+fn empty_states_say_why_and_what_to_do() {
+    for (cols, rows) in [(80, 24), (40, 12)] {
+        let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows);
+        let nothing = session.press("3 x c Esc").look();
+        assert!(nothing.contains("nothing is plotted yet"), "{nothing}");
+        assert!(nothing.contains("x  choose what is plotted"), "{nothing}");
+        // The road leads on.
+        assert!(session.press("x Enter Esc").look().contains("* r2."));
+    }
+}
+
+#[test]
+fn panels_that_have_no_room_are_scrolled_to() {
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
+    let first = session.press("3").look();
+    assert!(
+        first.contains("r4.omega") && !first.contains("r4.alpha"),
+        "{first}"
+    );
+    let second = session.press("Down").look();
+    assert!(
+        !second.contains("r4.omega") && second.contains("r4.alpha"),
+        "{second}"
+    );
+    assert_eq!(session.press("Down").look(), second);
+}
+
+#[test]
+fn another_scene_begins_anew_and_another_assembly_keeps_the_choice() {
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
+    session.press("3 x c /").type_in("C.x");
+    session.press("Enter Enter Esc Esc");
+    assert!(session.look().contains("* C.x"));
+    session.press("a Down Enter 3");
+    assert!(session.look().contains("* C.x"), "{}", session.look());
+    // Another assembly is an edit, which is asked about.
+    assert!(!session.press("n d").look().contains("* C.x"));
+}
+
+#[test]
+fn curves_are_written_as_csv_and_as_svg() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("screens_plots");
+    std::fs::create_dir_all(&folder).unwrap();
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 120, 24);
+    session.press("3 X");
+    for (key, ending) in [("Y", "csv"), ("S", "svg")] {
+        let file = folder.join(format!("curves.{ending}"));
+        drop(std::fs::remove_file(&file));
+        session.press(key).press("Ctrl-U");
+        session.type_in(file.to_str().unwrap()).press("Enter");
+        let text = std::fs::read_to_string(&file).unwrap();
+        if ending == "csv" {
+            let header = "driver.angle [deg],time [s],r4.omega [rad/s],r4.alpha [rad/s^2],state";
+            assert_eq!(text.lines().next(), Some(header));
+            assert_eq!(text.lines().count(), 722);
+            assert!(
+                text.lines().nth(1).unwrap().starts_with("60.0,0.0,")
+                    || text.lines().nth(1).unwrap().starts_with("60,0,"),
+                "{text}"
+            );
+        } else {
+            assert!(
+                text.contains(">r4.omega") && text.contains("time"),
+                "{text}"
+            );
+        }
+    }
+    // Where nothing is plotted there is nothing to write.
+    session.press("x c Esc Y");
+    assert!(
+        session
+            .look()
+            .contains("nothing is plotted that could be written")
+    );
+}
+
+/// Every preset shows each of its figures, at every size and in every kind of glyphs.
+#[test]
+fn every_figure_of_every_preset_is_plotted_at_every_size() {
+    for entry in presets::all() {
+        let scene = Scene::parse(entry.text, entry.name).unwrap();
+        let figures = Catalogue::new(&scene).figures();
+        for (glyphs, cols, rows) in [
+            (Glyphs::Ascii, 80, 24),
+            (Glyphs::Line, 40, 12),
+            (Glyphs::Braille, 120, 40),
+        ] {
+            let mut bench =
+                Workbench::new(preset(entry.name), glyphs, Colours::Sixteen, cols, rows);
+            bench.press("3");
+            for (k, figure) in figures.iter().enumerate() {
+                // One alone, and then one beside it, against what comes next.
+                bench.press(if k % 2 == 0 { "x c /" } else { "x /" });
+                figure.name.chars().for_each(|c| {
+                    bench.press(&c.to_string());
+                });
+                bench.press("Enter Enter Esc Esc");
+                if k % 7 == 0 {
+                    bench.press("X");
+                }
+                let frame = String::from_utf8(bench.paint().to_vec()).unwrap();
+                let bad = frame.contains("NaN") || frame.contains("inf");
+                assert!(!bad, "{}: {}", entry.name, figure.name);
+                assert!(k > 0 || frame.contains(&figure.name), "{frame}");
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(60))]
+    #[test]
+    fn any_keys_at_any_size_paint_a_frame(
+        keys in prop::collection::vec(prop::sample::select(vec![
+            "x", "X", "m", "c", "space", "Enter", "Esc", "Up", "Down", "PgDn", "/", "v", ".", "g", "n", "a", "t", "1", "3", "?",
+            "Backspace", "Home", "r",
+        ]), 0..60),
+        which in 0_usize..23,
+        sizes in prop::collection::vec((0_u16..150, 0_u16..50), 1..4),
+    ) {
+        let all = presets::all();
+        let name = all[which % all.len()].name;
+        let mut bench = Workbench::new(preset(name), Glyphs::Braille, Colours::Sixteen, 80, 24);
+        bench.press("3");
+        for (k, key) in keys.iter().enumerate() {
+            bench.press(key);
+            if k % 9 == 0 {
+                let (cols, rows) = sizes[k % sizes.len()];
+                bench.resize(cols, rows);
+            }
+            bench.pass(Duration::from_millis(40));
+            bench.paint();
+        }
+    }
+}
+
+/// A four-bar whose rocker drives another one, and so on: a chain of so many dyads.
+fn chain(dyads: usize) -> String {
+    let mut text = String::from(
+        "name = \"Chain\"\nunit = \"mm\"\n[driver]\nlink = \"crank\"\nangle = 60\nspeed = \"15 rad/s\"\n",
+    );
+    let mut parts = [
+        "[ground]\nA = [0, 0]\n".to_owned(),
+        "[links]\ncrank = { from = \"A\", to = \"C0\", length = 100 }\n".to_owned(),
+        "[start]\n".to_owned(),
+    ];
+    for k in 1..=dyads {
+        let (x, before) = (400 * k, k - 1);
+        let length = if k == 1 { 300 } else { 400 };
+        parts[0] += &format!("D{k} = [{x}, 0]\n");
+        parts[1] +=
+            &format!("r{k} = {{ from = \"C{before}\", to = \"C{k}\", length = {length} }}\n");
+        parts[1] += &format!("s{k} = {{ from = \"C{k}\", to = \"D{k}\", length = 250 }}\n");
+        parts[2] += &format!("C{k} = [{}, 234]\n", x - 89);
+    }
+    parts.iter().for_each(|part| text += part);
+    text
+}
+
+/// A chain is plotted by its last rocker, which needs all that is before it.
+#[test]
+fn a_chain_of_dyads_is_plotted() {
+    let mut session = Session::new(open(&chain(40), Origin::Stdin), Glyphs::Ascii, 80, 24);
+    let text = session.press("3").look();
+    assert!(text.contains("* s40.omega"), "{text}");
+    assert!(text.contains("driver.angle"), "{text}");
+}
+
+/// How long the view of a chain of 1,000 dyads takes to open, and a step in it: in release, with
+/// `--ignored --nocapture`.
+#[test]
+#[ignore = "a measurement, not a test"]
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
+fn cost_of_a_long_chain() {
+    let opened = open(&chain(1000), Origin::Stdin);
+    let mut bench = Workbench::new(opened, Glyphs::Braille, Colours::Sixteen, 200, 60);
+    bench.paint();
+    for key in ["3", ".", "X", "x"] {
+        let begun = Instant::now();
+        bench.press(key);
+        bench.paint();
+        println!("key {key}: {:?}", begun.elapsed());
+    }
+}
+
+/// What a frame costs at 200 x 60 while it plays: run in release, with `--ignored --nocapture`.
+#[test]
+#[ignore = "a measurement, not a test"]
+#[allow(clippy::print_stdout, reason = "the figures are to be read")]
+fn cost_of_a_frame() {
+    for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+        let mut bench = Workbench::new(preset("four-bar"), glyphs, Colours::Sixteen, 200, 60);
+        bench.press("3 x c /");
+        // Six curves of C in three panels, and six of r3's centre of mass.
+        for key in ["C", ".", "Enter"] {
+            bench.press(key);
+        }
+        for _ in 0..12 {
+            bench.press("Enter Down");
+        }
+        bench.press("Esc Esc space");
+        bench.paint();
+        let mut times: Vec<Duration> = (0..1000)
+            .map(|_| {
+                let begun = Instant::now();
+                bench.pass(Duration::from_millis(34));
+                bench.paint();
+                begun.elapsed()
+            })
+            .collect();
+        times.sort();
+        println!(
+            "{glyphs:?}: median {:?}, worst {:?}",
+            times[500], times[999]
+        );
+    }
+}

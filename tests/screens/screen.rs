@@ -1,0 +1,133 @@
+//! A workbench, driven by keys, and the emulated terminal that it paints on.
+
+use krank::drawing::Glyphs;
+use krank::scene::{Scene, presets};
+use krank::solver::Solver;
+use krank::tui::{Colours, Opened, Origin, Workbench};
+use std::cell::Cell;
+use std::fs;
+use std::num::NonZeroU16;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// A clock on which everything takes 5 ms: a study goes on by a few pieces of work a frame, and finds
+/// the same times on every machine.
+pub(crate) fn made_up() -> Duration {
+    // Tests that run beside this one do not move it.
+    thread_local!(static NOW: Cell<Duration> = const { Cell::new(Duration::ZERO) });
+    NOW.set(NOW.get() + Duration::from_millis(5));
+    NOW.get()
+}
+
+/// Opens a scene from its text.
+pub(crate) fn open(text: &str, origin: Origin) -> Opened {
+    let scene = Scene::parse(text, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    Opened {
+        scene,
+        solver,
+        origin,
+    }
+}
+
+/// The text of a preset.
+pub(crate) fn text(preset: &str) -> &'static str {
+    presets::find(preset).unwrap().text
+}
+
+/// Opens a preset.
+pub(crate) fn preset(name: &str) -> Opened {
+    open(text(name), Origin::Preset(name.into()))
+}
+
+/// A folder for the files of one test, with nothing in it.
+pub(crate) fn folder(test: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    // Tests of other programs may have the same name, and run at the same time.
+    let folder = folder.join(env!("CARGO_CRATE_NAME")).join(test);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// A terminal of this size with nothing on it.
+pub(crate) fn emulator(cols: u16, rows: u16) -> vt100::Parser {
+    let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
+    vt100::Parser::new(rows, cols, 0)
+}
+
+/// A workbench and the screen that it paints on.
+pub(crate) struct Session {
+    pub(crate) workbench: Workbench,
+    pub(crate) terminal: vt100::Parser,
+}
+
+impl Session {
+    pub(crate) fn new(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Self {
+        Session::on(
+            Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows),
+            cols,
+            rows,
+        )
+    }
+
+    pub(crate) fn on(workbench: Workbench, cols: u16, rows: u16) -> Self {
+        Session {
+            workbench,
+            terminal: emulator(cols, rows),
+        }
+    }
+
+    /// Presses keys by their names, and paints after each.
+    pub(crate) fn press(&mut self, keys: &str) -> &mut Self {
+        for key in keys.split_whitespace() {
+            self.workbench.press(key);
+            self.paint();
+        }
+        self
+    }
+
+    /// Types text, character by character.
+    pub(crate) fn type_in(&mut self, text: &str) -> &mut Self {
+        for c in text.chars() {
+            let key = if c == ' ' {
+                "space".into()
+            } else {
+                c.to_string()
+            };
+            self.press(&key);
+        }
+        self
+    }
+
+    /// Lets time pass.
+    pub(crate) fn pass(&mut self, seconds: f64) -> &mut Self {
+        self.workbench.pass(Duration::from_secs_f64(seconds));
+        self
+    }
+
+    pub(crate) fn paint(&mut self) {
+        let frame = self.workbench.paint();
+        self.terminal.process(frame);
+    }
+
+    /// The screen as text.
+    pub(crate) fn look(&mut self) -> String {
+        self.paint();
+        let width = self.terminal.screen().size().1.get();
+        let rows = self.terminal.screen().rows(0, width);
+        rows.map(|row| row.trim_end().to_owned() + "\n").collect()
+    }
+
+    /// The screen without the title and the last line.
+    pub(crate) fn body(&mut self) -> String {
+        let text = self.look();
+        let inner = text.lines().count().saturating_sub(2);
+        let lines = text.lines().skip(1).take(inner);
+        lines.map(|line| line.to_owned() + "\n").collect()
+    }
+
+    pub(crate) fn last_line(&mut self) -> String {
+        self.look().lines().last().unwrap().to_owned()
+    }
+}

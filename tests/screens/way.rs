@@ -1,0 +1,196 @@
+//! Finding one's way in the workbench, as a terminal shows it: the help and searching it.
+
+use crate::screen::{Session, made_up, preset};
+use krank::drawing::Glyphs;
+use krank::tui::{Colours, Config, Workbench};
+
+fn four_bar(cols: u16, rows: u16) -> Session {
+    Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
+}
+
+#[test]
+fn the_help_is_searched_by_words() {
+    let mut session = four_bar(80, 24);
+    let screen = session.press("? /").type_in("arrow vel").look();
+    assert!(screen.contains("Help /arrow vel"), "{screen}");
+    assert!(screen.contains("arrows of velocity"), "{screen}");
+    assert!(!screen.contains("acceleration   "), "{screen}");
+    let line = session.last_line();
+    assert!(line.ends_with("Esc all keys  Enter keep"), "{line}");
+    // Nothing that is typed is taken for a key.
+    assert!(session.type_in("q?").look().contains("no key does that"));
+    assert!(session.look().contains("Esc shows all keys"));
+    // Enter keeps what was found, and keys are keys again.
+    session.press("Ctrl-U").type_in("leave").press("Enter");
+    let screen = session.look();
+    assert!(screen.contains("leave from anywhere"), "{screen}");
+    assert!(session.last_line().contains("/ search"));
+    // First all keys again, then the view.
+    let screen = session.press("Esc").look();
+    assert!(screen.contains("play or pause"), "{screen}");
+    assert!(!session.press("Esc").look().contains("Help"));
+}
+
+#[test]
+fn the_help_of_each_view_begins_with_its_own_keys() {
+    for (view, title, help) in [
+        ("1", "What the motion view shows", "arrows of velocity"),
+        ("2", "In the tables", "show it in the motion"),
+        ("3", "In the plots", "mark the extrema"),
+        ("4", "The motion", "play or pause"),
+        ("6", "In the scene view", "nudge by more"),
+    ] {
+        let screen = four_bar(40, 12).press(view).press("?").look();
+        let first = screen.lines().nth(2).unwrap();
+        assert!(first.starts_with(&format!("| {title} ")), "{screen}");
+        assert!(screen.contains(&help[..12]), "{screen}");
+    }
+}
+
+/// Whatever the size, scrolling leads to every key.
+#[test]
+fn every_key_of_the_help_is_reached() {
+    for (cols, rows) in [(40, 12), (80, 24), (120, 40), (200, 60)] {
+        let mut session = four_bar(cols, rows);
+        let mut seen = session.press("?").look();
+        for _ in 0..20 {
+            seen += &session.press("PgDn").look();
+        }
+        for (title, _, help) in krank::tui::key_list() {
+            assert!(seen.contains(title), "{cols} x {rows}: {title}");
+            assert!(seen.contains(help), "{cols} x {rows}: {help}");
+        }
+    }
+}
+
+/// Every screen of the tour, beside the linkage where there is room.
+#[test]
+fn the_tour_leads_through_five_screens_and_back() {
+    for (cols, rows) in [(80, 24), (40, 12), (120, 40)] {
+        let mut session = four_bar(cols, rows);
+        let before = session.look();
+        let mut screens = String::new();
+        for key in ["I", "Enter", "Right", "space", "Enter"] {
+            screens += &session.press(key).look();
+            screens += "\n";
+        }
+        insta::assert_snapshot!(format!("tour-{cols}x{rows}"), screens);
+        assert!(session.press("Left").look().contains("Tour 4/5"));
+        assert!(!session.press("Enter Enter").look().contains("Tour"));
+        assert_eq!(session.look(), before, "nothing else has happened");
+        assert!(!session.press("F2 Esc").look().contains("Tour"));
+    }
+}
+
+/// The keys of the motion work beside the tour, and nothing that would lead away from it.
+#[test]
+fn the_tour_lets_the_crank_be_moved() {
+    let mut session = four_bar(80, 24);
+    let line = session.press("I Enter . .").last_line();
+    assert!(line.contains("70.00 deg"), "{line}");
+    assert!(session.press("n w a g").look().contains("Tour 2/5"));
+    assert!(session.press("2").look().contains("Tour 2/5"));
+    assert!(session.press("?").look().contains("Help"));
+}
+
+/// What is configured is what the help, the hints and the messages tell.
+#[test]
+fn keys_that_are_configured_are_the_ones_that_are_told() {
+    let text = "[keys]\nhelp = \"F9\"\nplay = \"F5\"\nsave = \"F6\"\nnext = []\nstep-back = []\n";
+    let config = Config::parse(text, "config.toml").unwrap();
+    let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Sixteen, 80, 24);
+    let mut session = Session::on(workbench.configured(&config), 80, 24);
+    let line = session.last_line();
+    assert!(line.contains("F9 help  F5 play  q quit"), "{line}");
+    assert!(session.press("F5").last_line().contains("F5 pause"));
+    session.press("F5");
+    let before = session.look();
+    assert_eq!(session.press("space ? n , Left h").look(), before);
+    let line = session.press("a Enter").last_line();
+    assert!(line.contains("C=- now; F6 saves it"), "{line}");
+    let help = session.press("F9 /").type_in("preset").look();
+    assert!(!help.contains("the next preset"), "{help}");
+    let tour = session.press("Esc Esc I Enter").look();
+    assert!(tour.contains("(no key) step"), "{tour}");
+}
+
+/// The configuration in the README is one.
+#[test]
+fn the_configuration_of_the_readme_is_read() {
+    let readme = include_str!("../../README.md");
+    let block = readme
+        .split("```toml\n")
+        .find(|block| block.starts_with("glyphs"));
+    let text = block.unwrap().split("```").next().unwrap();
+    let config = Config::parse(text, "config.toml").unwrap();
+    assert_eq!(config.glyphs, Some(Glyphs::Ascii));
+    assert!(!config.tour);
+}
+
+const README: &str = include_str!("../../README.md");
+
+/// The screen of a view as `krank --print` has it.
+fn printed(key: &str, rows: u16) -> String {
+    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, rows)
+        .timed_by(made_up);
+    workbench.press(key);
+    workbench.text()
+}
+
+/// The same without the digits of bounds: a sharper proof is no other screen.
+fn masked(text: &str) -> String {
+    let mut pieces = text.split("+-");
+    let first = pieces.next().unwrap().to_owned();
+    pieces.fold(first, |mut all, piece| {
+        let end = piece.find(' ').unwrap_or(piece.len());
+        let digits = |c: char| if c.is_ascii_digit() { 'N' } else { c };
+        all.push_str("+-");
+        all.extend(piece[..end].chars().map(digits));
+        all + &piece[end..]
+    })
+}
+
+/// Every view has a screen in the README, and it is the one that is seen.
+#[test]
+fn the_screens_of_the_readme_are_real() {
+    for (key, rows) in [
+        ("1", 24),
+        ("2", 24),
+        ("3", 24),
+        ("6", 22),
+        ("7", 20),
+        ("e", 14),
+    ] {
+        let screen = printed(key, rows);
+        let block = format!("```txt\n{}\n```", screen.trim_end());
+        assert!(
+            masked(README).contains(&masked(&block)),
+            "the README should show for {key}\n{screen}"
+        );
+    }
+    // Times are another machine's: the methods are these, in this order.
+    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 24);
+    workbench.press("4");
+    let screen = workbench.text();
+    let blocks = README.split("```txt\n").skip(1);
+    let shown = blocks.map(|block| block.split("```").next().unwrap());
+    let shown = shown.filter(|block| block.contains("error over time"));
+    let [shown] = shown.collect::<Vec<_>>()[..] else {
+        panic!("the README has other screens of the accuracy view than one");
+    };
+    let mut methods = 0;
+    for line in shown.lines().skip(2).filter_map(|line| line.get(41..)) {
+        // A letter, a mark, and the method; behind it, its time.
+        let method = line
+            .get(2..)
+            .unwrap_or_default()
+            .split("  ")
+            .next()
+            .unwrap();
+        if line.starts_with(|c: char| c.is_ascii_lowercase()) {
+            assert!(screen.contains(method), "{method:?} is not in\n{screen}");
+            methods += 1;
+        }
+    }
+    assert!(methods >= 15, "{shown}");
+}

@@ -1,0 +1,115 @@
+//! What is said in few words: the last line where it is short, names that are typed again, labels that
+//! stand where they belong.
+
+use crate::screen::{Session, open, preset};
+use krank::drawing::Glyphs;
+use krank::scene::presets;
+use krank::tui::Origin;
+
+fn four_bar(cols: u16, rows: u16) -> Session {
+    Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
+}
+
+/// A folder of its own for a test.
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder = std::env::temp_dir().join(format!("krank-words-{name}-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+/// A part of a figure is another figure: it is shown whole, or not at all.
+#[test]
+fn a_message_never_covers_a_part_of_the_angle() {
+    let mut session = four_bar(40, 12);
+    let line = session.press("i").last_line();
+    assert_eq!(line, " motion  names of points and links");
+    let line = session.press("i").last_line();
+    assert_eq!(line, " motion   60.00 deg  no names");
+    // Why figures are missing is more than what was asked for.
+    let mut rocker = Session::new(preset("double-rocker"), Glyphs::Ascii, 40, 12);
+    rocker.press("g 3 9 Enter").press("[").press(", ,");
+    let line = rocker.press(", , ,").last_line();
+    assert_eq!(line, " motion  36.86989765 deg  dead point");
+}
+
+/// The list of plots tells its keys on the smallest screen, too.
+#[test]
+fn lists_tell_their_keys_on_a_small_screen() {
+    let line = four_bar(40, 12).press("3 x").last_line();
+    assert_eq!(line, " choose   60.00 deg Enter plot  Esc done");
+}
+
+/// `/` searches, whatever view it is in.
+#[test]
+fn searching_is_called_the_same_everywhere() {
+    for view in ["2", "6"] {
+        let line = four_bar(80, 24).press(view).press("/ r 4").last_line();
+        assert_eq!(line, " search  name: r4    Enter keep  Esc back");
+    }
+    assert!(four_bar(80, 24).press("o").look().contains("search: "));
+}
+
+#[test]
+fn the_way_back_to_the_whole_motion_is_offered() {
+    let mut session = four_bar(80, 24);
+    assert!(!session.last_line().contains("f fit"));
+    assert!(session.press("z").last_line().contains("? help  f fit  "));
+    assert!(!session.press("f").last_line().contains("f fit"));
+}
+
+/// The number at the end of the axis stands below its own tick, not below that before it.
+#[test]
+fn every_number_of_an_axis_stands_below_its_tick() {
+    for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+        for keys in ["3", "3 X", "3 X X"] {
+            let mut session = Session::new(preset("jansen-leg"), Glyphs::Ascii, cols, rows);
+            let screen = session.press(keys).look();
+            let lines: Vec<&str> = screen.lines().collect();
+            let [ticks, labels] = [lines[lines.len() - 3], lines[lines.len() - 2]];
+            let ticks = format!("{ticks:121}");
+            let mut end = 0;
+            for label in labels.split_whitespace() {
+                let from = end + labels[end..].find(label).unwrap();
+                end = from + label.len();
+                let near = &ticks[from - 1..=end];
+                let is_number = label.parse::<f64>().is_ok();
+                assert!(!is_number || near.contains('+'), "{label}:\n{screen}");
+            }
+        }
+    }
+}
+
+/// What is refused is named, and the name that was typed can be mended.
+#[test]
+fn a_folder_that_is_not_there_is_named() {
+    let mut session = four_bar(120, 40);
+    session.press("W Ctrl-U").type_in("/nowhere/a.toml");
+    let line = session.press("Enter").last_line();
+    let said = " save  write to: /nowhere/a.toml    not written, no such folder: /nowhere";
+    assert_eq!(line, said);
+    let file = folder("mended").join("a.toml");
+    session.press("Ctrl-U").type_in(file.to_str().unwrap());
+    let line = session.press("Enter").last_line();
+    assert!(line.contains("written to "), "{line}");
+    std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
+}
+
+/// Where the file is gone there is nothing to read over unsaved edits.
+#[test]
+fn a_file_that_is_gone_is_not_offered() {
+    let file = folder("gone").join("a.toml");
+    let text = presets::find("four-bar").unwrap().text;
+    std::fs::write(&file, text).unwrap();
+    let mut session = Session::new(
+        open(text, Origin::File(file.clone())),
+        Glyphs::Ascii,
+        80,
+        24,
+    );
+    let line = session.press("6 > R").last_line();
+    assert!(line.contains("read it over unsaved edits?"), "{line}");
+    session.press("Esc");
+    std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
+    let line = session.press("R").last_line();
+    assert!(line.contains("a.toml is gone: w writes it again"), "{line}");
+}

@@ -1,0 +1,144 @@
+//! The working shown in the workbench, as a terminal shows it.
+
+use crate::screen::{Session, preset};
+use krank::drawing::Glyphs;
+use krank::scene::presets;
+
+fn session(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    let mut session = Session::new(preset(name), glyphs, cols, rows);
+    session.press("7");
+    session
+}
+
+/// Everything that scrolling leads to, line after line.
+fn all(session: &mut Session) -> Vec<String> {
+    let mut lines: Vec<String> = session.body().lines().map(str::to_owned).collect();
+    for _ in 0..2_000 {
+        let before = session.body();
+        session.press("Down");
+        let after = session.body();
+        if after == before {
+            break;
+        }
+        lines.push(after.lines().last().unwrap().to_owned());
+    }
+    lines
+        .iter()
+        .map(|line| line.trim_end_matches(['v', '^']).trim_end().to_owned())
+        .collect()
+}
+
+#[test]
+fn the_key_leads_to_the_working_and_back() {
+    let mut session = session("four-bar", Glyphs::Ascii, 80, 24);
+    let screen = session.look();
+    assert!(
+        session.last_line().starts_with(" working  four-bar"),
+        "{screen}"
+    );
+    assert!(screen.contains("r1 + r2 + r3 + r4 = 0"), "{screen}");
+    insta::assert_snapshot!("working-80x24", session.body());
+    assert!(session.press("1").last_line().starts_with(" motion"));
+}
+
+#[test]
+fn a_small_screen_wraps_and_a_large_one_has_room() {
+    insta::assert_snapshot!(
+        "working-40x12",
+        session("four-bar", Glyphs::Ascii, 40, 12)
+            .press("PgDn PgDn PgDn PgDn PgDn PgDn PgDn")
+            .body()
+    );
+    insta::assert_snapshot!(
+        "working-120x40",
+        session("four-bar", Glyphs::Braille, 120, 40)
+            .press("PgDn PgDn")
+            .body()
+    );
+}
+
+#[test]
+fn scrolling_leads_through_all_of_it() {
+    for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+        let lines = all(&mut session("slider-crank", Glyphs::Ascii, cols, rows));
+        let text = lines.join("\n");
+        for part in [
+            "Vector polygons",
+            "Position table",
+            "Loop equations",
+            "Velocities",
+            "Accelerations",
+            "Points",
+            "Check",
+        ] {
+            assert!(text.contains(part), "{part} at {cols} x {rows}:\n{text}");
+        }
+        assert!(text.contains("omega3 = -89.4427 rad/s"), "{text}");
+    }
+}
+
+/// Paused it shows this state, playing each as it comes.
+#[test]
+fn the_working_follows_the_crank() {
+    let mut session = session("four-bar", Glyphs::Ascii, 80, 40);
+    assert!(session.look().contains("at 60 deg"));
+    assert!(session.press(".").look().contains("at 65 deg"));
+    session.press("space").pass(1.0);
+    let playing = session.look();
+    assert!(!playing.contains("at 65 deg"), "{playing}");
+    // Where it was scrolled to, it stays.
+    let before = session.press("space PgDn").body();
+    let heading = before.lines().next().unwrap().to_owned();
+    let after = session.press(".").body();
+    assert_eq!(after.lines().next().unwrap(), heading);
+}
+
+#[test]
+fn another_scene_has_another_working() {
+    let mut session = session("four-bar", Glyphs::Ascii, 80, 24);
+    let before = session.body();
+    assert_ne!(session.press("n").body(), before);
+    assert!(session.last_line().starts_with(" working"));
+}
+
+#[test]
+fn greek_letters_are_spelled_where_there_are_none() {
+    let shown = |glyphs| all(&mut session("four-bar", glyphs, 80, 24)).join("\n");
+    for glyphs in [Glyphs::Ascii, Glyphs::Line] {
+        let text = shown(glyphs);
+        assert!(text.is_ascii() && text.contains("theta3"), "{text}");
+    }
+    let greek = shown(Glyphs::Braille);
+    assert!(
+        greek.contains("θ3") && greek.contains("ω4") && !greek.contains("theta"),
+        "{greek}"
+    );
+}
+
+#[test]
+fn a_dead_point_is_told() {
+    let mut session = session("double-rocker", Glyphs::Ascii, 80, 24);
+    session
+        .press("g")
+        .type_in("101.53695903281549")
+        .press("Enter");
+    let screen = session.look();
+    assert!(screen.contains("State: dead-point."), "{screen}");
+    assert!(
+        screen.contains("A dead point: the motion ends here."),
+        "{screen}"
+    );
+}
+
+#[test]
+fn every_preset_is_shown_at_every_size() {
+    for found in presets::all() {
+        for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+            let mut session = session(found.name, Glyphs::Ascii, cols, rows);
+            for keys in ["", "PgDn", "PgDn", "PgUp", ". . ."] {
+                let screen = session.press(keys).look();
+                assert!(screen.is_ascii() && !screen.contains("NaN"), "{screen}");
+            }
+        }
+    }
+}

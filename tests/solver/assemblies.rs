@@ -1,0 +1,355 @@
+//! The choices of groups, whole assemblies, and what follows from picking another one.
+
+#![allow(clippy::excessive_precision, reason = "the digits of the hard cases")]
+
+use krank::scene::{Scene, presets};
+use krank::solver::{Condition, Fault, GroupId, Order, Pick, Range, Solver, State};
+use krank::{Element, PointId, Vec2};
+
+fn scene(text: &str) -> Scene {
+    Scene::parse(text, "test").unwrap()
+}
+
+fn preset(name: &str) -> Scene {
+    scene(presets::find(name).unwrap().text)
+}
+
+/// A = (0, 0), D = (d, 0), crank a, coupler b, follower c.
+fn four_bar([a, b, c, d]: [f64; 4], angle: f64, start: &str) -> Scene {
+    scene(&format!(
+        "[ground]\nA = [0, 0]\nD = [{d}, 0]\n[driver]\nlink = \"a\"\nangle = {angle}\n\
+         [links]\na = {{ from = \"A\", to = \"B\", length = {a} }}\n\
+         b = {{ from = \"B\", to = \"C\", length = {b} }}\n\
+         c = {{ from = \"D\", to = \"C\", length = {c} }}\n{start}"
+    ))
+}
+
+fn point(scene: &Scene, name: &str) -> PointId {
+    let mut ids = scene.mechanism.point_ids();
+    ids.find(|&p| scene.point_name(p) == Some(name)).unwrap()
+}
+
+fn picked(scene: &Scene, name: &str, pick: Pick) -> Result<Solver, Fault> {
+    let element = Element::Point(point(scene, name));
+    Solver::with_assembly(&scene.mechanism, &[(element, pick)])
+}
+
+fn at(solver: &Solver, angle: f64) -> State {
+    let mut state = solver.state();
+    let condition = solver.solve(angle, Order::Acceleration, &mut state);
+    assert_ne!(condition, Condition::NoAssembly, "at {angle}");
+    state.into_state()
+}
+
+/// The group behind the driver's.
+fn second(solver: &Solver) -> GroupId {
+    solver.plan().numbered().nth(1).unwrap().0
+}
+
+#[track_caller]
+fn near(seen: Vec2, expected: [f64; 2]) {
+    let off = (seen - Vec2::new(expected[0], expected[1])).norm();
+    assert!(off < 1e-12 * seen.norm(), "{seen:?} is not {expected:?}");
+}
+
+/// The lectures' four-bar: `+` is the lectures' assembly, C on the left of B -> D.
+#[test]
+fn h29_both_assemblies_have_their_own_values() {
+    let scene = preset("four-bar");
+    let c = point(&scene, "C");
+    let plus = picked(&scene, "C", Pick::Plus).unwrap();
+    near(
+        at(&plus, 240.0).position(c).unwrap(),
+        [175.8975078189799874691, 110.8064664099341458066],
+    );
+    let minus = picked(&scene, "C", Pick::Minus).unwrap();
+    near(
+        at(&minus, 240.0).position(c).unwrap(),
+        [233.0310636095914411023, -186.0681979292960758229],
+    );
+    // Full turns later, and from one to the other at any angle, to the bit.
+    let place = at(&minus, 240.0).position(c).unwrap();
+    assert_eq!(at(&minus, 240.0 + 360.0).position(c).unwrap(), place);
+    for from in [0.0, 60.0, 240.0, 301.5] {
+        let switched = plus.switched(from, second(&plus), Pick::Minus).unwrap();
+        assert_eq!(
+            at(&switched, 240.0).position(c).unwrap(),
+            place,
+            "from {from}"
+        );
+        let back = switched
+            .switched(from, second(&switched), Pick::Plus)
+            .unwrap();
+        assert_eq!(
+            at(&back, 240.0).position(c).unwrap(),
+            at(&plus, 240.0).position(c).unwrap()
+        );
+    }
+}
+
+#[test]
+fn h21_both_sides_of_a_near_miss_can_be_picked() {
+    let scene = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, "");
+    let c = point(&scene, "C");
+    for (pick, at_60, at_350) in [
+        (
+            Pick::Plus,
+            [3.499999999999999999778, 0.8660254049391392806192],
+            [3.940584982472821363256, 0.3395583789963111709332],
+        ),
+        (
+            Pick::Minus,
+            [2.857142856428571369336, -0.9897433195180518084789],
+            [3.98480775301220805384, -0.1736481834257012472138],
+        ),
+    ] {
+        let solver = picked(&scene, "C", pick).unwrap();
+        near(at(&solver, 60.0).position(c).unwrap(), at_60);
+        // In lengths that were typed the sides of the near miss are 1e-5 apart.
+        near(at(&solver, -10.0).position(c).unwrap(), at_350);
+    }
+}
+
+/// Each mode of a coupled group has a motion of its own, closed over a turn or with its own limits, and
+/// is found again from any angle of it.
+#[test]
+fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
+    let text = presets::find("stephenson-six-bar").unwrap().text;
+    for text in [
+        text.to_owned(),
+        // Hard case H18: the crank no longer turns fully.
+        text.replace("length = 30 }", "length = 90 }")
+            .replace("length = 190 }", "length = 230 }"),
+    ] {
+        let scene = scene(&text);
+        let e = point(&scene, "E");
+        let first = Solver::new(&scene.mechanism).unwrap();
+        let choices = first.choices(60.0, second(&first));
+        assert!(choices.len() >= 2);
+        for choice in &choices {
+            let solver = picked(&scene, "E", choice.pick).unwrap();
+            let place = at(&solver, 60.0).position(e).unwrap();
+            assert!((place - choice.state.position(e).unwrap()).norm() < 1e-9);
+            let range = match solver.motion().range {
+                Range::Full { period } => {
+                    assert_eq!(at(&solver, 60.0 + period).position(e).unwrap(), place);
+                    (0.0, period)
+                }
+                Range::Limited { low, high } => (low, high),
+            };
+            // Step by step or at once, it is the same way around.
+            let mut before = place;
+            for k in 0..=400 {
+                let angle = 60.0 + (range.1 - 60.0) * f64::from(k) / 400.0;
+                let now = at(&solver, angle).position(e).unwrap();
+                assert!((now - before).norm() < 20.0, "a jump at {angle}");
+                before = now;
+            }
+            // From elsewhere to another mode there, and back.
+            let angle = 60.0 + 0.5 * (range.1 - 60.0);
+            let there = solver.choices(angle, second(&solver));
+            let own = there.iter().find(|c| c.is_current).unwrap().pick;
+            for other in there.iter().filter(|c| !c.is_current) {
+                let switched = solver.switched(angle, second(&solver), other.pick).unwrap();
+                let seen = at(&switched, angle).position(e).unwrap();
+                assert!((seen - other.state.position(e).unwrap()).norm() < 1e-9);
+                let back = switched.switched(angle, second(&switched), own).unwrap();
+                assert!((at(&back, 60.0).position(e).unwrap() - place).norm() < 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn choices_are_listed_with_the_one_that_is_followed() {
+    let scene = preset("four-bar");
+    let c = point(&scene, "C");
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    for angle in [60.0, 240.0, 1000.0] {
+        let choices = solver.choices(angle, second(&solver));
+        let seen: Vec<_> = choices
+            .iter()
+            .map(|c| (c.pick, c.is_current, c.closes))
+            .collect();
+        let both = [(Pick::Plus, true, true), (Pick::Minus, false, true)];
+        assert_eq!(seen, both);
+        for choice in &choices {
+            let solver = picked(&scene, "C", choice.pick).unwrap();
+            let off = at(&solver, angle).position(c).unwrap() - choice.state.position(c).unwrap();
+            assert!(off.norm() < 1e-12 * 400.0);
+        }
+    }
+    let (driver, _) = solver.plan().numbered().next().unwrap();
+    assert!(
+        solver.choices(60.0, driver).is_empty(),
+        "the driver has none"
+    );
+    let longer = Solver::new(&preset("jansen-leg").mechanism).unwrap();
+    let (foreign, _) = longer.plan().numbered().last().unwrap();
+    assert!(solver.choices(60.0, foreign).is_empty());
+    assert!(solver.switched(60.0, foreign, Pick::Plus).is_err());
+    let part = solver.only(&krank::solver::Demand::default());
+    assert!(part.choices(60.0, second(&part)).is_empty());
+}
+
+/// Two dyads in a row: the assemblies that open are those that are listed, and each is itself.
+#[test]
+fn whole_assemblies_are_listed_and_can_be_opened() {
+    let mut counts = Vec::new();
+    for name in ["press", "watt-six-bar", "klann-leg", "press-ram"] {
+        let scene = preset(name);
+        let start = scene.mechanism.driver().start;
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let groups = &solver.plan().groups;
+        let groups: Vec<_> = groups.iter().filter(|g| g.has_choices()).collect();
+        let mut opened = Vec::new();
+        for combination in 0..1 << groups.len() {
+            let sides = groups.iter().enumerate().map(|(i, group)| {
+                let minus = combination >> (groups.len() - 1 - i) & 1 == 1;
+                let side = if minus { Pick::Minus } else { Pick::Plus };
+                (group.name().unwrap(), side)
+            });
+            let picks: Vec<_> = sides.collect();
+            if let Ok(other) = Solver::with_assembly(&scene.mechanism, &picks) {
+                let sides: Vec<_> = picks.iter().map(|p| p.1).collect();
+                opened.push((sides, other));
+            }
+        }
+        let sides =
+            |picks: &[(GroupId, Pick)]| -> Vec<Pick> { picks.iter().map(|p| p.1).collect() };
+        let all = solver.assemblies(start);
+        assert!(all.is_complete);
+        let listed: Vec<_> = all.list.iter().map(|picks| sides(picks)).collect();
+        let tried: Vec<_> = opened.iter().map(|(sides, _)| sides.clone()).collect();
+        assert_eq!(listed, tried, "{name}");
+        for (i, (_, other)) in opened.iter().enumerate() {
+            let again = other.assemblies(start);
+            assert_eq!((again.list, again.current), (all.list.clone(), Some(i)));
+        }
+        counts.push(listed.len());
+    }
+    assert_eq!(counts, [2, 4, 2, 4]);
+}
+
+#[test]
+fn more_than_few_assemblies_are_not_listed_to_the_end() {
+    let scene = preset("scissor-lift");
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let all = solver.assemblies(scene.mechanism.driver().start);
+    assert!(all.list.len() <= 64);
+    let jansen = preset("jansen-leg");
+    let solver = Solver::new(&jansen.mechanism).unwrap();
+    let all = solver.assemblies(jansen.mechanism.driver().start);
+    assert!(all.list.len() > 1 && all.current.is_some());
+}
+
+/// A redundant constraint closes with one choice alone.
+#[test]
+fn a_choice_that_breaks_a_redundant_constraint_does_not_close() {
+    let scene = preset("triple-parallelogram");
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let start = scene.mechanism.driver().start;
+    let groups = solver.plan().numbered();
+    let choices: Vec<_> = groups.flat_map(|(g, _)| solver.choices(start, g)).collect();
+    assert_eq!(choices.len(), 2);
+    assert_eq!(choices.iter().filter(|c| c.closes).count(), 1);
+    let all = solver.assemblies(start);
+    assert_eq!((all.list.len(), all.current), (1, Some(0)));
+}
+
+/// A range of its own: the dead points are those of the assembly that was picked.
+#[test]
+fn a_scene_may_open_at_its_dead_point() {
+    let limit = {
+        let scene = four_bar([60.0, 50.0, 60.0, 100.0], 60.0, "[start]\nC = [75, 55]\n");
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let Range::Limited { high, .. } = solver.motion().range else {
+            panic!("the crank cannot turn fully");
+        };
+        high
+    };
+    let scene = four_bar([60.0, 50.0, 60.0, 100.0], limit, "");
+    let c = point(&scene, "C");
+    for pick in [Pick::Plus, Pick::Minus] {
+        let solver = picked(&scene, "C", pick).unwrap();
+        assert_eq!(solver.motion().dead_points.len(), 2);
+        assert!(solver.motion().dead_points.contains(&limit));
+        let mut state = solver.state();
+        assert_eq!(
+            solver.solve(limit, Order::Velocity, &mut state),
+            Condition::DeadPoint
+        );
+        let choices = solver.choices(limit, second(&solver));
+        let current: Vec<_> = choices
+            .iter()
+            .filter(|c| c.is_current)
+            .map(|c| c.pick)
+            .collect();
+        assert_eq!(current, [pick]);
+        assert!(
+            (choices[0].state.position(c).unwrap() - choices[1].state.position(c).unwrap()).norm()
+                < 1e-6
+        );
+    }
+    // Both are one there: none needs to be picked.
+    assert!(Solver::new(&scene.mechanism).is_ok());
+}
+
+/// At a change point two ways lead on; one must be picked, and is then followed, value for value.
+#[test]
+fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
+    for (opening, anti_at_0) in [(0.0, -2.0), (180.0, -0.5)] {
+        let scene = four_bar([1.0, 3.0, 1.0, 3.0], opening, "");
+        let group = Element::Point(point(&scene, "C"));
+        assert_eq!(
+            Solver::new(&scene.mechanism).unwrap_err(),
+            Fault::ChangePoint { group }
+        );
+        let follower = scene.mechanism.link_ids().nth(2).unwrap();
+        let mut rates: Vec<f64> = [Pick::Plus, Pick::Minus]
+            .map(|pick| {
+                let solver = picked(&scene, "C", pick).unwrap();
+                let state = at(&solver, opening);
+                let range = Range::Full { period: 360.0 };
+                assert_eq!(solver.motion().range, range);
+                let mut points = solver.motion().change_points.clone();
+                points.sort_by(f64::total_cmp);
+                assert_eq!(points, [0.0, 180.0]);
+                assert_eq!(state.condition(), Condition::ChangePoint);
+                let choices = solver.choices(opening, second(&solver));
+                assert!(choices.iter().all(|c| c.is_current == (c.pick == pick)));
+                // The other way through, from the change point itself.
+                let other = if pick == Pick::Plus {
+                    Pick::Minus
+                } else {
+                    Pick::Plus
+                };
+                let switched = solver.switched(opening, second(&solver), other).unwrap();
+                let there = at(&switched, opening);
+                assert!(
+                    (there.omega(follower).unwrap() - state.omega(follower).unwrap()).abs() > 0.5
+                );
+                state.omega(follower).unwrap()
+            })
+            .into();
+        rates.sort_by(f64::total_cmp);
+        assert!((rates[0] - anti_at_0).abs() < 1e-9, "{rates:?}");
+        assert!((rates[1] - 1.0).abs() < 1e-9, "{rates:?}");
+    }
+}
+
+#[test]
+fn what_cannot_be_picked_is_refused_with_what_there_is() {
+    let scene = preset("four-bar");
+    let group = Element::Point(point(&scene, "C"));
+    let refused = |name, pick| picked(&scene, name, pick).unwrap_err();
+    assert_eq!(
+        refused("C", Pick::Number(2)),
+        Fault::NoChoice { group, found: 2 }
+    );
+    let group = Element::Point(point(&scene, "B"));
+    assert_eq!(
+        refused("B", Pick::Plus),
+        Fault::NoChoice { group, found: 0 }
+    );
+}

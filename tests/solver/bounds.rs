@@ -1,0 +1,575 @@
+//! No bound is ever smaller than the true error; and how much larger it is.
+//!
+//! The truth is the same state in twice the precision.
+#![allow(clippy::print_stdout, reason = "the overestimates are to be read")]
+
+use krank::quantity::{self, Aspect, Catalogue, Subject};
+use krank::scene::{Scene, presets};
+use krank::solver::{Condition, Order, Range, Solver, Workspace};
+use krank::{Ball, Body, Builder, Double, Driver, Input, LinkId, Mechanism, PointId, Vec2};
+
+/// A solver, and all that its figures are held against.
+struct Trial {
+    solver: Solver,
+    figures: Vec<(Subject, Aspect)>,
+    state: Workspace,
+    enclosure: Workspace<Ball>,
+    twice: Workspace<Double>,
+}
+
+/// What came of many figures, by the order of their derivative.
+#[derive(Default)]
+struct Tally {
+    states: usize,
+    unproved: [usize; 3],
+    /// Bound over error, where there is an error.
+    over: [Vec<f64>; 3],
+}
+
+impl Tally {
+    fn medians(&mut self) -> [f64; 3] {
+        self.over.each_mut().map(|over| {
+            over.sort_by(f64::total_cmp);
+            over.get(over.len() / 2).copied().unwrap_or(f64::NAN)
+        })
+    }
+
+    fn report(&mut self, name: &str) -> [f64; 3] {
+        let medians = self.medians();
+        let [x, v, a] = medians;
+        let figures: usize = self.over.iter().map(Vec::len).sum();
+        println!(
+            "{name:24} {:7} states, {figures:8} figures, unproved {:?}; bound over error, median: {x:.1} {v:.1} {a:.1}",
+            self.states, self.unproved
+        );
+        medians
+    }
+}
+
+const POINT: [Aspect; 6] = [
+    Aspect::X,
+    Aspect::Y,
+    Aspect::Vx,
+    Aspect::Vy,
+    Aspect::Ax,
+    Aspect::Ay,
+];
+const LINK: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
+
+impl Trial {
+    fn of_scene(scene: &Scene) -> Trial {
+        let catalogue = Catalogue::new(scene);
+        let figures = catalogue.all().iter().map(|q| (q.subject, q.aspect));
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        Trial::new(solver, figures.collect())
+    }
+
+    fn of_mechanism(mechanism: &Mechanism) -> Option<Trial> {
+        let solver = Solver::new(mechanism).ok()?;
+        let points = mechanism.point_ids().map(Subject::Point);
+        let links = mechanism.link_ids().map(Subject::Link);
+        let figures = points
+            .flat_map(|p| POINT.map(|a| (p, a)))
+            .chain(links.flat_map(|l| LINK.map(|a| (l, a))));
+        Some(Trial::new(solver, figures.collect()))
+    }
+
+    fn new(solver: Solver, figures: Vec<(Subject, Aspect)>) -> Trial {
+        Trial {
+            state: solver.state(),
+            enclosure: solver.enclosure(),
+            twice: solver.twice(),
+            figures,
+            solver,
+        }
+    }
+
+    fn ends(&self) -> (f64, f64) {
+        match self.solver.motion().range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        }
+    }
+
+    /// Holds every bound at one coordinate against the true error.
+    fn check(&mut self, at: f64, tally: &mut Tally) {
+        let order = Order::Acceleration;
+        if self.solver.solve(at, order, &mut self.state) != Condition::Ok
+            || !self.solver.solve_twice(&self.state, order, &mut self.twice)
+        {
+            return;
+        }
+        self.solver
+            .enclose(&mut self.state, order, &mut self.enclosure);
+        tally.states += 1;
+        for &(subject, aspect) in &self.figures {
+            let value = quantity::value(subject, aspect, &self.state);
+            let truth = quantity::value(subject, aspect, &self.twice);
+            let (Some(value), Some(truth)) = (value, truth) else {
+                continue;
+            };
+            let order = aspect.order() as usize;
+            let bound = quantity::bound(subject, aspect, &self.state, &self.enclosure);
+            let Some(bound) = bound else {
+                tally.unproved[order] += 1;
+                continue;
+            };
+            let off = (truth - Double::exactly(value)).abs();
+            let is_turn = aspect == Aspect::Angle && off.hi > 180.0;
+            let turn = Double::exactly(if is_turn { 360.0 } else { 0.0 });
+            let error = (off - turn).hi.abs();
+            assert!(
+                error <= bound,
+                "{subject:?} {aspect:?} at {at:?}: {value:?} is {truth:?}, bound {bound:e}"
+            );
+            if error > 0.0 {
+                tally.over[order].push(bound / error);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_figure_of_every_preset_is_within_its_bound() {
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let mut trial = Trial::of_scene(&scene);
+        let (low, high) = trial.ends();
+        let mut tally = Tally::default();
+        for k in 0..=500 {
+            trial.check(low + (high - low) * f64::from(k) / 500.0, &mut tally);
+        }
+        tally.report(preset.name);
+        assert_eq!(tally.unproved, [0; 3], "{}", preset.name);
+    }
+}
+
+fn four_bar_of(change: [&str; 2]) -> Scene {
+    let preset = presets::find("four-bar").unwrap();
+    let text = preset.text.replacen(change[0], change[1], 1);
+    Scene::parse(&text, preset.name).unwrap()
+}
+
+/// An angle that rounds to a full turn is written as 0.
+#[test]
+fn an_angle_just_below_a_turn_is_within_its_bound_of_zero() {
+    let scene = four_bar_of(["", ""]);
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut balls) = (solver.state(), solver.enclosure());
+    let figure = (
+        Subject::Link(scene.mechanism.link_ids().next().unwrap()),
+        Aspect::Angle,
+    );
+    for below in [1e-300, 1e-20, 1e-14, 2.8e-14] {
+        let _ = solver.solve(-below, Order::Position, &mut state);
+        solver.enclose(&mut state, Order::Position, &mut balls);
+        let value = quantity::value(figure.0, figure.1, &state).unwrap();
+        let bound = quantity::bound(figure.0, figure.1, &state, &balls).unwrap();
+        let off = if value == 0.0 { below } else { 0.0 };
+        assert!(off <= bound, "-{below}: {value} +- {bound}");
+    }
+}
+
+/// The worst of half a million: 37.459... rpm is off by 4.8 halves of an ulp once it is converted.
+#[test]
+fn a_speed_that_was_converted_is_within_its_bound() {
+    let scene = four_bar_of(["15 rad/s", "37.45989650588049 rpm"]);
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut balls) = (solver.state(), solver.enclosure());
+    let _ = solver.solve(60.0, Order::Velocity, &mut state);
+    solver.enclose(&mut state, Order::Velocity, &mut balls);
+    let speed = quantity::value(Subject::Driver, Aspect::Omega, &state).unwrap();
+    let bound = quantity::bound(Subject::Driver, Aspect::Omega, &state, &balls).unwrap();
+    let pi = Double {
+        hi: std::f64::consts::PI,
+        lo: 1.224_646_799_147_353_2e-16,
+    };
+    let typed = Double::exactly(3_745_989_650_588_049.0) / Double::exactly(1e14);
+    let off = (typed * pi / Double::exactly(30.0) - Double::exactly(speed))
+        .hi
+        .abs();
+    assert!(off <= bound, "{off:e} {bound:e}");
+}
+
+/// Beyond a limit by the decimals that it was written with there is no assembly: the figures are those of
+/// the limit, and so are their bounds.
+#[test]
+fn just_beyond_a_limit_the_bounds_are_those_of_the_limit() {
+    let preset = presets::find("double-rocker").unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let (mut state, mut balls) = (solver.state(), solver.enclosure());
+    let Range::Limited { low, high } = solver.motion().range else {
+        panic!("a double rocker");
+    };
+    for (limit, outwards) in [(low, -5e-13), (high, 5e-13)] {
+        let mut bounds_at = |at: f64| -> Vec<(f64, f64)> {
+            let condition = solver.solve(at, Order::Position, &mut state);
+            assert_eq!(condition, Condition::DeadPoint, "{at}");
+            solver.enclose(&mut state, Order::Position, &mut balls);
+            let points = scene.mechanism.point_ids();
+            let figure = |p| {
+                let subject = Subject::Point(p);
+                let value = quantity::value(subject, Aspect::Y, &state).unwrap();
+                let bound = quantity::bound(subject, Aspect::Y, &state, &balls).unwrap();
+                (value, bound)
+            };
+            points.map(figure).collect()
+        };
+        assert_eq!(bounds_at(limit + outwards), bounds_at(limit), "{limit}");
+    }
+}
+
+/// Numbers that are as good as random, and the same in every run (splitmix64).
+struct Dice(u64);
+
+impl Dice {
+    fn unit(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.unit()
+    }
+
+    /// A place somewhere around another.
+    fn around(&mut self, of: Vec2, reach: f64) -> Vec2 {
+        of + Vec2::new(self.within(-reach, reach), self.within(-reach, reach))
+    }
+}
+
+/// The nearest number that is known exactly: one with all its digits could have been meant to be half
+/// an ulp elsewhere, and its bounds say so.
+fn short(length: f64) -> f64 {
+    f64::from(length as f32)
+}
+
+/// A mechanism built from places: lengths are what lies between them, so that it closes.
+struct Maker {
+    builder: Builder,
+    places: Vec<(PointId, Vec2)>,
+}
+
+impl Maker {
+    fn new() -> Maker {
+        Maker {
+            builder: Mechanism::builder(),
+            places: Vec::new(),
+        }
+    }
+
+    fn ground(&mut self, at: Vec2) -> PointId {
+        let at = at.map(short);
+        let point = self.builder.ground_point(at.x, at.y);
+        self.places.push((point, at));
+        point
+    }
+
+    fn joint(&mut self, at: Vec2) -> PointId {
+        let point = self.builder.moving_point();
+        self.builder.start(point, at);
+        self.places.push((point, at));
+        point
+    }
+
+    fn place(&self, of: PointId) -> Vec2 {
+        self.places.iter().find(|(p, _)| *p == of).unwrap().1
+    }
+
+    fn link(&mut self, from: PointId, to: PointId) -> LinkId {
+        let length = short((self.place(to) - self.place(from)).norm());
+        self.builder.link(from, to, length)
+    }
+
+    /// A further point of a link, where it is.
+    fn carry(&mut self, link: LinkId, [from, to]: [PointId; 2], point: PointId) {
+        let along = self.place(to) - self.place(from);
+        let seen = self.place(point) - self.place(from);
+        let local = (seen.turned(along.conj()) / along.norm()).map(short);
+        self.builder.carry(link, point, local);
+    }
+
+    fn driven(mut self, link: LinkId, [from, to]: [PointId; 2]) -> Option<Mechanism> {
+        let start = (self.place(to) - self.place(from)).angle().to_degrees();
+        self.builder.driver(Driver {
+            input: Input::Turn(link),
+            start,
+            speed: 1.5,
+            acceleration: 0.7,
+        });
+        self.builder.build().ok()
+    }
+}
+
+fn four_bar(dice: &mut Dice) -> Option<Mechanism> {
+    let mut maker = Maker::new();
+    let size = 10_f64.powf(dice.within(-1.0, 1.0));
+    let a = maker.ground(Vec2::ZERO);
+    let d = maker.ground(Vec2::new(size, 0.0));
+    let (at_b, at_c) = (
+        dice.around(Vec2::ZERO, 1.0),
+        dice.around(Vec2::new(size, 0.0), 1.5),
+    );
+    let (b, c) = (maker.joint(at_b), maker.joint(at_c));
+    let crank = maker.link(a, b);
+    let coupler = maker.link(b, c);
+    maker.link(d, c);
+    let e = maker.joint(dice.around(Vec2::ZERO, 1.0));
+    maker.carry(coupler, [b, c], e);
+    maker.driven(crank, [a, b])
+}
+
+/// The frame is chosen so that the arms are within 10^-1 to 10^-13 of being in line somewhere.
+fn near_change_point(dice: &mut Dice) -> Option<Mechanism> {
+    let mut builder = Mechanism::builder();
+    let [crank, coupler, rocker] = [0; 3].map(|_| short(dice.within(0.5, 2.0)));
+    let off = 10_f64.powf(dice.within(-13.0, -1.0));
+    let frame = coupler + rocker - crank + if dice.unit() < 0.5 { off } else { -off };
+    let a = builder.ground_point(0.0, 0.0);
+    let d = builder.ground_point(frame, 0.0);
+    let (b, c) = (builder.moving_point(), builder.moving_point());
+    let link = builder.link(a, b, crank);
+    builder.link(b, c, coupler);
+    builder.link(d, c, rocker);
+    builder.start(
+        c,
+        Vec2::new(dice.within(0.0, frame), dice.within(-1.0, 1.0)),
+    );
+    builder.driver(Driver {
+        input: Input::Turn(link),
+        start: 7.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    builder.build().ok()
+}
+
+fn slider_crank(dice: &mut Dice) -> Option<Mechanism> {
+    let mut maker = Maker::new();
+    let a = maker.ground(Vec2::ZERO);
+    let at_b = dice.around(Vec2::ZERO, 1.0);
+    let at_c = dice.around(Vec2::new(2.0, 0.0), 1.5);
+    let (b, c) = (maker.joint(at_b), maker.joint(at_c));
+    let crank = maker.link(a, b);
+    maker.link(b, c);
+    let angle = short(dice.within(-180.0, 180.0));
+    let through = at_c.map(short);
+    maker.builder.pin_in_slot(c, Body::Ground, through, angle);
+    maker.driven(crank, [a, b])
+}
+
+/// A four-bar and a dyad on its coupler.
+fn watt(dice: &mut Dice) -> Option<Mechanism> {
+    let mut maker = Maker::new();
+    let [a, d, g] = [(0.0, 0.0), (2.0, 0.0), (1.0, 2.0)]
+        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.5))
+        .map(|at| maker.ground(at));
+    let [b, c, e, f] = [(0.3, 0.5), (1.8, 1.2), (1.0, 1.2), (1.6, 2.0)]
+        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.4))
+        .map(|at| maker.joint(at));
+    let crank = maker.link(a, b);
+    let coupler = maker.link(b, c);
+    maker.carry(coupler, [b, c], e);
+    maker.link(d, c);
+    maker.link(e, f);
+    maker.link(g, f);
+    maker.driven(crank, [a, b])
+}
+
+/// The same driven from the other side: the loops are coupled.
+fn stephenson(dice: &mut Dice) -> Option<Mechanism> {
+    let mut maker = Maker::new();
+    let [a, d, g] = [(0.0, 0.0), (2.0, 0.0), (1.0, 2.0)]
+        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.5))
+        .map(|at| maker.ground(at));
+    let [b, c, e, f] = [(0.3, 0.9), (1.8, 1.2), (1.0, 1.2), (1.3, 1.7)]
+        .map(|(x, y)| dice.around(Vec2::new(x, y), 0.3))
+        .map(|at| maker.joint(at));
+    maker.link(a, b);
+    let coupler = maker.link(b, c);
+    maker.carry(coupler, [b, c], e);
+    maker.link(d, c);
+    maker.link(e, f);
+    let crank = maker.link(g, f);
+    maker.driven(crank, [g, f])
+}
+
+/// States of one mechanism: half of them anywhere, half close to an end of the motion or, where it
+/// has none, to where the first state of a turn is.
+fn visit(trial: &mut Trial, states: usize, dice: &mut Dice, tally: &mut Tally) {
+    let (low, high) = trial.ends();
+    for k in 0..states {
+        let close = (high - low) * 10_f64.powf(dice.within(-14.0, -1.0));
+        let at = match k % 4 {
+            0 => low + close,
+            1 => high - close,
+            _ => dice.within(low, high),
+        };
+        trial.check(at, tally);
+    }
+}
+
+fn visit_many(
+    name: &str,
+    make: fn(&mut Dice) -> Option<Mechanism>,
+    states: usize,
+    most: [f64; 3],
+) -> usize {
+    const EACH: usize = 500;
+    let (mut dice, mut tally) = (Dice(name.len() as u64), Tally::default());
+    while tally.states < states {
+        let Some(mechanism) = make(&mut dice) else {
+            continue;
+        };
+        if let Some(mut trial) = Trial::of_mechanism(&mechanism) {
+            visit(&mut trial, EACH, &mut dice, &mut tally);
+        }
+    }
+    let medians = tally.report(name);
+    let is_near = medians
+        .iter()
+        .zip(most)
+        .all(|(median, most)| *median <= most);
+    assert!(is_near, "{name}: {medians:?}");
+    // Only within some 1e-13 of a dead point may a bound be missing.
+    let figures: usize = tally.over.iter().map(Vec::len).sum();
+    let unproved: usize = tally.unproved.iter().sum();
+    assert!(unproved * 50 < figures, "{name}: {unproved} of {figures}");
+    tally.states
+}
+
+/// How far bounds of positions, velocities and accelerations may be above the error in the median.
+const MEDIANS: [f64; 3] = [4.0, 6.0, 8.0];
+
+#[test]
+fn four_bars_stay_within_their_bounds() {
+    visit_many("four-bars", four_bar, 250_000, MEDIANS);
+}
+
+#[test]
+fn near_change_points_too() {
+    visit_many("near change points", near_change_point, 250_000, MEDIANS);
+}
+
+#[test]
+fn slider_cranks_too() {
+    visit_many("slider-cranks", slider_crank, 250_000, MEDIANS);
+}
+
+#[test]
+fn six_bars_of_dyads_too() {
+    visit_many("six-bars of dyads", watt, 150_000, MEDIANS);
+}
+
+#[test]
+fn coupled_six_bars_too() {
+    visit_many("coupled six-bars", stephenson, 100_000, MEDIANS);
+}
+
+/// Four-bars in series, each driven by the rocker of the one before.
+fn chain(dyads: usize, length: f64) -> Mechanism {
+    let mut builder = Mechanism::builder();
+    let pivot = builder.ground_point(-length, length);
+    let mut pin = builder.moving_point();
+    let crank = builder.link(pivot, pin, 0.2 * length);
+    builder.driver(Driver {
+        input: Input::Turn(crank),
+        start: 90.0,
+        speed: 1.0,
+        acceleration: 0.0,
+    });
+    for k in 0..dyads {
+        let x = k as f64 * length;
+        let foot = builder.ground_point(x, 0.0);
+        let joint = builder.moving_point();
+        builder.link(pin, joint, length);
+        builder.link(foot, joint, length);
+        builder.start(joint, Vec2::new(x, length));
+        pin = joint;
+    }
+    builder.build().unwrap()
+}
+
+/// Group by group balls used to widen until nothing was left of them behind some eighty dyads.
+#[test]
+fn bounds_of_long_chains_stay_near() {
+    for dyads in [5, 20, 84, 160, 300] {
+        let mut trial = Trial::of_mechanism(&chain(dyads, 1.25)).unwrap();
+        let mut tally = Tally::default();
+        for k in 0..40 {
+            trial.check(f64::from(k) * 8.7, &mut tally);
+        }
+        let medians = tally.report(&format!("{dyads} dyads"));
+        assert_eq!(tally.unproved, [0; 3], "{dyads}");
+        assert!(medians.iter().all(|&m| m <= 30.0), "{dyads}: {medians:?}");
+    }
+}
+
+/// Digits that nobody typed do not widen from dyad to dyad either.
+#[test]
+fn bounds_of_long_chains_of_rounded_lengths_are_of_use() {
+    let mut trial = Trial::of_mechanism(&chain(84, 39.3)).unwrap();
+    trial.check(123.4, &mut Tally::default());
+    let (subject, aspect) = *trial
+        .figures
+        .iter()
+        .rfind(|f| f.1 == Aspect::Omega)
+        .unwrap();
+    let bound = quantity::bound(subject, aspect, &trial.state, &trial.enclosure).unwrap();
+    println!("84 dyads of 39.3: {bound:e}");
+    assert!(bound < 1e-9, "{bound:e}");
+}
+
+/// Bounds are local: where a scene is drawn says nothing about its motion.
+#[test]
+fn far_from_the_origin_bounds_are_those_at_the_origin() {
+    const FAR: f64 = 1e7;
+    let draw = |far: f64| {
+        let mut builder = Mechanism::builder();
+        let at = |x: f64, y: f64| Vec2::new(x + far, y - far);
+        let (a, d) = (at(0.25, 0.5), at(400.125, -20.5));
+        let (a, d) = (
+            builder.ground_point(a.x, a.y),
+            builder.ground_point(d.x, d.y),
+        );
+        let (b, c, e) = (
+            builder.moving_point(),
+            builder.moving_point(),
+            builder.moving_point(),
+        );
+        let crank = builder.link(a, b, 120.0);
+        let coupler = builder.link(b, c, 350.0);
+        builder.link(d, c, 260.5);
+        builder.carry(coupler, e, Vec2::new(100.0, 60.25));
+        builder.start(c, at(300.0, 200.0));
+        builder.driver(Driver {
+            input: Input::Turn(crank),
+            start: 30.0,
+            speed: 1.5,
+            acceleration: 0.25,
+        });
+        Trial::of_mechanism(&builder.build().unwrap()).unwrap()
+    };
+    let (mut here, mut there) = (draw(0.0), draw(FAR));
+    for k in 0..100 {
+        let at = f64::from(k) * 3.7;
+        here.check(at, &mut Tally::default());
+        there.check(at, &mut Tally::default());
+        for &(subject, aspect) in &here.figures {
+            let bound = |t: &Trial| quantity::bound(subject, aspect, &t.state, &t.enclosure);
+            let [near, far] = [bound(&here), bound(&there)].map(Option::unwrap);
+            let half_ulp = match aspect {
+                Aspect::X | Aspect::Y => 2.0 * FAR * f64::EPSILON,
+                _ => 0.0,
+            };
+            assert!(
+                far <= near + half_ulp,
+                "{subject:?} {aspect:?} at {at}: {near:e} {far:e}"
+            );
+        }
+    }
+}

@@ -1,0 +1,15 @@
+//! What is solved, against closed forms, values to 25 digits and arithmetic of twice the digits: positions,
+//! rates, assemblies, forces, bounds, and how they depend on lengths.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "../exact/mod.rs"]
+mod exact;
+
+mod assemblies;
+mod bounds;
+mod coupled_assemblies;
+mod forces;
+mod reference;
+mod sensitivity;
+mod states;

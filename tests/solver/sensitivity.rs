@@ -1,0 +1,288 @@
+//! The derivatives of figures by the given lengths, against closed forms derived here.
+
+use krank::quantity::{Catalogue, Derivatives, Sensitivity};
+use krank::scene::{Scene, presets};
+use krank::solver::Solver;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+struct Probe {
+    sensitivity: Sensitivity,
+    names: Vec<String>,
+}
+
+impl Probe {
+    fn of(text: &str) -> Probe {
+        let scene = Scene::parse(text, "test").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let catalogue = Catalogue::new(&scene);
+        let figures = catalogue.select(&["*"]).unwrap();
+        Probe {
+            sensitivity: Sensitivity::new(&scene, &solver, &figures),
+            names: figures.iter().map(|f| f.name.clone()).collect(),
+        }
+    }
+
+    fn preset(name: &str) -> Probe {
+        Probe::of(presets::find(name).unwrap().text)
+    }
+
+    /// d(figure)/d(length).
+    fn derivative(&self, found: &Derivatives, figure: &str, length: &str) -> f64 {
+        let figure = self.names.iter().position(|n| n == figure).unwrap();
+        let lengths = self.sensitivity.lengths();
+        let length = lengths.iter().position(|l| l == length);
+        found.of(figure)[length.unwrap_or_else(|| panic!("no such length: {lengths:?}"))]
+    }
+}
+
+#[expect(clippy::print_stdout, reason = "the measured figures are to be read")]
+fn note(text: &str) {
+    println!("{text}");
+}
+
+fn four_bar([a, b, c, d]: [f64; 4], at: f64, near: [f64; 2]) -> String {
+    format!(
+        r#"
+[ground]
+A = [0, 0]
+D = [{d:?}, 0]
+[driver]
+link = "r2"
+angle = {at:?}
+speed = "3 rad/s"
+[links]
+r2 = {{ from = "A", to = "B", length = {a:?} }}
+r3 = {{ from = "B", to = "C", length = {b:?}, points = {{ P = [0.25, 0.5] }} }}
+r4 = {{ from = "D", to = "C", length = {c:?} }}
+[start]
+C = [{:?}, {:?}]
+"#,
+        near[0], near[1]
+    )
+}
+
+/// A pose with its lengths: the joints are drawn, the lengths follow.
+#[derive(Clone, Copy, Debug)]
+struct Pose {
+    lengths: [f64; 4],
+    /// In radians.
+    angles: [f64; 3],
+}
+
+impl Pose {
+    fn four_bar(&self) -> String {
+        let [_, _, c, d] = self.lengths;
+        let [_, _, t4] = self.angles;
+        let near = [d + c * t4.cos(), c * t4.sin()];
+        four_bar(self.lengths, self.angles[0].to_degrees(), near)
+    }
+
+    fn sine(&self) -> f64 {
+        (self.angles[1] - self.angles[2]).sin()
+    }
+}
+
+/// Crank, coupler and rocker from their angles and two lengths; leaning towards poses where coupler and
+/// rocker all but lie in line.
+fn poses() -> impl Strategy<Value = Pose> {
+    let lean = prop_oneof![3 => Just(1.0), 1 => Just(1e-2), 1 => Just(1e-3)];
+    let angles = (0.3..2.8, -3.0..3.0, 0.2..1.5, lean, any::<bool>());
+    (0.2..1.0, 0.5..2.0, 0.5..2.0, angles).prop_map(|(a, b, c, (t2, t3, mu, lean, left))| {
+        let t4: f64 = t3 + mu * lean * if left { 1.0 } else { -1.0 };
+        // D lies where the chain ends, turned so that A and D are level.
+        let at = |t: f64, r: f64| (r * t.cos(), r * t.sin());
+        let ((ax, ay), (bx, by), (cx, cy)) = (at(t2, a), at(t3, b), at(t4, c));
+        let (dx, dy) = (ax + bx - cx, ay + by - cy);
+        let turn = dy.atan2(dx);
+        Pose {
+            lengths: [a, b, c, dx.hypot(dy)],
+            angles: [t2 - turn, t3 - turn, t4 - turn],
+        }
+    })
+}
+
+/// From the loop r2 + r3 = r1 + r4 at a fixed crank angle: with e the links' directions,
+/// ```text
+/// d(theta4) = (dr3 + dr2 e2.e3 - dr4 e4.e3 - dr1 e1.e3) / (r4 sin(theta3 - theta4))
+/// d(theta3) = (dr4 - dr2 e2.e4 - dr3 e3.e4 + dr1 e1.e4) / (r3 sin(theta4 - theta3))
+/// omega4 = omega2 r2 sin(theta3 - theta2) / (r4 sin(theta3 - theta4))   and so its differential
+/// ```
+/// where r4 sin(theta3 - theta4) is c sin(mu): mu is the transmission angle.
+fn exact([a, b, c, _]: [f64; 4], [t2, t3, t4]: [f64; 3], by: usize) -> [f64; 2] {
+    let [dr2, dr3, dr4, dr1] = [0, 1, 2, 3].map(|i| f64::from(u8::from(i == by)));
+    let sine = (t3 - t4).sin();
+    let d4 = (dr3 + dr2 * (t2 - t3).cos() - dr4 * (t4 - t3).cos() - dr1 * t3.cos()) / (c * sine);
+    let d3 = (dr4 - dr2 * (t2 - t4).cos() - dr3 * (t3 - t4).cos() + dr1 * t4.cos()) / (-b * sine);
+    let omega4 = 3.0 * a * (t3 - t2).sin() / (c * sine);
+    // d(sin(t3 - t2)) over it is written out: the sine may be zero.
+    let along = 3.0 * a * (t3 - t2).cos() * d3 / (c * sine);
+    let rest = dr2 / a - dr4 / c - (d3 - d4) * (t3 - t4).cos() / sine;
+    [d4.to_degrees(), along + omega4 * rest]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Over random poses and near-singular ones every derivative is right to 2e-7 of the largest of its
+    /// kind; where the step must be small, at transmission angles below 0.1 degrees, to some 1e-5 (8e-6 was
+    /// met at 0.025 degrees).
+    #[test]
+    fn four_bars_follow_the_closed_form(pose in poses()) {
+        prop_assume!(pose.lengths[3] > 0.1);
+        let Ok(scene) = Scene::parse(&pose.four_bar(), "test") else { return Ok(()) };
+        // Within rounding of a change point a pose may not open.
+        prop_assume!(Solver::new(&scene.mechanism).is_ok());
+        let mut probe = Probe::of(&pose.four_bar());
+        let found = probe.sensitivity.at(pose.angles[0].to_degrees());
+        prop_assert!(found.is_some(), "sin(mu) = {}", pose.sine());
+        let found = found.unwrap();
+        let names = ["r2.length", "r3.length", "r4.length", "D.x"];
+        let wanted = [0, 1, 2, 3].map(|i| exact(pose.lengths, pose.angles, i));
+        for (i, figure) in ["r4.angle", "r4.omega"].into_iter().enumerate() {
+            let largest = wanted.iter().map(|w| w[i].abs()).fold(0.0, f64::max);
+            for (wanted, name) in wanted.iter().zip(names) {
+                let error = (probe.derivative(&found, figure, name) - wanted[i]).abs();
+                // The smaller the step, the more of a difference is rounding.
+                let rounded = 4e-12 / pose.sine().powi(2);
+                prop_assert!(error <= (2e-7 + rounded) * largest, "{figure} by {name}: off by {error:e} of {largest}");
+            }
+        }
+    }
+}
+
+/// x = r cos(phi) + s with s = sqrt(l^2 - r^2 sin^2(phi)); s' = -r^2 sin cos / s and
+/// s'' = -(r^2 cos(2 phi) + s'^2) / s by phi, and once more by l.
+#[test]
+fn a_slider_crank_follows_its_closed_form_to_accelerations() {
+    let mut probe = Probe::preset("slider-crank");
+    let (r, l, omega) = (10.0_f64, 20.0_f64, 200.0);
+    let mut worst = [0.0_f64; 3];
+    for degrees in (0..360).step_by(5).map(f64::from) {
+        let found = probe.sensitivity.at(degrees).unwrap();
+        let (sin, cos) = (degrees * PI / 180.0).sin_cos();
+        let s = (l * l - (r * sin).powi(2)).sqrt();
+        let s1 = -r * r * sin * cos / s;
+        let inner = r * r * (cos * cos - sin * sin) + s1 * s1;
+        let by_l = l / s;
+        let s1_by_l = -s1 * l / (s * s);
+        let s2_by_l = inner * l / s.powi(3) - 2.0 * s1 * s1_by_l / s;
+        let wanted = [by_l, omega * s1_by_l, omega * omega * s2_by_l];
+        let largest = [1.0, omega, omega * omega].map(|k| k / l);
+        for (i, figure) in ["r4.length", "r4.rate", "r4.accel"].into_iter().enumerate() {
+            let error = (probe.derivative(&found, figure, "r3.length") - wanted[i]).abs();
+            worst[i] = worst[i].max(error / largest[i]);
+        }
+    }
+    note(&format!(
+        "slider-crank, largest errors of x, x', x'' by l: {worst:?}"
+    ));
+    assert!(worst.iter().all(|w| *w < 1e-10), "{worst:?}");
+}
+
+#[test]
+fn what_the_lengths_do_to_plain_figures_is_plain() {
+    let mut yoke = Probe::preset("scotch-yoke");
+    let found = yoke.sensitivity.at(60.0).unwrap();
+    // x = r cos(60 deg), at 10 rad/s.
+    assert!((yoke.derivative(&found, "r4.length", "r2.length") - 0.5).abs() < 1e-12);
+    assert!((yoke.derivative(&found, "r4.accel", "r2.length") + 50.0).abs() < 1e-9);
+    assert_eq!(yoke.derivative(&found, "yoke.omega", "r2.length"), 0.0);
+    // The guide runs through A, by name: where A lies the yoke follows, and r counts from A.
+    assert!((yoke.derivative(&found, "Y.x", "A.x") - 1.0).abs() < 1e-12);
+    assert_eq!(yoke.derivative(&found, "r4.length", "A.x"), 0.0);
+
+    let mut bar = Probe::preset("four-bar");
+    let found = bar.sensitivity.at(60.0).unwrap();
+    let near = |figure, length, wanted: f64| {
+        let d = bar.derivative(&found, figure, length);
+        assert!((d - wanted).abs() < 1e-10, "{figure} by {length}: {d}");
+    };
+    // A centre of mass goes along with its coordinate, and nothing else does.
+    let [cos, sin] = ["r4.com.x", "r4.com.y"].map(|l| bar.derivative(&found, "r4.com.x", l));
+    assert!((cos * cos + sin * sin - 1.0).abs() < 1e-11);
+    assert!((sin.atan2(cos).to_degrees() - (360.0 - 290.753)).abs() < 1e-3);
+    assert_eq!(bar.derivative(&found, "C.x", "r4.com.x"), 0.0);
+    near("B.x", "r2.length", 0.5);
+    near("r1.length", "D.x", 1.0);
+    // A ground that is moved as a whole moves every point and turns no link.
+    let both =
+        |figure| bar.derivative(&found, figure, "A.x") + bar.derivative(&found, figure, "D.x");
+    assert!((both("C.x") - 1.0).abs() < 1e-10 && both("r4.omega").abs() < 1e-10);
+}
+
+/// Where there is no neighbour there is no derivative, and nothing is made up.
+#[test]
+fn without_neighbours_there_is_none() {
+    // A change point lies at 0 deg; a parallelogram with other lengths does not reach it.
+    let mut parallelogram = Probe::preset("parallelogram");
+    assert!(parallelogram.sensitivity.at(0.0).is_none());
+    assert!(parallelogram.sensitivity.at(60.0).is_some());
+    // Three parallel cranks turn only as long as all lengths are what they are.
+    let mut parallel = Probe::preset("triple-parallelogram");
+    assert!(parallel.sensitivity.at(60.0).is_none());
+    // Before, at and behind the limit of a crank that cannot turn fully.
+    let limit = 82.819_244_218_541_7;
+    let pose = four_bar([60.0, 50.0, 60.0, 100.0], 60.0, [75.0, 55.0]);
+    let mut swinging = Probe::of(&pose);
+    for (at, exists) in [(limit - 1e-4, true), (limit, false), (90.0, false)] {
+        assert_eq!(swinging.sensitivity.at(at).is_some(), exists, "{at}");
+    }
+}
+
+/// Every preset has its derivatives in the middle of its motion, but where a redundant part would jam.
+#[test]
+fn presets_have_derivatives() {
+    for preset in presets::all() {
+        let mut probe = Probe::preset(preset.name);
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let found = probe.sensitivity.at(scene.mechanism.driver().start);
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let redundant = solver.plan().redundant.len();
+        assert_eq!(
+            found.is_some(),
+            redundant == 0,
+            "{}: {redundant}",
+            preset.name
+        );
+        let Some(found) = found else { continue };
+        let figures = 0..probe.names.len();
+        let worst = figures.map(|i| found.worst(i));
+        assert!(worst.fold(0.0, f64::max) > 0.4, "{}", preset.name);
+    }
+}
+
+/// A coupled group against secants of scenes that are opened anew, each with its own assembly and its own
+/// whole motion.
+#[test]
+fn a_coupled_group_follows_its_lengths() {
+    let text = presets::find("stephenson-six-bar").unwrap().text;
+    let mut probe = Probe::of(text);
+    let scene = Scene::parse(text, "test").unwrap();
+    let at = scene.mechanism.driver().start;
+    let found = probe.sensitivity.at(at).unwrap();
+    let figures = Catalogue::new(&scene).select(&["*"]).unwrap();
+    let h = 1e-3;
+    for (i, &length) in scene.mechanism.lengths().iter().enumerate() {
+        // Opened anew, with its whole motion and its own assembly.
+        let read = |by: f64| {
+            let solver = Solver::new(&scene.mechanism.changed(length, by)).unwrap();
+            let mut state = solver.state();
+            let _ = solver.solve(at, krank::solver::Order::Acceleration, &mut state);
+            figures
+                .iter()
+                .map(|f| f.value(&state).unwrap())
+                .collect::<Vec<_>>()
+        };
+        let (over, under) = (read(h), read(-h));
+        for (k, figure) in figures.iter().enumerate() {
+            let secant = (over[k] - under[k]) / (2.0 * h);
+            let error = (found.of(k)[i] - secant).abs();
+            assert!(
+                error <= 1e-5 * found.worst(k).max(1e-3),
+                "{}: {error}",
+                figure.name
+            );
+        }
+    }
+}
