@@ -1,6 +1,6 @@
 //! Opening the workbench.
 
-use super::args::{Colour, Glyphs, Size, Theme, USUAL_SCENE, View, WorkbenchArgs};
+use super::args::{Colour, Glyphs, Size, Theme, USUAL_SCENE, WorkbenchArgs};
 use super::config;
 use super::failure::Failure;
 use super::output::write_text;
@@ -50,7 +50,7 @@ pub(super) fn options(args: &WorkbenchArgs) -> Result<Options, Failure> {
         glyphs: glyphs(args.glyphs).or(config.glyphs),
         colours: colours(args.colour).or(config.colours),
         theme: args.theme.map_or(config.theme, theme),
-        view: args.view.map(view),
+        view: args.view,
         config,
         idle: args.scene.is_none() && args.at.is_none() && args.assembly.wishes.is_empty(),
     })
@@ -62,20 +62,6 @@ fn theme(wish: Theme) -> tui::Theme {
         Theme::Light => tui::Theme::Light,
         Theme::Dark => tui::Theme::Dark,
         Theme::Plain => tui::Theme::Plain,
-    }
-}
-
-fn view(wish: View) -> tui::View {
-    match wish {
-        View::Motion => tui::View::Motion,
-        View::Tables => tui::View::Tables,
-        View::Plots => tui::View::Plots,
-        View::Accuracy => tui::View::Accuracy,
-        View::Forces => tui::View::Forces,
-        View::Scene => tui::View::Scene,
-        View::Lengths => tui::View::Lengths,
-        View::Working => tui::View::Working,
-        View::Motor => tui::View::Motor,
     }
 }
 

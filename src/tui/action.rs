@@ -63,24 +63,8 @@ pub(crate) enum Action {
     Colours,
     /// The next view.
     NextView,
-    /// The motion view.
-    MotionView,
-    /// The tables view.
-    TablesView,
-    /// The view of quantities over the motion.
-    PlotsView,
-    /// The view of speed against error.
-    AccuracyView,
-    /// The view of forces.
-    ForcesView,
-    /// The view of what the scene gives.
-    SceneView,
-    /// The view of what the given lengths do.
-    LengthsView,
-    /// The view of how the figures come about.
-    WorkingView,
-    /// The view of the motor over a cycle.
-    MotorView,
+    /// This view.
+    Look(View),
     /// A line up.
     LineUp,
     /// A line down.
@@ -111,6 +95,11 @@ pub(crate) enum Action {
     Quit,
     /// Leave, from anywhere.
     Leave,
+}
+
+impl Action {
+    /// The motion view, from which one leaves for all others.
+    pub(crate) const MOTION: Action = Action::Look(View::Motion);
 }
 
 /// What the motion view alone can do.
@@ -261,15 +250,15 @@ pub(crate) static SECTIONS: [Section; 7] = {
         ] },
         Section { title: "The views", entries: &[
         entry(A::NextView, "view", "the next view", &[Key::Tab]),
-        entry(A::MotionView, "motion", "motion and live tables", &[Char('1')]),
-        entry(A::TablesView, "tables", "all tables", &[Char('2')]),
-        entry(A::PlotsView, "plots", "figures over the motion", &[Char('3')]),
-        entry(A::AccuracyView, "accuracy", "speed against error", &[Char('4')]),
-        entry(A::ForcesView, "forces", "forces", &[Char('5')]),
-        entry(A::SceneView, "scene", "edit the scene", &[Char('6')]),
-        entry(A::WorkingView, "working", "the working shown", &[Char('7')]),
-        entry(A::MotorView, "motor", "the motor over a cycle", &[Char('8')]),
-        entry(A::LengthsView, "lengths", "what each length does", &[Char('e')]),
+        entry(A::Look(View::Motion), "motion", "motion and live tables", &[Char('1')]),
+        entry(A::Look(View::Tables), "tables", "all tables", &[Char('2')]),
+        entry(A::Look(View::Plots), "plots", "figures over the motion", &[Char('3')]),
+        entry(A::Look(View::Accuracy), "accuracy", "speed against error", &[Char('4')]),
+        entry(A::Look(View::Forces), "forces", "forces", &[Char('5')]),
+        entry(A::Look(View::Scene), "scene", "edit the scene", &[Char('6')]),
+        entry(A::Look(View::Working), "working", "the working shown", &[Char('7')]),
+        entry(A::Look(View::Motor), "motor", "the motor over a cycle", &[Char('8')]),
+        entry(A::Look(View::Lengths), "lengths", "what each length does", &[Char('e')]),
         ] },
         Section { title: "What the motion view shows", entries: &[
         within(Motion, entry(A::Motion(M::Names), "names", "names of points, links", &[Char('i')])),

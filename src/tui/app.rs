@@ -161,7 +161,7 @@ impl App {
             opened: 1,
             mode: Mode::Normal,
             keymap: Keymap::default(),
-            view: View::Motion,
+            view: View::default(),
             scroll: [0; View::ALL.len()],
             message: None,
             lens: Lens::default(),
@@ -369,18 +369,7 @@ impl App {
             Action::Glyphs => self.next_glyphs(),
             Action::Colours => self.next_colours(),
             Action::NextView => self.next_view(),
-            Action::MotionView => self.look(View::Motion),
-            Action::TablesView => self.look(View::Tables),
-            Action::PlotsView => self.look(View::Plots),
-            Action::ForcesView => self.look(View::Forces),
-            Action::SceneView => self.look(View::Scene),
-            Action::LengthsView => self.look(View::Lengths),
-            Action::WorkingView => self.look(View::Working),
-            Action::MotorView => self.look(View::Motor),
-            Action::AccuracyView => {
-                self.look(View::Accuracy);
-                self.study();
-            }
+            Action::Look(view) => self.look_at(view),
         }
         Effect::Show
     }

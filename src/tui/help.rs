@@ -110,7 +110,10 @@ fn finds(words: &str, texts: &[&str]) -> bool {
 pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Entry>)> {
     let of = |view: View| {
         let here = move |entry: &&Entry| entry.place == Place::In(view);
-        (title_of(view), action::entries().filter(here).collect())
+        (
+            view.pane().title(),
+            action::entries().filter(here).collect(),
+        )
     };
     let common = action::SECTIONS.iter().map(|section| {
         let everywhere = |entry: &&Entry| entry.place == Place::Everywhere;
@@ -122,20 +125,6 @@ pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Ent
     all.chain(others.map(of))
         .filter(|(_, entries): &(_, Vec<_>)| !entries.is_empty())
         .collect()
-}
-
-fn title_of(view: View) -> &'static str {
-    match view {
-        View::Motion => "What the motion view shows",
-        View::Tables => "In the tables",
-        View::Plots => "In the plots",
-        View::Accuracy => "In the accuracy view",
-        View::Forces => "In the forces view",
-        View::Scene => "In the scene view",
-        View::Lengths => "In the lengths view",
-        View::Working => "In the working",
-        View::Motor => "In the motor view",
-    }
 }
 
 /// The keys that are built in and what they do, one row each, for a manual: the group, the keys, the

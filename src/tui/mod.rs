@@ -208,7 +208,7 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         let workbench = Workbench::on(opened, options.at, capability, size).themed(options.theme);
         let mut workbench = workbench
             .configured(&options.config)
-            .looking_at(options.view.unwrap_or(View::Motion));
+            .looking_at(options.view.unwrap_or_default());
         workbench.app().work_apart();
         if options.idle && options.config.tour && views::has_room(size) {
             workbench.app().tour_on_first_start();

@@ -1,6 +1,6 @@
 //! The screen of the workbench without a terminal.
 
-use super::{Colours, Opened, Options, View, Workbench};
+use super::{Colours, Opened, Options, Workbench};
 use crate::capability::{Capability, Judgement};
 use crate::drawing::Glyphs;
 use ratatui::layout::Size;
@@ -25,7 +25,7 @@ pub fn picture(opened: Opened, options: &Options, cols: u16, rows: u16) -> Strin
     let workbench = Workbench::on(opened, options.at, capability, size);
     let mut workbench = workbench
         .configured(&options.config)
-        .looking_at(options.view.unwrap_or(View::Motion));
+        .looking_at(options.view.unwrap_or_default());
     workbench.finish();
     workbench.text()
 }

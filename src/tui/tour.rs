@@ -2,6 +2,7 @@
 //! keys for the motion work meanwhile.
 
 use super::action::Action;
+use super::app::View;
 use super::keymap::Keymap;
 use crate::files::places;
 use std::fs::{self, File};
@@ -56,11 +57,11 @@ pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
             format!(
                 "{} has all tables, {} plots, {} the motion again.\nFigures have a proved \
                  bound where there is one: digits beyond it are dim, or dots. What does not exist is -. {} measures methods, {} what each length does.",
-                key(A::TablesView),
-                key(A::PlotsView),
-                key(A::MotionView),
-                key(A::AccuracyView),
-                key(A::LengthsView),
+                key(A::Look(View::Tables)),
+                key(A::Look(View::Plots)),
+                key(A::Look(View::Motion)),
+                key(A::Look(View::Accuracy)),
+                key(A::Look(View::Lengths)),
             ),
         ),
         3 => (
@@ -71,7 +72,7 @@ pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
                  is written before you press {}.",
                 key(A::Open),
                 key(A::NextPreset),
-                key(A::SceneView),
+                key(A::Look(View::Scene)),
                 key(A::Undo),
                 key(A::Save),
             ),
@@ -108,14 +109,7 @@ pub(crate) fn allows(action: Action) -> bool {
             | A::Opening
             | A::Glyphs
             | A::Colours
-            | A::MotionView
-            | A::TablesView
-            | A::PlotsView
-            | A::AccuracyView
-            | A::ForcesView
-            | A::SceneView
-            | A::LengthsView
-            | A::MotorView
+            | A::Look(_)
     )
 }
 

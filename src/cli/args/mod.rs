@@ -9,7 +9,7 @@ pub(super) use figures::{AccuracyArgs, ExplainArgs, Format, SweepArgs, TableArgs
 pub(super) use motor::MotorArgs;
 pub(super) use pictures::{DrawArgs, Glyphs, Names, PictureFormat, PlotArgs, Size};
 #[cfg(feature = "tui")]
-pub(super) use workbench::{Colour, Theme, View};
+pub(super) use workbench::{Colour, Theme};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
 
 use crate::assembly::Wish;

@@ -5,9 +5,11 @@ use super::{AssemblyArgs, SCENE_HELP};
 use super::{Glyphs, Size};
 #[cfg(feature = "tui")]
 use crate::report::Decimal;
+#[cfg(feature = "tui")]
+use crate::tui::View;
 use clap::Args;
 #[cfg(feature = "tui")]
-use clap::ValueEnum;
+use clap::{ValueEnum, builder::PossibleValue};
 use std::path::PathBuf;
 
 /// The scene that opens where none is named.
@@ -58,28 +60,16 @@ pub(in crate::cli) struct WorkbenchArgs {
     pub(in crate::cli) config: Option<PathBuf>,
 }
 
-/// A view of the workbench.
 #[cfg(feature = "tui")]
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum View {
-    /// The drawing, with live tables
-    Motion,
-    /// All tables
-    Tables,
-    /// Figures over the motion
-    Plots,
-    /// Speed against error
-    Accuracy,
-    /// What the driver must do, and what joints and guides bear
-    Forces,
-    /// What the scene gives
-    Scene,
-    /// What each length does
-    Lengths,
-    /// The working, line by line
-    Working,
-    /// The motor over a cycle
-    Motor,
+impl ValueEnum for View {
+    fn value_variants<'a>() -> &'a [View] {
+        &View::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let pane = self.pane();
+        Some(PossibleValue::new(pane.name()).help(pane.about()))
+    }
 }
 
 /// The colours that the workbench draws with.

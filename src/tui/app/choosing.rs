@@ -11,7 +11,7 @@ impl App {
         match self.stage.look_around() {
             Some(panel) => {
                 self.mode = Mode::Assemblies(panel.first());
-                self.view = View::Motion;
+                self.look(View::Motion);
             }
             None => self.message = Some("there is no other assembly here".into()),
         }

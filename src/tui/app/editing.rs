@@ -6,7 +6,8 @@ use super::super::edited::{self, Edited};
 use super::super::figures::coordinate;
 use super::super::history::Deed;
 use super::super::line::Line;
-use super::{App, Mode, View};
+use super::super::views::Finds;
+use super::{App, Mode};
 use crate::Input;
 use crate::scene::{Measure, Value};
 use std::time::Duration;
@@ -161,7 +162,7 @@ impl App {
 
     /// Lists the values again, while they are looked at.
     pub(super) fn relist(&mut self) {
-        if self.view == View::Scene {
+        if self.view.pane().finds() == Finds::Values {
             self.editor.list(self.stage.scene());
         }
     }

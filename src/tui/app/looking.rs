@@ -1,7 +1,7 @@
 //! What is seen: the view, how far it is scrolled, and with which characters and colours.
 
 use super::super::survey::Phase;
-use super::super::views;
+use super::super::views::{self, Finds, List};
 use super::{App, Mode, View};
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
@@ -14,18 +14,27 @@ impl App {
     pub(super) fn next_view(&mut self) {
         let views = View::ALL.iter().cycle();
         let next = views.skip_while(|view| **view != self.view).nth(1);
-        self.look(*next.unwrap_or(&View::Motion));
+        self.look(next.copied().unwrap_or_default());
     }
 
-    /// Looks at a view. What the lengths do, and the forces, are found only while they are looked at; a
-    /// study begins when it is looked at for the first time.
+    /// Its key was pressed: a study goes on, or is repeated.
+    pub(super) fn look_at(&mut self, view: View) {
+        self.look(view);
+        if view.pane().finds() == Finds::Study {
+            self.study();
+        }
+    }
+
+    /// Looks at a view. What it needs is found while it is looked at, and only then; a study begins when it is
+    /// looked at for the first time.
     pub(crate) fn look(&mut self, view: View) {
         self.view = view;
-        self.stage.answer(view == View::Lengths);
-        self.stage.balance_forces(view == View::Forces);
-        self.stage.explain(view == View::Working);
+        let finds = view.pane().finds();
+        self.stage.answer(finds == Finds::Lengths);
+        self.stage.balance_forces(finds == Finds::Forces);
+        self.stage.explain(finds == Finds::Working);
         self.relist();
-        if view == View::Accuracy && self.survey.phase() == Phase::Idle {
+        if finds == Finds::Study && self.survey.phase() == Phase::Idle {
             self.study();
         }
         self.sample();
@@ -57,14 +66,13 @@ impl App {
         let scroll = match &mut self.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(scroll) => scroll,
-            _ if self.view == View::Tables => {
-                return self.place_cursor(|cursor, table| cursor.moved(table, lines));
-            }
-            _ if self.view == View::Scene => {
-                self.editor.move_by(lines);
-                return;
-            }
-            _ => &mut self.scroll[self.view as usize],
+            _ => match self.view.pane().list() {
+                List::Lines => &mut self.scroll[self.view as usize],
+                List::Figures => {
+                    return self.place_cursor(|cursor, table| cursor.moved(table, lines));
+                }
+                List::Values => return self.editor.move_by(lines),
+            },
         };
         *scroll = scroll.saturating_add_signed(lines).min(most);
     }

@@ -65,9 +65,10 @@ impl Mode {
 }
 
 /// What is looked at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum View {
     /// The drawing, with live tables.
+    #[default]
     Motion,
     /// All tables.
     Tables,

@@ -5,7 +5,8 @@ use super::super::key::Key;
 use super::super::motor::MotorStudy;
 use super::super::plot_list::PlotList;
 use super::super::plots::Plots;
-use super::{App, Effect, Mode, View};
+use super::super::views::Finds;
+use super::{App, Effect, Mode};
 
 impl App {
     pub(super) fn plot(&mut self, action: PlotsAction) {
@@ -38,13 +39,14 @@ impl App {
 
     /// Samples what is plotted, and studies the motor, while it is looked at; what is up to date costs nothing.
     pub(super) fn sample(&mut self) {
-        if self.view == View::Plots {
+        let finds = self.view.pane().finds();
+        if finds == Finds::Curves {
             self.follow();
             let opened = [self.opened, self.comparison.number()];
             let rival = self.comparison.rival();
             self.plots.sample(&self.stage, opened, rival);
         }
-        if self.view == View::Motor {
+        if finds == Finds::Motor {
             self.motor.study(&self.stage, self.opened);
         }
     }

@@ -6,22 +6,17 @@ use super::super::cursor::{self, Cursor};
 use super::super::key::Key;
 use super::super::line::Line;
 use super::super::search::{self, Search, Whence};
-use super::super::{chosen, sheet, views};
+use super::super::views::{self, List};
+use super::super::{chosen, sheet};
 use super::{App, Effect, Mode, View};
 
 impl App {
     /// Asks for a name, in the views that have rows.
     pub(super) fn search(&mut self) {
-        let from = match self.view {
-            View::Tables => Whence::Tables(self.cursor),
-            View::Scene => Whence::Scene(self.editor.cursor()),
-            View::Motion
-            | View::Plots
-            | View::Accuracy
-            | View::Forces
-            | View::Lengths
-            | View::Working
-            | View::Motor => {
+        let from = match self.view.pane().list() {
+            List::Figures => Whence::Tables(self.cursor),
+            List::Values => Whence::Scene(self.editor.cursor()),
+            List::Lines => {
                 self.message = Some("there is nothing to search here".into());
                 return;
             }

@@ -1,17 +1,15 @@
 //! Taking figures and pictures out of the workbench.
 
 use super::super::action::Action;
-use super::super::copying::{self, Shown};
+use super::super::copying::Shown;
 use super::super::figures::coordinate;
 use super::super::key::Key;
+use super::super::views::Copied;
 use super::super::writing::{Document, Text};
 use super::super::{Origin, clipboard};
-use super::{App, Effect, Mode, View};
+use super::{App, Effect, Mode};
 use crate::quantity::Catalogue;
 use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
-
-/// Why there is nothing to take out of the plots.
-const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
 
 impl App {
     pub(super) fn take_out(&mut self, action: Action) -> Effect {
@@ -30,39 +28,14 @@ impl App {
             self.message = Some(format!("this terminal has no clipboard{}", self.mend()));
             return Effect::Show;
         }
-        match self.view {
-            View::Tables => {
-                self.mode = Mode::Copy;
-                Effect::Show
-            }
-            View::Motion => {
-                let text = self.shown().tables();
-                self.send(&text)
-            }
-            View::Scene if let Some(value) = self.editor.value() => {
-                let text = value.text();
-                self.send(&text)
-            }
-            View::Plots if let Some(curves) = self.plots.curves() => {
-                let text = copying::plotted(curves, self.stage.state());
-                self.send(&text)
-            }
-            View::Forces if let Some(balance) = self.stage.balance() => {
-                let text = copying::balanced(balance.forces());
-                self.send(&text)
-            }
-            View::Motor if let Some(text) = self.motor.text(true) => self.send(&text),
-            View::Plots
-            | View::Accuracy
-            | View::Forces
-            | View::Scene
-            | View::Lengths
-            | View::Motor
-            | View::Working => {
+        match self.view.pane().copy(self) {
+            Copied::Text(text) => return self.send(&text),
+            Copied::Asked => self.mode = Mode::Copy,
+            Copied::Nothing => {
                 self.message = Some("nothing to copy here; the tables have all".into());
-                Effect::Show
             }
         }
+        Effect::Show
     }
 
     /// Keys that answer how much of the tables is copied; `None` for those that mean the same everywhere.
@@ -83,7 +56,7 @@ impl App {
     }
 
     /// The tables as they are seen: figures, or differences.
-    fn shown(&self) -> Shown<'_> {
+    pub(crate) fn shown(&self) -> Shown<'_> {
         Shown {
             sheet: self.sheet(),
             tables: self.tables(),
@@ -114,17 +87,7 @@ impl App {
 
     /// Asks where to write the figures as they are now, or what is plotted over the motion.
     fn ask_for_csv(&mut self) {
-        let text = match self.view {
-            View::Plots => self.plots.csv().ok_or_else(|| NOTHING_PLOTTED.into()),
-            View::Motion
-            | View::Tables
-            | View::Accuracy
-            | View::Forces
-            | View::Scene
-            | View::Lengths
-            | View::Working => self.row_of_sweep(),
-            View::Motor => self.motor.csv().ok_or_else(|| self.motor.nothing()),
-        };
+        let text = self.view.pane().csv(self);
         self.offer_file(text, "the figures", "csv");
     }
 
@@ -141,7 +104,7 @@ impl App {
     }
 
     /// All figures here, as a sweep of one row has them.
-    fn row_of_sweep(&self) -> Result<String, String> {
+    pub(crate) fn row_of_sweep(&self) -> Result<String, String> {
         let (scene, at) = (self.stage.scene(), self.stage.at());
         let catalogue = Catalogue::new(scene);
         let broken = || "no figures can be written here".to_owned();
@@ -167,29 +130,9 @@ impl App {
 
     /// Asks where to write the drawing, or the plot, as it is seen.
     fn ask_for_svg(&mut self) {
-        match self.view {
-            View::Motion => {
-                let text = self.lens.svg(&self.stage);
-                self.offer_file(Ok(text), "the drawing", "svg");
-            }
-            View::Plots => {
-                let text = self.plots.svg(&self.stage);
-                let text = text.ok_or_else(|| NOTHING_PLOTTED.into());
-                self.offer_file(text, "the plot", "svg");
-            }
-            View::Motor => {
-                let text = self.motor.svg(&self.stage);
-                let text = text.ok_or_else(|| self.motor.nothing());
-                self.offer_file(text, "the curve", "svg");
-            }
-            View::Tables
-            | View::Accuracy
-            | View::Forces
-            | View::Scene
-            | View::Lengths
-            | View::Working => {
-                self.message = Some("there is no drawing in this view".into());
-            }
+        match self.view.pane().svg(self) {
+            Ok((what, text)) => self.offer_file(Ok(text), what, "svg"),
+            Err(why) => self.message = Some(why),
         }
     }
 
@@ -202,11 +145,8 @@ impl App {
             Origin::Stdin => None,
         };
         let stem = stem.unwrap_or_else(|| "scene".into());
-        let place = match self.view {
-            View::Plots if ending != "txt" => "plot".into(),
-            View::Motor if ending != "txt" => "motor".into(),
-            _ => coordinate(self.stage.at(), 0),
-        };
+        let whole = self.view.pane().whole().filter(|_| ending != "txt");
+        let place = whole.map_or_else(|| coordinate(self.stage.at(), 0), str::to_owned);
         format!("{stem}-{place}.{ending}")
     }
 }

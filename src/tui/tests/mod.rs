@@ -1,3 +1,42 @@
 //! Tests of the workbench as a whole that see inside.
 
 mod monkey;
+
+use super::action::Action;
+use super::app::{App, View};
+use super::opening;
+use crate::capability::{Capability, Colours};
+use crate::drawing::Glyphs;
+use crate::scene::presets;
+use ratatui::layout::Size;
+use std::time::Duration;
+
+/// The working of a leg is some thousand lines: whoever has left it is not to wait for them.
+#[test]
+fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
+    let capability = Capability {
+        glyphs: Glyphs::Ascii,
+        colours: Colours::None,
+        modern: false,
+    };
+    let opened = opening::preset(presets::find("four-bar-load").unwrap()).unwrap();
+    let mut app = App::new(opened, None, capability, Size::new(80, 24));
+    let found = |app: &App| {
+        let stage = app.stage();
+        let [lengths, forces] = [stage.answers().is_some(), stage.balance().is_some()];
+        [lengths, forces, stage.explained().is_some()]
+    };
+    for (view, expected) in [
+        (View::Working, [false, false, true]),
+        (View::Forces, [false, true, false]),
+        (View::Lengths, [true, false, false]),
+    ] {
+        app.update(Action::Look(view), Duration::ZERO);
+        assert_eq!(found(&app), expected, "{view:?}");
+        // The list of assemblies stands in the motion view.
+        app.update(Action::Assemblies, Duration::ZERO);
+        assert_eq!(app.view(), View::Motion);
+        assert_eq!(found(&app), [false; 3], "after {view:?}");
+        app.update(Action::Assemblies, Duration::ZERO);
+    }
+}

@@ -7,12 +7,15 @@
 //!      +--+-------+----              not needed: every group has ..
 //! ```
 
-use super::{MARGIN, columns, inset, print, print_right, show};
+use super::pane::{Finds, Pane};
+use super::{MARGIN, Sketch, columns, inset, print, print_right, show};
 use crate::drawing::trade_off;
 use crate::report::{TIME_DIGITS, error_text, method_name, time_text, unfit_text};
 use crate::study::{Errors, Figures, Finding, Findings, Verdict};
-use crate::tui::app::App;
+use crate::tui::action::Action;
+use crate::tui::app::{App, View};
 use crate::tui::stage::shown;
+use crate::tui::survey::Phase;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -65,34 +68,83 @@ fn arrange(area: Rect) -> Arrangement {
     }
 }
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let Some(findings) = app.survey().findings() else {
-        return;
-    };
-    let Arrangement { chart, list } = arrange(area);
-    render_chart(app, findings, chart, buffer);
-    let lines = lines(app, findings, list.width);
-    let most = lines.len().saturating_sub(list.height.into());
-    let scroll = app.scroll().min(most);
-    for (y, line) in (list.top()..list.bottom()).zip(lines.iter().skip(scroll)) {
-        line.render(
-            Rect {
-                y,
-                height: 1,
-                ..list
-            },
-            buffer,
-        );
-    }
-    super::mark_more(list, scroll > 0, scroll < most, buffer);
-}
+/// Speed against error.
+pub(super) struct AccuracyView;
 
-/// All lines of the list, and how many are seen.
-pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let list = arrange(area).list;
-    let findings = app.survey().findings();
-    let lines = findings.map_or(0, |findings| lines(app, findings, list.width).len());
-    (lines, list.height.into())
+impl Pane for AccuracyView {
+    fn name(&self) -> &'static str {
+        "accuracy"
+    }
+
+    fn about(&self) -> &'static str {
+        "Speed against error"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the accuracy view"
+    }
+
+    fn finds(&self) -> Finds {
+        Finds::Study
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let Some(findings) = app.survey().findings() else {
+            return;
+        };
+        let Arrangement { chart, list } = arrange(body);
+        render_chart(app, findings, chart, buffer);
+        let lines = lines(app, findings, list.width);
+        let most = lines.len().saturating_sub(list.height.into());
+        let scroll = app.scroll().min(most);
+        for (y, line) in (list.top()..list.bottom()).zip(lines.iter().skip(scroll)) {
+            line.render(
+                Rect {
+                    y,
+                    height: 1,
+                    ..list
+                },
+                buffer,
+            );
+        }
+        super::mark_more(list, scroll > 0, scroll < most, buffer);
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let list = arrange(body).list;
+        let findings = app.survey().findings();
+        let lines = findings.map_or(0, |findings| lines(app, findings, list.width).len());
+        (lines, list.height.into())
+    }
+
+    fn hints(&self, app: &App) -> &'static [Action] {
+        match app.survey().phase() {
+            Phase::Running => &[
+                Action::Help,
+                Action::Back,
+                Action::LineDown,
+                Action::MOTION,
+                Action::Quit,
+            ],
+            Phase::Idle | Phase::Stopped | Phase::Done => &[
+                Action::Help,
+                Action::Look(View::Accuracy),
+                Action::LineDown,
+                Action::MOTION,
+                Action::Quit,
+            ],
+        }
+    }
+
+    fn progress(&self, app: &App) -> Option<String> {
+        let percent = (app.survey().progress() * 100.0).floor();
+        match app.survey().phase() {
+            Phase::Idle => None,
+            Phase::Running => Some(format!("measuring {percent:>2} %")),
+            Phase::Stopped => Some(format!("stopped at {percent} %")),
+            Phase::Done => Some("all measured".into()),
+        }
+    }
 }
 
 fn render_chart(app: &App, findings: &Findings, area: Rect, buffer: &mut Buffer) {

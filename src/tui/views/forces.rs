@@ -11,12 +11,14 @@
 //! r2 at A by ground   110.758    87.4215    141.103     38.284
 //! ```
 
+use super::pane::{Copied, Finds, Pane};
 use super::table::{columns_of, doubt};
-use super::{columns, cut, mark_more, print, print_right};
+use super::{Sketch, columns, cut, inset, mark_more, print, print_right};
 use crate::quantity::Aspect;
-use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, wrapped};
+use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, upwards, wrapped};
 use crate::tui::app::App;
 use crate::tui::balance::{Balance, Formats};
+use crate::tui::copying;
 use crate::tui::figures::{Format, Written};
 use crate::tui::ledger::{Block, Columns, Line, Row};
 use crate::tui::sheet::Shown;
@@ -26,20 +28,60 @@ use crate::{Mechanism, Vec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let (placed, lines) = lines(app, area);
-    let most = lines.len().saturating_sub(area.height.into());
-    let scroll = app.scroll().min(most);
-    mark_more(area, scroll > 0, scroll < most, buffer);
-    for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
-        let height = 1;
-        render_line(app, &placed, line, Rect { y, height, ..area }, buffer);
-    }
-}
+/// What the driver must do, and what joints and guides bear.
+pub(super) struct ForcesView;
 
-/// Lines of the view, and how many are seen.
-pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    (lines(app, area).1.len(), area.height.into())
+impl Pane for ForcesView {
+    fn name(&self) -> &'static str {
+        "forces"
+    }
+
+    fn about(&self) -> &'static str {
+        "What the driver must do, and what joints and guides bear"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the forces view"
+    }
+
+    fn finds(&self) -> Finds {
+        Finds::Forces
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let area = inset(body);
+        let (placed, lines) = lines(app, area);
+        let most = lines.len().saturating_sub(area.height.into());
+        let scroll = app.scroll().min(most);
+        mark_more(area, scroll > 0, scroll < most, buffer);
+        for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
+            let height = 1;
+            render_line(app, &placed, line, Rect { y, height, ..area }, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let area = inset(body);
+        (lines(app, area).1.len(), area.height.into())
+    }
+
+    /// How far what the driver must do can be from the truth.
+    fn trust(&self, app: &App, _room: u16) -> Option<String> {
+        let drive = &app.stage().balance()?.forces().drive;
+        drive.total.value?;
+        let unit = drive.aspect.unit(app.stage().scene().unit.symbol());
+        Some(match drive.total.bound {
+            Some(bound) => format!("{} +-{} {unit}", drive.aspect.name(), upwards(bound, 1)),
+            None => format!("{}: no bound", drive.aspect.name()),
+        })
+    }
+
+    fn copy(&self, app: &App) -> Copied {
+        let balance = app.stage().balance();
+        balance.map_or(Copied::Nothing, |balance| {
+            Copied::Text(copying::balanced(balance.forces()))
+        })
+    }
 }
 
 fn lines(app: &App, area: Rect) -> (Columns, Vec<Line>) {

@@ -6,7 +6,8 @@
 //!  r3.angle [deg]                          0.843      0.193  r4.length
 //! ```
 
-use super::{cut, mark_more, print, print_right};
+use super::pane::{Finds, Pane};
+use super::{Sketch, cut, inset, mark_more, print, print_right};
 use crate::report::{Answer, Answers, NO_ANSWER};
 use crate::tui::app::App;
 use crate::tui::figures::short;
@@ -28,32 +29,54 @@ const ROOM_FOR_UNITS: u16 = 56;
 /// The names of the columns.
 const HEAD: u16 = 1;
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let columns = Columns::of(area);
-    let Some(answers) = app.stage().answers() else {
-        let text = "too many lengths: krank table --sensitivity tells what they do";
-        print_text(text, area, buffer);
-        return;
-    };
-    columns.head(answers, area.y, buffer);
-    let Some(list) = &answers.list else {
-        print_text(NO_ANSWER, below_head(area), buffer);
-        return;
-    };
-    let body = below_head(area);
-    let (lines, seen) = extent(app, area);
-    let scroll = app.scroll().min(lines.saturating_sub(seen));
-    let most = lines.saturating_sub(body.height.into());
-    mark_more(body, scroll > 0, scroll < most, buffer);
-    for (y, answer) in (body.top()..body.bottom()).zip(list.iter().skip(scroll)) {
-        columns.row(app, answer, y, buffer);
-    }
-}
+/// What each length does.
+pub(super) struct LengthsView;
 
-/// Lines of the view, and how many are seen.
-pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let list = app.stage().answers().and_then(|a| a.list.as_ref());
-    (list.map_or(0, Vec::len), below_head(area).height.into())
+impl Pane for LengthsView {
+    fn name(&self) -> &'static str {
+        "lengths"
+    }
+
+    fn about(&self) -> &'static str {
+        "What each length does"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the lengths view"
+    }
+
+    fn finds(&self) -> Finds {
+        Finds::Lengths
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let area = inset(body);
+        let columns = Columns::of(area);
+        let Some(answers) = app.stage().answers() else {
+            let text = "too many lengths: krank table --sensitivity tells what they do";
+            print_text(text, area, buffer);
+            return;
+        };
+        columns.head(answers, area.y, buffer);
+        let Some(list) = &answers.list else {
+            print_text(NO_ANSWER, below_head(area), buffer);
+            return;
+        };
+        let body = below_head(area);
+        let (lines, seen) = self.extent(app, body);
+        let scroll = app.scroll().min(lines.saturating_sub(seen));
+        let most = lines.saturating_sub(body.height.into());
+        mark_more(body, scroll > 0, scroll < most, buffer);
+        for (y, answer) in (body.top()..body.bottom()).zip(list.iter().skip(scroll)) {
+            columns.row(app, answer, y, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let area = inset(body);
+        let list = app.stage().answers().and_then(|a| a.list.as_ref());
+        (list.map_or(0, Vec::len), below_head(area).height.into())
+    }
 }
 
 fn below_head(area: Rect) -> Rect {

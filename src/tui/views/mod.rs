@@ -15,6 +15,7 @@ mod lengths;
 mod motion;
 mod motor;
 mod offer;
+mod pane;
 mod picker;
 mod plots;
 mod popup;
@@ -42,28 +43,33 @@ const MARGIN: u16 = 2;
 const SMALLEST: Size = Size::new(40, 12);
 
 pub(crate) use motion::Sketch;
+pub(crate) use pane::{Copied, Finds, List, Pane};
+
+impl View {
+    /// What is looked at in this view.
+    pub(crate) fn pane(self) -> &'static dyn Pane {
+        match self {
+            View::Motion => &motion::MotionView,
+            View::Tables => &tables::TablesView,
+            View::Plots => &plots::PlotsView,
+            View::Accuracy => &accuracy::AccuracyView,
+            View::Forces => &forces::ForcesView,
+            View::Scene => &scene::SceneView,
+            View::Lengths => &lengths::LengthsView,
+            View::Working => &working::WorkingView,
+            View::Motor => &motor::MotorView,
+        }
+    }
+}
 
 /// Brings what the screen remembers of its last frame up to date.
 pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
     if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_)) {
         return;
     }
-    let body = body(whole(app.size()));
-    match app.view() {
-        View::Motion => sketch.draw(app, body),
-        View::Scene => {
-            if let Some(area) = scene::drawing(app, body) {
-                sketch.draw_in(app, area);
-            }
-        }
-        View::Tables
-        | View::Plots
-        | View::Accuracy
-        | View::Forces
-        | View::Lengths
-        | View::Working
-        | View::Motor => {}
-    }
+    app.view()
+        .pane()
+        .prepare(app, sketch, body(whole(app.size())));
 }
 
 /// Where the screen is.
@@ -102,17 +108,7 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         return;
     }
     title::render(app, row(area, 0), buffer);
-    match app.view() {
-        View::Motion => motion::render(app, sketch, body(area), buffer),
-        View::Tables => tables::render(app, body(area), buffer),
-        View::Accuracy => accuracy::render(app, body(area), buffer),
-        View::Plots => plots::render(app, body(area), buffer),
-        View::Forces => forces::render(app, inset(body(area)), buffer),
-        View::Scene => scene::render(app, sketch, body(area), buffer),
-        View::Lengths => lengths::render(app, inset(body(area)), buffer),
-        View::Working => working::render(app, inset(body(area)), buffer),
-        View::Motor => motor::render(app, body(area), buffer),
-    }
+    app.view().pane().render(app, sketch, body(area), buffer);
     match app.mode() {
         Mode::Help(help) => help::render(app, help, body(area), buffer),
         Mode::Tour(number) => tour::render(app, *number, body(area), buffer),
@@ -158,18 +154,10 @@ fn on_top(app: &App) -> (usize, usize) {
         return (0, 0);
     }
     let body = body(area);
-    match (app.mode(), app.view()) {
-        (Mode::Help(help), _) => help::extent(app, help, body),
-        (Mode::Pick(picker), _) => picker::extent(picker, body),
-        (_, View::Motion) => table::extent(app, motion::arrange(app, body).table),
-        (_, View::Tables) => tables::extent(app, body),
-        (_, View::Accuracy) => accuracy::extent(app, body),
-        (_, View::Lengths) => lengths::extent(app, inset(body)),
-        (_, View::Working) => working::extent(app, inset(body)),
-        (_, View::Scene) => scene::extent(app, body),
-        (_, View::Plots) => plots::extent(app, body),
-        (_, View::Forces) => forces::extent(app, inset(body)),
-        (_, View::Motor) => motor::extent(app, body),
+    match app.mode() {
+        Mode::Help(help) => help::extent(app, help, body),
+        Mode::Pick(picker) => picker::extent(picker, body),
+        _ => app.view().pane().extent(app, body),
     }
 }
 

@@ -1,8 +1,11 @@
 //! The linkage, and its tables live beside or below it: wherever it is drawn larger.
 
+use super::pane::{Copied, Pane};
 use super::{assemblies, columns, inset, print, show, table};
 use crate::Vec2;
 use crate::drawing::{self, Glyphs, Labels, Piece, Raster, Reach, Role};
+use crate::report::upwards;
+use crate::tui::action::{Action, MotionAction};
 use crate::tui::app::{App, Mode};
 use crate::tui::lens::Setting;
 use crate::tui::rival::Rival;
@@ -10,6 +13,9 @@ use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::borrow::Cow;
+
+/// Offered where only a part of the motion is seen.
+pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
 
 /// Where the parts of the view are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -196,11 +202,6 @@ impl Sketch {
         &self.raster
     }
 
-    /// Draws the linkage as it is now, for a body of this size.
-    pub(super) fn draw(&mut self, app: &App, body: Rect) {
-        self.draw_in(app, arrange(app, body).drawing);
-    }
-
     /// Draws the linkage as it is now, for a drawing of this size.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
         let drawn = Some((app.opened(), app.lens().setting()));
@@ -224,15 +225,72 @@ impl Sketch {
     }
 }
 
-pub(super) fn render(app: &App, sketch: &Sketch, area: Rect, buffer: &mut Buffer) {
-    let arrangement = arrange(app, area);
-    show(&sketch.raster, arrangement.drawing, buffer);
-    explain(app, arrangement, buffer);
-    rule(app.glyphs(), arrangement.rule, buffer);
-    if let Mode::Assemblies(cursor) = *app.mode() {
-        assemblies::render(app, cursor, arrangement.table, buffer);
-    } else {
-        table::render(app, arrangement.table, buffer);
+/// The drawing, with live tables.
+pub(super) struct MotionView;
+
+impl Pane for MotionView {
+    fn name(&self) -> &'static str {
+        "motion"
+    }
+
+    fn about(&self) -> &'static str {
+        "The drawing, with live tables"
+    }
+
+    fn title(&self) -> &'static str {
+        "What the motion view shows"
+    }
+
+    fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {
+        sketch.draw_in(app, arrange(app, body).drawing);
+    }
+
+    fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let arrangement = arrange(app, body);
+        show(&sketch.raster, arrangement.drawing, buffer);
+        explain(app, arrangement, buffer);
+        rule(app.glyphs(), arrangement.rule, buffer);
+        if let Mode::Assemblies(cursor) = *app.mode() {
+            assemblies::render(app, cursor, arrangement.table, buffer);
+        } else {
+            table::render(app, arrangement.table, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        table::extent(app, arrange(app, body).table)
+    }
+
+    fn hints(&self, _app: &App) -> &'static [Action] {
+        &[
+            Action::Help,
+            FIT,
+            Action::Play,
+            Action::Quit,
+            Action::StepForward,
+            Action::GoTo,
+            Action::NextPreset,
+        ]
+    }
+
+    /// What the last state cost, where that was measured and there is room for it, and how far a place in it
+    /// can be from the truth.
+    fn trust(&self, app: &App, room: u16) -> Option<String> {
+        let stage = app.stage();
+        let bound = match stage.largest_bound() {
+            Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
+            None => "no bound".into(),
+        };
+        let both = stage.cost().map(|cost| format!("{cost}, {bound}"));
+        Some(both.filter(|both| columns(both) <= room).unwrap_or(bound))
+    }
+
+    fn copy(&self, app: &App) -> Copied {
+        Copied::Text(app.shown().tables())
+    }
+
+    fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
+        Ok(("the drawing", app.lens().svg(app.stage())))
     }
 }
 

@@ -8,7 +8,8 @@
 //!   largest              1133.76     1188.18     35.4129
 //! ```
 
-use super::{MARGIN, inset, mark_more, print, show};
+use super::pane::{Copied, Finds, Pane};
+use super::{MARGIN, Sketch, inset, mark_more, print, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::report::MotorLine;
 use crate::tui::app::App;
@@ -70,24 +71,63 @@ fn arrange(app: &App, area: Rect) -> Arrangement {
     }
 }
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let Arrangement { curve, list } = arrange(app, area);
-    if let Some(plot) = app.motor().plot() {
-        render_curve(app, plot, curve, buffer);
-    }
-    let lines = lines(app, list.width);
-    let most = lines.len().saturating_sub(list.height.into());
-    let scroll = app.scroll().min(most);
-    for (y, (text, kind)) in (list.top()..list.bottom()).zip(lines.iter().skip(scroll)) {
-        render_line(text, *kind, Rect { y, ..list }, buffer);
-    }
-    mark_more(list, scroll > 0, scroll < most, buffer);
-}
+/// The motor over a cycle.
+pub(super) struct MotorView;
 
-/// All lines of the figures, and how many are seen.
-pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let list = arrange(app, area).list;
-    (lines(app, list.width).len(), list.height.into())
+impl Pane for MotorView {
+    fn name(&self) -> &'static str {
+        "motor"
+    }
+
+    fn about(&self) -> &'static str {
+        "The motor over a cycle"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the motor view"
+    }
+
+    fn finds(&self) -> Finds {
+        Finds::Motor
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let Arrangement { curve, list } = arrange(app, body);
+        if let Some(plot) = app.motor().plot() {
+            render_curve(app, plot, curve, buffer);
+        }
+        let lines = lines(app, list.width);
+        let most = lines.len().saturating_sub(list.height.into());
+        let scroll = app.scroll().min(most);
+        for (y, (text, kind)) in (list.top()..list.bottom()).zip(lines.iter().skip(scroll)) {
+            render_line(text, *kind, Rect { y, ..list }, buffer);
+        }
+        mark_more(list, scroll > 0, scroll < most, buffer);
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let list = arrange(app, body).list;
+        (lines(app, list.width).len(), list.height.into())
+    }
+
+    fn copy(&self, app: &App) -> Copied {
+        app.motor().text(true).map_or(Copied::Nothing, Copied::Text)
+    }
+
+    fn csv(&self, app: &App) -> Result<String, String> {
+        let motor = app.motor();
+        motor.csv().ok_or_else(|| motor.nothing())
+    }
+
+    fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
+        let motor = app.motor();
+        let text = motor.svg(app.stage()).ok_or_else(|| motor.nothing())?;
+        Ok(("the curve", text))
+    }
+
+    fn whole(&self) -> Option<&'static str> {
+        Some(self.name())
+    }
 }
 
 /// How a line is shown.

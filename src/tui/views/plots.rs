@@ -6,16 +6,20 @@
 //! > [ ] C.vy     mm/s         |     0 |***:.....
 //! ```
 
-use super::{columns, cut, inset, mark_more, print, print_right, show};
+use super::pane::{Copied, Finds, Pane};
+use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::tui::action::{Action, PlotsAction};
 use crate::tui::app::{App, Mode};
+use crate::tui::copying;
 use crate::tui::plot_list::PlotList;
 use crate::tui::stage::shown;
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
+/// Why there is nothing to take out.
+const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
 /// Columns of the list beside a plot; on a screen narrower than this it stands alone.
 const LIST: u16 = 30;
 const BOTH: u16 = 70;
@@ -59,24 +63,76 @@ fn arrange(app: &App, area: Rect) -> Arrangement {
     }
 }
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let Arrangement { list, plot } = arrange(app, area);
-    if let Some(area) = plot {
-        render_plot(app, area, buffer);
-    }
-    if let (Some(area), Mode::PlotList(list)) = (list, app.mode()) {
-        render_list(app, list, area, buffer);
-    }
-}
+/// Figures over the motion.
+pub(super) struct PlotsView;
 
-/// Panels, and how many of them are seen; of the list, a page.
-pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    match (arrange(app, area).list, app.mode(), app.plots().plot()) {
-        (Some(area), Mode::PlotList(list), _) => {
-            (list.count().0, area.height.saturating_sub(HEAD).into())
+impl Pane for PlotsView {
+    fn name(&self) -> &'static str {
+        "plots"
+    }
+
+    fn about(&self) -> &'static str {
+        "Figures over the motion"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the plots"
+    }
+
+    fn finds(&self) -> Finds {
+        Finds::Curves
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let Arrangement { list, plot } = arrange(app, body);
+        if let Some(body) = plot {
+            render_plot(app, body, buffer);
         }
-        (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(area.height)),
-        (_, _, Err(_)) => (0, 0),
+        if let (Some(body), Mode::PlotList(list)) = (list, app.mode()) {
+            render_list(app, list, body, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        match (arrange(app, body).list, app.mode(), app.plots().plot()) {
+            (Some(body), Mode::PlotList(list), _) => {
+                (list.count().0, body.height.saturating_sub(HEAD).into())
+            }
+            (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(body.height)),
+            (_, _, Err(_)) => (0, 0),
+        }
+    }
+
+    fn hints(&self, _app: &App) -> &'static [Action] {
+        &[
+            Action::Help,
+            Action::Plots(PlotsAction::Choose),
+            Action::LineDown,
+            Action::Plots(PlotsAction::Abscissa),
+            Action::MOTION,
+            Action::Play,
+            Action::StepForward,
+            Action::Quit,
+        ]
+    }
+
+    fn copy(&self, app: &App) -> Copied {
+        app.plots().curves().map_or(Copied::Nothing, |curves| {
+            Copied::Text(copying::plotted(curves, app.stage().state()))
+        })
+    }
+
+    fn csv(&self, app: &App) -> Result<String, String> {
+        app.plots().csv().ok_or_else(|| NOTHING_PLOTTED.into())
+    }
+
+    fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
+        let text = app.plots().svg(app.stage());
+        Ok(("the plot", text.ok_or(NOTHING_PLOTTED)?))
+    }
+
+    fn whole(&self) -> Option<&'static str> {
+        Some("plot")
     }
 }
 

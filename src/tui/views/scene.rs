@@ -8,8 +8,10 @@
 //! ```
 
 use super::motion::rule;
+use super::pane::{Copied, Finds, List, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::scene::Value;
+use crate::tui::action::{Action, SceneAction};
 use crate::tui::app::{App, Mode};
 use crate::tui::editor::Editor;
 use crate::tui::stage::shown;
@@ -60,56 +62,99 @@ fn arrange(app: &App, body: Rect) -> Arrangement {
     }
 }
 
-/// Where the linkage is drawn, if it is.
-pub(super) fn drawing(app: &App, body: Rect) -> Option<Rect> {
-    arrange(app, body).beside.map(|(_, drawing)| drawing)
-}
-
-/// Rows of the list, and how many are seen.
-pub(super) fn extent(app: &App, body: Rect) -> (usize, usize) {
-    let height = arrange(app, body).list.height;
-    (
-        app.editor().values().len(),
-        height.saturating_sub(HEAD).into(),
-    )
-}
-
-pub(super) fn render(app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-    let Arrangement { list, beside } = arrange(app, body);
-    if let Some((line, drawing)) = beside {
-        rule(app.glyphs(), line, buffer);
-        show(sketch.raster(), drawing, buffer);
-    }
-    let editor = app.editor();
-    let columns = Columns::of(editor);
-    columns.head(editor, list, buffer);
-    let rows = Rect {
-        y: list.y + HEAD,
-        height: list.height.saturating_sub(HEAD),
-        ..list
-    };
-    let (count, height) = (editor.values().len(), usize::from(rows.height));
-    // The cursor is seen, with rows above and below it where there are some.
-    let most = count.saturating_sub(height);
-    let first = editor.cursor().saturating_sub(height / 2).min(most);
-    mark_more(rows, first > 0, first < most, buffer);
-    let seen = editor.values().iter().enumerate().skip(first);
-    for (y, (number, value)) in (rows.top()..rows.bottom()).zip(seen) {
-        let row = Rect {
-            y,
-            height: 1,
-            ..rows
-        };
-        columns.row(app, value, number == editor.cursor(), row, buffer);
-    }
-}
-
 /// Widths of the columns: those of the longest entries, so that nothing moves while values do.
 struct Columns {
     name: u16,
     whole: u16,
     fraction: u16,
     unit: u16,
+}
+
+/// Every value of the scene.
+pub(super) struct SceneView;
+
+impl Pane for SceneView {
+    fn name(&self) -> &'static str {
+        "scene"
+    }
+
+    fn about(&self) -> &'static str {
+        "What the scene gives"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the scene view"
+    }
+
+    fn finds(&self) -> Finds {
+        Finds::Values
+    }
+
+    fn list(&self) -> List {
+        List::Values
+    }
+
+    fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {
+        if let Some((_, drawing)) = arrange(app, body).beside {
+            sketch.draw_in(app, drawing);
+        }
+    }
+
+    fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let Arrangement { list, beside } = arrange(app, body);
+        if let Some((line, drawing)) = beside {
+            rule(app.glyphs(), line, buffer);
+            show(sketch.raster(), drawing, buffer);
+        }
+        let editor = app.editor();
+        let columns = Columns::of(editor);
+        columns.head(editor, list, buffer);
+        let rows = Rect {
+            y: list.y + HEAD,
+            height: list.height.saturating_sub(HEAD),
+            ..list
+        };
+        let (count, height) = (editor.values().len(), usize::from(rows.height));
+        // The cursor is seen, with rows above and below it where there are some.
+        let most = count.saturating_sub(height);
+        let first = editor.cursor().saturating_sub(height / 2).min(most);
+        mark_more(rows, first > 0, first < most, buffer);
+        let seen = editor.values().iter().enumerate().skip(first);
+        for (y, (number, value)) in (rows.top()..rows.bottom()).zip(seen) {
+            let row = Rect {
+                y,
+                height: 1,
+                ..rows
+            };
+            columns.row(app, value, number == editor.cursor(), row, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let height = arrange(app, body).list.height;
+        (
+            app.editor().values().len(),
+            height.saturating_sub(HEAD).into(),
+        )
+    }
+
+    fn hints(&self, _app: &App) -> &'static [Action] {
+        &[
+            Action::Help,
+            Action::Scene(SceneAction::Edit),
+            Action::Scene(SceneAction::NudgeDown),
+            Action::Scene(SceneAction::NudgeUp),
+            Action::Save,
+            Action::Undo,
+            Action::MOTION,
+            Action::Quit,
+        ]
+    }
+
+    fn copy(&self, app: &App) -> Copied {
+        let value = app.editor().value();
+        value.map_or(Copied::Nothing, |value| Copied::Text(value.text()))
+    }
 }
 
 impl Columns {

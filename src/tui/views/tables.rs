@@ -8,28 +8,91 @@
 //! >+ C           318.197    [236.202]
 //! ```
 
+use super::pane::{Copied, List, Pane};
 use super::table::{self, columns_of, render_line};
-use super::{MARGIN, columns, mark_more, print};
+use super::{MARGIN, Sketch, columns, mark_more, print};
+use crate::report::upwards;
+use crate::tui::action::{Action, TablesAction};
 use crate::tui::app::App;
 use crate::tui::chosen;
 use crate::tui::cursor::seen;
-use crate::tui::sheet::{Line, Part as Rows};
+use crate::tui::sheet::{FOUND, Line, Part as Rows};
 use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let (lines, height) = lines(app, area);
-    table::title(app, place(area), buffer);
-    let area = table::below_title(app, place(area));
-    let most = lines.len().saturating_sub(height);
-    let scroll = app.scroll().min(most);
-    mark_more(area, scroll > 0, scroll < most, buffer);
-    for (y, at) in (area.top()..area.bottom()).zip(seen(&lines, scroll, height)) {
-        let height = 1;
-        let area = Rect { y, height, ..area };
-        render_line(app, &lines[at], area, buffer);
-        mark(app, &lines[at], area, buffer);
+/// All figures in columns.
+pub(super) struct TablesView;
+
+impl Pane for TablesView {
+    fn name(&self) -> &'static str {
+        "tables"
+    }
+
+    fn about(&self) -> &'static str {
+        "All tables"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the tables"
+    }
+
+    fn list(&self) -> List {
+        List::Figures
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let (lines, height) = lines(app, body);
+        table::title(app, place(body), buffer);
+        let body = table::below_title(app, place(body));
+        let most = lines.len().saturating_sub(height);
+        let scroll = app.scroll().min(most);
+        mark_more(body, scroll > 0, scroll < most, buffer);
+        for (y, at) in (body.top()..body.bottom()).zip(seen(&lines, scroll, height)) {
+            let height = 1;
+            let body = Rect { y, height, ..body };
+            render_line(app, &lines[at], body, buffer);
+            mark(app, &lines[at], body, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let (lines, height) = lines(app, body);
+        (lines.len(), height)
+    }
+
+    fn hints(&self, _app: &App) -> &'static [Action] {
+        &[
+            Action::Help,
+            Action::Search,
+            Action::Copy,
+            Action::MOTION,
+            Action::Tables(TablesAction::Choose),
+            Action::Csv,
+            Action::Quit,
+        ]
+    }
+
+    fn mark(&self) -> Option<(char, &'static str)> {
+        Some((FOUND, "found"))
+    }
+
+    /// How far the figure under the cursor can be from the truth.
+    fn trust(&self, app: &App, _room: u16) -> Option<String> {
+        let (sheet, tables, cursor) = (app.sheet(), app.tables(), app.cursor());
+        let entries = sheet.entries(tables, cursor.part, cursor.row);
+        let entry = entries.get(cursor.column).copied().flatten()?;
+        let unit = sheet.unit(cursor.part, cursor.column)?;
+        entry.value?;
+        Some(match entry.bound {
+            _ if entry.given => "given".into(),
+            Some(bound) => format!("+-{} {unit}", upwards(bound, 1)),
+            None => "no bound".into(),
+        })
+    }
+
+    fn copy(&self, _app: &App) -> Copied {
+        Copied::Asked
     }
 }
 
@@ -38,11 +101,6 @@ pub(super) fn lines(app: &App, area: Rect) -> (Vec<Line>, usize) {
     let area = table::below_title(app, place(area));
     let lines = app.sheet().lines(area.width.into(), app.glyphs());
     (lines, area.height.into())
-}
-
-pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let (lines, height) = lines(app, area);
-    (lines.len(), height)
 }
 
 /// Where the figures stand: the marks to their left, the margin to their right.

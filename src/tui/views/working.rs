@@ -6,7 +6,8 @@
 //!   m = sqrt(mx^2 + my^2) = 360.555 mm
 //! ```
 
-use super::{mark_more, print};
+use super::pane::{Finds, Pane};
+use super::{Sketch, inset, mark_more, print};
 use crate::drawing::Glyphs;
 use crate::report::{LineKind, TextStyle, wrapped};
 use crate::tui::app::App;
@@ -14,26 +15,48 @@ use crate::tui::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let lines = lines(app, area);
-    let most = lines.len().saturating_sub(area.height.into());
-    let scroll = app.scroll().min(most);
-    mark_more(area, scroll > 0, scroll < most, buffer);
-    let seen = lines.iter().skip(scroll);
-    for (y, (kind, line)) in (area.top()..area.bottom()).zip(seen) {
-        let style = theme::part(match kind {
-            LineKind::Title | LineKind::Part => Part::Title,
-            LineKind::Section => Part::Name,
-            LineKind::Head => Part::Quiet,
-            LineKind::Body => Part::Text,
-        });
-        print(buffer, area.x, y, area.width, line, style);
-    }
-}
+/// The working, line by line.
+pub(super) struct WorkingView;
 
-/// Lines of the view, and how many are seen.
-pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    (lines(app, area).len(), area.height.into())
+impl Pane for WorkingView {
+    fn name(&self) -> &'static str {
+        "working"
+    }
+
+    fn about(&self) -> &'static str {
+        "The working, line by line"
+    }
+
+    fn title(&self) -> &'static str {
+        "In the working"
+    }
+
+    fn finds(&self) -> Finds {
+        Finds::Working
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let area = inset(body);
+        let lines = lines(app, area);
+        let most = lines.len().saturating_sub(area.height.into());
+        let scroll = app.scroll().min(most);
+        mark_more(area, scroll > 0, scroll < most, buffer);
+        let seen = lines.iter().skip(scroll);
+        for (y, (kind, line)) in (area.top()..area.bottom()).zip(seen) {
+            let style = theme::part(match kind {
+                LineKind::Title | LineKind::Part => Part::Title,
+                LineKind::Section => Part::Name,
+                LineKind::Head => Part::Quiet,
+                LineKind::Body => Part::Text,
+            });
+            print(buffer, area.x, y, area.width, line, style);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let area = inset(body);
+        (lines(app, area).len(), area.height.into())
+    }
 }
 
 fn lines(app: &App, area: Rect) -> Vec<(LineKind, String)> {

@@ -1,54 +1,44 @@
 //! What the line tells, part by part.
 
-use crate::report::upwards;
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::ahead::ahead;
-use crate::tui::app::{App, Mode, Unsaved, View};
+use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::figures::coordinate;
 use crate::tui::picker::Purpose;
 use crate::tui::stage::{Stage, shown};
-use crate::tui::survey::Phase;
 use crate::tui::theme::Part;
-use crate::tui::views::columns;
 use crate::tui::writing::{Document, Prompt, Question};
 
 /// More turns than this are told with an exponent.
 const MANY_TURNS: f64 = 1e7;
 
 pub(super) fn mode(app: &App) -> &'static str {
-    match (app.mode(), app.view()) {
-        (Mode::Help(_), _) => "help",
-        (Mode::Tour(_), _) => "tour",
-        (Mode::GoTo(_), _) => "go to",
-        (Mode::Assemblies(_) | Mode::PlotList(_), _) => "choose",
-        (Mode::FileName(Prompt { document, .. }), _)
-        | (Mode::Confirm(Question { document, .. }), _) => match document {
-            Document::Scene => "save",
-            Document::Text(_) => "write",
-        },
-        (Mode::Pick(picker), _) => match picker.purpose() {
+    match app.mode() {
+        Mode::Help(_) => "help",
+        Mode::Tour(_) => "tour",
+        Mode::GoTo(_) => "go to",
+        Mode::Assemblies(_) | Mode::PlotList(_) => "choose",
+        Mode::FileName(Prompt { document, .. }) | Mode::Confirm(Question { document, .. }) => {
+            match document {
+                Document::Scene => "save",
+                Document::Text(_) => "write",
+            }
+        }
+        Mode::Pick(picker) => match picker.purpose() {
             Purpose::Open => "open",
             Purpose::Compare => "compare",
         },
-        (Mode::Search(_), _) => "search",
-        (Mode::Copy, _) => "copy",
-        (Mode::Unsaved(asked), _) => match asked {
+        Mode::Search(_) => "search",
+        Mode::Copy => "copy",
+        Mode::Unsaved(asked) => match asked {
             Unsaved::Quit => "quit",
             Unsaved::Open => "open",
             Unsaved::Reload => "reload",
         },
-        (Mode::Recovery(_), _) => "recover",
-        (Mode::Value(_), _) => "edit",
-        (Mode::Normal, View::Motion) => "motion",
-        (Mode::Normal, View::Tables) => "tables",
-        (Mode::Normal, View::Accuracy) => "accuracy",
-        (Mode::Normal, View::Lengths) => "lengths",
-        (Mode::Normal, View::Working) => "working",
-        (Mode::Normal, View::Motor) => "motor",
-        (Mode::Normal, View::Plots) => "plots",
-        (Mode::Normal, View::Forces) => "forces",
-        (Mode::Normal, View::Scene) => "scene",
+        Mode::Recovery(_) => "recover",
+        Mode::Value(_) => "edit",
+        Mode::Normal => app.view().pane().name(),
     }
 }
 
@@ -90,17 +80,10 @@ pub(super) fn driver(stage: &Stage) -> String {
     }
 }
 
-/// How far the study has come, in the view that shows it: there, the driver is of no interest.
-pub(super) fn studied(app: &App) -> Option<String> {
-    let survey = app.survey();
-    let percent = (survey.progress() * 100.0).floor();
-    match survey.phase() {
-        _ if app.view() != View::Accuracy || *app.mode() != Mode::Normal => None,
-        Phase::Idle => None,
-        Phase::Running => Some(format!("measuring {percent:>2} %")),
-        Phase::Stopped => Some(format!("stopped at {percent} %")),
-        Phase::Done => Some("all measured".into()),
-    }
+/// How far the work of the view has come: there, the driver is of no interest.
+pub(super) fn progress(app: &App) -> Option<String> {
+    let is_normal = *app.mode() == Mode::Normal;
+    is_normal.then(|| app.view().pane().progress(app)).flatten()
 }
 
 /// In one word, and with what follows from it where there is room.
@@ -133,81 +116,10 @@ pub(super) fn near(app: &App) -> Option<String> {
     Some(ahead.text(stage.course(), stage.unit()))
 }
 
-/// What the last state cost, where that was measured and there is room for it, and how far a place in it
-/// can be from the truth. Not beside what the lengths do: that is another kind of error.
+/// How far the figures that are shown can be from the truth, where there is room for it.
 pub(super) fn trust(app: &App, room: u16) -> Option<String> {
-    let stage = app.stage();
-    let shows_figures = match (app.mode(), app.view()) {
-        (Mode::Normal, View::Motion | View::Tables | View::Forces) => true,
-        (
-            Mode::Normal,
-            View::Plots
-            | View::Accuracy
-            | View::Scene
-            | View::Lengths
-            | View::Working
-            | View::Motor,
-        )
-        | (
-            Mode::Help(_)
-            | Mode::Tour(_)
-            | Mode::GoTo(_)
-            | Mode::Assemblies(_)
-            | Mode::PlotList(_)
-            | Mode::FileName(_)
-            | Mode::Value(_)
-            | Mode::Confirm(_)
-            | Mode::Unsaved(_)
-            | Mode::Recovery(_)
-            | Mode::Pick(_)
-            | Mode::Search(_)
-            | Mode::Copy,
-            _,
-        ) => false,
-    };
-    if !shows_figures || app.condition() != Condition::Ok {
-        return None;
-    }
-    match app.view() {
-        View::Tables => return of_cursor(app),
-        View::Forces => return of_drive(app),
-        View::Motion
-        | View::Plots
-        | View::Accuracy
-        | View::Scene
-        | View::Lengths
-        | View::Working
-        | View::Motor => {}
-    }
-    let bound = match stage.largest_bound() {
-        Some(bound) => format!("+-{} {}", upwards(bound, 1), stage.scene().unit.symbol()),
-        None => "no bound".into(),
-    };
-    let both = stage.cost().map(|cost| format!("{cost}, {bound}"));
-    Some(both.filter(|both| columns(both) <= room).unwrap_or(bound))
-}
-
-/// How far what the driver must do can be from the truth.
-fn of_drive(app: &App) -> Option<String> {
-    let drive = &app.stage().balance()?.forces().drive;
-    drive.total.value?;
-    let unit = drive.aspect.unit(app.stage().scene().unit.symbol());
-    Some(match drive.total.bound {
-        Some(bound) => format!("{} +-{} {unit}", drive.aspect.name(), upwards(bound, 1)),
-        None => format!("{}: no bound", drive.aspect.name()),
-    })
-}
-
-/// How far the figure under the cursor can be from the truth.
-fn of_cursor(app: &App) -> Option<String> {
-    let (sheet, tables, cursor) = (app.sheet(), app.tables(), app.cursor());
-    let entries = sheet.entries(tables, cursor.part, cursor.row);
-    let entry = entries.get(cursor.column).copied().flatten()?;
-    let unit = sheet.unit(cursor.part, cursor.column)?;
-    entry.value?;
-    Some(match entry.bound {
-        _ if entry.given => "given".into(),
-        Some(bound) => format!("+-{} {unit}", upwards(bound, 1)),
-        None => "no bound".into(),
-    })
+    let shows_figures = *app.mode() == Mode::Normal && app.condition() == Condition::Ok;
+    shows_figures
+        .then(|| app.view().pane().trust(app, room))
+        .flatten()
 }

@@ -1,18 +1,15 @@
 //! The keys that matter now.
 
 use super::{ROOM_FOR_GAPS, Writer, is_listing};
-use crate::tui::action::{Action, MotionAction, PlotsAction, SceneAction, TablesAction, entry_of};
-use crate::tui::app::{App, Mode, View};
+use crate::tui::action::{Action, PlotsAction, SceneAction, entry_of};
+use crate::tui::app::{App, Mode};
 use crate::tui::key::Key;
-use crate::tui::sheet::FOUND;
 use crate::tui::survey::Phase;
 use crate::tui::views::most_scroll;
+use crate::tui::views::motion::FIT;
 
 /// What Enter does in the list of plots, where there is room to say all of it.
 const PLOT: &str = "plot it or not";
-
-/// Offered where only a part of the motion is seen.
-const FIT: Action = Action::Motion(MotionAction::Fit);
 
 /// The key that comes first, and what it does.
 pub(super) fn first(app: &App) -> (String, &'static str) {
@@ -48,87 +45,29 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         if let Some((key, name)) = hint_of(app, action) {
             line.hint(&key, name);
         }
-        if action == Action::Help && app.view() == View::Tables {
-            line.hint(&FOUND.to_string(), "found");
+        if action == Action::Help
+            && let Some((mark, meaning)) = app.view().pane().mark()
+        {
+            line.hint(&mark.to_string(), meaning);
         }
     }
 }
 
 /// What to offer now, the most important first: the last ones are dropped where there is no room.
 fn offered(app: &App) -> &'static [Action] {
-    match (app.mode(), app.view()) {
-        (Mode::Help(_), _) => &[Action::Back, Action::Search, Action::LineDown, Action::Quit],
-        (Mode::Tour(_), _) => &[Action::Back, Action::StepForward, Action::StepBack],
-        (Mode::Assemblies(_), _) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
-        (Mode::Pick(_), _) => &[Action::Back],
-        (_, View::Motion) => &[
-            Action::Help,
-            FIT,
-            Action::Play,
-            Action::Quit,
-            Action::StepForward,
-            Action::GoTo,
-            Action::NextPreset,
-        ],
-        (_, View::Accuracy) => match app.survey().phase() {
-            Phase::Running => &[
-                Action::Help,
-                Action::Back,
-                Action::LineDown,
-                Action::MotionView,
-                Action::Quit,
-            ],
-            Phase::Idle | Phase::Stopped | Phase::Done => &[
-                Action::Help,
-                Action::AccuracyView,
-                Action::LineDown,
-                Action::MotionView,
-                Action::Quit,
-            ],
-        },
-        (_, View::Tables) => &[
-            Action::Help,
-            Action::Search,
-            Action::Copy,
-            Action::MotionView,
-            Action::Tables(TablesAction::Choose),
-            Action::Csv,
-            Action::Quit,
-        ],
-        (_, View::Scene) => &[
-            Action::Help,
-            Action::Scene(SceneAction::Edit),
-            Action::Scene(SceneAction::NudgeDown),
-            Action::Scene(SceneAction::NudgeUp),
-            Action::Save,
-            Action::Undo,
-            Action::MotionView,
-            Action::Quit,
-        ],
-        (_, View::Plots) => &[
-            Action::Help,
-            Action::Plots(PlotsAction::Choose),
-            Action::LineDown,
-            Action::Plots(PlotsAction::Abscissa),
-            Action::MotionView,
-            Action::Play,
-            Action::StepForward,
-            Action::Quit,
-        ],
-        (_, View::Forces | View::Lengths | View::Working | View::Motor) => &[
-            Action::Help,
-            Action::MotionView,
-            Action::LineDown,
-            Action::Quit,
-            Action::Play,
-            Action::StepForward,
-        ],
+    match app.mode() {
+        Mode::Help(_) => &[Action::Back, Action::Search, Action::LineDown, Action::Quit],
+        Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
+        Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
+        Mode::Pick(_) => &[Action::Back],
+        _ => app.view().pane().hints(app),
     }
 }
 
 /// The first key of an action, if it has one, and what it does now.
 fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
     let key = app.keymap().key(action)?;
+    let is_looked_at = action == Action::Look(app.view());
     let name = match action {
         Action::Play if app.playback().is_playing() => "pause",
         Action::Scene(SceneAction::NudgeDown) => "less",
@@ -138,8 +77,8 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
         Action::Plots(PlotsAction::Choose) => "choose",
         Action::Plots(PlotsAction::Abscissa) => "along x",
-        Action::AccuracyView if app.survey().phase() == Phase::Stopped => "go on",
-        Action::AccuracyView if app.survey().phase() == Phase::Done => "again",
+        Action::Look(_) if app.survey().phase() == Phase::Stopped && is_looked_at => "go on",
+        Action::Look(_) if app.survey().phase() == Phase::Done && is_looked_at => "again",
         _ => entry_of(action).name,
     };
     Some((key.to_string(), name))

@@ -47,7 +47,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 /// What matters most of the state, then what was said.
 fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     line.gap(1);
-    let studied = facts::studied(app);
+    let studied = facts::progress(app);
     let is_studied = studied.is_some();
     let driver = studied.unwrap_or_else(|| facts::driver(app.stage()));
     let is_missing = app.condition() != Condition::Ok;
@@ -77,7 +77,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
 fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     let gap = if narrow { 1 } else { 2 };
     line.gap(1);
-    let studied = facts::studied(app);
+    let studied = facts::progress(app);
     let is_studied = studied.is_some();
     let driver = studied.unwrap_or_else(|| facts::driver(app.stage()));
     let state = match is_studied {

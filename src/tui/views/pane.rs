@@ -1,0 +1,131 @@
+//! What every view says of itself: all that the rest of the workbench knows of one.
+//!
+//! A view reads the workbench and changes nothing. What it needs to have found is told by [`Finds`], and what
+//! its lines are by [`List`]; the workbench does the rest. A new view is a file with an `impl Pane`, a row in
+//! `View::pane`, its name in `View`, and its key in the table of actions.
+
+use super::Sketch;
+use crate::tui::action::Action;
+use crate::tui::app::App;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// A view.
+pub(crate) trait Pane {
+    /// In one word: in the last line, and on the command line.
+    fn name(&self) -> &'static str;
+
+    /// What it shows, in the help of the command line.
+    fn about(&self) -> &'static str;
+
+    /// Above the keys in the help that it alone has.
+    fn title(&self) -> &'static str;
+
+    /// What is to be found while it is looked at, and only then.
+    fn finds(&self) -> Finds {
+        Finds::Nothing
+    }
+
+    /// What its lines are.
+    fn list(&self) -> List {
+        List::Lines
+    }
+
+    /// Brings what the screen remembers of its last frame up to date.
+    fn prepare(&self, _app: &App, _sketch: &mut Sketch, _body: Rect) {}
+
+    /// What stands between the title and the last line.
+    fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer);
+
+    /// How many lines it has, and how many of them are seen.
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize);
+
+    /// The keys to offer, the most important first: the last ones are dropped where there is no room.
+    fn hints(&self, _app: &App) -> &'static [Action] {
+        &[
+            Action::Help,
+            Action::MOTION,
+            Action::LineDown,
+            Action::Quit,
+            Action::Play,
+            Action::StepForward,
+        ]
+    }
+
+    /// A mark that is told beside the keys, and what it means.
+    fn mark(&self) -> Option<(char, &'static str)> {
+        None
+    }
+
+    /// How far its figures can be from the truth, in so many columns; `None` where it shows none.
+    fn trust(&self, _app: &App, _room: u16) -> Option<String> {
+        None
+    }
+
+    /// How far its work has come, where that is of more interest than the driver.
+    fn progress(&self, _app: &App) -> Option<String> {
+        None
+    }
+
+    /// What is copied.
+    fn copy(&self, _app: &App) -> Copied {
+        Copied::Nothing
+    }
+
+    /// What is written as CSV, or why it cannot be: all figures here, unless it shows a whole motion.
+    fn csv(&self, app: &App) -> Result<String, String> {
+        app.row_of_sweep()
+    }
+
+    /// What is written as SVG and what that is, or why it cannot be.
+    fn svg(&self, _app: &App) -> Result<(&'static str, String), String> {
+        Err("there is no drawing in this view".into())
+    }
+
+    /// What stands in the names of its files, where it shows more than one place of the motion.
+    fn whole(&self) -> Option<&'static str> {
+        None
+    }
+}
+
+/// What a view needs to have found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Finds {
+    /// The state alone, as everywhere.
+    Nothing,
+    /// What the given lengths do to the figures.
+    Lengths,
+    /// What the driver must do, and what joints and guides bear.
+    Forces,
+    /// How the figures come about.
+    Working,
+    /// The values of the scene.
+    Values,
+    /// Speed against error, piece by piece.
+    Study,
+    /// Figures over the motion.
+    Curves,
+    /// The motor over a cycle.
+    Motor,
+}
+
+/// What the lines of a view are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum List {
+    /// They are read, and scrolled.
+    Lines,
+    /// Rows of the tables, with the cursor on one figure of them.
+    Figures,
+    /// Values of the scene, with the editor's cursor on one of them.
+    Values,
+}
+
+/// What there is to copy.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Copied {
+    /// This text.
+    Text(String),
+    /// As much of the tables as a person answers.
+    Asked,
+    Nothing,
+}
