@@ -1,7 +1,7 @@
 //! Numbers of twice the digits with a bound on their error.
 
 use super::{INFLATION, U};
-use crate::{Constant, Double, Number, Vec2};
+use crate::{Ball, Constant, Double, Number, Vec2};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// What an operation in twice the precision rounds, in parts of its result (Joldes, Muller and Popescu:
@@ -35,6 +35,21 @@ impl Sharp {
     #[inline]
     pub(crate) fn way_from(self, value: f64) -> f64 {
         (self.mid.hi - value) + self.mid.lo
+    }
+}
+
+impl From<Ball> for Sharp {
+    #[inline]
+    fn from(ball: Ball) -> Sharp {
+        Sharp::new(Double::exactly(ball.mid), ball.radius)
+    }
+}
+
+impl From<Sharp> for Ball {
+    #[inline]
+    fn from(sharp: Sharp) -> Ball {
+        let Sharp { mid, radius } = sharp;
+        Ball::new(mid.hi, radius + mid.lo.abs())
     }
 }
 

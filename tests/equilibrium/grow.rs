@@ -37,6 +37,7 @@ const GROUND: usize = 0;
 
 struct Grower<'a> {
     chance: &'a mut Chance,
+    digits: Digits,
     builder: Builder,
     parts: Vec<Part>,
     /// By point.
@@ -45,9 +46,12 @@ struct Grower<'a> {
     groups: Vec<String>,
 }
 
+/// What is left of a number in the scene.
+pub(crate) type Digits = fn(f64) -> f64;
+
 /// Grows a machine of up to so many groups.
-pub(crate) fn machine(chance: &mut Chance, most: usize) -> Option<Machine> {
-    let mut grower = Grower::new(chance);
+pub(crate) fn machine(chance: &mut Chance, most: usize, digits: Digits) -> Option<Machine> {
+    let mut grower = Grower::new(chance, digits);
     let cylinder = grower.begin();
     for _ in 0..1 + grower.chance.below(most) {
         grower.group();
@@ -64,7 +68,7 @@ pub(crate) fn machine(chance: &mut Chance, most: usize) -> Option<Machine> {
 }
 
 impl<'a> Grower<'a> {
-    fn new(chance: &'a mut Chance) -> Self {
+    fn new(chance: &'a mut Chance, digits: Digits) -> Self {
         let ground = Part {
             link: None,
             origin: Vec2::ZERO,
@@ -73,6 +77,7 @@ impl<'a> Grower<'a> {
         };
         Grower {
             chance,
+            digits,
             builder: Mechanism::builder(),
             parts: vec![ground],
             places: Vec::new(),
@@ -133,7 +138,7 @@ impl<'a> Grower<'a> {
         let Part { link, points, .. } = &mut self.parts[part];
         points.push(point);
         let link = *link;
-        let local = self.parts[part].local(place);
+        let local = self.parts[part].local(place).map(self.digits);
         if let Some(link) = link {
             self.builder.carry(link, point, local);
         }
@@ -166,6 +171,7 @@ impl<'a> Grower<'a> {
     }
 
     fn ground_point(&mut self, place: Vec2) -> PointId {
+        let place = place.map(self.digits);
         let point = self.builder.ground_point(place.x, place.y);
         self.places.push(place);
         self.parts[GROUND].points.push(point);
@@ -188,7 +194,7 @@ impl<'a> Grower<'a> {
     fn bar(&mut self, from: PointId, to: PointId) {
         let [a, b] = [from, to].map(|p| self.at(p));
         if self.chance.is(0.7) {
-            let length = (b - a).norm();
+            let length = (self.digits)((b - a).norm());
             let link = Some(self.builder.link(from, to, length));
             self.parts.push(Part {
                 link,
@@ -212,7 +218,8 @@ impl<'a> Grower<'a> {
     fn guide(&mut self, part: usize, place: Vec2, angle: f64) -> (Body, Vec2, f64) {
         let through = place + angle::unit(angle) * self.chance.within(-1.0, 1.0);
         let part = &self.parts[part];
-        (part.body(), part.local(through), angle - part.angle)
+        let local = part.local(through).map(self.digits);
+        (part.body(), local, (self.digits)(angle - part.angle))
     }
 
     fn slot(&mut self, pin: PointId, part: usize, angle: f64) -> SlideId {
@@ -234,6 +241,7 @@ impl<'a> Grower<'a> {
     /// Makes a link slide on a part, with its origin on the guide.
     fn lock(&mut self, block: usize, part: usize, angle: f64) -> Option<SlideId> {
         let (place, turn) = (self.parts[block].origin, self.parts[block].angle - angle);
+        let turn = (self.digits)(turn);
         let link = self.parts[block].link?;
         let (on, through, angle) = self.guide(part, place, angle);
         Some(self.builder.sliding_link(link, turn, on, through, angle))
@@ -553,7 +561,7 @@ impl<'a> Grower<'a> {
     // ---- what acts
 
     fn load(&mut self) {
-        let gravity = self.vector(10.0);
+        let gravity = self.vector(10.0).map(self.digits);
         self.builder.gravity(gravity);
         let metres = self.chance.one_of(&[1.0, 0.01, 0.001]);
         self.builder.metres(metres);
@@ -562,11 +570,11 @@ impl<'a> Grower<'a> {
                 continue;
             };
             if self.chance.is(0.7) {
-                let local = self.vector(1.0);
+                let local = self.vector(1.0).map(self.digits);
                 self.builder.centre_of_mass(link, local);
-                let inertia = self.chance.within(0.0, 0.3) * metres * metres;
-                self.builder
-                    .mass(link, self.chance.within(0.1, 3.0), inertia);
+                let inertia = (self.digits)(self.chance.within(0.0, 0.3) * metres * metres);
+                let mass = (self.digits)(self.chance.within(0.1, 3.0));
+                self.builder.mass(link, mass, inertia);
             }
         }
         let links: Vec<LinkId> = self.parts.iter().filter_map(|part| part.link).collect();
@@ -576,25 +584,25 @@ impl<'a> Grower<'a> {
                 break;
             }
             let point = self.chance.one_of(&self.moving.clone());
-            let mut load = Load::force(point, self.vector(50.0));
+            let mut load = Load::force(point, self.vector(50.0).map(self.digits));
             if let (Load::Force { frame, .. }, true) = (&mut load, self.chance.is(0.3)) {
                 *frame = Body::Link(self.chance.one_of(&links));
             }
             self.builder.load(load);
         }
-        let torque = self.chance.within(-30.0, 30.0) * metres;
+        let torque = (self.digits)(self.chance.within(-30.0, 30.0) * metres);
         let link = self.chance.one_of(&links);
         self.builder.load(Load::torque(link, torque));
         for _ in 0..self.chance.below(3) {
             let [from, to] = [self.chance.one_of(&all), self.chance.one_of(&all)];
             if (self.at(to) - self.at(from)).norm() > 0.2 {
-                let stiffness = self.chance.within(0.0, 30.0) / metres;
+                let stiffness = (self.digits)(self.chance.within(0.0, 30.0) / metres);
                 self.builder.load(Load::Spring {
                     from,
                     to,
                     stiffness,
-                    length: self.chance.within(0.0, 2.0),
-                    damping: 0.1 * stiffness,
+                    length: (self.digits)(self.chance.within(0.0, 2.0)),
+                    damping: (self.digits)(0.1 * stiffness),
                 });
             }
         }

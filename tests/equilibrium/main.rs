@@ -7,6 +7,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod bounds;
 mod chance;
 mod grow;
 mod newton_euler;
@@ -59,7 +60,7 @@ fn forces_are_right_in_every_topology() {
         if seen.machines >= wanted {
             break;
         }
-        let Some(machine) = machine(&mut Chance(seed), MOST_GROUPS) else {
+        let Some(machine) = machine(&mut Chance(seed), MOST_GROUPS, |v| v) else {
             continue;
         };
         if let Err(why) = hold(&machine, &mut seen) {

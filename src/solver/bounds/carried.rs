@@ -126,26 +126,8 @@ impl Errors {
         self.set_link(link, &error, here, enclosure);
     }
 
-    /// What was enclosed in balls.
-    #[cold]
-    pub(super) fn take_balls(&mut self, part: Part, state: &State, enclosure: &mut State<Ball>) {
-        match part {
-            Part::Point(point) => {
-                let i = point.index();
-                let error = PointError::of_balls(&enclosure.points[i], &state.points[i]);
-                self.stand_alone(point, error, state, enclosure);
-            }
-            Part::Link(link) => {
-                let i = link.index();
-                let error = LinkError::of_balls(&enclosure.links[i], &state.links[i]);
-                self.turn_alone(link, error, state, enclosure);
-            }
-            Part::Slide(_) => {}
-        }
-    }
-
     /// What was found in twice the digits.
-    pub(super) fn take_sharp(
+    pub(super) fn take(
         &mut self,
         part: Part,
         from: &State<Sharp>,

@@ -69,6 +69,5 @@ mod tests {
         assert!(off > 2.84e-15 && off < 2.85e-15, "{off:e}");
         assert_eq!(asked_radius(-39.3), off);
         assert_eq!(asked_radius(1e-12), typed_radius(1e-12));
-        assert!(asked_radius(f64::NAN) >= 0.0 || asked_radius(f64::NAN).is_nan());
     }
 }

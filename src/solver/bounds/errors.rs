@@ -5,8 +5,8 @@
 //! as the digits of a length that was typed, and what is of the second order.
 
 use super::influence::Influences;
-use crate::arithmetic::{Sharp, U, two_sum};
-use crate::solver::coupled::Scratch;
+use crate::arithmetic::{INFLATION, Sharp, U, two_sum};
+use crate::solver::Workspace;
 use crate::solver::engine::Engine;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::step::Step;
@@ -46,19 +46,15 @@ pub(in crate::solver) struct Errors {
     pub(super) points: Vec<PointError>,
     pub(super) links: Vec<LinkError>,
     pub(super) influences: Influences,
-    /// The same in twice the digits, for steps that are run in these.
-    pub(super) sharp: Option<Box<Closely>>,
-}
-
-/// Room to run steps in twice the digits.
-#[derive(Clone, Debug)]
-pub(super) struct Closely {
-    pub state: State<Sharp>,
-    pub scratch: Scratch<Sharp>,
+    /// The same in twice the digits: what rare steps and the forces are run in.
+    pub(in crate::solver) sharp: Option<Box<Workspace<Sharp>>>,
+    /// Whether a step asks for these, whatever is asked for; and whether anything of this run does.
+    has_close_steps: bool,
+    feeds_sharp: bool,
 }
 
 /// Whether a step is run in twice the digits: what comes too seldom to be looked at more closely.
-pub(super) fn is_run_closely(step: &Step) -> bool {
+fn is_run_closely(step: &Step) -> bool {
     matches!(
         step,
         Step::CircleLine(_)
@@ -76,14 +72,12 @@ pub(super) fn size(v: Vec2) -> f64 {
     v.x.abs() + v.y.abs()
 }
 
-fn widths(v: Vec2<Ball>) -> Vec2 {
-    v.map(|v| v.radius)
-}
-
+/// Here a rest becomes a bound: it is a sum of positive terms, each rounded to nearest, and is widened by
+/// more than these can have lost.
 #[inline(always)]
 fn ball(value: f64, shift: f64, rest: f64) -> Ball {
     let (mid, lost) = two_sum(value, shift);
-    Ball::new(mid, rest + lost.abs())
+    Ball::new(mid, rest * INFLATION + lost.abs())
 }
 
 #[inline(always)]
@@ -101,9 +95,16 @@ fn sharp(value: Vec2, shift: Vec2, rest: Vec2) -> Vec2<Sharp> {
     )
 }
 
-/// From a computed value to the middle of a ball.
-fn way(ball: Vec2<Ball>, value: Vec2) -> Vec2 {
-    ball.map(|v| v.mid) - value
+/// From a computed value to one in twice the digits, and a bound of what is left: with what the way rounds,
+/// which is two sums.
+fn way(sharp: Sharp, value: f64) -> (f64, f64) {
+    let way = sharp.way_from(value);
+    (way, sharp.radius + 2.0 * U * way.abs())
+}
+
+fn ways(sharp: Vec2<Sharp>, value: Vec2) -> (Vec2, Vec2) {
+    let ((x, rest_x), (y, rest_y)) = (way(sharp.x, value.x), way(sharp.y, value.y));
+    (Vec2::new(x, y), Vec2::new(rest_x, rest_y))
 }
 
 impl PointError {
@@ -126,30 +127,14 @@ impl PointError {
         error
     }
 
-    /// Of a point that was enclosed in balls.
-    pub(super) fn of_balls(ball: &PointState<Ball>, value: &PointState) -> PointError {
-        let rest = [ball.p, ball.v, ball.a].map(widths);
-        let shift = [
-            way(ball.p, value.p),
-            way(ball.v, value.v),
-            way(ball.a, value.a),
-        ];
-        PointError::alone(shift, rest)
-    }
-
     /// Of a point that was found in twice the digits.
     pub(super) fn of_sharp(sharp: &PointState<Sharp>, value: &PointState) -> PointError {
-        let found = [(sharp.p, value.p), (sharp.v, value.v), (sharp.a, value.a)];
-        let shift = found
-            .map(|(sharp, value)| Vec2::new(sharp.x.way_from(value.x), sharp.y.way_from(value.y)));
-        let rest = std::array::from_fn(|k| {
-            let (of, shift) = (found[k].0, shift[k]);
-            Vec2::new(
-                of.x.radius + U * shift.x.abs(),
-                of.y.radius + U * shift.y.abs(),
-            )
-        });
-        PointError::alone(shift, rest)
+        let found = [
+            ways(sharp.p, value.p),
+            ways(sharp.v, value.v),
+            ways(sharp.a, value.a),
+        ];
+        PointError::alone(found.map(|f| f.0), found.map(|f| f.1))
     }
 
     fn sharp(&self, value: &PointState) -> PointState<Sharp> {
@@ -177,29 +162,14 @@ impl LinkError {
         self.shift[order - 1].abs() + self.rest[order]
     }
 
-    /// Of a link that was enclosed in balls.
-    pub(super) fn of_balls(ball: &LinkState<Ball>, value: &LinkState) -> LinkError {
-        let rest = [size(widths(ball.d)), ball.w.radius, ball.a.radius];
-        LinkError {
-            direction: way(ball.d, value.d),
-            shift: [ball.w.mid - value.w, ball.a.mid - value.a],
-            rest,
-            own: rest,
-        }
-    }
-
     /// Of a link that was found in twice the digits.
     pub(super) fn of_sharp(sharp: &LinkState<Sharp>, value: &LinkState) -> LinkError {
-        let direction = Vec2::new(sharp.d.x.way_from(value.d.x), sharp.d.y.way_from(value.d.y));
-        let shift = [sharp.w.way_from(value.w), sharp.a.way_from(value.a)];
-        let rest = [
-            sharp.d.x.radius + sharp.d.y.radius + U * size(direction),
-            sharp.w.radius + U * shift[0].abs(),
-            sharp.a.radius + U * shift[1].abs(),
-        ];
+        let (direction, turned) = ways(sharp.d, value.d);
+        let ((w, rest_w), (a, rest_a)) = (way(sharp.w, value.w), way(sharp.a, value.a));
+        let rest = [size(turned), rest_w, rest_a];
         LinkError {
             direction,
-            shift,
+            shift: [w, a],
             rest,
             own: rest,
         }
@@ -237,7 +207,7 @@ impl LinkError {
 
 impl Errors {
     /// Room for the errors of an engine's states, with those of its constants in it.
-    pub(super) fn new(engine: &Engine, slides: usize) -> Errors {
+    pub(super) fn new(engine: &Engine, sharp: Workspace<Sharp>) -> Errors {
         let program = &engine.program;
         let off = |v: Vec2<Constant>| v.map(|v| v.radius + TWICE * v.hi.abs());
         let points = program.points.iter().map(|&p| {
@@ -250,20 +220,20 @@ impl Errors {
             own: [size(off(d)), 0.0, 0.0],
             ..LinkError::default()
         });
-        let closely = || {
-            let work = engine.state(slides);
-            Box::new(Closely {
-                state: work.state,
-                scratch: work.scratch,
-            })
-        };
-        let is_close = program.steps.iter().any(is_run_closely);
         Errors {
             points: points.collect(),
             links: links.collect(),
             influences: Influences::new(program),
-            sharp: is_close.then(closely),
+            sharp: Some(Box::new(sharp)),
+            has_close_steps: program.steps.iter().any(is_run_closely),
+            feeds_sharp: false,
         }
+    }
+
+    /// Before a state, and whether its forces are asked for.
+    pub(super) fn begin(&mut self, with_forces: bool) {
+        self.influences.begin();
+        self.feeds_sharp = with_forces || self.has_close_steps;
     }
 
     #[inline(always)]
@@ -274,6 +244,15 @@ impl Errors {
     #[inline(always)]
     pub(super) fn link(&self, link: LinkId) -> &LinkError {
         &self.links[link.index()]
+    }
+
+    /// Where a slide is, in twice the digits, where these are asked for.
+    pub(super) fn travel<const ORDER: u8>(&mut self, step: &Step) {
+        if self.feeds_sharp
+            && let Some(sharp) = &mut self.sharp
+        {
+            super::travel::<Sharp, ORDER>(step, &mut sharp.state);
+        }
     }
 
     /// Notes the error of a point, and encloses it.
@@ -288,8 +267,10 @@ impl Errors {
         let i = point.index();
         let value = &state.points[i];
         enclosure.points[i] = error.balls(value);
-        if let Some(closely) = &mut self.sharp {
-            closely.state.points[i] = error.sharp(value);
+        if self.feeds_sharp
+            && let Some(sharp) = &mut self.sharp
+        {
+            sharp.state.points[i] = error.sharp(value);
         }
         self.points[i] = *error;
     }
@@ -305,8 +286,10 @@ impl Errors {
     ) {
         let i = link.index();
         enclosure.links[i] = error.balls(value);
-        if let Some(closely) = &mut self.sharp {
-            closely.state.links[i] = error.sharp(value);
+        if self.feeds_sharp
+            && let Some(sharp) = &mut self.sharp
+        {
+            sharp.state.links[i] = error.sharp(value);
         }
         self.links[i] = *error;
     }

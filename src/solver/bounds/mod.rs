@@ -28,7 +28,7 @@ use super::coupled::{Scratch, Views};
 use super::demand::{Part, outputs};
 use super::engine::Engine;
 use super::forces::Balance;
-use super::state::{Condition, LinkState, State};
+use super::state::{Condition, LinkState, PointState, State};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
@@ -46,7 +46,12 @@ impl Solver {
     /// Room for a state with bounds.
     #[must_use]
     pub fn enclosure(&self) -> Workspace<Ball> {
-        self.with_forces(self.engine.enclosure(self.slides))
+        let mut enclosure = self.room();
+        let groups = self.engine.program.coupled.iter();
+        let work = groups.map(|g| g.work()).max().unwrap_or(0);
+        enclosure.scratch.work = vec![0.0; work];
+        enclosure.errors = Errors::new(&self.engine, self.room());
+        enclosure
     }
 
     /// Encloses what the solver has just put into `state`: every figure that is read from
@@ -74,6 +79,31 @@ impl Solver {
     }
 }
 
+/// Where a slide is.
+fn travel<T: Number, const ORDER: u8>(step: &Step, state: &mut State<T>) {
+    let _ = step.run::<T, ORDER>(T::default(), Vec2::default(), state);
+}
+
+impl State<Sharp> {
+    /// Takes what was enclosed in balls.
+    fn sharpen(&mut self, part: Part, balls: &State<Ball>) {
+        let vector = |v: Vec2<Ball>| v.map(Sharp::from);
+        match part {
+            Part::Point(point) => {
+                let PointState { p, v, a } = balls.points[point.index()];
+                let [p, v, a] = [p, v, a].map(vector);
+                self.points[point.index()] = PointState { p, v, a };
+            }
+            Part::Link(link) => {
+                let LinkState { d, w, a } = balls.links[link.index()];
+                let (d, [w, a]) = (vector(d), [w, a].map(Sharp::from));
+                self.links[link.index()] = LinkState { d, w, a };
+            }
+            Part::Slide(_) => {}
+        }
+    }
+}
+
 impl Dyad<'_> {
     /// Positions alone, where the assemblies are too close to be told apart.
     #[cold]
@@ -89,20 +119,12 @@ impl Dyad<'_> {
 }
 
 impl Engine {
-    fn enclosure(&self, slides: usize) -> Workspace<Ball> {
-        let mut enclosure: Workspace<Ball> = self.state(slides);
-        let groups = self.program.coupled.iter();
-        let work = groups.map(|g| g.work()).max().unwrap_or(0);
-        enclosure.scratch.work = vec![0.0; work];
-        enclosure.errors = Errors::new(self, slides);
-        enclosure
-    }
-
     /// Encloses a state.
     fn enclose_to(&self, at: f64, order: Order, state: &State, work: &mut Workspace<Ball>) {
         let enclosure = &mut work.state;
         enclosure.begin(Ball::new(at, asked_radius(at)), order);
         enclosure.condition = state.condition;
+        work.errors.begin(order == Order::Force);
         if state.condition == Condition::NoAssembly {
             return;
         }
@@ -124,7 +146,6 @@ impl Engine {
         } else {
             LinkError::default()
         };
-        errors.influences.begin();
         for step in &self.program.steps {
             let proved = match *step {
                 Step::Circles(ref c) => c.enclose::<ORDER>(state, errors, enclosure),
@@ -168,8 +189,9 @@ impl Engine {
                     self.enclose_closely::<ORDER>(step, state, enclosure, errors, &mut work.scratch)
                 }
                 Step::Travel { .. } => {
-                    let (q, none) = (Ball::default(), Vec2::default());
-                    step.run::<Ball, ORDER>(q, none, enclosure) == Outcome::Done
+                    travel::<Ball, ORDER>(step, enclosure);
+                    errors.travel::<ORDER>(step);
+                    true
                 }
             };
             if !proved {
@@ -187,7 +209,7 @@ impl Engine {
         errors: &mut Errors,
         scratch: &mut Scratch<Ball>,
     ) -> bool {
-        let Some(mut closely) = errors.sharp.take() else {
+        let Some(mut sharp) = errors.sharp.take() else {
             return false;
         };
         let at = enclosure.at;
@@ -198,25 +220,25 @@ impl Engine {
             exact / Sharp::exactly(self.frame.scale)
         };
         if let Some(group) = step.choice() {
-            closely.state.signs[group] = Sharp::exactly(state.signs[group]);
+            sharp.state.signs[group] = Sharp::exactly(state.signs[group]);
         }
         let proved = if let Step::Coupled { index } = *step {
             let ball = Ball::new(q.mid.hi, q.radius + q.mid.lo.abs());
             let mut views = Views {
                 balls: (enclosure, scratch),
-                sharp: (&mut closely.state, &mut closely.scratch),
+                sharp: (&mut sharp.state, &mut sharp.scratch),
             };
             self.program.coupled[index].enclose((ball, q), ORDER, state, &mut views)
         } else {
             let none = Vec2::default();
-            step.run::<Sharp, ORDER>(q, none, &mut closely.state) == Outcome::Done
+            step.run::<Sharp, ORDER>(q, none, &mut sharp.state) == Outcome::Done
         };
         if proved {
             outputs(step, &self.program.coupled, &mut |part| {
-                errors.take_sharp(part, &closely.state, state, enclosure);
+                errors.take(part, &sharp.state, state, enclosure);
             });
         }
-        errors.sharp = Some(closely);
+        errors.sharp = Some(sharp);
         proved
     }
 
@@ -233,9 +255,14 @@ impl Engine {
         if !step.dyad().is_some_and(stretched) {
             self.forget(step, enclosure);
         }
+        let Some(mut sharp) = errors.sharp.take() else {
+            return;
+        };
         outputs(step, &self.program.coupled, &mut |part| {
-            errors.take_balls(part, state, enclosure);
+            sharp.state.sharpen(part, enclosure);
+            errors.take(part, &sharp.state, state, enclosure);
         });
+        errors.sharp = Some(sharp);
     }
 
     /// Nothing is known of what a step places.

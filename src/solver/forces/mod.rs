@@ -42,6 +42,7 @@ use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
+use crate::arithmetic::Sharp;
 use crate::{Ball, Constant, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
 use acting::{Acting, Bears};
 use frame::Framed;
@@ -164,6 +165,28 @@ impl<T: Number> Forces<T> {
     fn against(&self, part: Part) -> T {
         // Subtracted, so that nothing has no sign.
         T::default() - self.work[part as usize] * self.scale.drive
+    }
+}
+
+impl Forces<Ball> {
+    /// Takes all that is read from forces in twice the digits.
+    fn round(&mut self, of: &Forces<Sharp>) {
+        let vector = |v: Vec2<Sharp>| v.map(Ball::from);
+        let numbers = |to: &mut [Ball], from: &[Sharp]| {
+            for (to, &from) in to.iter_mut().zip(from) {
+                *to = Ball::from(from);
+            }
+        };
+        for (to, &from) in self.joints.iter_mut().zip(&of.joints) {
+            *to = vector(from);
+        }
+        numbers(&mut self.normals, &of.normals);
+        numbers(&mut self.moments, &of.moments);
+        self.extent = of.extent;
+        self.drive = of.drive.into();
+        self.work = of.work.map(Ball::from);
+        (self.sum, self.sum_moment) = (vector(of.sum), of.sum_moment.into());
+        (self.frame, self.frame_moment) = (vector(of.frame), of.frame_moment.into());
     }
 }
 
@@ -300,6 +323,9 @@ impl Balance {
     }
 
     /// Encloses the forces of a state; the bounds of the residuals then say whether it keeps its own.
+    ///
+    /// They are found once more in twice the digits, at the motion as it is known there: what is left is
+    /// what the motion and the numbers of the scene can be off by.
     pub(super) fn enclose(
         balance: Option<&Balance>,
         engine: &Engine,
@@ -307,8 +333,21 @@ impl Balance {
         state: &mut State,
         enclosure: &mut Workspace<Ball>,
     ) {
-        Balance::find(balance, engine, order, enclosure);
-        state.check_by_bounds(enclosure);
+        let Workspace {
+            state: balls,
+            errors,
+            ..
+        } = enclosure;
+        let Some(sharp) = &mut errors.sharp else {
+            return;
+        };
+        sharp.state.begin(Sharp::from(balls.at), order);
+        sharp.state.condition = balls.condition;
+        Balance::find(balance, engine, order, sharp);
+        if let (Some(forces), Some(found)) = (&mut balls.forces, &sharp.state.forces) {
+            forces.round(found);
+        }
+        state.check_by_bounds(balls);
     }
 
     /// The forces as they are found.
