@@ -1,11 +1,11 @@
 //! Bounds of what follows from points and links without a constraint to solve.
 
 use super::errors::{Errors, LinkError, PointError, size};
-use super::limb::{Limb, SUM};
-use crate::arithmetic::{Halves, Sharp, U, two_sum};
+use super::limb::{Limb, SUM, difference, swing_rest, turned_closely};
+use crate::arithmetic::{Sharp, U};
 use crate::solver::demand::Part;
-use crate::solver::state::{LinkState, State};
-use crate::solver::step::Arm;
+use crate::solver::state::State;
+use crate::solver::step::{ACCELERATION, Arm, VELOCITY};
 use crate::{Ball, Constant, Double, LinkId, PointId, Vec2};
 
 impl Errors {
@@ -22,15 +22,29 @@ impl Errors {
         enclosure: &mut State<Ball>,
     ) {
         let link = &state.links[arm.link.index()];
-        let ends = [self.point(end), self.point(arm.pivot)];
-        let mut error = limb.link_error::<ORDER>(arm, link, ends, along);
-        let ends = [end, arm.pivot];
-        self.influences.between(arm.link, limb.across(), ends);
-        for order in 0..=ORDER as usize {
-            let moved = self.influences.of_link(arm.link, order);
-            error.rest[order] = moved * (1.0 + SUM) + error.own[order];
+        let [x, p] = [end, arm.pivot].map(|point| self.point(point));
+        let mut error = limb.link_error::<ORDER>(arm, link, [x, p], along);
+        let gain = limb.gain();
+        if self.influences.has_link(arm.link) {
+            let ends = [end, arm.pivot];
+            let [x, p] = ends.map(|point| self.left_without_row(point));
+            let new = std::array::from_fn(|k| error.rest[k] + gain * (x[k] + p[k]));
+            error.rest = self.influences.between(arm.link, new, limb.across(), ends);
+        } else {
+            for k in 0..=ORDER as usize {
+                error.rest[k] += gain * (x.left[k] + p.left[k]);
+            }
         }
         self.set_link(arm.link, &error, link, enclosure);
+    }
+
+    /// What is left of a point that has no row to say it.
+    fn left_without_row(&self, point: PointId) -> [f64; 3] {
+        if self.influences.has_point(point) {
+            [0.0; 3]
+        } else {
+            self.point(point).left
+        }
     }
 
     /// A link both of whose ends are known.
@@ -65,36 +79,60 @@ impl Errors {
         let [x, p] = [point, base].map(|point| &state.points[point.index()]);
         let body = &state.links[link.index()];
         let limb = Limb::new::<ORDER>(x, p, body);
-        let mut error = limb.point_error::<ORDER>(local, body, self.point(base), self.link(link));
-        self.influences.ride(point, base, link, limb.e.perp());
-        let bounds = error.own.map(|own| Vec2::new(own, own));
-        if self.influences.add_own(point, bounds) {
-            error.own = [0.0; 3];
+        let (from, turned) = (self.point(base), self.link(link));
+        let mut error = limb.point_error::<ORDER>(local, body, from, turned);
+        let length = limb.sizes[0];
+        let mut left = error.left;
+        if self.influences.has_point(point) {
+            let base_left = self.left_without_row(base);
+            let is_rowed = self.influences.has_link(link);
+            let turn_left = if is_rowed { [0.0; 3] } else { turned.rest };
+            for k in 0..3 {
+                left[k] += base_left[k] + length * turn_left[k];
+            }
+            let arm = (link, limb.e.perp());
+            left = self.influences.ride(point, left, base, arm);
+        } else {
+            for k in 0..=ORDER as usize {
+                left[k] += from.left[k] + length * turned.rest[k];
+            }
         }
-        for order in 0..=ORDER as usize {
-            let moved = self.influences.of_point(point, order);
-            error.rest[order] = moved.map(|v| v * (1.0 + SUM) + error.own[order]);
-            error.settle(order);
+        for (k, left) in left.into_iter().enumerate().take(ORDER as usize + 1) {
+            error.settle(k, left);
         }
         self.set_point(point, &error, state, enclosure);
     }
 
-    /// A point of the driven link.
+    /// A point of the driven link, whose angle is the coordinate: with r the arm, V - V_P = k x r and
+    /// A - A_P = -r.
     #[inline(always)]
     pub(super) fn spin<const ORDER: u8>(
         &mut self,
         [point, pivot]: [PointId; 2],
-        (crank, turned): (&LinkState, &LinkError),
+        (d, turned): (Vec2, &LinkError),
         local: Vec2<Constant>,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
         let [x, p] = [point, pivot].map(|point| &state.points[point.index()]);
-        let limb = Limb::new::<ORDER>(x, p, crank);
-        let mut error = limb.point_error::<ORDER>(local, crank, self.point(pivot), turned);
-        for order in 0..=ORDER as usize {
-            error.rest[order] = Vec2::new(error.own[order], error.own[order]);
-            error.settle(order);
+        let from = self.point(pivot);
+        let [arm, low] = turned_closely(local, d);
+        let swing = low + local.map(|v| v.hi).turned(turned.direction);
+        let rest = size(local.map(|v| v.hi)) * turned.along + swing_rest(local, turned);
+        let mut error = PointError::default();
+        let mut see = |k: usize, way: Vec2<Double>, arm: Vec2, swing: Vec2| {
+            let miss = arm - way.map(|v| v.hi);
+            let step = (miss - way.map(|v| v.lo)) + swing;
+            error.shift[k] = from.shift[k] + step;
+            let rounding = SUM * (size(miss) + size(swing) + from.most[k]);
+            error.settle(k, from.left[k] + rest + rounding);
+        };
+        see(0, difference(x.p, p.p), arm, swing);
+        if ORDER >= VELOCITY {
+            see(1, difference(x.v, p.v), arm.perp(), swing.perp());
+        }
+        if ORDER >= ACCELERATION {
+            see(2, difference(x.a, p.a), -arm, -swing);
         }
         self.set_point(point, &error, state, enclosure);
     }
@@ -118,11 +156,16 @@ impl Errors {
             direction: moved - miss,
             ..from
         };
-        for error in [&mut error.own[0], &mut error.rest[0]] {
-            *error = 2.0 * *error + 2.0 * typed + rounding;
+        let new = 2.0 * typed + rounding;
+        error.along = 2.0 * from.along + new;
+        if self.influences.has_link(link) {
+            let is_rowed = self.influences.has_link(to);
+            let mut left = if is_rowed { [0.0; 3] } else { from.rest };
+            left[0] += new;
+            error.rest = self.influences.lock(link, left, to);
+        } else {
+            error.rest[0] += new;
         }
-        error.rest[0] = from.rest[0] + error.own[0];
-        self.influences.lock(link, to);
         self.set_link(link, &error, here, enclosure);
     }
 
@@ -153,12 +196,12 @@ impl Errors {
     fn stand_alone(
         &mut self,
         point: PointId,
-        mut error: PointError,
+        error: PointError,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
-        if self.influences.point_alone(point, error.rest) {
-            error.own = [0.0; 3];
+        if self.influences.has_point(point) {
+            self.influences.point_alone(point, error.left);
         }
         self.set_point(point, &error, state, enclosure);
     }
@@ -172,29 +215,20 @@ impl Errors {
         enclosure: &mut State<Ball>,
     ) {
         let value = &state.links[link.index()];
-        if self.influences.link_alone(link, error.rest) {
-            // The truth is a unit vector.
-            let d = value.d.map(Double::exactly) + error.direction.map(Double::exactly);
-            let long = (d.norm2() - Double::ONE).hi.abs();
-            let along = long + error.rest[0] * error.rest[0];
-            error.own = [along.min(error.own[0]), 0.0, 0.0];
+        if self.influences.has_link(link) {
+            self.influences.link_alone(link, error.rest);
         }
+        // The truth is a unit vector.
+        let d = value.d.map(Double::exactly) + error.direction.map(Double::exactly);
+        let long = (d.norm2() - Double::ONE).hi.abs();
+        let along = long + error.rest[0] * error.rest[0];
+        error.along = along.min(error.along);
         self.set_link(link, &error, value, enclosure);
     }
 }
 
 /// d - R(turn) d0, to twice the digits.
 fn missed(d: Vec2, from: Vec2, turn: Vec2<Constant>) -> Vec2 {
-    let (t, f) = (turn.map(|v| Halves::of(v.hi)), from.map(Halves::of));
-    let ((a, b), (p, q)) = (
-        (t.x.times(f.x), t.y.times(f.y)),
-        (t.x.times(f.y), t.y.times(f.x)),
-    );
-    let (sx, lost_x) = two_sum(a.hi, -b.hi);
-    let (sy, lost_y) = two_sum(p.hi, q.hi);
-    let low = from.turned(turn.map(|v| v.lo));
-    Vec2::new(
-        (d.x - sx) - (lost_x + (a.lo - b.lo) + low.x),
-        (d.y - sy) - (lost_y + (p.lo + q.lo) + low.y),
-    )
+    let [turned, low] = turned_closely(turn, from);
+    (d - turned) - low
 }

@@ -42,7 +42,7 @@ pub(super) fn crank_error(d: Vec2, degrees: f64, radius: f64) -> LinkError {
             (close.y.hi - d.y) + close.y.lo,
         ),
         rest: [off, 0.0, 0.0],
-        own: [off, 0.0, 0.0],
+        along: off,
         ..LinkError::default()
     }
 }

@@ -19,11 +19,7 @@ const TWICE: f64 = 1e-31;
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct PointError {
     pub shift: [Vec2; 3],
-    /// Bounds of the rest, in each component.
-    pub rest: [Vec2; 3],
-    /// What of the rest is not the influence of constraints: a bound of the sum of its components.
-    pub own: [f64; 3],
-    /// The size of the rest, and how far the true one can be from the computed one at most.
+    /// Bounds of the rest in each component, and of how far the true figure is from the computed one.
     pub left: [f64; 3],
     pub most: [f64; 3],
 }
@@ -36,8 +32,8 @@ pub(super) struct LinkError {
     pub shift: [f64; 2],
     /// Bounds of the rest: of the angle and its rates.
     pub rest: [f64; 3],
-    /// What of the rest is not the influence of constraints; of the direction along itself, too.
-    pub own: [f64; 3],
+    /// Of the direction along itself.
+    pub along: f64,
 }
 
 /// Of all points and links, and what of their rests comes from which constraint.
@@ -72,6 +68,12 @@ pub(super) fn size(v: Vec2) -> f64 {
     v.x.abs() + v.y.abs()
 }
 
+/// The larger of the sizes of the components.
+#[inline(always)]
+pub(super) fn larger(v: Vec2) -> f64 {
+    v.x.abs().max(v.y.abs())
+}
+
 /// Here a rest becomes a bound: it is a sum of positive terms, each rounded to nearest, and is widened by
 /// more than these can have lost.
 #[inline(always)]
@@ -81,17 +83,14 @@ fn ball(value: f64, shift: f64, rest: f64) -> Ball {
 }
 
 #[inline(always)]
-fn balls(value: Vec2, shift: Vec2, rest: Vec2) -> Vec2<Ball> {
-    Vec2::new(
-        ball(value.x, shift.x, rest.x),
-        ball(value.y, shift.y, rest.y),
-    )
+fn balls(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Ball> {
+    Vec2::new(ball(value.x, shift.x, rest), ball(value.y, shift.y, rest))
 }
 
-fn sharp(value: Vec2, shift: Vec2, rest: Vec2) -> Vec2<Sharp> {
+fn sharp(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Sharp> {
     Vec2::new(
-        Sharp::new(Double::sum(value.x, shift.x), rest.x),
-        Sharp::new(Double::sum(value.y, shift.y), rest.y),
+        Sharp::new(Double::sum(value.x, shift.x), rest),
+        Sharp::new(Double::sum(value.y, shift.y), rest),
     )
 }
 
@@ -102,28 +101,28 @@ fn way(sharp: Sharp, value: f64) -> (f64, f64) {
     (way, sharp.radius + 2.0 * U * way.abs())
 }
 
-fn ways(sharp: Vec2<Sharp>, value: Vec2) -> (Vec2, Vec2) {
+/// The same of a vector, and a bound in each component.
+fn ways(sharp: Vec2<Sharp>, value: Vec2) -> (Vec2, f64) {
     let ((x, rest_x), (y, rest_y)) = (way(sharp.x, value.x), way(sharp.y, value.y));
-    (Vec2::new(x, y), Vec2::new(rest_x, rest_y))
+    // Written so that NaN is kept.
+    let rest = if rest_x <= rest_y { rest_y } else { rest_x };
+    (Vec2::new(x, y), rest)
 }
 
 impl PointError {
-    /// Sums up an order once its shift and its rest are known.
+    /// Notes what is left of an order once its shift is known.
     #[inline(always)]
-    pub(super) fn settle(&mut self, order: usize) {
-        self.left[order] = self.rest[order].x + self.rest[order].y;
-        self.most[order] = size(self.shift[order]) + self.left[order];
+    pub(super) fn settle(&mut self, order: usize, left: f64) {
+        self.left[order] = left;
+        self.most[order] = larger(self.shift[order]) + left;
     }
 
-    /// With a shift and a rest that is all its own.
-    fn alone(shift: [Vec2; 3], rest: [Vec2; 3]) -> PointError {
+    fn new(shift: [Vec2; 3], left: [f64; 3]) -> PointError {
         let mut error = PointError {
             shift,
-            rest,
-            own: rest.map(size),
             ..PointError::default()
         };
-        (0..3).for_each(|order| error.settle(order));
+        (0..3).for_each(|order| error.settle(order, left[order]));
         error
     }
 
@@ -134,23 +133,23 @@ impl PointError {
             ways(sharp.v, value.v),
             ways(sharp.a, value.a),
         ];
-        PointError::alone(found.map(|f| f.0), found.map(|f| f.1))
+        PointError::new(found.map(|f| f.0), found.map(|f| f.1))
     }
 
     fn sharp(&self, value: &PointState) -> PointState<Sharp> {
         PointState {
-            p: sharp(value.p, self.shift[0], self.rest[0]),
-            v: sharp(value.v, self.shift[1], self.rest[1]),
-            a: sharp(value.a, self.shift[2], self.rest[2]),
+            p: sharp(value.p, self.shift[0], self.left[0]),
+            v: sharp(value.v, self.shift[1], self.left[1]),
+            a: sharp(value.a, self.shift[2], self.left[2]),
         }
     }
 
     #[inline(always)]
     fn balls(&self, value: &PointState) -> PointState<Ball> {
         PointState {
-            p: balls(value.p, self.shift[0], self.rest[0]),
-            v: balls(value.v, self.shift[1], self.rest[1]),
-            a: balls(value.a, self.shift[2], self.rest[2]),
+            p: balls(value.p, self.shift[0], self.left[0]),
+            v: balls(value.v, self.shift[1], self.left[1]),
+            a: balls(value.a, self.shift[2], self.left[2]),
         }
     }
 }
@@ -166,30 +165,26 @@ impl LinkError {
     pub(super) fn of_sharp(sharp: &LinkState<Sharp>, value: &LinkState) -> LinkError {
         let (direction, turned) = ways(sharp.d, value.d);
         let ((w, rest_w), (a, rest_a)) = (way(sharp.w, value.w), way(sharp.a, value.a));
-        let rest = [size(turned), rest_w, rest_a];
+        let turned = 2.0 * turned;
+        let rest = [turned, rest_w, rest_a];
         LinkError {
             direction,
             shift: [w, a],
             rest,
-            own: rest,
+            along: turned,
         }
     }
 
     /// How far the direction can be off in each component: turned, and along itself.
     #[inline(always)]
-    fn spread(&self, d: Vec2) -> Vec2 {
-        let turn = self.rest[0];
-        let along = self.own[0] + turn * size(self.direction);
-        Vec2::new(
-            turn * d.y.abs() + along * d.x.abs(),
-            turn * d.x.abs() + along * d.y.abs(),
-        )
+    fn spread(&self) -> f64 {
+        self.rest[0] * (1.0 + size(self.direction)) + self.along
     }
 
     fn sharp(&self, value: &LinkState) -> LinkState<Sharp> {
         let number = |v: f64, shift: f64, rest: f64| Sharp::new(Double::sum(v, shift), rest);
         LinkState {
-            d: sharp(value.d, self.direction, self.spread(value.d)),
+            d: sharp(value.d, self.direction, self.spread()),
             w: number(value.w, self.shift[0], self.rest[1]),
             a: number(value.a, self.shift[1], self.rest[2]),
         }
@@ -198,7 +193,7 @@ impl LinkError {
     #[inline(always)]
     fn balls(&self, value: &LinkState) -> LinkState<Ball> {
         LinkState {
-            d: balls(value.d, self.direction, self.spread(value.d)),
+            d: balls(value.d, self.direction, self.spread()),
             w: ball(value.w, self.shift[0], self.rest[1]),
             a: ball(value.a, self.shift[1], self.rest[2]),
         }
@@ -212,12 +207,12 @@ impl Errors {
         let off = |v: Vec2<Constant>| v.map(|v| v.radius + TWICE * v.hi.abs());
         let points = program.points.iter().map(|&p| {
             let shift = [p.map(|v| v.lo), Vec2::ZERO, Vec2::ZERO];
-            PointError::alone(shift, [off(p), Vec2::ZERO, Vec2::ZERO])
+            PointError::new(shift, [larger(off(p)), 0.0, 0.0])
         });
         let links = program.links.iter().map(|&d| LinkError {
             direction: d.map(|v| v.lo),
             rest: [size(off(d)), 0.0, 0.0],
-            own: [size(off(d)), 0.0, 0.0],
+            along: size(off(d)),
             ..LinkError::default()
         });
         Errors {

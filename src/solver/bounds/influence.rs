@@ -1,12 +1,14 @@
-//! How what is not known of one constraint moves what stands on it.
+//! How what is not known of one part moves what stands on it, in long chains.
 //!
-//! Each constraint of a dyad is a source: its value is off by something unknown below a bound, at each
-//! order; so is the place of a point that later steps stand on, where that is off by something of its own. Points and links carry by how much each source before them moves them: rows of the inverse of
-//! the whole matrix, which is block triangular, found forwards. Summed in the end over sources by size,
-//! they give bounds that do not widen from group to group.
+//! Each point and each link that a step places is a source: it is off by something unknown below a bound, at
+//! each order, whatever it stands on. Points and links carry by how much each source before them moves them: rows
+//! of the inverse of the whole matrix, which is block triangular, found forwards. Summed in the end over
+//! sources by size, they give bounds that do not widen from group to group.
 //!
-//! A row is kept only as long as a later step reads it.
+//! Rests are of the second order: through a few groups they can widen as they like, and nobody has a row. A
+//! row is kept only as long as a later step reads it.
 
+use super::limb::SUM;
 use crate::solver::coupled::Coupled;
 use crate::solver::demand::{Part, inputs, outputs};
 use crate::solver::plan::Program;
@@ -29,13 +31,14 @@ pub(super) struct Influences {
     known: usize,
     /// The first one stays empty: what stands on no source.
     rows: Vec<Row>,
-    /// Where the rows of points and links are.
+    /// Where the rows of points and links are; the first one of those that have none.
     points: Vec<usize>,
     links: Vec<usize>,
-    /// Whether later steps read them.
-    read_points: Vec<bool>,
-    read_links: Vec<bool>,
 }
+
+/// Dyads through which rests may widen: each can make them ten times as large, and a rest is a rounding of a
+/// rounding.
+const FEW: usize = 8;
 
 /// How many sources a step has at most.
 fn sources(step: &Step, coupled: &[Coupled]) -> usize {
@@ -70,10 +73,11 @@ fn writes_rows(step: &Step) -> bool {
     )
 }
 
-/// A weighted sum of sizes.
-#[inline(always)]
+/// A weighted sum of sizes. What is not bounded does not reach what does not stand on it.
 fn summed(row: &[f64], bounds: &[f64]) -> f64 {
-    row.iter().zip(bounds).map(|(v, b)| v.abs() * b).sum()
+    let terms = row.iter().zip(bounds);
+    let term = |(v, b): (&f64, &f64)| if *v == 0.0 { 0.0 } else { v.abs() * b };
+    terms.map(term).sum()
 }
 
 impl Row {
@@ -126,10 +130,11 @@ impl Influences {
             rows: vec![Row::default()],
             points: vec![0; program.points.len()],
             links: vec![0; program.links.len()],
-            read_points: vec![false; program.points.len()],
-            read_links: vec![false; program.links.len()],
         };
-        influences.share_rows(program, sources);
+        let dyads = program.steps.iter().filter(|step| step.dyad().is_some());
+        if dyads.count() > FEW {
+            influences.share_rows(program, sources);
+        }
         influences
     }
 
@@ -153,8 +158,6 @@ impl Influences {
                 Part::Slide(_) => {}
             });
         }
-        self.read_points = last_points.iter().map(|&last| last > 0).collect();
-        self.read_links = last_links.iter().map(|&last| last > 0).collect();
         let mut free = Vec::new();
         for (i, step) in steps().filter(|(_, step)| writes_rows(step)) {
             let mut placed = Vec::new();
@@ -190,62 +193,64 @@ impl Influences {
         self.known = 0;
     }
 
-    /// A point whose errors, below these bounds, have nothing to do with those of others.
-    pub(super) fn point_alone(&mut self, point: PointId, bounds: [Vec2; 3]) -> bool {
-        let row = self.points[point.index()];
-        self.rows[row].len = 0;
-        self.add_own(point, bounds)
+    /// Whether a point has a row.
+    #[inline(always)]
+    pub(super) fn has_point(&self, point: PointId) -> bool {
+        self.points[point.index()] != 0
     }
 
-    /// A point with errors of its own below these bounds; whether they are sources now.
+    /// Whether a link has one.
     #[inline(always)]
-    pub(super) fn add_own(&mut self, point: PointId, bounds: [Vec2; 3]) -> bool {
-        let is_some = bounds.iter().any(|b| b.x + b.y > 0.0);
-        // What is not bounded must not reach what does not stand on it.
-        let is_finite = bounds.iter().all(|b| b.x + b.y < f64::INFINITY);
-        if !(self.read_points[point.index()] && is_some && is_finite) {
-            return false;
-        }
-        let n = self.known;
-        let row = &mut self.rows[self.points[point.index()]];
-        row.x[row.len..n].fill(0.0);
-        row.y[row.len..n].fill(0.0);
-        (row.x[n], row.y[n], row.x[n + 1], row.y[n + 1]) = (1.0, 0.0, 0.0, 1.0);
-        row.len = n + 2;
+    pub(super) fn has_link(&self, link: LinkId) -> bool {
+        self.links[link.index()] != 0
+    }
+
+    /// A point whose errors, below these bounds, have nothing to do with those of others.
+    pub(super) fn point_alone(&mut self, point: PointId, bounds: [f64; 3]) {
+        self.write_point(point, bounds, |_, _| {});
+    }
+
+    /// A link whose errors, below these bounds, have nothing to do with those of others.
+    pub(super) fn link_alone(&mut self, link: LinkId, bounds: [f64; 3]) {
+        self.write_link(link, bounds, |_, _| {});
+    }
+
+    /// Writes the row of a point from others, and what is new at it.
+    fn write_point(
+        &mut self,
+        point: PointId,
+        bounds: [f64; 3],
+        write: impl FnOnce(&mut Row, &Influences),
+    ) {
+        let (at, n) = (self.points[point.index()], self.known);
+        let mut row = std::mem::take(&mut self.rows[at]);
+        row.clear(n + 2);
+        write(&mut row, self);
+        (row.x[n], row.y[n + 1]) = (1.0, 1.0);
+        self.rows[at] = row;
         self.known = n + 2;
         for (to, bound) in self.bounds.iter_mut().zip(bounds) {
-            (to[n], to[n + 1]) = (bound.x, bound.y);
+            to[n..n + 2].fill(bound);
         }
-        true
     }
 
-    /// A link whose errors, below these bounds, have nothing to do with those of others; whether they are
-    /// a source now.
-    pub(super) fn link_alone(&mut self, link: LinkId, bounds: [f64; 3]) -> bool {
-        let row = self.links[link.index()];
-        self.rows[row].len = 0;
-        let is_finite = bounds.iter().all(|b| *b < f64::INFINITY);
-        if !(self.read_links[link.index()] && is_finite) {
-            return false;
-        }
-        let n = self.known;
-        let row = &mut self.rows[self.links[link.index()]];
+    /// The same of a link.
+    fn write_link(
+        &mut self,
+        link: LinkId,
+        bounds: [f64; 3],
+        write: impl FnOnce(&mut Row, &Influences),
+    ) {
+        let (at, n) = (self.links[link.index()], self.known);
+        let mut row = std::mem::take(&mut self.rows[at]);
         row.clear(n + 1);
+        write(&mut row, self);
         row.x[n] = 1.0;
+        self.rows[at] = row;
         self.known = n + 1;
         for (to, bound) in self.bounds.iter_mut().zip(bounds) {
             to[n] = bound;
         }
-        true
-    }
-
-    /// Writes a row from others.
-    #[inline(always)]
-    fn write(&mut self, at: usize, write: impl FnOnce(&mut Row, &Influences)) {
-        let mut row = std::mem::take(&mut self.rows[at]);
-        row.clear(self.known);
-        write(&mut row, self);
-        self.rows[at] = row;
     }
 
     fn point(&self, point: PointId) -> &Row {
@@ -256,9 +261,9 @@ impl Influences {
         &self.rows[self.links[link.index()]]
     }
 
-    /// A point by two constraints with these gradients, to each of which belongs a column of the inverse;
-    /// they are new sources. A constraint may be one towards another point.
-    #[inline(always)]
+    /// A point by two constraints with these gradients, to each of which belongs a column of the inverse. A
+    /// constraint may be one towards another point. The bounds of what is new are not known yet.
+    #[cold]
     pub(super) fn pair(
         &mut self,
         point: PointId,
@@ -266,66 +271,75 @@ impl Influences {
         columns: [Vec2; 2],
         from: [Option<PointId>; 2],
     ) {
-        let first = self.known;
-        self.write(self.points[point.index()], |row, all| {
+        self.write_point(point, [0.0; 3], |row, all| {
             for ((g, column), from) in gradients.into_iter().zip(columns).zip(from) {
                 if let Some(from) = from {
                     row.add(all.point(from), [column * g.x, column * g.y]);
                 }
             }
-            for (i, column) in (first..).zip(columns) {
-                (row.x[i], row.y[i]) = (column.x, column.y);
-            }
-            row.len = first + 2;
         });
-        self.known = first + 2;
     }
 
-    /// Bounds of the two newest sources.
-    #[inline(always)]
-    pub(super) fn bound(&mut self, order: usize, bounds: [f64; 2]) {
-        self.bounds[order][self.known - 2..self.known].copy_from_slice(&bounds);
+    /// Bounds what is new at the newest point; gives what all sources can do to it.
+    #[cold]
+    pub(super) fn bound(&mut self, point: PointId, order: usize, new: f64) -> f64 {
+        self.bounds[order][self.known - 2..self.known].fill(new);
+        self.of_point(point, order)
     }
 
     /// The angle of a link with two points on it: `across` is the derivative by the way between them.
-    #[inline(always)]
-    pub(super) fn between(&mut self, link: LinkId, across: Vec2, [x, p]: [PointId; 2]) {
-        self.write(self.links[link.index()], |row, all| {
+    #[cold]
+    pub(super) fn between(
+        &mut self,
+        link: LinkId,
+        new: [f64; 3],
+        across: Vec2,
+        [x, p]: [PointId; 2],
+    ) -> [f64; 3] {
+        self.write_link(link, new, |row, all| {
             row.add_across(all.point(x), across);
             row.add_across(all.point(p), -across);
         });
+        self.of_link(link)
     }
 
     /// A point that rides on a link: `arm` is its derivative by the angle.
-    #[inline(always)]
-    pub(super) fn ride(&mut self, point: PointId, base: PointId, link: LinkId, arm: Vec2) {
-        self.write(self.points[point.index()], |row, all| {
+    #[cold]
+    pub(super) fn ride(
+        &mut self,
+        point: PointId,
+        new: [f64; 3],
+        base: PointId,
+        (link, arm): (LinkId, Vec2),
+    ) -> [f64; 3] {
+        self.write_point(point, new, |row, all| {
             row.add(all.point(base), [Vec2::X, Vec2::X.perp()]);
             row.add(all.link(link), [arm, Vec2::ZERO]);
         });
+        [0, 1, 2].map(|order| self.of_point(point, order))
     }
 
     /// A link that turns with another one.
-    pub(super) fn lock(&mut self, link: LinkId, to: LinkId) {
-        self.write(self.links[link.index()], |row, all| {
+    #[cold]
+    pub(super) fn lock(&mut self, link: LinkId, new: [f64; 3], to: LinkId) -> [f64; 3] {
+        self.write_link(link, new, |row, all| {
             row.add_across(all.link(to), Vec2::X);
         });
+        self.of_link(link)
     }
 
-    /// What all sources can do to a point.
-    #[inline(always)]
-    pub(super) fn of_point(&self, point: PointId, order: usize) -> Vec2 {
+    /// What all sources can do to a point, in each component.
+    fn of_point(&self, point: PointId, order: usize) -> f64 {
         let (row, bounds) = (self.point(point), &self.bounds[order]);
-        Vec2::new(
-            summed(&row.x[..row.len], bounds),
-            summed(&row.y[..row.len], bounds),
-        )
+        let [x, y] = [&row.x, &row.y].map(|row_of| summed(&row_of[..row.len], bounds));
+        // Written so that NaN is kept.
+        let most = if x <= y { y } else { x };
+        most * (1.0 + SUM)
     }
 
-    /// What all sources can do to a link's angle.
-    #[inline(always)]
-    pub(super) fn of_link(&self, link: LinkId, order: usize) -> f64 {
+    /// What all sources can do to a link's angle and its rates.
+    fn of_link(&self, link: LinkId) -> [f64; 3] {
         let row = self.link(link);
-        summed(&row.x[..row.len], &self.bounds[order])
+        [0, 1, 2].map(|order| summed(&row.x[..row.len], &self.bounds[order]) * (1.0 + SUM))
     }
 }

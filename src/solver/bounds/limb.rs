@@ -9,7 +9,7 @@
 //! where rho and sigma would be zero without rounding. They are found in twice the digits; everything
 //! that follows from them is small, and doubles will do.
 
-use super::errors::{LinkError, PointError, size};
+use super::errors::{LinkError, PointError, larger, size};
 use crate::arithmetic::{Halves, U, two_sum};
 use crate::solver::state::{LinkState, PointState};
 use crate::solver::step::{ACCELERATION, Arm, VELOCITY};
@@ -37,7 +37,7 @@ pub(super) struct Limb {
 }
 
 #[inline(always)]
-fn difference(x: Vec2, p: Vec2) -> Vec2<Double> {
+pub(super) fn difference(x: Vec2, p: Vec2) -> Vec2<Double> {
     Vec2::new(Double::sum(x.x, -p.x), Double::sum(x.y, -p.y))
 }
 
@@ -158,20 +158,11 @@ impl Limb {
     /// e - R(d) local: from where the link carries the point to where it was put.
     #[inline(always)]
     pub(super) fn miss(&self, local: Vec2<Constant>, d: Vec2) -> Vec2 {
-        let (lx, ly) = (Halves::of(local.x.hi), Halves::of(local.y.hi));
-        let (dx, dy) = (Halves::of(d.x), Halves::of(d.y));
-        let (a, b) = (lx.times(dx), ly.times(dy));
-        let (p, q) = (lx.times(dy), ly.times(dx));
-        let (sx, lost_x) = two_sum(a.hi, -b.hi);
-        let (sy, lost_y) = two_sum(p.hi, q.hi);
-        let low = local.map(|v| v.lo).turned(d);
-        Vec2::new(
-            (self.e.x - sx) + (self.lost.x - (lost_x + (a.lo - b.lo) + low.x)),
-            (self.e.y - sy) + (self.lost.y - (lost_y + (p.lo + q.lo) + low.y)),
-        )
+        let [carried, low] = turned_closely(local, d);
+        (self.e - carried) + (self.lost - low)
     }
 
-    /// The errors of the link whose arm this is, but for what influences make of them: what is its own.
+    /// The errors of the link whose arm this is, with what is new in their rests: beside those of the ends'.
     /// `along` bounds e . of the rests of e and w.
     #[inline(always)]
     pub(super) fn link_error<const ORDER: u8>(
@@ -183,8 +174,8 @@ impl Limb {
     ) -> LinkError {
         let [length, speed, _] = self.sizes;
         let inverse = 1.0 / self.e.norm2();
+        let gain = length * inverse;
         let most = |order: usize| x.most[order] + p.most[order];
-        let own = |order: usize| x.own[order] + p.own[order];
         let mut error = LinkError::default();
 
         let e = x.shift[0] - p.shift[0];
@@ -192,8 +183,9 @@ impl Limb {
         let turn = self.turn(arm.factor, link.d);
         error.direction = turn + e.turned(factor);
         let meant = (arm.factor.x.radius + arm.factor.y.radius) * length;
-        let rounding = 2.0 * RESIDUAL + SUM * (size(turn) + size(factor) * most(0));
-        error.own[0] = (length * own(0) + along[0]) * inverse + meant + rounding;
+        let rounding = 2.0 * RESIDUAL + SUM * (size(turn) + 2.0 * size(factor) * most(0));
+        error.rest[0] = meant + rounding;
+        error.along = along[0] * inverse + error.rest[0];
         if ORDER < VELOCITY {
             return error;
         }
@@ -201,17 +193,13 @@ impl Limb {
         let omega = link.w.abs();
         let w = x.shift[1] - p.shift[1];
         error.shift[0] = (self.e.cross(self.rho + w) - link.w * self.e.dot(e)) * inverse;
-        // As long as the way does not lose two fifths of its length, 2 / |e| covers its inverse.
-        let keeps = 2.5 * most(0) <= length;
-        let short = if keeps {
-            2.0 * length * inverse
-        } else {
-            f64::INFINITY
-        };
-        let terms = size(self.rho) + most(1) + omega * most(0);
+        // As long as the way does not lose two fifths of its length, twice the gain covers its inverse.
+        let keeps = 5.0 * most(0) <= length;
+        let short = if keeps { 2.0 * gain } else { f64::INFINITY };
+        let terms = size(self.rho) + 2.0 * (most(1) + omega * most(0));
         let spin = short * terms;
-        let left = own(1) + self.fuzz[0] + spin * most(0) + SUM * terms;
-        error.own[1] = (length * left + omega * along[0]) * inverse;
+        let left = self.fuzz[0] + 2.0 * spin * most(0) + SUM * terms;
+        error.rest[1] = gain * left + omega * along[0] * inverse;
         if ORDER < ACCELERATION {
             return error;
         }
@@ -225,15 +213,18 @@ impl Limb {
             - link.w * self.e.dot(w))
             * inverse;
         let terms = size(self.sigma)
-            + most(2)
-            + alpha * most(0)
-            + omega * most(1)
-            + spin * (speed + most(1));
-        let left = own(2) + self.fuzz[1] + short * terms * most(0) + spin * most(1) + SUM * terms;
-        error.own[2] =
-            (length * left + alpha * along[0] + omega * along[1] + 2.0 * skew.abs() * spin)
-                * inverse;
+            + 2.0 * (most(2) + alpha * most(0) + omega * most(1))
+            + spin * (speed + 2.0 * most(1));
+        let left = self.fuzz[1] + 2.0 * (short * terms * most(0) + spin * most(1)) + SUM * terms;
+        error.rest[2] =
+            gain * left + (alpha * along[0] + omega * along[1] + 2.0 * skew.abs() * spin) * inverse;
         error
+    }
+
+    /// By how much the rests of the way move the link's angle.
+    #[inline(always)]
+    pub(super) fn gain(&self) -> f64 {
+        self.sizes[0] / self.e.norm2()
     }
 
     /// The derivative of the link's angle by the way.
@@ -242,8 +233,8 @@ impl Limb {
         self.e.perp() * (1.0 / self.e.norm2())
     }
 
-    /// The errors of a point that rides on a link, from those of its base and of the link, but for what
-    /// influences make of them.
+    /// The errors of a point that rides on a link, from those of its base and of the link, with what is new
+    /// in their rests.
     #[inline(always)]
     pub(super) fn point_error<const ORDER: u8>(
         &self,
@@ -259,35 +250,32 @@ impl Limb {
         let reach = local.map(|v| v.hi);
         let e = reach.turned(turned.direction) - miss;
         error.shift[0] = base.shift[0] + e;
-        let typed = 1.5 * (local.x.radius + local.y.radius);
-        let swung = size(reach) * (turned.rest[0] + size(turned.direction));
-        let own = length * turned.own[0]
-            + typed
-            + RESIDUAL * (length + size(reach))
-            + SUM * (size(miss) + 2.0 * swung + base.most[0]);
-        error.own[0] = base.own[0] + own;
+        let new = length * turned.along
+            + swing_rest(local, turned)
+            + RESIDUAL * length
+            + SUM * (size(miss) + base.most[0]);
+        error.left[0] = new;
         if ORDER < VELOCITY {
             return error;
         }
 
-        let rest_e = length * turned.rest[0] + own;
-        let most_e = size(e) + rest_e;
+        let rest_e = length * turned.rest[0] + new;
+        let most_e = larger(e) + rest_e;
         let omega = link.w.abs();
         let w = self.e.perp() * turned.shift[0] + e.perp() * link.w - self.rho;
         error.shift[1] = base.shift[1] + w;
         let spin = turned.most_rate(1);
-        let own = length * turned.own[1]
-            + omega * rest_e
+        let new = omega * rest_e
             + spin * most_e
             + self.fuzz[0]
             + SUM * (length * spin + omega * most_e + base.most[1]);
-        error.own[1] = base.own[1] + own;
+        error.left[1] = new;
         if ORDER < ACCELERATION {
             return error;
         }
 
-        let rest_w = length * turned.rest[1] + own;
-        let most_w = size(w) + rest_w;
+        let rest_w = length * turned.rest[1] + new;
+        let most_w = larger(w) + rest_w;
         let alpha = link.a.abs();
         let a = self.e.perp() * turned.shift[1]
             + e.perp() * link.a
@@ -296,9 +284,7 @@ impl Limb {
             - self.sigma;
         error.shift[2] = base.shift[2] + a;
         let gain = turned.most_rate(2);
-        error.own[2] = base.own[2]
-            + length * turned.own[2]
-            + alpha * rest_e
+        error.left[2] = alpha * rest_e
             + speed * turned.rest[1]
             + omega * rest_w
             + gain * most_e
@@ -307,4 +293,34 @@ impl Limb {
             + SUM * (length * gain + alpha * most_e + speed * spin + omega * most_w + base.most[2]);
         error
     }
+}
+
+/// R(d) v to twice the digits, as two vectors.
+#[inline(always)]
+pub(super) fn turned_closely(v: Vec2<Constant>, d: Vec2) -> [Vec2; 2] {
+    let (lx, ly) = (Halves::of(v.x.hi), Halves::of(v.y.hi));
+    let (dx, dy) = (Halves::of(d.x), Halves::of(d.y));
+    let (a, p) = (lx.times(dx), lx.times(dy));
+    let low = v.map(|v| v.lo).turned(d);
+    // Most points of a bar lie along its x axis.
+    if v.y == Constant::default() {
+        return [Vec2::new(a.hi, p.hi), Vec2::new(a.lo + low.x, p.lo + low.y)];
+    }
+    let (b, q) = (ly.times(dy), ly.times(dx));
+    let (sx, lost_x) = two_sum(a.hi, -b.hi);
+    let (sy, lost_y) = two_sum(p.hi, q.hi);
+    let low = Vec2::new(
+        lost_x + (a.lo - b.lo) + low.x,
+        lost_y + (p.lo + q.lo) + low.y,
+    );
+    [Vec2::new(sx, sy), low]
+}
+
+/// What is new in the rest of a point that a link swings: the digits of its place, and rounding.
+#[inline(always)]
+pub(super) fn swing_rest(local: Vec2<Constant>, turned: &LinkError) -> f64 {
+    let reach = size(local.map(|v| v.hi));
+    let typed = 1.5 * (local.x.radius + local.y.radius);
+    let swung = turned.rest[0] + size(turned.direction);
+    typed + RESIDUAL * reach + 2.0 * SUM * reach * swung
 }

@@ -160,7 +160,7 @@ impl Engine {
                     local,
                 } => {
                     let points = [point, pivot];
-                    errors.spin::<ORDER>(points, (&crank, &turned), local, state, enclosure);
+                    errors.spin::<ORDER>(points, (d, &turned), local, state, enclosure);
                     true
                 }
                 Step::Ride {

@@ -15,7 +15,7 @@
 //! Verification methods, Acta Numerica 19, 2010, section 13). What the first order leaves out is then
 //! bounded, and so are the rates', whose equations are linear.
 
-use super::errors::{Errors, PointError, size};
+use super::errors::{Errors, PointError, larger, size};
 use super::influence::Influences;
 use super::limb::{Limb, RESIDUAL, SUM};
 use crate::arithmetic::{Halves, U, two_sum};
@@ -36,10 +36,8 @@ struct Row<'a> {
     a: Vec2,
     /// The sizes of these.
     sizes: [f64; 3],
-    /// Its value and rates there, with the shifts of the other point taken in.
+    /// Its value and rates there, and how far these may be from the true ones.
     values: [f64; 3],
-    /// How far these may be from the true ones but for what rounding makes of the shifts, and for the
-    /// influences of earlier constraints.
     fuzz: [f64; 3],
     /// The error of the other point.
     from: &'a PointError,
@@ -50,22 +48,19 @@ struct Row<'a> {
 impl<'a> Row<'a> {
     /// (|X - P|^2 - b^2) / 2.
     #[inline(always)]
-    fn circle<const ORDER: u8>(limb: &Limb, square: Constant, p: &'a PointError) -> Row<'a> {
+    fn circle<const ORDER: u8>(limb: &Limb, square: Constant, from: &'a PointError) -> Row<'a> {
         let Limb { e, w, a, .. } = *limb;
-        let [length, speed, accel] = limb.sizes;
+        let [length, speed, _] = limb.sizes;
         let [stretch, off] = limb.stretch(square);
-        let mut values = [stretch - e.dot(p.shift[0]), 0.0, 0.0];
-        let mut fuzz = [off + length * p.own[0], 0.0, 0.0];
+        let mut values = [stretch, 0.0, 0.0];
+        let mut fuzz = [off, 0.0, 0.0];
         if ORDER >= VELOCITY {
-            values[1] = e.dot(limb.rho - p.shift[1]) - w.dot(p.shift[0]);
-            fuzz[1] = length * (p.own[1] + limb.fuzz[0]) + speed * p.left[0];
+            values[1] = e.dot(limb.rho);
+            fuzz[1] = length * limb.fuzz[0];
         }
         if ORDER >= ACCELERATION {
-            values[2] = e.dot(limb.sigma - p.shift[2]) + w.dot(limb.rho - p.shift[1] * 2.0)
-                - a.dot(p.shift[0]);
-            fuzz[2] = length * (p.own[2] + limb.fuzz[1])
-                + speed * (limb.fuzz[0] + 2.0 * p.left[1])
-                + accel * p.left[0];
+            values[2] = e.dot(limb.sigma) + w.dot(limb.rho);
+            fuzz[2] = length * limb.fuzz[1] + speed * limb.fuzz[0];
         }
         Row {
             gradient: e,
@@ -74,7 +69,7 @@ impl<'a> Row<'a> {
             sizes: limb.sizes,
             values,
             fuzz,
-            from: p,
+            from,
             curvature: 1.0,
         }
     }
@@ -128,15 +123,31 @@ impl<'a> Row<'a> {
     }
 }
 
+impl Row<'_> {
+    /// What the shift of the point leaves of the value of an order, which was found without it.
+    #[inline(always)]
+    fn held(&self, order: usize, value: f64, shift: Vec2, most: f64) -> f64 {
+        let left = value + self.gradient.dot(shift);
+        left.abs() + self.fuzz[order] + 2.0 * SUM * self.sizes[0] * most
+    }
+}
+
 /// Two constraints on a point, and their inverse.
+///
+/// With C_i the size of a column, L_i, S_i and A_i those of a gradient and its rates: what moves row i by r moves
+/// the point by C_i r at most; and as C_1 = L_2 / |det| and C_2 = L_1 / |det|, what moves one of the other
+/// points by r moves it by K r at most, K = L_1 L_2 / |det|.
 struct Pair<'a> {
     rows: [Row<'a>; 2],
     columns: [Vec2; 2],
-    /// What the columns miss of being the inverse, in parts of the sizes of the other row.
+    /// C_i, and K.
+    sizes: [f64; 2],
+    gain: f64,
+    /// What the columns miss of being the inverse, in parts of what they move.
     skew: f64,
     /// By how much more the true inverse can make of a step.
     growth: f64,
-    /// How far the true point can be from the computed one, at most.
+    /// How far the true point can be from the computed one, at most; and the same of the other points, summed.
     reach: f64,
 }
 
@@ -151,24 +162,28 @@ impl<'a> Pair<'a> {
             Vec2::new(h.y, -h.x) * inverse,
             Vec2::new(-g.y, g.x) * inverse,
         ];
-        let norm = (columns[0].norm2() + columns[1].norm2()).sqrt();
-        let off = |row: &Row<'_>| {
-            let most = row.from.most[0];
-            row.values[0].abs() + row.fuzz[0] + row.sizes[0] * row.from.left[0] + most * most
-        };
-        let reach = size(columns[0]) * off(one) + size(columns[1]) * off(two);
-        let curvature = 1.5 * one.curvature.max(two.curvature);
+        let scale = inverse.abs();
+        let lengths = [one.sizes[0], two.sizes[0]];
+        let sizes = [lengths[1] * scale, lengths[0] * scale];
+        let gain = lengths[0] * sizes[0];
+        let norm = sizes[0] + sizes[1];
         let wobble = one.from.most[0] + two.from.most[0];
-        let rounding = (INVERSE + U) * (one.sizes[0] + two.sizes[0]);
-        let change = norm * (rounding + wobble + curvature * 2.0 * reach);
+        let off = |i: usize| sizes[i] * (rows[i].values[0].abs() + rows[i].fuzz[0]);
+        let reach = off(0) + off(1) + gain * wobble + norm * wobble * wobble;
+        let curvature = one.curvature.max(two.curvature);
+        let rounding = (INVERSE + U) * (lengths[0] + lengths[1]);
+        let change = norm * (rounding + 2.0 * wobble + 4.0 * curvature * reach);
         // Written so that NaN proves nothing.
         if !(change <= CONTRACTION) {
             return None;
         }
-        let growth = 1.0 / (1.0 - 2.0 * change);
+        // 1 / (1 - 2 change) is no more.
+        let growth = 1.0 + 4.0 * change;
         Some(Pair {
             columns,
-            skew: INVERSE * inverse.abs(),
+            sizes,
+            gain,
+            skew: 2.0 * INVERSE * gain,
             growth,
             reach: reach * growth,
             rows,
@@ -180,95 +195,142 @@ impl<'a> Pair<'a> {
         -(self.columns[0] * values[0] + self.columns[1] * values[1])
     }
 
-    /// How far earlier sources alone can move a solution.
+    /// A sum over rows, each by how far it moves the point.
     #[inline(always)]
-    fn moved(&self, order: usize) -> f64 {
-        let [one, two] = &self.rows;
-        size(self.columns[0]) * one.sizes[0] * one.from.left[order]
-            + size(self.columns[1]) * two.sizes[0] * two.from.left[order]
+    fn over_rows(&self, of: impl Fn(&Row<'_>) -> f64) -> f64 {
+        self.sizes[0] * of(&self.rows[0]) + self.sizes[1] * of(&self.rows[1])
     }
 
-    /// Bounds of what is left of the two equations of an order, from what is left of each, when the shift
-    /// was found from `values`: with what the columns miss of being the inverse, and rounding, which is
-    /// no more.
+    /// A sum over the other points.
     #[inline(always)]
-    fn sources(&self, order: usize, values: [f64; 2], left: [f64; 2]) -> [f64; 2] {
-        let [g, h] = [self.rows[0].sizes[0], self.rows[1].sizes[0]];
-        let held = |i: usize, length: f64| {
-            left[i] + values[i].abs() + length * self.rows[i].from.most[order]
-        };
-        let skew = self.skew * (h * held(0, g) + g * held(1, h));
-        [
-            (left[0] + g * skew) * self.growth,
-            (left[1] + h * skew) * self.growth,
-        ]
+    fn over_points(&self, of: impl Fn(&PointError) -> f64) -> f64 {
+        of(self.rows[0].from) + of(self.rows[1].from)
     }
 }
 
-/// The error of a joint, and bounds of what is left of its two constraints.
+/// How the rests of the two points that a joint stands on come to it: by rows of influences, or at once.
+struct Standing {
+    point: PointId,
+    from: [Option<PointId>; 2],
+    has_row: bool,
+    /// Which of them has a row.
+    have_rows: [bool; 2],
+}
+
+impl Standing {
+    #[inline(always)]
+    fn new(point: PointId, from: [Option<PointId>; 2], influences: &Influences) -> Standing {
+        Standing {
+            point,
+            from,
+            has_row: influences.has_point(point),
+            have_rows: from.map(|p| p.is_some_and(|p| influences.has_point(p))),
+        }
+    }
+
+    /// What is left of an order: of what is new, and of what the other points move.
+    #[inline(always)]
+    fn left(&self, order: usize, new: f64, pair: &Pair<'_>, influences: &mut Influences) -> f64 {
+        let Pair { growth, gain, .. } = *pair;
+        if !self.has_row {
+            return growth * (new + gain * pair.over_points(|p| p.left[order]));
+        }
+        // What a row moves is moved by the computed inverse.
+        let carried = |i: usize| {
+            let part = if self.have_rows[i] {
+                growth - 1.0
+            } else {
+                growth
+            };
+            part * pair.rows[i].from.left[order]
+        };
+        let new = growth * new + gain * (carried(0) + carried(1));
+        influences.bound(self.point, order, new)
+    }
+}
+
+/// The error of a joint, and bounds of e . of the rests of the ways to it and of their rates.
 struct Found {
     x: PointError,
-    sources: [[f64; 2]; 3],
+    along: [[f64; 2]; 2],
 }
 
 /// The error of a joint that two constraints place, each towards another point if there is one.
 #[inline(always)]
 fn solve<const ORDER: u8>(
-    point: PointId,
     rows: [Row<'_>; 2],
-    from: [Option<PointId>; 2],
+    standing: &Standing,
     influences: &mut Influences,
 ) -> Option<Found> {
     let pair = Pair::proved(rows)?;
     let [one, two] = &pair.rows;
-    influences.pair(point, [one.gradient, two.gradient], pair.columns, from);
+    if standing.has_row {
+        let gradients = [one.gradient, two.gradient];
+        influences.pair(standing.point, gradients, pair.columns, standing.from);
+    }
     let mut x = PointError::default();
-    let mut sources = [[0.0; 2]; 3];
+    let mut along = [[0.0; 2]; 2];
+    let moved = |k: usize, values: [f64; 2]| {
+        let shifts = pair.sizes[0] * values[0].abs() + pair.sizes[1] * values[1].abs();
+        pair.skew * (shifts + pair.gain * pair.over_points(|p| p.most[k]))
+    };
 
-    let values = [one.values[0], two.values[0]];
+    let value = |row: &Row<'_>| row.values[0] - row.gradient.dot(row.from.shift[0]);
+    let values = [value(one), value(two)];
     x.shift[0] = pair.step(values);
-    let gap = |row: &Row<'_>| pair.reach + row.from.most[0];
-    let left = |row: &Row<'_>| row.fuzz[0] + 0.5 * row.curvature * gap(row) * gap(row);
-    sources[0] = pair.sources(0, values, [left(one), left(two)]);
-    influences.bound(0, sources[0]);
-    x.rest[0] = influences.of_point(point, 0);
-    x.settle(0);
+    let near = pair.reach + pair.over_points(|p| p.most[0]);
+    let curvature = pair.over_rows(|row| row.curvature);
+    let new = moved(0, values) + pair.over_rows(|row| row.fuzz[0]) + curvature * near * near;
+    x.settle(0, standing.left(0, new, &pair, influences));
+    let left = x.left[0] + pair.over_points(|p| p.left[0]);
+    let most = x.most[0] + pair.over_points(|p| p.most[0]);
+    for (i, row) in pair.rows.iter().enumerate() {
+        let off = row.held(0, values[i], x.shift[0], most);
+        along[i][0] = off + most * most;
+    }
 
     if ORDER >= VELOCITY {
-        let value = |row: &Row<'_>| row.values[1] + row.w.dot(x.shift[0]);
+        let value = |row: &Row<'_>| {
+            row.values[1] + row.w.dot(x.shift[0] - row.from.shift[0])
+                - row.gradient.dot(row.from.shift[1])
+        };
         let values = [value(one), value(two)];
         x.shift[1] = pair.step(values);
-        let shift = size(x.shift[1]) + pair.moved(1);
-        let left = |row: &Row<'_>| {
-            let (near, speed) = (gap(row), row.sizes[1]);
-            let coupled = speed * (x.left[0] + SUM * (x.most[0] + row.from.most[0]));
-            row.fuzz[1] + coupled + row.curvature * near * (shift + row.from.most[1])
-        };
-        sources[1] = pair.sources(1, values, [left(one), left(two)]);
-        influences.bound(1, sources[1]);
-        x.rest[1] = influences.of_point(point, 1);
-        x.settle(1);
+        let speed = pair.over_rows(|row| row.sizes[1]);
+        let turned = 2.0 * near * (larger(x.shift[1]) + pair.over_points(|p| p.most[1]));
+        let moving = pair.gain * pair.over_points(|p| p.left[1]);
+        let new = moved(1, values)
+            + pair.over_rows(|row| row.fuzz[1])
+            + speed * (left + 2.0 * SUM * most)
+            + curvature * (turned + 2.0 * near * moving);
+        x.settle(1, standing.left(1, new, &pair, influences));
+        let rate = x.most[1] + pair.over_points(|p| p.most[1]);
+        for (i, row) in pair.rows.iter().enumerate() {
+            let off = row.held(1, values[i], x.shift[1], rate);
+            along[i][1] = off + row.sizes[1] * (left + 2.0 * SUM * most) + 2.0 * most * rate;
+        }
+        if ORDER >= ACCELERATION {
+            let value = |row: &Row<'_>| {
+                row.values[2]
+                    + row.a.dot(x.shift[0] - row.from.shift[0])
+                    + 2.0 * row.w.dot(x.shift[1] - row.from.shift[1])
+                    - row.gradient.dot(row.from.shift[2])
+            };
+            let values = [value(one), value(two)];
+            x.shift[2] = pair.step(values);
+            let left_rate = x.left[1] + pair.over_points(|p| p.left[1]);
+            let accel = pair.over_rows(|row| row.sizes[2]);
+            let turned = 2.0 * near * (larger(x.shift[2]) + pair.over_points(|p| p.most[2]));
+            let moving = pair.gain * pair.over_points(|p| p.left[2]);
+            let new = moved(2, values)
+                + pair.over_rows(|row| row.fuzz[2])
+                + accel * (left + 2.0 * SUM * most)
+                + 2.0 * speed * (left_rate + 2.0 * SUM * rate)
+                + curvature * (turned + 2.0 * near * moving + 2.0 * rate * rate);
+            x.settle(2, standing.left(2, new, &pair, influences));
+        }
     }
-    if ORDER >= ACCELERATION {
-        let value =
-            |row: &Row<'_>| row.values[2] + row.a.dot(x.shift[0]) + 2.0 * row.w.dot(x.shift[1]);
-        let values = [value(one), value(two)];
-        x.shift[2] = pair.step(values);
-        let shift = size(x.shift[2]) + pair.moved(2);
-        let left = |row: &Row<'_>| {
-            let [_, speed, accel] = row.sizes;
-            let near = [0, 1].map(|k| x.most[k] + row.from.most[k]);
-            let coupled =
-                accel * (x.left[0] + SUM * near[0]) + 2.0 * speed * (x.left[1] + SUM * near[1]);
-            let beyond = gap(row) * (shift + row.from.most[2]) + near[1] * near[1];
-            row.fuzz[2] + coupled + row.curvature * beyond
-        };
-        sources[2] = pair.sources(2, values, [left(one), left(two)]);
-        influences.bound(2, sources[2]);
-        x.rest[2] = influences.of_point(point, 2);
-        x.settle(2);
-    }
-    Some(Found { x, sources })
+    Some(Found { x, along })
 }
 
 impl Circles {
@@ -291,22 +353,15 @@ impl Circles {
             Row::circle::<ORDER>(&limbs[0], self.near.square, p),
             Row::circle::<ORDER>(&limbs[1], self.far.square, q),
         ];
-        let from = pivots.map(Some);
-        let found = solve::<ORDER>(self.point, rows, from, &mut errors.influences);
-        let Some(Found { x, sources }) = found else {
+        let standing = Standing::new(self.point, pivots.map(Some), &errors.influences);
+        let found = solve::<ORDER>(rows, &standing, &mut errors.influences);
+        let Some(Found { x, along }) = found else {
             return false;
         };
         errors.set_point(self.point, &x, state, enclosure);
-        let along = |i: usize| [sources[0][i], sources[1][i]];
-        errors.aim::<ORDER>(
-            &self.near,
-            self.point,
-            &limbs[0],
-            along(0),
-            state,
-            enclosure,
-        );
-        errors.aim::<ORDER>(&self.far, self.point, &limbs[1], along(1), state, enclosure);
+        for (i, arm) in [&self.near, &self.far].into_iter().enumerate() {
+            errors.aim::<ORDER>(arm, self.point, &limbs[i], along[i], state, enclosure);
+        }
         true
     }
 }
@@ -330,13 +385,13 @@ impl CircleRail {
             Row::rail::<ORDER>(x, [self.through, self.along], &ground),
         ];
         let from = [Some(arm.pivot), None];
-        let found = solve::<ORDER>(self.point, rows, from, &mut errors.influences);
-        let Some(Found { x, sources }) = found else {
+        let standing = Standing::new(self.point, from, &errors.influences);
+        let found = solve::<ORDER>(rows, &standing, &mut errors.influences);
+        let Some(Found { x, along }) = found else {
             return false;
         };
         errors.set_point(self.point, &x, state, enclosure);
-        let along = [sources[0][0], sources[1][0]];
-        errors.aim::<ORDER>(arm, self.point, &limb, along, state, enclosure);
+        errors.aim::<ORDER>(arm, self.point, &limb, along[0], state, enclosure);
         true
     }
 }

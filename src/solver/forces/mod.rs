@@ -338,7 +338,9 @@ impl Balance {
             errors,
             ..
         } = enclosure;
-        let Some(sharp) = &mut errors.sharp else {
+        let is_asked = balance.is_some() && order == Order::Force;
+        let Some(sharp) = errors.sharp.as_mut().filter(|_| is_asked) else {
+            balls.forget_forces();
             return;
         };
         sharp.state.begin(Sharp::from(balls.at), order);
