@@ -1,38 +1,46 @@
 //! Exact products of numbers that take part in several of them.
 
-use super::Double;
 use super::double::split;
+use crate::Number;
 
-/// A double and its two halves, split once: products of such are exact at half the price.
+/// A number and its two halves, split once: products of such are exact at half the price.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Halves {
-    whole: f64,
-    top: f64,
-    tail: f64,
+pub(crate) struct Halves<T = f64> {
+    whole: T,
+    top: T,
+    tail: T,
 }
 
-impl Halves {
-    /// Splits a double.
+/// A product as its rounded value and what that leaves out.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Product<T = f64> {
+    pub(crate) hi: T,
+    pub(crate) lo: T,
+}
+
+impl<T: Number> Halves<T> {
+    /// Splits a number.
     #[inline(always)]
-    pub(crate) fn of(whole: f64) -> Halves {
+    pub(crate) fn of(whole: T) -> Halves<T> {
         let (top, tail) = split(whole);
         Halves { whole, top, tail }
     }
 
     /// The product, exactly but for underflow (Dekker).
     #[inline(always)]
-    pub(crate) fn times(self, o: Halves) -> Double {
+    pub(crate) fn times(self, o: Halves<T>) -> Product<T> {
         let hi = self.whole * o.whole;
         let lo =
             ((self.top * o.top - hi) + self.top * o.tail + self.tail * o.top) + self.tail * o.tail;
-        Double { hi, lo }
+        Product { hi, lo }
     }
 
     /// The square.
     #[inline(always)]
-    pub(crate) fn square(self) -> Double {
+    pub(crate) fn square(self) -> Product<T> {
         let hi = self.whole * self.whole;
-        let lo = ((self.top * self.top - hi) + 2.0 * self.top * self.tail) + self.tail * self.tail;
-        Double { hi, lo }
+        let twice = self.top.scaled(2.0);
+        let lo = ((self.top * self.top - hi) + twice * self.tail) + self.tail * self.tail;
+        Product { hi, lo }
     }
 }

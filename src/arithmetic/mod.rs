@@ -7,6 +7,7 @@
 
 pub mod angle;
 mod ball;
+mod both;
 mod constant;
 mod decimal;
 mod double;
@@ -19,6 +20,7 @@ mod vec2;
 
 pub use ball::Ball;
 pub(crate) use ball::INFLATION;
+pub(crate) use both::Both;
 pub use constant::Constant;
 pub(crate) use constant::typed_radius;
 pub use double::Double;

@@ -1,7 +1,7 @@
 //! Bounds of what follows from points and links without a constraint to solve.
 
 use super::errors::{Errors, LinkError, PointError, size};
-use super::limb::{Limb, SUM, difference, swing_rest, turned_closely};
+use super::limb::{Limb, SUM, Shape, difference, swing_rest, turned_closely};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::demand::Part;
 use crate::solver::state::State;
@@ -16,26 +16,43 @@ impl Errors {
         &mut self,
         arm: &Arm,
         end: PointId,
-        limb: &Limb,
+        (limb, shape): (&Limb, &Shape),
         along: [f64; 2],
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
         let link = &state.links[arm.link.index()];
-        let [x, p] = [end, arm.pivot].map(|point| self.point(point));
-        let mut error = limb.link_error::<ORDER>(arm, link, [x, p], along);
-        let gain = limb.gain();
+        let (x, p) = (self.point(end), self.point(arm.pivot));
+        let (mut error, gain) = limb.link_error::<ORDER>(shape, link, [x, p], along);
         if self.influences.has_link(arm.link) {
-            let ends = [end, arm.pivot];
-            let [x, p] = ends.map(|point| self.left_without_row(point));
-            let new = std::array::from_fn(|k| error.rest[k] + gain * (x[k] + p[k]));
-            error.rest = self.influences.between(arm.link, new, limb.across(), ends);
+            error.rest = self.turn_by_rows(arm, (end, limb.e), error.rest, gain);
         } else {
-            for k in 0..=ORDER as usize {
-                error.rest[k] += gain * (x.left[k] + p.left[k]);
+            let lefts = x.left.iter().zip(&p.left);
+            for (rest, (x, p)) in error.rest.iter_mut().zip(lefts) {
+                *rest += gain * (x + p);
             }
         }
         self.set_link(arm.link, &error, link, enclosure);
+    }
+
+    /// What is left of a link with this way to an end, by rows of influences, when so much of it is new.
+    #[cold]
+    pub(super) fn turn_by_rows(
+        &mut self,
+        arm: &Arm,
+        (end, e): (PointId, Vec2),
+        mut new: [f64; 3],
+        gain: f64,
+    ) -> [f64; 3] {
+        let ends = [end, arm.pivot];
+        for point in ends {
+            let left = self.left_without_row(point);
+            for (new, left) in new.iter_mut().zip(left) {
+                *new += gain * left;
+            }
+        }
+        self.influences
+            .between(arm.link, new, Limb::across(e), ends)
     }
 
     /// What is left of a point that has no row to say it.
@@ -63,7 +80,8 @@ impl Errors {
             limb.sizes[0] * (x + p)
         };
         let along = [rest(0), rest(1)];
-        self.aim::<ORDER>(arm, end, &limb, along, state, enclosure);
+        let shape = Shape::of(arm);
+        self.aim::<ORDER>(arm, end, (&limb, &shape), along, state, enclosure);
     }
 
     /// A point that rides on a link.
@@ -93,8 +111,9 @@ impl Errors {
             let arm = (link, limb.e.perp());
             left = self.influences.ride(point, left, base, arm);
         } else {
-            for k in 0..=ORDER as usize {
-                left[k] += from.left[k] + length * turned.rest[k];
+            let rests = from.left.into_iter().zip(turned.rest);
+            for (left, (from, turned)) in left.iter_mut().zip(rests) {
+                *left += from + length * turned;
             }
         }
         for (k, left) in left.into_iter().enumerate().take(ORDER as usize + 1) {
@@ -119,10 +138,10 @@ impl Errors {
         let [arm, low] = turned_closely(local, d);
         let swing = low + local.map(|v| v.hi).turned(turned.direction);
         let rest = size(local.map(|v| v.hi)) * turned.along + swing_rest(local, turned);
-        let mut error = PointError::default();
-        let mut see = |k: usize, way: Vec2<Double>, arm: Vec2, swing: Vec2| {
-            let miss = arm - way.map(|v| v.hi);
-            let step = (miss - way.map(|v| v.lo)) + swing;
+        let mut error = PointError::none();
+        let mut see = |k: usize, [way, lost]: [Vec2; 2], arm: Vec2, swing: Vec2| {
+            let miss = arm - way;
+            let step = (miss - lost) + swing;
             error.shift[k] = from.shift[k] + step;
             let rounding = SUM * (size(miss) + size(swing) + from.most[k]);
             error.settle(k, from.left[k] + rest + rounding);

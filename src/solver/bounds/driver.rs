@@ -2,19 +2,25 @@
 
 use super::errors::LinkError;
 use crate::arithmetic::{U, two_product, typed_radius};
-use crate::{Vec2, angle};
+use crate::{Ball, Double, Vec2, angle};
 
 /// Decimals of 15 digits are whole numbers from the one to below the other, in some unit;
 const LEAST_DIGITS: f64 = 1e14;
 const MOST_DIGITS: f64 = 1e15;
 /// and this is the largest power of ten whose inverse such a unit can be: it is the last that a double holds.
 const LARGEST_UNIT: f64 = 1e22;
+/// What a direction in twice the digits rounds, and the way to it.
+const UNIT: f64 = 64.0 * U * U;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
 /// How far the driver's coordinate that was meant can be from the double that it was read as: one of more
 /// than 15 digits is that double, one of fewer is the decimal that it reads back as.
 pub(super) fn asked_radius(at: f64) -> f64 {
+    // A whole number is itself.
+    if at.abs() < MOST_DIGITS && at == at.trunc() {
+        return 0.0;
+    }
     let mut unit = 1.0;
     while (at * unit).abs() < LEAST_DIGITS {
         unit *= 10.0;
@@ -32,10 +38,15 @@ pub(super) fn asked_radius(at: f64) -> f64 {
     }
 }
 
-/// The error of a crank's computed direction at `degrees`, which may be off by a radius.
-pub(super) fn crank_error(d: Vec2, degrees: f64, radius: f64) -> LinkError {
-    let (close, off) = angle::unit_closely(degrees);
-    let off = off.x + off.y + 2.0 * U * U + radius * RADIAN;
+/// The error of a crank's computed direction at an angle in degrees. A long chain makes much of little: there the
+/// direction is found to twice the digits.
+pub(super) fn crank_error(d: Vec2, at: Ball, is_long: bool) -> LinkError {
+    let (close, off) = if is_long {
+        (Double::unit(at.mid), Vec2::ZERO)
+    } else {
+        angle::unit_closely(at.mid)
+    };
+    let off = off.x + off.y + UNIT + at.radius * RADIAN;
     LinkError {
         direction: Vec2::new(
             (close.x.hi - d.x) + close.x.lo,
@@ -43,7 +54,7 @@ pub(super) fn crank_error(d: Vec2, degrees: f64, radius: f64) -> LinkError {
         ),
         rest: [off, 0.0, 0.0],
         along: off,
-        ..LinkError::default()
+        ..LinkError::none()
     }
 }
 

@@ -2,38 +2,38 @@
 //!
 //! The true figure is what was computed, plus a shift, plus a rest. The shift is signed: it is what the
 //! residuals say, to the first order. The rest is only known to be small: what no residual tells, such
-//! as the digits of a length that was typed, and what is of the second order.
+//! as what a typed coordinate of the driver is off by, and what is of the second order.
 
 use super::influence::Influences;
-use crate::arithmetic::{INFLATION, Sharp, U, two_sum};
+use crate::arithmetic::{Both, INFLATION, Sharp, U, two_sum};
 use crate::solver::Workspace;
 use crate::solver::engine::Engine;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::step::Step;
-use crate::{Ball, Constant, Double, LinkId, PointId, Vec2};
+use crate::{Ball, Constant, Double, LinkId, Number, PointId, Vec2};
 
 /// What is lost of a constant in twice the precision, with room.
 const TWICE: f64 = 1e-31;
 
 /// The errors of a point's position, velocity and acceleration.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct PointError {
-    pub shift: [Vec2; 3],
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PointError<T = f64> {
+    pub shift: [Vec2<T>; 3],
     /// Bounds of the rest in each component, and of how far the true figure is from the computed one.
-    pub left: [f64; 3],
-    pub most: [f64; 3],
+    pub left: [T; 3],
+    pub most: [T; 3],
 }
 
 /// The errors of a link's direction, angular velocity and acceleration.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct LinkError {
-    pub direction: Vec2,
+#[derive(Clone, Copy, Debug)]
+pub(super) struct LinkError<T = f64> {
+    pub direction: Vec2<T>,
     /// Of the velocity and of the acceleration.
-    pub shift: [f64; 2],
+    pub shift: [T; 2],
     /// Bounds of the rest: of the angle and its rates.
-    pub rest: [f64; 3],
+    pub rest: [T; 3],
     /// Of the direction along itself.
-    pub along: f64,
+    pub along: T,
 }
 
 /// Of all points and links, and what of their rests comes from which constraint.
@@ -64,7 +64,7 @@ fn is_run_closely(step: &Step) -> bool {
 
 /// The sum of the sizes of the components.
 #[inline(always)]
-pub(super) fn size(v: Vec2) -> f64 {
+pub(super) fn size<T: Number>(v: Vec2<T>) -> T {
     v.x.abs() + v.y.abs()
 }
 
@@ -77,14 +77,17 @@ pub(super) fn larger(v: Vec2) -> f64 {
 /// Here a rest becomes a bound: it is a sum of positive terms, each rounded to nearest, and is widened by
 /// more than these can have lost.
 #[inline(always)]
-fn ball(value: f64, shift: f64, rest: f64) -> Ball {
+fn ball<T: Number>(value: T, shift: T, rest: T) -> (T, T) {
     let (mid, lost) = two_sum(value, shift);
-    Ball::new(mid, rest * INFLATION + lost.abs())
+    (mid, rest * T::exactly(INFLATION) + lost.abs())
 }
 
 #[inline(always)]
 fn balls(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Ball> {
-    Vec2::new(ball(value.x, shift.x, rest), ball(value.y, shift.y, rest))
+    let (value, shift) = (Both([value.x, value.y]), Both([shift.x, shift.y]));
+    let (mid, radius) = ball(value, shift, Both::exactly(rest));
+    let at = |i: usize| Ball::new(mid.0[i], radius.0[i]);
+    Vec2::new(at(0), at(1))
 }
 
 fn sharp(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Sharp> {
@@ -120,7 +123,7 @@ impl PointError {
     fn new(shift: [Vec2; 3], left: [f64; 3]) -> PointError {
         let mut error = PointError {
             shift,
-            ..PointError::default()
+            ..PointError::none()
         };
         (0..3).for_each(|order| error.settle(order, left[order]));
         error
@@ -154,6 +157,39 @@ impl PointError {
     }
 }
 
+impl<T: Number> PointError<T> {
+    /// No error.
+    #[inline(always)]
+    pub(super) fn none() -> PointError<T> {
+        let none = T::default();
+        PointError {
+            shift: [Vec2::new(none, none); 3],
+            left: [none; 3],
+            most: [none; 3],
+        }
+    }
+}
+
+impl<T: Number> LinkError<T> {
+    /// No error.
+    #[inline(always)]
+    pub(super) fn none() -> LinkError<T> {
+        let none = T::default();
+        LinkError {
+            direction: Vec2::new(none, none),
+            shift: [none; 2],
+            rest: [none; 3],
+            along: none,
+        }
+    }
+
+    /// How far the direction can be off in each component: turned, and along itself.
+    #[inline(always)]
+    fn spread(&self) -> T {
+        self.rest[0] + self.rest[0] * size(self.direction) + self.along
+    }
+}
+
 impl LinkError {
     /// How far the true one is from the computed one at most, at the velocity and beyond.
     #[inline(always)]
@@ -175,12 +211,6 @@ impl LinkError {
         }
     }
 
-    /// How far the direction can be off in each component: turned, and along itself.
-    #[inline(always)]
-    fn spread(&self) -> f64 {
-        self.rest[0] * (1.0 + size(self.direction)) + self.along
-    }
-
     fn sharp(&self, value: &LinkState) -> LinkState<Sharp> {
         let number = |v: f64, shift: f64, rest: f64| Sharp::new(Double::sum(v, shift), rest);
         LinkState {
@@ -192,10 +222,13 @@ impl LinkError {
 
     #[inline(always)]
     fn balls(&self, value: &LinkState) -> LinkState<Ball> {
+        let rests = Both([self.rest[1], self.rest[2]]);
+        let (mid, radius) = ball(Both([value.w, value.a]), Both(self.shift), rests);
+        let at = |i: usize| Ball::new(mid.0[i], radius.0[i]);
         LinkState {
             d: balls(value.d, self.direction, self.spread()),
-            w: ball(value.w, self.shift[0], self.rest[1]),
-            a: ball(value.a, self.shift[1], self.rest[2]),
+            w: at(0),
+            a: at(1),
         }
     }
 }
@@ -213,7 +246,7 @@ impl Errors {
             direction: d.map(|v| v.lo),
             rest: [size(off(d)), 0.0, 0.0],
             along: size(off(d)),
-            ..LinkError::default()
+            ..LinkError::none()
         });
         Errors {
             points: points.collect(),
@@ -268,6 +301,49 @@ impl Errors {
             sharp.state.points[i] = error.sharp(value);
         }
         self.points[i] = *error;
+    }
+
+    /// Notes the errors of two links, and encloses them.
+    #[inline(always)]
+    pub(super) fn set_links(
+        &mut self,
+        links: [LinkId; 2],
+        error: &LinkError<Both>,
+        value: &LinkState<Both>,
+        enclosure: &mut State<Ball>,
+    ) {
+        let spread = error.spread();
+        let enclosed = [
+            ball(value.d.x, error.direction.x, spread),
+            ball(value.d.y, error.direction.y, spread),
+            ball(value.w, error.shift[0], error.rest[1]),
+            ball(value.a, error.shift[1], error.rest[2]),
+        ];
+        for (i, link) in links.into_iter().enumerate() {
+            let at = |k: usize| Ball::new(enclosed[k].0.0[i], enclosed[k].1.0[i]);
+            let error = LinkError {
+                direction: error.direction.one(i),
+                shift: [error.shift[0].0[i], error.shift[1].0[i]],
+                rest: [error.rest[0].0[i], error.rest[1].0[i], error.rest[2].0[i]],
+                along: error.along.0[i],
+            };
+            enclosure.links[link.index()] = LinkState {
+                d: Vec2::new(at(0), at(1)),
+                w: at(2),
+                a: at(3),
+            };
+            if self.feeds_sharp
+                && let Some(sharp) = &mut self.sharp
+            {
+                let value = LinkState {
+                    d: value.d.one(i),
+                    w: value.w.0[i],
+                    a: value.a.0[i],
+                };
+                sharp.state.links[link.index()] = error.sharp(&value);
+            }
+            self.links[link.index()] = error;
+        }
     }
 
     /// Notes the error of a link, and encloses it.

@@ -1,19 +1,19 @@
-//! How what is not known of one part moves what stands on it, in long chains.
+//! How what is not known of one part moves what stands on it, where that is not little.
 //!
-//! Each point and each link that a step places is a source: it is off by something unknown below a bound, at
-//! each order, whatever it stands on. Points and links carry by how much each source before them moves them: rows
-//! of the inverse of the whole matrix, which is block triangular, found forwards. Summed in the end over
+//! Each constraint of a dyad is a source: its value is off by something unknown below a bound, at each order; so is
+//! what else a step places, whatever it stands on. Points and links carry by how much each source before them moves
+//! them: rows of the inverse of the whole matrix, which is block triangular, found forwards. Summed in the end over
 //! sources by size, they give bounds that do not widen from group to group.
 //!
-//! Rests are of the second order: through a few groups they can widen as they like, and nobody has a row. A
-//! row is kept only as long as a later step reads it.
+//! Where all lengths are known exactly, rests are of the second order: through a few groups they can widen as they
+//! like, and nobody has a row. A row is kept only as long as a later step reads it.
 
 use super::limb::SUM;
 use crate::solver::coupled::Coupled;
 use crate::solver::demand::{Part, inputs, outputs};
 use crate::solver::plan::Program;
-use crate::solver::step::Step;
-use crate::{LinkId, PointId, Vec2};
+use crate::solver::step::{Arm, Step};
+use crate::{Constant, LinkId, PointId, Vec2};
 
 /// By how much each of the first sources moves a point, or in x a link's angle.
 #[derive(Clone, Debug, Default)]
@@ -29,6 +29,7 @@ pub(super) struct Influences {
     /// Bounds of the sources, by order.
     bounds: [Vec<f64>; 3],
     known: usize,
+    is_long: bool,
     /// The first one stays empty: what stands on no source.
     rows: Vec<Row>,
     /// Where the rows of points and links are; the first one of those that have none.
@@ -51,6 +52,28 @@ fn sources(step: &Step, coupled: &[Coupled]) -> usize {
         }
     });
     count
+}
+
+/// Whether a number of a step is meant to be somewhere within half an ulp.
+fn is_rounded(step: &Step) -> bool {
+    let is_off = |v: Vec2<Constant>| v.x.radius + v.y.radius > 0.0;
+    let is_arm = |arm: &Arm| arm.square.radius > 0.0 || is_off(arm.factor);
+    match step {
+        Step::Circles(c) => is_arm(&c.near) || is_arm(&c.far),
+        Step::CircleRail(c) => is_arm(&c.arm) || is_off(c.through) || is_off(c.along),
+        Step::Aim { arm, .. } => is_arm(arm),
+        Step::Spin { local, .. } | Step::Ride { local, .. } => is_off(*local),
+        Step::Lock { turn, .. } => is_off(*turn),
+        // These are run closely: what they place is a source.
+        Step::CircleLine(_)
+        | Step::Cylinder(_)
+        | Step::Swing(_)
+        | Step::Coupled { .. }
+        | Step::Push { .. }
+        | Step::Lines { .. }
+        | Step::Crank { .. }
+        | Step::Travel { .. } => false,
+    }
 }
 
 /// Whether a step makes rows of rows.
@@ -124,15 +147,17 @@ impl Influences {
             .iter()
             .map(|step| sources(step, &program.coupled));
         let sources = counts.sum();
+        let dyads = program.steps.iter().filter(|step| step.dyad().is_some());
+        let is_long = dyads.count() > FEW;
         let mut influences = Influences {
+            is_long,
             bounds: std::array::from_fn(|_| vec![0.0; sources]),
             known: 0,
             rows: vec![Row::default()],
             points: vec![0; program.points.len()],
             links: vec![0; program.links.len()],
         };
-        let dyads = program.steps.iter().filter(|step| step.dyad().is_some());
-        if dyads.count() > FEW {
+        if is_long || program.steps.iter().any(is_rounded) {
             influences.share_rows(program, sources);
         }
         influences
@@ -193,6 +218,12 @@ impl Influences {
         self.known = 0;
     }
 
+    /// Whether there are so many dyads that little comes to much.
+    #[inline(always)]
+    pub(super) fn is_long(&self) -> bool {
+        self.is_long
+    }
+
     /// Whether a point has a row.
     #[inline(always)]
     pub(super) fn has_point(&self, point: PointId) -> bool {
@@ -215,10 +246,21 @@ impl Influences {
         self.write_link(link, bounds, |_, _| {});
     }
 
-    /// Writes the row of a point from others, and what is new at it.
+    /// Writes the row of a point from others, and what is new at it: two sources that move it along its axes.
     fn write_point(
         &mut self,
         point: PointId,
+        bounds: [f64; 3],
+        write: impl FnOnce(&mut Row, &Influences),
+    ) {
+        self.write_moved(point, [Vec2::X, Vec2::X.perp()], bounds, write);
+    }
+
+    /// The same where the sources move it by these columns.
+    fn write_moved(
+        &mut self,
+        point: PointId,
+        [first, second]: [Vec2; 2],
         bounds: [f64; 3],
         write: impl FnOnce(&mut Row, &Influences),
     ) {
@@ -226,7 +268,8 @@ impl Influences {
         let mut row = std::mem::take(&mut self.rows[at]);
         row.clear(n + 2);
         write(&mut row, self);
-        (row.x[n], row.y[n + 1]) = (1.0, 1.0);
+        (row.x[n], row.y[n]) = (first.x, first.y);
+        (row.x[n + 1], row.y[n + 1]) = (second.x, second.y);
         self.rows[at] = row;
         self.known = n + 2;
         for (to, bound) in self.bounds.iter_mut().zip(bounds) {
@@ -262,7 +305,7 @@ impl Influences {
     }
 
     /// A point by two constraints with these gradients, to each of which belongs a column of the inverse. A
-    /// constraint may be one towards another point. The bounds of what is new are not known yet.
+    /// constraint may be one towards another point. They are new sources, whose bounds are not known yet.
     #[cold]
     pub(super) fn pair(
         &mut self,
@@ -271,7 +314,7 @@ impl Influences {
         columns: [Vec2; 2],
         from: [Option<PointId>; 2],
     ) {
-        self.write_point(point, [0.0; 3], |row, all| {
+        self.write_moved(point, columns, [0.0; 3], |row, all| {
             for ((g, column), from) in gradients.into_iter().zip(columns).zip(from) {
                 if let Some(from) = from {
                     row.add(all.point(from), [column * g.x, column * g.y]);
@@ -280,10 +323,10 @@ impl Influences {
         });
     }
 
-    /// Bounds what is new at the newest point; gives what all sources can do to it.
+    /// Bounds the constraints of the newest point; gives what all sources can do to it.
     #[cold]
-    pub(super) fn bound(&mut self, point: PointId, order: usize, new: f64) -> f64 {
-        self.bounds[order][self.known - 2..self.known].fill(new);
+    pub(super) fn bound(&mut self, point: PointId, order: usize, bounds: [f64; 2]) -> f64 {
+        self.bounds[order][self.known - 2..self.known].copy_from_slice(&bounds);
         self.of_point(point, order)
     }
 

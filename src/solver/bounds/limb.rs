@@ -10,53 +10,102 @@
 //! that follows from them is small, and doubles will do.
 
 use super::errors::{LinkError, PointError, larger, size};
-use crate::arithmetic::{Halves, U, two_sum};
+use crate::arithmetic::{Both, Halves, U, two_sum};
 use crate::solver::state::{LinkState, PointState};
 use crate::solver::step::{ACCELERATION, Arm, VELOCITY};
-use crate::{Constant, Double, Vec2};
+use crate::{Constant, Number, Vec2};
 
 /// What residuals in twice the precision still round, in parts of the size of their terms.
 pub(super) const RESIDUAL: f64 = 32.0 * U * U;
 /// What a short sum of products in doubles rounds, in parts of the size of its terms.
 pub(super) const SUM: f64 = 8.0 * U;
 
-/// A way between two points of a link, with its rates, and what they leave over.
-pub(super) struct Limb {
-    pub e: Vec2,
+/// A way between two points of a link, with its rates, and what they leave over; or two such at once.
+pub(super) struct Limb<T = f64> {
+    pub e: Vec2<T>,
     /// What e leaves out of the way.
-    pub lost: Vec2,
-    pub w: Vec2,
-    pub a: Vec2,
-    pub rho: Vec2,
-    pub sigma: Vec2,
+    pub lost: Vec2<T>,
+    pub w: Vec2<T>,
+    pub a: Vec2<T>,
+    pub rho: Vec2<T>,
+    pub sigma: Vec2<T>,
     /// The sizes of e, w and a.
-    pub sizes: [f64; 3],
+    pub sizes: [T; 3],
     /// How far rho and sigma can be from what they say.
-    pub fuzz: [f64; 2],
-    halves: Vec2<Halves>,
+    pub fuzz: [T; 2],
+    halves: Vec2<Halves<T>>,
 }
 
+/// What an arm is given by: the square of its length and its factor, each with the digits that a double leaves
+/// out, and how far they can be off.
+#[derive(Clone, Copy)]
+pub(super) struct Shape<T = f64> {
+    square: [T; 3],
+    factor: Vec2<T>,
+    low: Vec2<T>,
+    off: T,
+    /// Whether it lies along the x axis of its link, as most do.
+    is_straight: bool,
+}
+
+impl Shape {
+    #[inline(always)]
+    pub(super) fn of(arm: &Arm) -> Shape {
+        let Arm { square, factor, .. } = *arm;
+        Shape {
+            square: [square.hi, square.lo, square.radius],
+            factor: Vec2::new(factor.x.hi, factor.y.hi),
+            low: Vec2::new(factor.x.lo, factor.y.lo),
+            off: factor.x.radius + factor.y.radius,
+            is_straight: factor.y == Constant::default(),
+        }
+    }
+}
+
+impl Shape<Both> {
+    #[inline(always)]
+    pub(super) fn of_both(near: &Arm, far: &Arm) -> Shape<Both> {
+        let (a, b) = (Shape::of(near), Shape::of(far));
+        let square = |k: usize| Both([a.square[k], b.square[k]]);
+        Shape {
+            square: [square(0), square(1), square(2)],
+            factor: Vec2::both(a.factor, b.factor),
+            low: Vec2::both(a.low, b.low),
+            off: Both([a.off, b.off]),
+            is_straight: a.is_straight && b.is_straight,
+        }
+    }
+}
+
+/// x - p, and what that leaves out.
 #[inline(always)]
-pub(super) fn difference(x: Vec2, p: Vec2) -> Vec2<Double> {
-    Vec2::new(Double::sum(x.x, -p.x), Double::sum(x.y, -p.y))
+pub(super) fn difference<T: Number>(x: Vec2<T>, p: Vec2<T>) -> [Vec2<T>; 2] {
+    let (dx, lost_x) = two_sum(x.x, -p.x);
+    let (dy, lost_y) = two_sum(x.y, -p.y);
+    [Vec2::new(dx, dy), Vec2::new(lost_x, lost_y)]
 }
 
-impl Limb {
+impl<T: Number> Limb<T> {
     /// From `p` to `x`.
     #[inline(always)]
-    pub(super) fn new<const ORDER: u8>(x: &PointState, p: &PointState, link: &LinkState) -> Limb {
-        let way = difference(x.p, p.p);
-        let e = way.map(|v| v.hi);
+    pub(super) fn new<const ORDER: u8>(
+        x: &PointState<T>,
+        p: &PointState<T>,
+        link: &LinkState<T>,
+    ) -> Limb<T> {
+        let [e, lost] = difference(x.p, p.p);
+        let none = T::default();
+        let nowhere = Vec2::new(none, none);
         let mut limb = Limb {
             e,
-            lost: way.map(|v| v.lo),
-            w: Vec2::ZERO,
-            a: Vec2::ZERO,
-            rho: Vec2::ZERO,
-            sigma: Vec2::ZERO,
-            sizes: [size(e), 0.0, 0.0],
-            fuzz: [0.0; 2],
-            halves: e.map(Halves::of),
+            lost,
+            w: nowhere,
+            a: nowhere,
+            rho: nowhere,
+            sigma: nowhere,
+            sizes: [size(e), none, none],
+            fuzz: [none; 2],
+            halves: Vec2::new(Halves::of(e.x), Halves::of(e.y)),
         };
         if ORDER >= VELOCITY {
             let rate = difference(x.v, p.v);
@@ -71,137 +120,131 @@ impl Limb {
     }
 
     #[inline(always)]
-    fn see_velocity(&mut self, rate: Vec2<Double>, w: f64, omega: Halves) {
+    fn see_velocity(&mut self, [w, low]: [Vec2<T>; 2], spin: T, omega: Halves<T>) {
         // w + omega (e.y, -e.x), the products largest and almost opposite.
-        let part = |rate: Double, of: Halves, lost: f64, sign: f64| {
-            let turned = omega.times(of);
-            (rate.hi + sign * turned.hi) + (rate.lo + sign * (turned.lo + w * lost))
-        };
-        self.w = rate.map(|v| v.hi);
+        let (y, x) = (omega.times(self.halves.y), omega.times(self.halves.x));
+        self.w = w;
         self.rho = Vec2::new(
-            part(rate.x, self.halves.y, self.lost.y, 1.0),
-            part(rate.y, self.halves.x, self.lost.x, -1.0),
+            (w.x + y.hi) + (low.x + (y.lo + spin * self.lost.y)),
+            (w.y - x.hi) + (low.y - (x.lo + spin * self.lost.x)),
         );
-        self.sizes[1] = size(self.w);
-        let terms = self.sizes[1] + w.abs() * self.sizes[0];
-        self.fuzz[0] = RESIDUAL * terms + SUM * size(self.rho);
+        self.sizes[1] = size(w);
+        let terms = self.sizes[1] + spin.abs() * self.sizes[0];
+        self.fuzz[0] = terms.scaled(RESIDUAL) + size(self.rho).scaled(SUM);
     }
 
     #[inline(always)]
     fn see_acceleration(
         &mut self,
-        second: Vec2<Double>,
-        rate: Vec2<Double>,
-        link: &LinkState,
-        omega: Halves,
+        [a, low]: [Vec2<T>; 2],
+        [w, w_low]: [Vec2<T>; 2],
+        link: &LinkState<T>,
+        omega: Halves<T>,
     ) {
         let alpha = Halves::of(link.a);
-        let part = |a: Double, e: (Halves, f64), w: Double, sign: f64| {
-            let (turning, driven) = (alpha.times(e.0), omega.times(Halves::of(w.hi)));
-            let (sum, lost) = two_sum(turning.hi, driven.hi);
-            let small = lost + (turning.lo + driven.lo) + (link.a * e.1 + link.w * w.lo);
-            (a.hi + sign * sum) + (a.lo + sign * small)
+        // alpha e + omega w, of one component.
+        let part = |e: Halves<T>, lost: T, w: T, low: T| {
+            let (turning, driven) = (alpha.times(e), omega.times(Halves::of(w)));
+            let (sum, rest) = two_sum(turning.hi, driven.hi);
+            let small = rest + (turning.lo + driven.lo) + (link.a * lost + link.w * low);
+            (sum, small)
         };
-        self.a = second.map(|v| v.hi);
-        self.sigma = Vec2::new(
-            part(second.x, (self.halves.y, self.lost.y), rate.y, 1.0),
-            part(second.y, (self.halves.x, self.lost.x), rate.x, -1.0),
-        );
+        let y = part(self.halves.y, self.lost.y, w.y, w_low.y);
+        let x = part(self.halves.x, self.lost.x, w.x, w_low.x);
+        self.a = a;
+        self.sigma = Vec2::new((a.x + y.0) + (low.x + y.1), (a.y - x.0) + (low.y - x.1));
         let [length, speed, _] = self.sizes;
-        self.sizes[2] = size(self.a);
+        self.sizes[2] = size(a);
         let terms = self.sizes[2] + link.a.abs() * length + link.w.abs() * speed;
-        self.fuzz[1] = RESIDUAL * terms + SUM * size(self.sigma);
+        self.fuzz[1] = terms.scaled(RESIDUAL) + size(self.sigma).scaled(SUM);
     }
 
     /// (|e|^2 - b^2) / 2, and how far that can be from what is true of the points.
     #[inline(always)]
-    pub(super) fn stretch(&self, square: Constant) -> [f64; 2] {
+    pub(super) fn stretch(&self, shape: &Shape<T>) -> [T; 2] {
+        let [square, low, radius] = shape.square;
         let (xx, yy) = (self.halves.x.square(), self.halves.y.square());
         // Largest terms first; what each sum loses joins the small ones.
         let (sum, lost) = two_sum(xx.hi, yy.hi);
-        let (rest, lost_too) = two_sum(sum, -square.hi);
-        let small = (lost + lost_too) + (xx.lo + yy.lo) - square.lo;
-        let stretch = 0.5 * (rest + (small + 2.0 * self.e.dot(self.lost)));
-        let fuzz = 0.5 * square.radius + RESIDUAL * square.hi + 2.0 * U * stretch.abs();
+        let (rest, lost_too) = two_sum(sum, -square);
+        let small = (lost + lost_too) + (xx.lo + yy.lo) - low;
+        let stretch = (rest + (small + self.e.dot(self.lost).scaled(2.0))).scaled(0.5);
+        let fuzz = radius.scaled(0.5) + square.scaled(RESIDUAL) + stretch.abs().scaled(2.0 * U);
         [stretch, fuzz]
     }
 
     /// e factor - d: from the computed direction to that of the way.
     #[inline(always)]
-    fn turn(&self, factor: Vec2<Constant>, d: Vec2) -> Vec2 {
-        let (x, fx) = (&self.halves, Halves::of(factor.x.hi));
-        let low = |a: Constant, e: f64, lost: f64| a.lo * e + a.hi * lost;
-        let (px, py) = (fx.times(x.x), fx.times(x.y));
+    fn turn(&self, shape: &Shape<T>, d: Vec2<T>) -> Vec2<T> {
+        let Shape { factor, low, .. } = *shape;
+        let (e, lost, halves) = (self.e, self.lost, &self.halves);
+        let fx = Halves::of(factor.x);
+        let (px, py) = (fx.times(halves.x), fx.times(halves.y));
         let rest = Vec2::new(
-            low(factor.x, self.e.x, self.lost.x),
-            low(factor.x, self.e.y, self.lost.y),
+            low.x * e.x + factor.x * lost.x,
+            low.x * e.y + factor.x * lost.y,
         );
-        // Most arms lie along the x axis of their link.
-        if factor.y == Constant::default() {
+        if shape.is_straight {
             return Vec2::new(
                 (px.hi - d.x) + (px.lo + rest.x),
                 (py.hi - d.y) + (py.lo + rest.y),
             );
         }
-        let fy = Halves::of(factor.y.hi);
-        let (qx, qy) = (fy.times(x.y), fy.times(x.x));
+        let fy = Halves::of(factor.y);
+        let (qx, qy) = (fy.times(halves.y), fy.times(halves.x));
         let (sx, lost_x) = two_sum(px.hi, -qx.hi);
         let (sy, lost_y) = two_sum(py.hi, qy.hi);
-        let over_x = low(factor.y, self.e.y, self.lost.y);
-        let over_y = low(factor.y, self.e.x, self.lost.x);
+        let over_x = low.y * e.y + factor.y * lost.y;
+        let over_y = low.y * e.x + factor.y * lost.x;
         Vec2::new(
             (sx - d.x) + (lost_x + (px.lo - qx.lo) + (rest.x - over_x)),
             (sy - d.y) + (lost_y + (py.lo + qy.lo) + (rest.y + over_y)),
         )
     }
 
-    /// e - R(d) local: from where the link carries the point to where it was put.
-    #[inline(always)]
-    pub(super) fn miss(&self, local: Vec2<Constant>, d: Vec2) -> Vec2 {
-        let [carried, low] = turned_closely(local, d);
-        (self.e - carried) + (self.lost - low)
-    }
-
-    /// The errors of the link whose arm this is, with what is new in their rests: beside those of the ends'.
-    /// `along` bounds e . of the rests of e and w.
+    /// The errors of the link whose arm this is, with all that is left of them but for what the rests of the ends
+    /// move; and by how much these move its angle. `along` bounds e . of the rests of e and w.
     #[inline(always)]
     pub(super) fn link_error<const ORDER: u8>(
         &self,
-        arm: &Arm,
-        link: &LinkState,
-        [x, p]: [&PointError; 2],
-        along: [f64; 2],
-    ) -> LinkError {
+        shape: &Shape<T>,
+        link: &LinkState<T>,
+        [x, p]: [&PointError<T>; 2],
+        along: [T; 2],
+    ) -> (LinkError<T>, T) {
         let [length, speed, _] = self.sizes;
-        let inverse = 1.0 / self.e.norm2();
+        let inverse = T::exactly(1.0) / self.e.norm2();
         let gain = length * inverse;
-        let most = |order: usize| x.most[order] + p.most[order];
-        let mut error = LinkError::default();
+        let most = |order: usize| (x.most[order] + p.most[order]).scaled(2.0);
+        let mut error = LinkError::none();
 
         let e = x.shift[0] - p.shift[0];
-        let factor = arm.factor.map(|v| v.hi);
-        let turn = self.turn(arm.factor, link.d);
-        error.direction = turn + e.turned(factor);
-        let meant = (arm.factor.x.radius + arm.factor.y.radius) * length;
-        let rounding = 2.0 * RESIDUAL + SUM * (size(turn) + 2.0 * size(factor) * most(0));
-        error.rest[0] = meant + rounding;
+        let turn = self.turn(shape, link.d);
+        let off = most(0);
+        error.direction = turn + e.turned(shape.factor);
+        let rounding = (size(turn) + size(shape.factor) * off).scaled(SUM);
+        error.rest[0] = shape.off * length + rounding + T::exactly(2.0 * RESIDUAL);
         error.along = along[0] * inverse + error.rest[0];
         if ORDER < VELOCITY {
-            return error;
+            return (error, gain);
         }
 
         let omega = link.w.abs();
         let w = x.shift[1] - p.shift[1];
         error.shift[0] = (self.e.cross(self.rho + w) - link.w * self.e.dot(e)) * inverse;
         // As long as the way does not lose two fifths of its length, twice the gain covers its inverse.
-        let keeps = 5.0 * most(0) <= length;
-        let short = if keeps { 2.0 * gain } else { f64::INFINITY };
-        let terms = size(self.rho) + 2.0 * (most(1) + omega * most(0));
+        let keeps = length.exceeds(off * T::exactly(2.5));
+        let short = if keeps {
+            gain.scaled(2.0)
+        } else {
+            T::exactly(f64::INFINITY)
+        };
+        let terms = size(self.rho) + most(1) + omega * off;
         let spin = short * terms;
-        let left = self.fuzz[0] + 2.0 * spin * most(0) + SUM * terms;
+        let left = self.fuzz[0] + spin * off + terms.scaled(SUM);
         error.rest[1] = gain * left + omega * along[0] * inverse;
         if ORDER < ACCELERATION {
-            return error;
+            return (error, gain);
         }
 
         let alpha = link.a.abs();
@@ -212,25 +255,26 @@ impl Limb {
             - error.shift[0] * skew
             - link.w * self.e.dot(w))
             * inverse;
-        let terms = size(self.sigma)
-            + 2.0 * (most(2) + alpha * most(0) + omega * most(1))
-            + spin * (speed + 2.0 * most(1));
-        let left = self.fuzz[1] + 2.0 * (short * terms * most(0) + spin * most(1)) + SUM * terms;
-        error.rest[2] =
-            gain * left + (alpha * along[0] + omega * along[1] + 2.0 * skew.abs() * spin) * inverse;
-        error
+        let terms =
+            size(self.sigma) + (most(2) + alpha * off + omega * most(1)) + spin * (speed + most(1));
+        let left = self.fuzz[1] + (short * terms * off + spin * most(1)) + terms.scaled(SUM);
+        error.rest[2] = gain * left
+            + (alpha * along[0] + omega * along[1] + (skew.abs() * spin).scaled(2.0)) * inverse;
+        (error, gain)
     }
+}
 
-    /// By how much the rests of the way move the link's angle.
-    #[inline(always)]
-    pub(super) fn gain(&self) -> f64 {
-        self.sizes[0] / self.e.norm2()
-    }
-
+impl Limb {
     /// The derivative of the link's angle by the way.
+    pub(super) fn across(e: Vec2) -> Vec2 {
+        e.perp() * (1.0 / e.norm2())
+    }
+
+    /// e - R(d) local: from where the link carries the point to where it was put.
     #[inline(always)]
-    pub(super) fn across(&self) -> Vec2 {
-        self.e.perp() * (1.0 / self.e.norm2())
+    fn miss(&self, local: Vec2<Constant>, d: Vec2) -> Vec2 {
+        let [carried, low] = turned_closely(local, d);
+        (self.e - carried) + (self.lost - low)
     }
 
     /// The errors of a point that rides on a link, from those of its base and of the link, with what is new
@@ -244,7 +288,7 @@ impl Limb {
         turned: &LinkError,
     ) -> PointError {
         let [length, speed, _] = self.sizes;
-        let mut error = PointError::default();
+        let mut error = PointError::none();
 
         let miss = self.miss(local, link.d);
         let reach = local.map(|v| v.hi);

@@ -3,16 +3,18 @@
 //! The figures of a state come from formulas that are fast; here each group is looked at once more,
 //! from the outside. The residuals of its constraints and of their rates at the computed state, to twice
 //! the precision, go through the inverse of its own matrix: that shifts what was computed to where it
-//! should be, to the first order and with its sign, and goes on to the groups behind. What is left - the
-//! second order, and digits that nobody typed - is bounded, and carried by the influences of each constraint
-//! on what stands on it. Both are one pass in the order of the plan. That a solution lies there is proved
-//! group by group. It does not matter how the figure was come by.
+//! should be, to the first order and with its sign, and goes on to the groups behind. What is left, which is of
+//! the second order but for digits that nobody typed, is bounded by a few numbers a group; in long chains, and
+//! where there are such digits, it is carried by the influences of each constraint on what stands on it, so that
+//! it does not widen. Both are one pass in the order of the plan. That a
+//! solution lies there is proved group by group. It does not matter how the figure was come by.
 //!
-//! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits.
+//! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits,
+//! and so are the forces, which are one pass backwards.
 //!
 //! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and
-//! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's square root to be
-//! rounded correctly and its arctangent to an ulp.
+//! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's
+//! square root to be rounded correctly and its arctangent to an ulp.
 
 mod carried;
 mod driver;
@@ -20,6 +22,7 @@ mod errors;
 mod influence;
 mod limb;
 mod pair;
+mod row;
 mod stretched;
 
 pub(super) use errors::Errors;
@@ -32,7 +35,7 @@ use super::state::{Condition, LinkState, PointState, State};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
-use crate::{Ball, Double, Number, Vec2};
+use crate::{Ball, Double, Number, Vec2, vectorized};
 use driver::{asked_radius, crank_error};
 use errors::LinkError;
 
@@ -128,13 +131,17 @@ impl Engine {
         if state.condition == Condition::NoAssembly {
             return;
         }
-        match order {
-            Order::Position => self.enclose::<POSITION>(state, work),
-            Order::Velocity => self.enclose::<VELOCITY>(state, work),
-            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, work),
-        }
+        vectorized(
+            #[inline(always)]
+            || match order {
+                Order::Position => self.enclose::<POSITION>(state, work),
+                Order::Velocity => self.enclose::<VELOCITY>(state, work),
+                Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, work),
+            },
+        );
     }
 
+    #[inline(always)]
     fn enclose<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Ball>) {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
@@ -142,9 +149,9 @@ impl Engine {
         let (_, d) = self.coordinate(at.mid);
         let crank = LinkState { d, w: 1.0, a: 0.0 };
         let turned = if self.turns {
-            crank_error(d, at.mid, at.radius)
+            crank_error(d, at, errors.influences.is_long())
         } else {
-            LinkError::default()
+            LinkError::none()
         };
         for step in &self.program.steps {
             let proved = match *step {

@@ -15,122 +15,19 @@
 //! Verification methods, Acta Numerica 19, 2010, section 13). What the first order leaves out is then
 //! bounded, and so are the rates', whose equations are linear.
 
-use super::errors::{Errors, PointError, larger, size};
+use super::errors::{Errors, PointError, larger};
 use super::influence::Influences;
-use super::limb::{Limb, RESIDUAL, SUM};
-use crate::arithmetic::{Halves, U, two_sum};
-use crate::solver::state::{PointState, State};
+use super::limb::{Limb, SUM, Shape};
+use super::row::Row;
+use crate::arithmetic::{Both, U};
+use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::step::{ACCELERATION, Arm, CircleRail, Circles, VELOCITY};
-use crate::{Ball, Constant, Double, PointId, Vec2};
+use crate::{Ball, Number, PointId, Vec2};
 
 /// The part of itself by which the matrix may change within the bound: beyond, nothing is proved.
 const CONTRACTION: f64 = 0.25;
 /// The rounding of an inverse of two rows, in units of its condition number.
 const INVERSE: f64 = 16.0 * U;
-
-/// One constraint on X where it was computed to be.
-struct Row<'a> {
-    gradient: Vec2,
-    /// The rates of the gradient: w and a of a circle, nothing of a rail.
-    w: Vec2,
-    a: Vec2,
-    /// The sizes of these.
-    sizes: [f64; 3],
-    /// Its value and rates there, and how far these may be from the true ones.
-    values: [f64; 3],
-    fuzz: [f64; 3],
-    /// The error of the other point.
-    from: &'a PointError,
-    /// How fast the gradient changes with X.
-    curvature: f64,
-}
-
-impl<'a> Row<'a> {
-    /// (|X - P|^2 - b^2) / 2.
-    #[inline(always)]
-    fn circle<const ORDER: u8>(limb: &Limb, square: Constant, from: &'a PointError) -> Row<'a> {
-        let Limb { e, w, a, .. } = *limb;
-        let [length, speed, _] = limb.sizes;
-        let [stretch, off] = limb.stretch(square);
-        let mut values = [stretch, 0.0, 0.0];
-        let mut fuzz = [off, 0.0, 0.0];
-        if ORDER >= VELOCITY {
-            values[1] = e.dot(limb.rho);
-            fuzz[1] = length * limb.fuzz[0];
-        }
-        if ORDER >= ACCELERATION {
-            values[2] = e.dot(limb.sigma) + w.dot(limb.rho);
-            fuzz[2] = length * limb.fuzz[1] + speed * limb.fuzz[0];
-        }
-        Row {
-            gradient: e,
-            w,
-            a,
-            sizes: limb.sizes,
-            values,
-            fuzz,
-            from,
-            curvature: 1.0,
-        }
-    }
-
-    /// n.(X - C) of a rail through C along t, and its rates.
-    #[inline(always)]
-    fn rail<const ORDER: u8>(
-        x: &PointState,
-        [through, along]: [Vec2<Constant>; 2],
-        ground: &'a PointError,
-    ) -> Row<'a> {
-        let n = along.perp();
-        let normal = n.map(|v| v.hi);
-        let halves = normal.map(Halves::of);
-        let across = |v: Vec2| {
-            let (p, q) = (
-                halves.x.times(Halves::of(v.x)),
-                halves.y.times(Halves::of(v.y)),
-            );
-            let (sum, lost) = two_sum(p.hi, q.hi);
-            sum + (lost + (p.lo + q.lo) + (n.x.lo * v.x + n.y.lo * v.y))
-        };
-        let turned = n.x.radius + n.y.radius + RESIDUAL;
-        let way = Vec2::new(
-            Double::sum(x.p.x, -through.x.hi),
-            Double::sum(x.p.y, -through.y.hi),
-        );
-        let lost = Vec2::new(way.x.lo - through.x.lo, way.y.lo - through.y.lo);
-        let way = way.map(|v| v.hi);
-        let mut values = [across(way) + normal.dot(lost), 0.0, 0.0];
-        let typed = through.x.radius + through.y.radius;
-        let mut fuzz = [turned * size(way) + typed, 0.0, 0.0];
-        if ORDER >= VELOCITY {
-            values[1] = across(x.v);
-            fuzz[1] = turned * size(x.v);
-        }
-        if ORDER >= ACCELERATION {
-            values[2] = across(x.a);
-            fuzz[2] = turned * size(x.a);
-        }
-        Row {
-            gradient: normal,
-            w: Vec2::ZERO,
-            a: Vec2::ZERO,
-            sizes: [size(normal), 0.0, 0.0],
-            values,
-            fuzz,
-            from: ground,
-            curvature: 0.0,
-        }
-    }
-}
-
-impl Row<'_> {
-    /// What the shift of the point leaves of the value of an order, which was found without it.
-    #[inline(always)]
-    fn held(&self, order: usize, value: f64, shift: Vec2, most: f64) -> f64 {
-        let left = value + self.gradient.dot(shift);
-        left.abs() + self.fuzz[order] + 2.0 * SUM * self.sizes[0] * most
-    }
-}
 
 /// Two constraints on a point, and their inverse.
 ///
@@ -138,40 +35,40 @@ impl Row<'_> {
 /// the point by C_i r at most; and as C_1 = L_2 / |det| and C_2 = L_1 / |det|, what moves one of the other
 /// points by r moves it by K r at most, K = L_1 L_2 / |det|.
 struct Pair<'a> {
-    rows: [Row<'a>; 2],
-    columns: [Vec2; 2],
-    /// C_i, and K.
-    sizes: [f64; 2],
+    /// The other points.
+    from: &'a PointError<Both>,
+    columns: Vec2<Both>,
+    /// L_i, C_i, and K.
+    lengths: Both,
+    sizes: Both,
     gain: f64,
     /// What the columns miss of being the inverse, in parts of what they move.
     skew: f64,
     /// By how much more the true inverse can make of a step.
     growth: f64,
-    /// How far the true point can be from the computed one, at most; and the same of the other points, summed.
+    /// How far the way to one of the other points can be from the computed one, at most.
     reach: f64,
 }
 
 impl<'a> Pair<'a> {
-    /// Proves that the true point is near.
+    /// Proves that the true point is near; `values` are those of the rows with the shifts of the other points
+    /// taken in.
     #[inline(always)]
-    fn proved(rows: [Row<'a>; 2]) -> Option<Pair<'a>> {
-        let [one, two] = &rows;
-        let (g, h) = (one.gradient, two.gradient);
-        let inverse = 1.0 / g.cross(h);
-        let columns = [
-            Vec2::new(h.y, -h.x) * inverse,
-            Vec2::new(-g.y, g.x) * inverse,
-        ];
-        let scale = inverse.abs();
-        let lengths = [one.sizes[0], two.sizes[0]];
-        let sizes = [lengths[1] * scale, lengths[0] * scale];
-        let gain = lengths[0] * sizes[0];
-        let norm = sizes[0] + sizes[1];
-        let wobble = one.from.most[0] + two.from.most[0];
-        let off = |i: usize| sizes[i] * (rows[i].values[0].abs() + rows[i].fuzz[0]);
-        let reach = off(0) + off(1) + gain * wobble + norm * wobble * wobble;
-        let curvature = one.curvature.max(two.curvature);
-        let rounding = (INVERSE + U) * (lengths[0] + lengths[1]);
+    fn proved(rows: &Row<Both>, values: Both, from: &'a PointError<Both>) -> Option<Pair<'a>> {
+        let (x, y) = (rows.gradient.x.swapped(), rows.gradient.y.swapped());
+        let [det, _] = (rows.gradient.x * y - rows.gradient.y * x).0;
+        let inverse = Both([1.0 / det, -1.0 / det]);
+        let columns = Vec2::new(y * inverse, -(x * inverse));
+        let lengths = rows.sizes[0];
+        let sizes = lengths.swapped() * inverse.abs();
+        let [gain, _] = (lengths * sizes).0;
+        let norm = sizes.sum();
+        let wobble = from.most[0].sum();
+        let off = (sizes * (values.abs() + rows.fuzz[0])).sum();
+        let carried = from.left[0].sum() + 2.0 * SUM * wobble;
+        let reach = off + gain * carried + norm * wobble * wobble;
+        let curvature = rows.curvature.0[0].max(rows.curvature.0[1]);
+        let rounding = (INVERSE + U) * lengths.sum();
         let change = norm * (rounding + 2.0 * wobble + 4.0 * curvature * reach);
         // Written so that NaN proves nothing.
         if !(change <= CONTRACTION) {
@@ -180,31 +77,34 @@ impl<'a> Pair<'a> {
         // 1 / (1 - 2 change) is no more.
         let growth = 1.0 + 4.0 * change;
         Some(Pair {
+            from,
             columns,
+            lengths,
             sizes,
             gain,
             skew: 2.0 * INVERSE * gain,
             growth,
-            reach: reach * growth,
-            rows,
+            reach: reach * growth + wobble,
         })
     }
 
     #[inline(always)]
-    fn step(&self, values: [f64; 2]) -> Vec2 {
-        -(self.columns[0] * values[0] + self.columns[1] * values[1])
+    fn step(&self, values: Both) -> Vec2 {
+        let Vec2 { x, y } = self.columns;
+        Vec2::new(-(x * values).sum(), -(y * values).sum())
     }
 
-    /// A sum over rows, each by how far it moves the point.
+    /// How far what moves the rows moves the point.
     #[inline(always)]
-    fn over_rows(&self, of: impl Fn(&Row<'_>) -> f64) -> f64 {
-        self.sizes[0] * of(&self.rows[0]) + self.sizes[1] * of(&self.rows[1])
+    fn moved(&self, rows: Both) -> f64 {
+        (self.sizes * rows).sum()
     }
 
-    /// A sum over the other points.
+    /// What the columns leave of the values of an order, missing the inverse, and what rounding does to these.
     #[inline(always)]
-    fn over_points(&self, of: impl Fn(&PointError) -> f64) -> f64 {
-        of(self.rows[0].from) + of(self.rows[1].from)
+    fn missed(&self, order: usize, values: Both) -> f64 {
+        let others = self.from.most[order].sum();
+        self.skew * (self.moved(values.abs()) + self.gain * others)
     }
 }
 
@@ -213,161 +113,210 @@ struct Standing {
     point: PointId,
     from: [Option<PointId>; 2],
     has_row: bool,
-    /// Which of them has a row.
-    have_rows: [bool; 2],
 }
 
 impl Standing {
+    /// What is left of an order: of what the rows miss by and what moves the point besides, and of what the other
+    /// points move.
     #[inline(always)]
-    fn new(point: PointId, from: [Option<PointId>; 2], influences: &Influences) -> Standing {
-        Standing {
-            point,
-            from,
-            has_row: influences.has_point(point),
-            have_rows: from.map(|p| p.is_some_and(|p| influences.has_point(p))),
+    fn left(
+        &self,
+        order: usize,
+        (rows, besides): (Both, f64),
+        pair: &Pair<'_>,
+        influences: &mut Influences,
+    ) -> f64 {
+        if self.has_row {
+            return self.left_by_rows(order, (rows, besides), pair, influences);
         }
+        let moved = pair.moved(rows) + pair.gain * pair.from.left[order].sum();
+        pair.growth * (moved + besides)
     }
 
-    /// What is left of an order: of what is new, and of what the other points move.
-    #[inline(always)]
-    fn left(&self, order: usize, new: f64, pair: &Pair<'_>, influences: &mut Influences) -> f64 {
-        let Pair { growth, gain, .. } = *pair;
-        if !self.has_row {
-            return growth * (new + gain * pair.over_points(|p| p.left[order]));
-        }
-        // What a row moves is moved by the computed inverse.
-        let carried = |i: usize| {
-            let part = if self.have_rows[i] {
-                growth - 1.0
-            } else {
-                growth
-            };
-            part * pair.rows[i].from.left[order]
-        };
-        let new = growth * new + gain * (carried(0) + carried(1));
-        influences.bound(self.point, order, new)
+    /// What a row moves is moved by the computed inverse.
+    #[cold]
+    fn left_by_rows(
+        &self,
+        order: usize,
+        (rows, besides): (Both, f64),
+        pair: &Pair<'_>,
+        influences: &mut Influences,
+    ) -> f64 {
+        let has_row = |p: Option<PointId>| p.is_some_and(|p| influences.has_point(p));
+        let growth = pair.growth;
+        let bounds = [0, 1].map(|i| {
+            let by_row = if has_row(self.from[i]) { 1.0 } else { 0.0 };
+            let carried = (growth - by_row) * pair.from.left[order].0[i];
+            growth * rows.0[i] + pair.lengths.0[i] * (growth * besides + carried)
+        });
+        influences.bound(self.point, order, bounds)
     }
 }
 
-/// The error of a joint, and bounds of e . of the rests of the ways to it and of their rates.
+/// The error of a joint, twice, and bounds of e . of the rests of the ways to it and of their rates.
 struct Found {
     x: PointError,
-    along: [[f64; 2]; 2],
+    twice: PointError<Both>,
+    along: [Both; 2],
 }
 
 /// The error of a joint that two constraints place, each towards another point if there is one.
 #[inline(always)]
 fn solve<const ORDER: u8>(
-    rows: [Row<'_>; 2],
+    rows: &Row<Both>,
+    from: &PointError<Both>,
     standing: &Standing,
     influences: &mut Influences,
 ) -> Option<Found> {
-    let pair = Pair::proved(rows)?;
-    let [one, two] = &pair.rows;
+    let Row { gradient, w, a, .. } = *rows;
+    let values = rows.values[0] - gradient.dot(from.shift[0]);
+    let pair = Pair::proved(rows, values, from)?;
     if standing.has_row {
-        let gradients = [one.gradient, two.gradient];
-        influences.pair(standing.point, gradients, pair.columns, standing.from);
+        let gradients = [rows.gradient.one(0), rows.gradient.one(1)];
+        let columns = [pair.columns.one(0), pair.columns.one(1)];
+        influences.pair(standing.point, gradients, columns, standing.from);
     }
-    let mut x = PointError::default();
-    let mut along = [[0.0; 2]; 2];
-    let moved = |k: usize, values: [f64; 2]| {
-        let shifts = pair.sizes[0] * values[0].abs() + pair.sizes[1] * values[1].abs();
-        pair.skew * (shifts + pair.gain * pair.over_points(|p| p.most[k]))
-    };
+    let (mut x, mut twice) = (PointError::none(), PointError::none());
+    let mut along = [Both::exactly(0.0); 2];
 
-    let value = |row: &Row<'_>| row.values[0] - row.gradient.dot(row.from.shift[0]);
-    let values = [value(one), value(two)];
     x.shift[0] = pair.step(values);
-    let near = pair.reach + pair.over_points(|p| p.most[0]);
-    let curvature = pair.over_rows(|row| row.curvature);
-    let new = moved(0, values) + pair.over_rows(|row| row.fuzz[0]) + curvature * near * near;
+    let near = pair.reach;
+    let curvature = pair.moved(rows.curvature);
+    let new = (
+        rows.fuzz[0],
+        pair.missed(0, values) + curvature * near * near,
+    );
     x.settle(0, standing.left(0, new, &pair, influences));
-    let left = x.left[0] + pair.over_points(|p| p.left[0]);
-    let most = x.most[0] + pair.over_points(|p| p.most[0]);
-    for (i, row) in pair.rows.iter().enumerate() {
-        let off = row.held(0, values[i], x.shift[0], most);
-        along[i][0] = off + most * most;
-    }
+    twice.repeat(&x, 0);
+    let left = twice.left[0] + from.left[0];
+    let most = twice.most[0] + from.most[0];
+    along[0] = rows.held(0, values, twice.shift[0], most) + most * most;
 
     if ORDER >= VELOCITY {
-        let value = |row: &Row<'_>| {
-            row.values[1] + row.w.dot(x.shift[0] - row.from.shift[0])
-                - row.gradient.dot(row.from.shift[1])
-        };
-        let values = [value(one), value(two)];
+        let way = twice.shift[0] - from.shift[0];
+        let values = rows.values[1] + w.dot(way) - gradient.dot(from.shift[1]);
         x.shift[1] = pair.step(values);
-        let speed = pair.over_rows(|row| row.sizes[1]);
-        let turned = 2.0 * near * (larger(x.shift[1]) + pair.over_points(|p| p.most[1]));
-        let moving = pair.gain * pair.over_points(|p| p.left[1]);
-        let new = moved(1, values)
-            + pair.over_rows(|row| row.fuzz[1])
-            + speed * (left + 2.0 * SUM * most)
-            + curvature * (turned + 2.0 * near * moving);
+        let coupled = rows.sizes[1] * (left + most.scaled(2.0 * SUM));
+        let moving = pair.gain * from.left[1].sum();
+        let turned = 2.0 * near * (larger(x.shift[1]) + moving + from.most[1].sum());
+        let besides = pair.missed(1, values) + curvature * turned;
+        let new = (rows.fuzz[1] + coupled, besides);
         x.settle(1, standing.left(1, new, &pair, influences));
-        let rate = x.most[1] + pair.over_points(|p| p.most[1]);
-        for (i, row) in pair.rows.iter().enumerate() {
-            let off = row.held(1, values[i], x.shift[1], rate);
-            along[i][1] = off + row.sizes[1] * (left + 2.0 * SUM * most) + 2.0 * most * rate;
-        }
+        twice.repeat(&x, 1);
+        let rate = twice.most[1] + from.most[1];
+        along[1] = rows.held(1, values, twice.shift[1], rate) + coupled + (most * rate).scaled(2.0);
         if ORDER >= ACCELERATION {
-            let value = |row: &Row<'_>| {
-                row.values[2]
-                    + row.a.dot(x.shift[0] - row.from.shift[0])
-                    + 2.0 * row.w.dot(x.shift[1] - row.from.shift[1])
-                    - row.gradient.dot(row.from.shift[2])
-            };
-            let values = [value(one), value(two)];
+            let rate_way = twice.shift[1] - from.shift[1];
+            let values = rows.values[2] + a.dot(way) + w.dot(rate_way).scaled(2.0)
+                - gradient.dot(from.shift[2]);
             x.shift[2] = pair.step(values);
-            let left_rate = x.left[1] + pair.over_points(|p| p.left[1]);
-            let accel = pair.over_rows(|row| row.sizes[2]);
-            let turned = 2.0 * near * (larger(x.shift[2]) + pair.over_points(|p| p.most[2]));
-            let moving = pair.gain * pair.over_points(|p| p.left[2]);
-            let new = moved(2, values)
-                + pair.over_rows(|row| row.fuzz[2])
-                + accel * (left + 2.0 * SUM * most)
-                + 2.0 * speed * (left_rate + 2.0 * SUM * rate)
-                + curvature * (turned + 2.0 * near * moving + 2.0 * rate * rate);
+            let left_rate = twice.left[1] + from.left[1];
+            let coupled = rows.sizes[2] * (left + most.scaled(2.0 * SUM))
+                + rows.sizes[1] * (left_rate + rate.scaled(2.0 * SUM)).scaled(2.0);
+            let moving = pair.gain * from.left[2].sum();
+            let turned = 2.0 * near * (larger(x.shift[2]) + moving + from.most[2].sum());
+            let bent = rows.curvature * (rate * rate).scaled(2.0);
+            let besides = pair.missed(2, values) + curvature * turned;
+            let new = (rows.fuzz[2] + coupled + bent, besides);
             x.settle(2, standing.left(2, new, &pair, influences));
+            twice.repeat(&x, 2);
         }
     }
-    Some(Found { x, along })
+    Some(Found { x, twice, along })
+}
+
+impl PointState<Both> {
+    #[inline(always)]
+    fn both(one: &PointState, two: &PointState) -> PointState<Both> {
+        PointState {
+            p: Vec2::both(one.p, two.p),
+            v: Vec2::both(one.v, two.v),
+            a: Vec2::both(one.a, two.a),
+        }
+    }
+}
+
+impl LinkState<Both> {
+    #[inline(always)]
+    fn both(one: &LinkState, two: &LinkState) -> LinkState<Both> {
+        LinkState {
+            d: Vec2::both(one.d, two.d),
+            w: Both([one.w, two.w]),
+            a: Both([one.a, two.a]),
+        }
+    }
+}
+
+impl PointError<Both> {
+    #[inline(always)]
+    fn both(one: &PointError, two: &PointError) -> PointError<Both> {
+        let shift = |k: usize| Vec2::both(one.shift[k], two.shift[k]);
+        let left = |k: usize| Both([one.left[k], two.left[k]]);
+        let most = |k: usize| Both([one.most[k], two.most[k]]);
+        PointError {
+            shift: [shift(0), shift(1), shift(2)],
+            left: [left(0), left(1), left(2)],
+            most: [most(0), most(1), most(2)],
+        }
+    }
+
+    /// Takes an order of one point for both.
+    #[inline(always)]
+    fn repeat(&mut self, of: &PointError, order: usize) {
+        self.shift[order] = Vec2::both(of.shift[order], of.shift[order]);
+        self.left[order] = Both::exactly(of.left[order]);
+        self.most[order] = Both::exactly(of.most[order]);
+    }
 }
 
 impl Circles {
-    #[inline]
+    #[inline(always)]
     pub(super) fn enclose<const ORDER: u8>(
         &self,
         state: &State,
         errors: &mut Errors,
         enclosure: &mut State<Ball>,
     ) -> bool {
-        let x = &state.points[self.point.index()];
-        let limb = |arm: &Arm| {
-            let link = &state.links[arm.link.index()];
-            Limb::new::<ORDER>(x, &state.points[arm.pivot.index()], link)
+        let (near, far) = (&self.near, &self.far);
+        let point = |p: PointId| &state.points[p.index()];
+        let link = |arm: &Arm| &state.links[arm.link.index()];
+        let x = point(self.point);
+        let ends = PointState::both(point(near.pivot), point(far.pivot));
+        let links = LinkState::both(link(near), link(far));
+        let limbs = Limb::new::<ORDER>(&PointState::both(x, x), &ends, &links);
+        let shapes = Shape::of_both(near, far);
+        let rows = Row::circle::<ORDER>(&limbs, &shapes);
+        let from = PointError::both(errors.point(near.pivot), errors.point(far.pivot));
+        let standing = Standing {
+            point: self.point,
+            from: [Some(near.pivot), Some(far.pivot)],
+            has_row: errors.influences.has_point(self.point),
         };
-        let limbs = [limb(&self.near), limb(&self.far)];
-        let pivots = [self.near.pivot, self.far.pivot];
-        let [p, q] = pivots.map(|pivot| &errors.points[pivot.index()]);
-        let rows = [
-            Row::circle::<ORDER>(&limbs[0], self.near.square, p),
-            Row::circle::<ORDER>(&limbs[1], self.far.square, q),
-        ];
-        let standing = Standing::new(self.point, pivots.map(Some), &errors.influences);
-        let found = solve::<ORDER>(rows, &standing, &mut errors.influences);
-        let Some(Found { x, along }) = found else {
+        let found = solve::<ORDER>(&rows, &from, &standing, &mut errors.influences);
+        let Some(Found { x, twice, along }) = found else {
             return false;
         };
         errors.set_point(self.point, &x, state, enclosure);
-        for (i, arm) in [&self.near, &self.far].into_iter().enumerate() {
-            errors.aim::<ORDER>(arm, self.point, &limbs[i], along[i], state, enclosure);
+        let (mut error, gain) = limbs.link_error::<ORDER>(&shapes, &links, [&twice, &from], along);
+        if standing.has_row {
+            for (i, arm) in [near, far].into_iter().enumerate() {
+                let new = [0, 1, 2].map(|k| error.rest[k].0[i]);
+                let ends = (self.point, limbs.e.one(i));
+                let rest = errors.turn_by_rows(arm, ends, new, gain.0[i]);
+                (0..3).for_each(|k| error.rest[k].0[i] = rest[k]);
+            }
+        } else {
+            for k in 0..=ORDER as usize {
+                error.rest[k] += gain * (twice.left[k] + from.left[k]);
+            }
         }
+        errors.set_links([near.link, far.link], &error, &links, enclosure);
         true
     }
 }
 
 impl CircleRail {
-    #[inline]
+    #[inline(always)]
     pub(super) fn enclose<const ORDER: u8>(
         &self,
         state: &State,
@@ -378,20 +327,23 @@ impl CircleRail {
         let arm = &self.arm;
         let link = &state.links[arm.link.index()];
         let limb = Limb::new::<ORDER>(x, &state.points[arm.pivot.index()], link);
-        let ground = PointError::default();
-        let pivot = &errors.points[arm.pivot.index()];
-        let rows = [
-            Row::circle::<ORDER>(&limb, arm.square, pivot),
-            Row::rail::<ORDER>(x, [self.through, self.along], &ground),
-        ];
-        let from = [Some(arm.pivot), None];
-        let standing = Standing::new(self.point, from, &errors.influences);
-        let found = solve::<ORDER>(rows, &standing, &mut errors.influences);
-        let Some(Found { x, along }) = found else {
+        let shape = Shape::of(arm);
+        let circle = Row::circle::<ORDER>(&limb, &shape);
+        let rail = Row::rail::<ORDER>(x, [self.through, self.along]);
+        let from = PointError::both(errors.point(arm.pivot), &PointError::none());
+        let standing = Standing {
+            point: self.point,
+            from: [Some(arm.pivot), None],
+            has_row: errors.influences.has_point(self.point),
+        };
+        let rows = Row::both(&circle, &rail);
+        let found = solve::<ORDER>(&rows, &from, &standing, &mut errors.influences);
+        let Some(Found { x, along, .. }) = found else {
             return false;
         };
         errors.set_point(self.point, &x, state, enclosure);
-        errors.aim::<ORDER>(arm, self.point, &limb, along[0], state, enclosure);
+        let along = [along[0].0[0], along[1].0[0]];
+        errors.aim::<ORDER>(arm, self.point, (&limb, &shape), along, state, enclosure);
         true
     }
 }
