@@ -36,7 +36,7 @@ impl Errors {
     }
 
     /// What is left of a link with this way to an end, by rows of influences, when so much of it is new.
-    #[cold]
+    #[inline(never)]
     pub(super) fn turn_by_rows(
         &mut self,
         arm: &Arm,

@@ -96,6 +96,52 @@ fn writes_rows(step: &Step) -> bool {
     )
 }
 
+/// Who has a row: joints of dyads, and what these stand on. Of the rest, which nothing stands on, the
+/// bounds may add up at once.
+struct Needed {
+    points: Vec<bool>,
+    links: Vec<bool>,
+}
+
+impl Needed {
+    fn of(program: &Program) -> Needed {
+        let mut needed = Needed {
+            points: vec![false; program.points.len()],
+            links: vec![false; program.links.len()],
+        };
+        for step in program.steps.iter().rev() {
+            let joint = match step {
+                Step::Circles(c) => Some(c.point),
+                Step::CircleRail(c) => Some(c.point),
+                _ => None,
+            };
+            if let Some(joint) = joint {
+                needed.points[joint.index()] = true;
+            }
+            let mut is_needed = false;
+            outputs(step, &program.coupled, &mut |part| {
+                is_needed |= needed.has(part);
+            });
+            if is_needed && reads_rows(step) {
+                inputs(step, &program.coupled, &mut |part| match part {
+                    Part::Point(point) => needed.points[point.index()] = true,
+                    Part::Link(link) => needed.links[link.index()] = true,
+                    Part::Slide(_) => {}
+                });
+            }
+        }
+        needed
+    }
+
+    fn has(&self, part: Part) -> bool {
+        match part {
+            Part::Point(point) => self.points[point.index()],
+            Part::Link(link) => self.links[link.index()],
+            Part::Slide(_) => false,
+        }
+    }
+}
+
 /// A weighted sum of sizes. What is not bounded does not reach what does not stand on it.
 fn summed(row: &[f64], bounds: &[f64]) -> f64 {
     let terms = row.iter().zip(bounds);
@@ -173,6 +219,7 @@ impl Influences {
 
     /// Gives every part a row that no other one has as long as it is read.
     fn share_rows(&mut self, program: &Program, sources: usize) {
+        let needed = Needed::of(program);
         let mut last_points = vec![0; program.points.len()];
         let mut last_links = vec![0; program.links.len()];
         let steps = || program.steps.iter().enumerate();
@@ -186,7 +233,11 @@ impl Influences {
         let mut free = Vec::new();
         for (i, step) in steps().filter(|(_, step)| writes_rows(step)) {
             let mut placed = Vec::new();
-            outputs(step, &program.coupled, &mut |part| placed.push(part));
+            outputs(step, &program.coupled, &mut |part| {
+                if needed.has(part) {
+                    placed.push(part);
+                }
+            });
             for &part in &placed {
                 let row = free.pop().unwrap_or_else(|| {
                     self.rows.push(Row::of(sources));
@@ -306,7 +357,7 @@ impl Influences {
 
     /// A point by two constraints with these gradients, to each of which belongs a column of the inverse. A
     /// constraint may be one towards another point. They are new sources, whose bounds are not known yet.
-    #[cold]
+    #[inline(never)]
     pub(super) fn pair(
         &mut self,
         point: PointId,
@@ -324,14 +375,14 @@ impl Influences {
     }
 
     /// Bounds the constraints of the newest point; gives what all sources can do to it.
-    #[cold]
+    #[inline(never)]
     pub(super) fn bound(&mut self, point: PointId, order: usize, bounds: [f64; 2]) -> f64 {
         self.bounds[order][self.known - 2..self.known].copy_from_slice(&bounds);
         self.of_point(point, order)
     }
 
     /// The angle of a link with two points on it: `across` is the derivative by the way between them.
-    #[cold]
+    #[inline(never)]
     pub(super) fn between(
         &mut self,
         link: LinkId,
@@ -347,7 +398,7 @@ impl Influences {
     }
 
     /// A point that rides on a link: `arm` is its derivative by the angle.
-    #[cold]
+    #[inline(never)]
     pub(super) fn ride(
         &mut self,
         point: PointId,
@@ -363,7 +414,7 @@ impl Influences {
     }
 
     /// A link that turns with another one.
-    #[cold]
+    #[inline(never)]
     pub(super) fn lock(&mut self, link: LinkId, new: [f64; 3], to: LinkId) -> [f64; 3] {
         self.write_link(link, new, |row, all| {
             row.add_across(all.link(to), Vec2::X);

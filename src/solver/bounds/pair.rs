@@ -134,7 +134,7 @@ impl Standing {
     }
 
     /// What a row moves is moved by the computed inverse.
-    #[cold]
+    #[inline(never)]
     fn left_by_rows(
         &self,
         order: usize,
@@ -298,16 +298,16 @@ impl Circles {
         };
         errors.set_point(self.point, &x, state, enclosure);
         let (mut error, gain) = limbs.link_error::<ORDER>(&shapes, &links, [&twice, &from], along);
-        if standing.has_row {
-            for (i, arm) in [near, far].into_iter().enumerate() {
-                let new = [0, 1, 2].map(|k| error.rest[k].0[i]);
+        let new = error.rest;
+        for k in 0..=ORDER as usize {
+            error.rest[k] += gain * (twice.left[k] + from.left[k]);
+        }
+        for (i, arm) in [near, far].into_iter().enumerate() {
+            if errors.influences.has_link(arm.link) {
+                let new = [0, 1, 2].map(|k| new[k].0[i]);
                 let ends = (self.point, limbs.e.one(i));
                 let rest = errors.turn_by_rows(arm, ends, new, gain.0[i]);
                 (0..3).for_each(|k| error.rest[k].0[i] = rest[k]);
-            }
-        } else {
-            for k in 0..=ORDER as usize {
-                error.rest[k] += gain * (twice.left[k] + from.left[k]);
             }
         }
         errors.set_links([near.link, far.link], &error, &links, enclosure);
