@@ -35,7 +35,7 @@ use super::state::{Condition, LinkState, PointState, State};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
-use crate::{Ball, Double, Number, Vec2, vectorized};
+use crate::{Ball, Double, Number, Vec2};
 use driver::{asked_radius, crank_error};
 use errors::LinkError;
 
@@ -131,17 +131,13 @@ impl Engine {
         if state.condition == Condition::NoAssembly {
             return;
         }
-        vectorized(
-            #[inline(always)]
-            || match order {
-                Order::Position => self.enclose::<POSITION>(state, work),
-                Order::Velocity => self.enclose::<VELOCITY>(state, work),
-                Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, work),
-            },
-        );
+        match order {
+            Order::Position => self.enclose::<POSITION>(state, work),
+            Order::Velocity => self.enclose::<VELOCITY>(state, work),
+            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, work),
+        }
     }
 
-    #[inline(always)]
     fn enclose<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Ball>) {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
