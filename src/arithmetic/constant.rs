@@ -15,6 +15,11 @@ const LAST_BITS: u64 = (1 << 20) - 1;
 const ROUNDED: f64 = 8.0;
 /// What is lost in twice the precision, with room.
 const TWICE: f64 = 1e-31;
+/// What an operation in twice the precision loses of its result at most (Joldes, Muller and Popescu: 3 u^2
+/// for a sum, 7 for a product, 15 for a quotient),
+const LOST: f64 = 16.0 * U * U;
+/// and Taylor's series of a sine or cosine.
+const LOST_IN_UNIT: f64 = 8.0 * LOST;
 
 /// A number that a mechanism is made of: what is stored, to twice the precision, and how far what was
 /// meant can be from it.
@@ -74,6 +79,30 @@ impl Constant {
         })
     }
 
+    /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Nothing but
+    /// twice the precision rounds it.
+    pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
+        place.map(|v| {
+            if !is_decimal {
+                return Constant::new(Double::exactly(v), 0.0);
+            }
+            let Decimal {
+                value, roundings, ..
+            } = Decimal::of(v);
+            Constant::new(value, f64::from(roundings) * LOST * v.abs())
+        })
+    }
+
+    /// The unit vector at an angle in degrees, as it is meant.
+    pub(crate) fn meant_unit(degrees: f64, is_decimal: bool) -> Vec2<Constant> {
+        let Vec2 { x: angle, .. } = Constant::meant(Vec2::new(degrees, 0.0), is_decimal);
+        <Double as Number>::unit(angle.value()).map(|v| {
+            let is_exact = v == Double::ZERO || v.abs() == Double::ONE;
+            let off = angle.radius.to_radians() + LOST_IN_UNIT;
+            Constant::new(v, if is_exact { 0.0 } else { off })
+        })
+    }
+
     /// The unit vector at an angle that was given in degrees.
     #[must_use]
     pub fn given_unit(degrees: f64) -> Vec2<Constant> {
@@ -82,6 +111,17 @@ impl Constant {
         let across = unit.map(|v| v.hi.abs() + off);
         let with = |value: Double, across: f64| Constant::new(value, across * off);
         Vec2::new(with(unit.x, across.y), with(unit.y, across.x))
+    }
+
+    /// The result of an operation that carries what its operands are off by; it rounds, unless it is exact.
+    fn rounded(value: Double, carried: f64, is_exact: bool) -> Constant {
+        let lost = if is_exact { 0.0 } else { LOST };
+        Constant::new(value, carried + lost * value.hi.abs())
+    }
+
+    /// Whether it is a double: sums and products of two such are exact in twice the precision.
+    fn is_double(self) -> bool {
+        self.lo == 0.0
     }
 
     /// Stored and meant.
@@ -111,7 +151,8 @@ impl Constant {
 impl Add for Constant {
     type Output = Constant;
     fn add(self, o: Constant) -> Constant {
-        Constant::new(self.value() + o.value(), self.radius + o.radius)
+        let is_exact = self.is_double() && o.is_double();
+        Constant::rounded(self.value() + o.value(), self.radius + o.radius, is_exact)
     }
 }
 
@@ -139,7 +180,8 @@ impl Mul for Constant {
     type Output = Constant;
     fn mul(self, o: Constant) -> Constant {
         let radius = self.hi.abs() * o.radius + self.radius * (o.hi.abs() + o.radius);
-        Constant::new(self.value() * o.value(), radius * (1.0 + 4.0 * U))
+        let is_exact = self.is_double() && o.is_double();
+        Constant::rounded(self.value() * o.value(), radius * (1.0 + 4.0 * U), is_exact)
     }
 }
 
@@ -149,7 +191,7 @@ impl Div for Constant {
         let value = self.value() / o.value();
         let least = o.hi.abs() * (1.0 - 4.0 * U) - o.radius;
         let radius = (self.radius + value.hi.abs() * o.radius) / least;
-        Constant::new(value, radius * (1.0 + 8.0 * U))
+        Constant::rounded(value, radius * (1.0 + 8.0 * U), false)
     }
 }
 
@@ -180,7 +222,8 @@ impl Number for Constant {
         } else {
             self.radius / root.hi * (1.0 + 4.0 * U)
         };
-        Constant::new(root, radius)
+        let is_exact = root.lo == 0.0 && root * root == self.value();
+        Constant::rounded(root, radius, is_exact)
     }
 
     fn abs(self) -> Constant {

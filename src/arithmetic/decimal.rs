@@ -12,6 +12,8 @@ const EXACT_POWERS: i32 = 22;
 pub(crate) struct Decimal {
     /// To twice the precision.
     pub(crate) value: Double,
+    /// How many roundings in twice the precision it took.
+    pub(crate) roundings: i32,
     /// Half a unit of the fifteenth digit.
     pub(crate) rounding: f64,
     /// Whether it has 15 digits or more: a number that long was rounded by whoever typed it.
@@ -24,6 +26,7 @@ impl Decimal {
     pub(crate) fn of(value: f64) -> Decimal {
         let exactly = Decimal {
             value: Double::exactly(value),
+            roundings: 0,
             rounding: 0.0,
             is_long: false,
         };
@@ -44,6 +47,11 @@ impl Decimal {
         let is_read_so = decimal.hi == value;
         Decimal {
             value: if is_read_so { decimal } else { exactly.value },
+            roundings: if is_read_so && decimal.lo != 0.0 {
+                1 + unit.abs() / EXACT_POWERS
+            } else {
+                0
+            },
             rounding: 0.5 * times_power(Double::ONE, unit).hi,
             is_long: !is_read_so || digits % 10.0 != 0.0,
         }

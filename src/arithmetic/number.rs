@@ -22,6 +22,8 @@ pub trait Number:
 {
     /// Whether an operation takes no longer than to ask if it is needed.
     const IS_CHEAP: bool = true;
+    /// What it rounds by, as a part of what doubles round by: 0 where it says of itself what it is off by.
+    const GRAIN: f64 = 1.0;
 
     /// A constant of the mechanism: each arithmetic takes what it can hold.
     fn of(constant: Constant) -> Self;
@@ -158,6 +160,8 @@ impl Number for f64 {
 
 impl Number for Double {
     const IS_CHEAP: bool = false;
+    // With room for chains: 2^-49.
+    const GRAIN: f64 = 8.0 * f64::EPSILON;
 
     #[inline]
     fn of(constant: Constant) -> Double {

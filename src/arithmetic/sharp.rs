@@ -108,6 +108,7 @@ impl Div for Sharp {
 
 impl Number for Sharp {
     const IS_CHEAP: bool = false;
+    const GRAIN: f64 = 0.0;
 
     #[inline]
     fn of(constant: Constant) -> Sharp {

@@ -62,6 +62,7 @@ impl Solver {
             network: &network,
             plan: &self.plan,
             request: &request,
+            exact: None,
             order: Order::Position,
         };
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
@@ -103,6 +104,7 @@ impl Solver {
             network: &network,
             plan: &self.plan,
             request: &request,
+            exact: None,
             order: Order::Position,
         };
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());

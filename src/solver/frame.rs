@@ -24,8 +24,8 @@ pub(super) struct Frame {
 enum Reading {
     /// For the doubles that they are, known to half an ulp of what was meant.
     Given,
-    /// For what lengths are compared by: see [`Constant::compared`].
-    Compared { decimals: bool },
+    /// For what is meant, see [`Constant::meant`].
+    Meant { decimals: bool },
 }
 
 impl Frame {
@@ -64,20 +64,28 @@ impl Frame {
         }
     }
 
-    /// The same frame, for the numbers by which lengths are compared.
-    pub(super) fn compared(self, mechanism: &Mechanism) -> Frame {
+    /// The same frame, for the numbers that are meant.
+    pub(super) fn meant(self, mechanism: &Mechanism) -> Frame {
         let decimals = mechanism.has_decimals();
         Frame {
-            reading: Reading::Compared { decimals },
+            reading: Reading::Meant { decimals },
             ..self
         }
+    }
+
+    /// What parts two places of the ground, at the most, that were rounded: see [`Constant::compared`].
+    pub(super) fn rounding(&self, mechanism: &Mechanism) -> f64 {
+        let decimals = mechanism.has_decimals();
+        let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius / self.scale);
+        let sizes = grounded(mechanism).map(|place| (off(place) + off(self.origin)).norm());
+        sizes.fold(0.0, f64::max)
     }
 
     /// A place of the scene, as it is taken.
     fn read(&self, place: Vec2) -> Vec2<Constant> {
         match self.reading {
             Reading::Given => place.map(Constant::given),
-            Reading::Compared { decimals } => Constant::compared(place, decimals),
+            Reading::Meant { decimals } => Constant::meant(place, decimals),
         }
     }
 
@@ -96,7 +104,7 @@ impl Frame {
         match self.reading {
             // Scaled first: the smallest doubles know no half of an ulp.
             Reading::Given => local.map(|v| Constant::given(v / self.scale)),
-            Reading::Compared { .. } => self.read(local).map(|v| self.inwards(v)),
+            Reading::Meant { .. } => self.read(local).map(|v| self.inwards(v)),
         }
     }
 
@@ -121,11 +129,16 @@ impl Frame {
 
 /// The largest coordinate of a place on the ground.
 fn furthest(mechanism: &Mechanism) -> f64 {
+    let sizes = grounded(mechanism).map(|p| p.x.abs().max(p.y.abs()));
+    sizes.fold(0.0, f64::max)
+}
+
+/// The places that are given on the ground, of points and of guides.
+fn grounded(mechanism: &Mechanism) -> impl Iterator<Item = Vec2> {
     let points = mechanism.points().iter().filter_map(|p| p.ground);
     let slides = mechanism.slides().iter();
     let guides = slides.filter(|s| s.on == Body::Ground).map(|s| s.through);
-    let sizes = points.chain(guides).map(|p| p.x.abs().max(p.y.abs()));
-    sizes.fold(0.0, f64::max)
+    points.chain(guides)
 }
 
 /// The driver's pivot, or else the first ground point.

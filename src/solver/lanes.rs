@@ -52,12 +52,7 @@ impl Solver {
 
     /// Neither outside the motion nor at or near one of its singular places.
     fn is_ordinary(&self, at: f64) -> bool {
-        let motion = &self.motion;
-        motion.covers(at)
-            && motion.within(at) == at
-            && motion.fold_at(at).is_none()
-            && !motion.is_dead_point(at)
-            && (motion.passages.is_empty() || !motion.passages.is_near(&self.engine, at))
+        self.motion.is_clear(at) && !self.is_passing(at)
     }
 
     /// Change points may lie between the lanes.

@@ -14,6 +14,7 @@
 //!            motion    the range, its limits and change points         passage  the way through these
 //! each time  workspace the room: a state, which is the result, and what finding it takes besides
 //!            engine    runs the steps: step (closed forms), coupled (Newton's method with lu)
+//!            edge      near an end of the motion: in twice the digits, from the numbers that are meant (exact)
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
 //!            forces    the steps backwards: what joints carry and the driver must do
@@ -31,7 +32,9 @@ mod classify;
 mod coupled;
 mod dead_centres;
 mod demand;
+mod edge;
 mod engine;
+mod exact;
 mod fault;
 mod forces;
 mod frame;
@@ -77,6 +80,7 @@ pub use workspace::Workspace;
 use crate::{Element, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
 use assemble::Request;
 use engine::Engine;
+use exact::Exact;
 use forces::Balance;
 use frame::Frame;
 use network::Network;
@@ -114,6 +118,8 @@ pub struct Demand {
 pub struct Solver {
     mechanism: Mechanism,
     engine: Engine,
+    /// The same in the numbers that are meant, to look closer.
+    exact: Option<Arc<Exact>>,
     /// What the groups were made from, to make them again for other lengths.
     ordering: Ordering,
     plan: Plan,
@@ -189,15 +195,18 @@ impl Solver {
         let (plan, program) = chain::build(network, frame, ordering, chain::Dyads::Closed)?;
         let slides = mechanism.slides().len();
         let mut engine = Engine::new(mechanism, frame, program);
+        let exact = Exact::new(&engine, network, ordering);
         let mut state = engine.state(slides);
         let request = Request::new(&plan, at, near, picks)?;
-        let begun = assemble::assemble(&mut engine, network, &plan, &request, &mut state)?;
-        let compared = || {
-            let (frame, closed) = (frame.compared(mechanism), chain::Dyads::Closed);
-            let (_, program) = chain::build(network, frame, ordering, closed).ok()?;
-            Some(Engine::new(mechanism, frame, program))
-        };
-        let motion = motion::explore(&engine, &compared, begun.at, &state)?;
+        let begun = assemble::assemble(
+            &mut engine,
+            network,
+            &plan,
+            &request,
+            exact.as_ref(),
+            &mut state,
+        )?;
+        let motion = motion::explore(&engine, exact.as_ref(), begun.at, &state)?;
         if let Some(stuck) = begun.stuck.filter(|_| !motion.covers(at)) {
             return Err(stuck);
         }
@@ -206,6 +215,7 @@ impl Solver {
             mechanism: mechanism.clone(),
             first_loop,
             engine,
+            exact: exact.map(Arc::new),
             ordering: ordering.clone(),
             plan,
             motion,
@@ -247,6 +257,10 @@ impl Solver {
     pub fn only(&self, demand: &Demand) -> Solver {
         Solver {
             engine: self.engine.only(demand, self.slides),
+            exact: self
+                .exact
+                .as_ref()
+                .map(|e| Arc::new(e.only(demand, self.slides))),
             balance: self.balance.clone().filter(|_| demand.forces),
             ..self.clone()
         }
@@ -261,7 +275,9 @@ impl Solver {
     /// Room for a state: all that solving needs.
     #[must_use]
     pub fn state(&self) -> Workspace {
-        self.room()
+        let mut work = self.room();
+        work.close = self.close_state().map(Box::new);
+        work
     }
 
     /// Room for a state in any arithmetic.
@@ -274,6 +290,11 @@ impl Solver {
         let balance = self.balance.as_ref();
         work.state.forces = balance.map(|b| b.room(&self.engine));
         work
+    }
+
+    /// Room for what is looked at in twice the digits, from the numbers that are meant.
+    fn close_state<T: Number>(&self) -> Option<State<T>> {
+        Some(self.exact.as_ref()?.state(self.slides))
     }
 
     /// Whether anything acts on the mechanism: a load, a weight or inertia.
@@ -293,14 +314,13 @@ impl Solver {
     ///
     /// The result depends on `at` alone, never on what the room held before. Allocates nothing.
     pub fn solve(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        if self.motion.covers(at) {
-            let _ = match self.motion.range {
-                Range::Full { .. } => self.run(at, order, work),
-                Range::Limited { .. } => self.solve_between_limits(at, order, work),
-            };
-        } else {
-            work.state.begin(at, order);
-            work.state.condition = Condition::NoAssembly;
+        let is_solved = self.motion.is_clear(at)
+            && matches!(
+                self.run(at, order, work),
+                Condition::Ok | Condition::ChangePoint
+            );
+        if !is_solved {
+            self.solve_closely(at, order, work);
         }
         self.balance(order, work);
         work.condition
@@ -312,39 +332,32 @@ impl Solver {
         Balance::follow(self.balance.as_deref(), &self.engine, order, work);
     }
 
-    fn solve_between_limits(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        let within = self.motion.within(at);
-        let mut found = within;
-        if self.run(within, order, work) == Condition::NoAssembly {
-            let mut drawn_back = self.motion.drawn_back(within);
-            let exists = |&at: &f64| self.run(at, order, work) != Condition::NoAssembly;
-            found = drawn_back.find(exists).unwrap_or(within);
-        }
-        let state = &mut work.state;
-        state.at = at;
-        // Within rounding of a limit rates are as worthless as at the limit itself.
-        let is_dead = found != at || self.motion.is_dead_point(at);
-        if state.condition == Condition::Ok && is_dead {
-            state.condition = Condition::DeadPoint;
-        }
-        state.condition
-    }
-
     /// Solves at a coordinate of the range, from the motion as it is known there.
     fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        self.motion.anchors.aim(&self.engine, at, work);
-        let passages = &self.motion.passages;
-        let is_smooth = passages.is_empty();
-        if !is_smooth {
-            passages.choose(&self.engine, at, &mut work.state.signs);
-        }
+        self.aim(at, work);
         if let Some(fold) = self.motion.fold_at(at) {
             self.engine.run_folded(fold, work)
-        } else if !is_smooth && passages.is_near(&self.engine, at) {
-            self.engine.run_near(at, order, passages, work)
+        } else if self.is_passing(at) {
+            self.engine.run_near(at, order, &self.motion.passages, work)
         } else {
             self.engine.run(at, order, work)
         }
+    }
+
+    /// Puts into the room what the motion tells of a coordinate: the signs of all groups, and where coupled
+    /// ones are looked for.
+    fn aim(&self, at: f64, work: &mut Workspace) {
+        self.motion.anchors.aim(&self.engine, at, work);
+        let passages = &self.motion.passages;
+        if !passages.is_empty() {
+            passages.choose(&self.engine, at, &mut work.state.signs);
+        }
+    }
+
+    /// Whether a series stands in for a group at a coordinate.
+    fn is_passing(&self, at: f64) -> bool {
+        let passages = &self.motion.passages;
+        !passages.is_empty() && passages.is_near(&self.engine, at)
     }
 }
 

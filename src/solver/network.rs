@@ -76,10 +76,21 @@ pub(super) struct Network<'m> {
     pub clash: Option<LockClash>,
     /// By what sine two locks of one link may disagree.
     slack: f64,
+    /// Whether angles are taken for what is meant, and not for the doubles that they are.
+    is_meant: bool,
 }
 
 impl<'m> Network<'m> {
     pub(super) fn new(mechanism: &'m Mechanism) -> Self {
+        Network::read(mechanism, false)
+    }
+
+    /// The same in the numbers that are meant.
+    pub(super) fn meant(mechanism: &'m Mechanism) -> Self {
+        Network::read(mechanism, true)
+    }
+
+    fn read(mechanism: &'m Mechanism, is_meant: bool) -> Self {
         let bodies = mechanism.links().len() + 1;
         let mut network = Network {
             mechanism,
@@ -93,11 +104,21 @@ impl<'m> Network<'m> {
             locks_apart: 0.0,
             clash: None,
             slack: slack(mechanism),
+            is_meant,
         };
         network.find_classes();
         network.find_joints();
         network.list_rows();
         network
+    }
+
+    /// The unit vector at an angle that was given in degrees.
+    pub(super) fn unit(&self, degrees: f64) -> Vec2<Constant> {
+        if self.is_meant {
+            Constant::meant_unit(degrees, self.mechanism.has_decimals())
+        } else {
+            Constant::given_unit(degrees)
+        }
     }
 
     /// The ground as a body: the link behind the last one.
@@ -187,7 +208,7 @@ impl<'m> Network<'m> {
             let given = self.mechanism.slide(slide);
             if let Slider::Link { link, turn, .. } = given.slider {
                 let on = self.body(given.on);
-                let seen = Constant::given_unit(given.angle).turned(Constant::given_unit(turn));
+                let seen = self.unit(given.angle).turned(self.unit(turn));
                 locks[on.index()].push((link, seen, slide));
                 locks[link.index()].push((on, seen.conj(), slide));
             }

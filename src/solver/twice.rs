@@ -11,13 +11,16 @@ impl Solver {
     #[must_use]
     pub fn twice(&self) -> Workspace<Double> {
         let mut twice: Workspace<Double> = self.room();
+        if let Some(meant) = self.close_state() {
+            (twice.state.points, twice.state.links) = (meant.points, meant.links);
+        }
         let groups = self.engine.program.coupled.iter();
         let work = groups.map(|g| g.unknowns() * (g.unknowns() + 1)).max();
         twice.scratch.work = vec![0.0; work.unwrap_or(0)];
         twice
     }
 
-    /// Solves what is in `state` once more, in twice the precision: dyads by their formulas, coupled
+    /// Solves what is in `state` once more, in twice the precision and from the numbers that are meant: dyads by their formulas, coupled
     /// groups by corrections to what was found in doubles. Whether it could be solved: not at the
     /// limits of the motion, and not at change points. Allocates nothing.
     pub fn solve_twice(&self, state: &State, order: Order, work: &mut Workspace<Double>) -> bool {
@@ -32,12 +35,11 @@ impl Solver {
         for (sign, &of) in twice.signs.iter_mut().zip(&state.signs) {
             *sign = Double::exactly(of);
         }
+        let engine = self.exact.as_ref().map_or(&self.engine, |e| &e.engine);
         let solved = match order {
-            Order::Position => self.engine.run_twice::<POSITION>(state, work),
-            Order::Velocity => self.engine.run_twice::<VELOCITY>(state, work),
-            Order::Acceleration | Order::Force => {
-                self.engine.run_twice::<ACCELERATION>(state, work)
-            }
+            Order::Position => engine.run_twice::<POSITION>(state, work),
+            Order::Velocity => engine.run_twice::<VELOCITY>(state, work),
+            Order::Acceleration | Order::Force => engine.run_twice::<ACCELERATION>(state, work),
         };
         self.balance(order, work);
         solved

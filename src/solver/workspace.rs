@@ -3,7 +3,7 @@
 use super::bounds::Errors;
 use super::coupled::Scratch;
 use super::state::State;
-use crate::Number;
+use crate::{Double, Number};
 use std::ops::{Deref, DerefMut};
 
 /// Room to solve in, made once for a solver: the state that was found last, and what finding it
@@ -18,6 +18,8 @@ pub struct Workspace<T = f64> {
     pub(super) scratch: Scratch<T>,
     /// What is known of the errors of the state, where these are looked for.
     pub(super) errors: Errors,
+    /// For steps that are run in twice the digits, where doubles do not tell.
+    pub(super) close: Option<Box<State<Double>>>,
 }
 
 impl<T> Workspace<T> {
@@ -41,6 +43,7 @@ impl<T: Number> Workspace<T> {
             state,
             scratch,
             errors: Errors::default(),
+            close: None,
         }
     }
 }

@@ -5,9 +5,9 @@ use crate::rig::{Triangle, U, condition, exact, solved};
 use krank::Vec2;
 use krank::solver::{Condition, Fault, Order};
 
-/// The needles of Kahan's paper with their exact areas. A sixth, of sides 1, 1 and 2^-52, lies within
-/// the rounding that a computed distance is allowed: it counts as stretched.
-const NEEDLES: [([f64; 3], &str); 4] = [
+/// The needles of Kahan's paper with their exact areas, and a last one that is as thin: doubles cannot tell
+/// that these two are triangles at all.
+const NEEDLES: [([f64; 3], &str); 6] = [
     (
         [100_000.0, 99_999.999_79, 0.000_29],
         "10.0000000770210383233",
@@ -20,6 +20,11 @@ const NEEDLES: [([f64; 3], &str); 4] = [
     (
         [10_000.0, 5_000.000_001, 15_000.0],
         "612.3725393762839798798",
+    ),
+    ([1.0, 1.0, f64::EPSILON], "1.110223024625156540424e-16"),
+    (
+        [1.0, 1.0 - f64::EPSILON, 2.0 * f64::EPSILON],
+        "1.922962686383563714311e-16",
     ),
 ];
 
@@ -90,7 +95,6 @@ fn h07_the_needle_without_an_area_has_no_height() {
     }
 }
 
-/// The sixth needle counts as stretched, but is no shorter for it.
 #[test]
 fn h07_a_triangle_on_a_base_below_rounding_keeps_its_sides() {
     let triangle = Triangle::open(1.0, 1.0, 1.0, Vec2::new(0.5, 0.8)).expect("a triangle");
@@ -118,4 +122,17 @@ fn h25_triangles_of_whole_numbers_are_exact() {
             assert_eq!(found, expected);
         }
     }
+}
+
+/// By less than any rounding: a double too long a base leaves the sides open, and says by how much.
+#[test]
+fn a_closure_that_is_one_ulp_too_short_is_open() {
+    let open = |base: f64| Triangle::open(base, 80.0, 120.0, apex(base, 80.0, 120.0, 1e-6));
+    let ulp = 200.0_f64.next_up() - 200.0;
+    match open(200.0 + ulp).err() {
+        Some(Fault::Open { gap, .. }) => assert_eq!(gap, ulp),
+        other => panic!("{other:?}"),
+    }
+    let high = open(200.0 - ulp).expect("a triangle").solver.motion().range;
+    assert_eq!(high.ends().1, 200.0);
 }

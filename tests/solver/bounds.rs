@@ -191,10 +191,10 @@ fn a_speed_that_was_converted_is_within_its_bound() {
     assert!(off <= bound, "{off:e} {bound:e}");
 }
 
-/// Beyond a limit by the decimals that it was written with there is no assembly: the figures are those of
-/// the limit, and so are their bounds.
+/// Beyond a limit there is no assembly, not even by the decimals that it was written with: but then the limit is
+/// meant, where positions have their bounds.
 #[test]
-fn just_beyond_a_limit_the_bounds_are_those_of_the_limit() {
+fn what_is_written_just_beyond_a_limit_means_the_limit() {
     let preset = presets::find("double-rocker").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -203,20 +203,18 @@ fn just_beyond_a_limit_the_bounds_are_those_of_the_limit() {
         panic!("a double rocker");
     };
     for (limit, outwards) in [(low, -5e-13), (high, 5e-13)] {
-        let mut bounds_at = |at: f64| -> Vec<(f64, f64)> {
-            let condition = solver.solve(at, Order::Position, &mut state);
-            assert_eq!(condition, Condition::DeadPoint, "{at}");
-            solver.enclose(&mut state, Order::Position, &mut balls);
-            let points = scene.mechanism.point_ids();
-            let figure = |p| {
-                let subject = Subject::Point(p);
-                let value = quantity::value(subject, Aspect::Y, &state).unwrap();
-                let bound = quantity::bound(subject, Aspect::Y, &state, &balls).unwrap();
-                (value, bound)
-            };
-            points.map(figure).collect()
-        };
-        assert_eq!(bounds_at(limit + outwards), bounds_at(limit), "{limit}");
+        let beyond = solver.solve(limit + outwards, Order::Position, &mut state);
+        assert_eq!(beyond, Condition::NoAssembly, "{limit}");
+        let meant = solver.motion().range.meant(limit + outwards, true);
+        assert_eq!(meant, Some(limit));
+        let condition = solver.solve(limit, Order::Position, &mut state);
+        assert_eq!(condition, Condition::DeadPoint, "{limit}");
+        solver.enclose(&mut state, Order::Position, &mut balls);
+        for point in scene.mechanism.point_ids() {
+            let subject = Subject::Point(point);
+            let bound = quantity::bound(subject, Aspect::Y, &state, &balls).unwrap();
+            assert!(bound < 1e-5, "{limit}: {bound:e}");
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 //! The dyads have two ways, coupled groups some, everything else one. Where a dyad is stretched its
 //! two ways meet and places tell nothing; the motion is then begun beside that coordinate.
 
+mod closely;
 mod request;
 mod roots;
 
@@ -11,6 +12,7 @@ pub(super) use request::Request;
 
 use super::Order;
 use super::engine::Engine;
+use super::exact::Exact;
 use super::fault::Fault;
 use super::network::Network;
 use super::plan::{Group, Pick, Plan};
@@ -69,12 +71,14 @@ pub(super) fn assemble(
     network: &Network<'_>,
     plan: &Plan,
     request: &Request<'_>,
+    exact: Option<&Exact>,
     state: &mut Workspace,
 ) -> Result<Beginning, Fault> {
     let assembler = Assembler {
         network,
         plan,
         request,
+        exact,
         order: Order::Acceleration,
     };
     match assembler.settle_all(engine, state) {
@@ -92,6 +96,8 @@ pub(super) struct Assembler<'a> {
     pub network: &'a Network<'a>,
     pub plan: &'a Plan,
     pub request: &'a Request<'a>,
+    /// To look closer where doubles do not tell.
+    pub exact: Option<&'a Exact>,
     /// With positions alone a stretched dyad is a dyad like any other.
     pub order: Order,
 }
@@ -105,7 +111,10 @@ impl Assembler<'_> {
         for number in 0..self.plan.groups.len() {
             self.settle(number, engine, state)?;
         }
-        let _ = engine.run(self.request.at, self.order, state);
+        if engine.run(self.request.at, self.order, state) != Condition::Ok {
+            let steps = engine.program.steps.len();
+            let _ = self.place_closely(steps, state);
+        }
         Ok(())
     }
 
@@ -175,7 +184,17 @@ impl Assembler<'_> {
             }
             Way::Root(z) => self.take_root(number, z, engine, state),
         }
-        engine.run_steps(steps_of(engine, number), self.request.at, self.order, state)
+        self.place(number, engine, state)
+    }
+
+    /// Places a group in the way that the state has signs and unknowns of.
+    fn place(&self, number: usize, engine: &Engine, state: &mut Workspace) -> Condition {
+        let steps = steps_of(engine, number);
+        let end = steps.end;
+        match engine.run_steps(steps, self.request.at, self.order, state) {
+            Condition::Ok => Condition::Ok,
+            unclear => self.place_closely(end, state).unwrap_or(unclear),
+        }
     }
 
     // ---- the steps of a group
@@ -221,11 +240,8 @@ impl Assembler<'_> {
     // ---- dyads
 
     fn closing(&self, key: usize, engine: &Engine, state: &mut Workspace) -> Outcome {
-        engine.place_dyad(
-            &engine.program.steps[key],
-            self.request.at,
-            &mut state.state,
-        )
+        let step = &engine.program.steps[key];
+        engine.place_dyad(step, self.request.at, &mut state.state)
     }
 
     /// The side that was picked, or the one nearer to the rough places.
@@ -240,19 +256,25 @@ impl Assembler<'_> {
         };
         let picked = self.request.picks[number];
         let picked = picked.map(|pick| side_of(engine, key, pick).ok_or(pick));
-        match self.closing(key, engine, state) {
+        let in_doubles = self.closing(key, engine, state);
+        // What is named as an end lies up to half an ulp beyond it, or before.
+        let may_end = in_doubles == Outcome::Stretched && self.order != Order::Position;
+        match self.closing_closely(key, in_doubles, state) {
+            Outcome::Open | Outcome::Unclear | Outcome::Stretched if may_end => {
+                return Err(Halt::Stretched(number));
+            }
             Outcome::Open | Outcome::Unclear => {
                 return Err(self.open(number, key, engine, state).into());
-            }
-            Outcome::Stretched if self.order != Order::Position => {
-                return Err(Halt::Stretched(number));
             }
             Outcome::Done | Outcome::Stretched => {}
         }
         match picked {
             Some(Ok(sign)) => Ok(Way::Side(sign)),
             Some(Err(_)) => Err(self.no_choice(number, 2).into()),
-            None => self.nearer_side(number, key, engine, state),
+            None => match self.nearer_side(number, key, engine, state) {
+                Err(Halt::Fault(Fault::Vague { .. })) if may_end => Err(Halt::Stretched(number)),
+                side => side,
+            },
         }
     }
 
@@ -269,8 +291,7 @@ impl Assembler<'_> {
         let mut found = [(0.0, Vec2::ZERO); 2];
         for (found, sign) in found.iter_mut().zip([1.0, -1.0]) {
             state.state.signs[number] = sign;
-            let steps = steps_of(engine, number);
-            let _ = engine.run_steps(steps, self.request.at, Order::Position, state);
+            let _ = self.place(number, engine, state);
             *found = (miss(&wanted, state), state.points[subject.index()].p);
         }
         let [(plus, p_plus), (minus, p_minus)] = found;
@@ -310,9 +331,11 @@ impl Assembler<'_> {
 
     fn open(&self, number: usize, key: usize, engine: &Engine, state: &State) -> Fault {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
-        let gap = engine.program.steps[key]
-            .dyad()
-            .map_or(0.0, |d| d.gap(q, state));
+        let in_doubles = || {
+            let dyad = engine.program.steps[key].dyad();
+            dyad.map_or(0.0, |d| d.gap(q, state))
+        };
+        let gap = self.gap_closely(key, state).unwrap_or_else(in_doubles);
         if !(gap > 0.0) {
             // It closes, in any direction.
             return self.singular(number);
@@ -344,6 +367,7 @@ impl Assembler<'_> {
     ) -> Result<Beginning, Fault> {
         let looking = Assembler {
             order: Order::Position,
+            exact: None,
             ..*self
         };
         let fault = |halt: Halt| match halt {
@@ -362,7 +386,8 @@ impl Assembler<'_> {
             let key = self.key(number, engine);
             let ends = key.map(|key| looking.closing(key, engine, state));
             if ends == Some(Outcome::Stretched) {
-                *pick = pick.or(Some(Pick::Plus));
+                let hinted = key.and_then(|key| self.hinted(number, key, engine, state));
+                *pick = pick.or(hinted).or(Some(Pick::Plus));
             }
         }
         let at = |side: f64| engine.moved(self.request.at, side * BESIDE);
@@ -384,7 +409,14 @@ impl Assembler<'_> {
         // Stretched wherever it goes, or only here.
         let point = self.group(stretched).point.unwrap_or(here(0));
         let choices = vec![state.place(point); 2];
-        let stuck = Fault::Vague { point, choices };
+        let is_open = |key: &usize| {
+            let found = self.place_closely(key + 1, state);
+            found == Some(Condition::NoAssembly)
+        };
+        let stuck = match self.key(stretched, engine).filter(is_open) {
+            Some(key) => self.open(stretched, key, engine, state),
+            None => Fault::Vague { point, choices },
+        };
         let Some((at, there, found)) = ends.into_iter().flatten().next() else {
             return Err(stuck);
         };

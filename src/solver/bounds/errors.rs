@@ -47,6 +47,8 @@ pub(in crate::solver) struct Errors {
     /// Whether a step asks for these, whatever is asked for; and whether anything of this run does.
     has_close_steps: bool,
     feeds_sharp: bool,
+    /// All steps in the numbers that are meant, for what is near to an end.
+    pub(super) edge: Option<Box<State<Sharp>>>,
 }
 
 /// Whether a step is run in twice the digits: what comes too seldom to be looked at more closely.
@@ -255,6 +257,7 @@ impl Errors {
             sharp: Some(Box::new(sharp)),
             has_close_steps: program.steps.iter().any(is_run_closely),
             feeds_sharp: false,
+            edge: None,
         }
     }
 

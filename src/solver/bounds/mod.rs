@@ -18,6 +18,7 @@
 
 mod carried;
 mod driver;
+mod edge;
 mod errors;
 mod influence;
 mod limb;
@@ -54,6 +55,7 @@ impl Solver {
         let work = groups.map(|g| g.work()).max().unwrap_or(0);
         enclosure.scratch.work = vec![0.0; work];
         enclosure.errors = Errors::new(&self.engine, self.room());
+        enclosure.errors.edge = self.close_state().map(Box::new);
         enclosure
     }
 
@@ -64,10 +66,15 @@ impl Solver {
     /// Where forces are among them, the bounds of what their checks miss by decide whether rounding
     /// explains it: `state` withholds its forces where they do not.
     pub fn enclose(&self, state: &mut State, order: Order, enclosure: &mut Workspace<Ball>) {
-        // Within rounding beyond a limit the figures are those of the limit: there is no other truth.
-        let at = self.motion.within(state.at);
         let order = order.min(state.order);
-        self.engine.enclose_to(at, order, state, enclosure);
+        let is_clear = self.motion.is_clear(state.at);
+        let proved = is_clear && self.engine.enclose_to(false, order, state, enclosure);
+        if !proved {
+            let is_edge = self.look_at_edge(order, state, enclosure);
+            if is_edge || !is_clear {
+                self.engine.enclose_to(is_edge, order, state, enclosure);
+            }
+        }
         self.enclose_forces(order, state, enclosure);
     }
 
@@ -122,23 +129,37 @@ impl Dyad<'_> {
 }
 
 impl Engine {
-    /// Encloses a state.
-    fn enclose_to(&self, at: f64, order: Order, state: &State, work: &mut Workspace<Ball>) {
+    /// Encloses a state, by what its steps have come to in twice the digits where that is the `edge`; whether
+    /// all of it was proved.
+    fn enclose_to(
+        &self,
+        is_edge: bool,
+        order: Order,
+        state: &State,
+        work: &mut Workspace<Ball>,
+    ) -> bool {
         let enclosure = &mut work.state;
-        enclosure.begin(Ball::new(at, asked_radius(at)), order);
+        enclosure.begin(Ball::new(state.at, asked_radius(state.at)), order);
         enclosure.condition = state.condition;
         work.errors.begin(order == Order::Force);
         if state.condition == Condition::NoAssembly {
-            return;
+            return true;
         }
         match order {
-            Order::Position => self.enclose::<POSITION>(state, work),
-            Order::Velocity => self.enclose::<VELOCITY>(state, work),
-            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(state, work),
+            Order::Position => self.enclose::<POSITION>(is_edge, state, work),
+            Order::Velocity => self.enclose::<VELOCITY>(is_edge, state, work),
+            Order::Acceleration | Order::Force => {
+                self.enclose::<ACCELERATION>(is_edge, state, work)
+            }
         }
     }
 
-    fn enclose<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Ball>) {
+    fn enclose<const ORDER: u8>(
+        &self,
+        is_edge: bool,
+        state: &State,
+        work: &mut Workspace<Ball>,
+    ) -> bool {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
         let at = enclosure.at;
@@ -149,7 +170,14 @@ impl Engine {
         } else {
             LinkError::none()
         };
+        let mut all = true;
         for step in &self.program.steps {
+            if is_edge && !matches!(step, Step::Travel { .. }) {
+                outputs(step, &self.program.coupled, &mut |part| {
+                    errors.take_edge(part, state, enclosure);
+                });
+                continue;
+            }
             let proved = match *step {
                 Step::Circles(ref c) => c.enclose::<ORDER>(state, errors, enclosure),
                 Step::CircleRail(ref c) => c.enclose::<ORDER>(state, errors, enclosure),
@@ -200,7 +228,9 @@ impl Engine {
             if !proved {
                 self.enclose_loosely(step, state, enclosure, errors);
             }
+            all &= proved;
         }
+        all
     }
 
     /// Runs a step in twice the digits; whether it could be.

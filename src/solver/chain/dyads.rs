@@ -214,7 +214,7 @@ impl Chain<'_> {
             } else {
                 continue;
             };
-            let along = Constant::given_unit(given.angle);
+            let along = self.network.unit(given.angle);
             let offset = along.perp().dot(self.frame.local(given.through) - at - arm);
             let group = self.open_group(GroupKind::Rpr, Some(pin));
             self.note_hold(Hold {
@@ -267,7 +267,7 @@ impl Chain<'_> {
         let group = self.open_group(GroupKind::Rrr, Some(point));
         self.note_legs(&anchor, &anchors);
         let through = self.frame.local(given.through) - at;
-        let along = Constant::given_unit(given.angle);
+        let along = self.network.unit(given.angle);
         self.push(Step::Cylinder(Cylinder {
             point,
             pivot,
@@ -373,7 +373,7 @@ impl Chain<'_> {
             return Some(Line {
                 through,
                 link: carrier,
-                along: Constant::given_unit(given.angle),
+                along: self.network.unit(given.angle),
             });
         }
         let guide = self.line(hold.slide)?;

@@ -9,7 +9,7 @@ impl Chain<'_> {
     pub(super) fn line(&mut self, slide: SlideId) -> Option<Line> {
         let given = self.network.mechanism.slide(slide);
         let link = self.network.body(given.on);
-        let along = Constant::given_unit(given.angle);
+        let along = self.network.unit(given.angle);
         if let Some(through) = self.guide_points[slide.index()] {
             return Some(Line {
                 through,

@@ -246,7 +246,7 @@ impl<'a> Maker<'a> {
         let Some((turning, turn)) = self.turning(network.body(given.on)) else {
             return;
         };
-        let along = Constant::given_unit(given.angle).turned(turn);
+        let along = network.unit(given.angle).turned(turn);
         if network.mechanism.driver().input == Input::Push(slide) {
             self.equations.push(Equation::Meeting {
                 a: x,

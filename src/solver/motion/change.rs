@@ -192,7 +192,7 @@ impl Walker<'_> {
         // Equal arms whose pivots meet have no direction, but no gap either.
         let has_no_gap = self.state.measures[group].abs() <= GAP;
         let (q, _) = engine.coordinate(at);
-        let slack = (REACH_SLACK * engine.frame.far).max(2.0 * self.exact.slack());
+        let slack = (REACH_SLACK * engine.frame.far).max(2.0 * self.slack());
         let is_rounding = |dyad: Dyad<'_>| dyad.reserve(q, &self.state).abs() <= slack;
         let is_rounding = step.dyad().is_some_and(is_rounding);
         placed == Outcome::Stretched || has_no_gap || is_rounding

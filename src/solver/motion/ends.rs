@@ -1,22 +1,26 @@
 //! The ends of a range, to the last digit.
 //!
 //! A walk ends where doubles end: within some roundings of the lengths of a dyad's reach, or of the
-//! place where a coupled group folds. What ends there is known then, and its limit is the zero of a
-//! function that is smooth: of a dyad the measure, in twice the precision; of a coupled group the
-//! system of a fold.
+//! place where a coupled group folds. Before the first coupled group everything is decided in twice the
+//! digits, from the numbers that are meant: the end is the double nearest to where the first dyad comes to its
+//! limit. Behind that the limit of a dyad is the zero of its measure in doubles, and of a coupled group that
+//! of the system of a fold.
 
-use super::Folded;
 use super::walk::Walker;
+use super::{Folded, Stretched};
+use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
+use crate::solver::exact::Exact;
 use crate::solver::state::{Condition, State};
-use crate::solver::step::{Outcome, POSITION, Step};
+use crate::solver::step::Step;
 use crate::solver::workspace::Workspace;
 use crate::solver::zero::zero;
-use crate::{Double, Number};
 
 /// Doublings of an ulp within which a limit is sought around where the walk ended.
 const DOUBLINGS: i32 = 30;
+/// Near nought there are that many more between an ulp and the rounding of a length.
+const NEAR_NOUGHT: i32 = 1100;
 /// Newton's steps to a fold, from a start that has half of the digits.
 const FOLD_STEPS: usize = 20;
 /// In a fold the corrections of z and of the null vector end at their rounding; that of the
@@ -29,6 +33,10 @@ impl Walker<'_> {
     /// The limit at which the motion ends, to the last digit; `state` is the last one before it.
     pub(super) fn refined(&mut self, limit: f64, state: &Workspace) -> f64 {
         self.state.clone_from(state);
+        if let Some(end) = self.exact.and_then(|exact| self.end_exactly(exact, limit)) {
+            self.stretched.push(end);
+            return end.at;
+        }
         let refined = self.ending_step(limit).and_then(|step| {
             if let Step::Coupled { index } = self.engine.program.steps[step] {
                 self.fold(step, index, limit, state)
@@ -49,10 +57,60 @@ impl Walker<'_> {
         f64::EPSILON * at.abs().max(self.start.abs())
     }
 
+    /// Distances from a limit, growing from none.
+    fn distances(&self, limit: f64) -> impl Iterator<Item = f64> + use<> {
+        let ulp = self.ulp(limit).max(f64::MIN_POSITIVE);
+        let most = self.engine.finest().max(ulp) * f64::from(DOUBLINGS).exp2();
+        let growing = (0..NEAR_NOUGHT).map(move |k| ulp * (f64::from(k).exp2() - 1.0));
+        growing.take_while(move |&by| by < most)
+    }
+
+    // ---- dyads before the first coupled group
+
+    /// The double that is nearest to where the first dyad comes to its limit, next to where a walk ended.
+    fn end_exactly(&self, exact: &Exact, limit: f64) -> Option<Stretched> {
+        let mut state: State<Double> = exact.state(self.state.travels.len());
+        let signs = self.state.signs.iter();
+        state.signs = signs.map(|&s| Double::exactly(s)).collect();
+        let room = self.ahead(limit).max(0.0);
+        let mut goes = |at: f64| exact.stops(at, &mut state).is_none();
+        let mut back = self
+            .distances(limit)
+            .map(|by| limit - self.sense * by.min(room));
+        let mut inside = back.find(|&at| goes(at))?;
+        let mut on = self.distances(limit).map(|by| limit + self.sense * by);
+        let mut outside = on.find(|&at| !goes(at))?;
+        loop {
+            let middle = inside + 0.5 * (outside - inside);
+            if middle == inside || middle == outside {
+                break;
+            }
+            if goes(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        // The measure has more digits than the coordinate: it tells the nearer one of the two.
+        let step = exact.stops(outside, &mut state)?;
+        let group = exact.engine.program.steps[step].choice()?;
+        let beyond = state.measures[group].hi;
+        let _ = exact.stops(inside, &mut state);
+        let before = state.measures[group].hi;
+        let nearest = if before <= -beyond { inside } else { outside };
+        // Twice the digits tell differences from nought only so far.
+        let is_nought = nearest.abs() < f64::EPSILON * self.engine.finest()
+            && exact.stops(0.0, &mut state) == Some(step);
+        let at = if is_nought { 0.0 } else { nearest };
+        Some(Stretched { at, group })
+    }
+
+    // ---- dyads behind a coupled group
+
     /// The first step that cannot be done at a limit or just beyond it.
     fn ending_step(&mut self, limit: f64) -> Option<usize> {
-        let by = self.sense * self.ulp(limit);
-        let mut beyond = (0..DOUBLINGS).map(|k| limit + by * (f64::from(k).exp2() - 1.0));
+        let sense = self.sense;
+        let mut beyond = self.distances(limit).map(|by| limit + sense * by);
         beyond.find_map(|at| {
             self.aim_at(at);
             let mut steps = 0..self.engine.program.steps.len();
@@ -63,72 +121,35 @@ impl Walker<'_> {
         })
     }
 
-    // ---- dyads
-
     /// Where a dyad's measure is zero, next to a limit; other steps have none.
     fn end_of_reach(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
-        let mut exact = self.engine.state::<Double>(self.state.travels.len()).state;
-        let signs = self.state.signs.iter();
-        exact.signs = signs.map(|&s| Double::exactly(s)).collect();
         let by = self.sense * self.ulp(limit);
-        let mut measure = |at: f64| self.exact_measure(step, group, at, &mut exact);
         let mut around = (2..DOUBLINGS).map(|k| by * f64::from(k).exp2());
         // Where the arms miss each other by a hair the motion ends before and begins again behind.
-        let is_gap = measure(limit)? < 0.0;
+        let is_gap = self.measure_behind(step, group, limit)? < 0.0;
         let (inside, outside) = around.find_map(|by| {
             let outside = if is_gap { limit } else { limit + by };
             let inside = limit - by;
-            let (a, b) = (measure(inside)?, measure(outside)?);
+            let a = self.measure_behind(step, group, inside)?;
+            let b = self.measure_behind(step, group, outside)?;
             (a > 0.0 && b < 0.0).then_some(((inside, a), (outside, b)))
         })?;
-        let found = zero(inside, outside, 0.0, &mut measure)?;
-        // The measure has more digits than the coordinate: they tell the nearest double.
-        let beside = found - by;
-        let (here, there) = (measure(found)?, measure(beside)?);
-        let correction = here * (found - beside) / (there - here);
-        Some(
-            found
-                + if correction.is_finite() {
-                    correction
-                } else {
-                    0.0
-                },
-        )
+        zero(inside, outside, 0.0, |at| {
+            self.measure_behind(step, group, at)
+        })
     }
 
-    /// A dyad's measure, negative beyond its reach; in twice the precision where no coupled group
-    /// comes before it.
-    fn exact_measure(
-        &mut self,
-        step: usize,
-        group: usize,
-        at: f64,
-        exact: &mut State<Double>,
-    ) -> Option<f64> {
-        let steps = &self.engine.program.steps[..=step];
-        if steps.iter().any(|s| matches!(s, Step::Coupled { .. })) {
-            self.aim_at(at);
-            let inputs = self
-                .engine
-                .run_steps(0..step, at, Order::Position, &mut self.state);
-            if inputs == Condition::NoAssembly {
-                return None;
-            }
-            self.engine
-                .place_dyad(&steps[step], at, &mut self.state.state);
-            return Some(self.state.measures[group]);
-        }
-        let (q, direction) = self.engine.coordinate(Double::exactly(at));
-        let mut inputs = steps[..step].iter();
-        let is_done = |s: &Step, exact: &mut State<Double>| {
-            s.run::<Double, POSITION>(q, direction, exact) == Outcome::Done
-        };
-        if !inputs.all(|s| is_done(s, exact)) {
+    /// A dyad's measure, negative beyond its reach.
+    fn measure_behind(&mut self, step: usize, group: usize, at: f64) -> Option<f64> {
+        self.aim_at(at);
+        let engine = self.engine;
+        let order = Order::Position;
+        if engine.run_steps(0..step, at, order, &mut self.state) == Condition::NoAssembly {
             return None;
         }
-        steps[step].run::<Double, POSITION>(q, direction, exact);
-        Some(exact.measures[group].nearest())
+        engine.place_dyad(&engine.program.steps[step], at, &mut self.state.state);
+        Some(self.state.measures[group])
     }
 
     // ---- coupled groups

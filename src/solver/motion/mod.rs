@@ -10,7 +10,6 @@ mod anchors;
 mod change;
 mod crossing;
 mod ends;
-mod exact;
 mod junction;
 mod limits;
 mod walk;
@@ -19,12 +18,12 @@ pub(super) use anchors::{Anchors, positive_remainder};
 
 use super::angle_turn;
 use super::engine::Engine;
+use super::exact::Exact;
 use super::fault::Fault;
 use super::passage::Passages;
 use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
-use exact::Exact;
 use walk::{End, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
@@ -119,9 +118,17 @@ pub struct Motion {
     pub(super) misfits: Vec<f64>,
     /// The rounding of a coordinate.
     finest: f64,
-    /// A limited range with the rounding of its dead points.
-    reach: [f64; 2],
+    /// Between these no end of the range is near.
+    clear: [f64; 2],
     folds: Vec<Folded>,
+    stretched: Vec<Stretched>,
+}
+
+/// A limit at which a dyad is stretched.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stretched {
+    pub(super) at: f64,
+    pub(super) group: usize,
 }
 
 /// A limit at which a coupled group folds: its own matrix is singular there, so that its state is kept.
@@ -134,27 +141,28 @@ pub(super) struct Folded {
 
 /// Two walks find a near miss twice, with this between the coordinates at the most.
 pub(super) const ONE_MISS: f64 = 1e-6;
-/// A coordinate this near to a dead point, as a part of it, is the dead point.
-const SAME: f64 = f64::EPSILON;
-/// So far beyond a dead point, too: what is lost where one is written with 12 decimals,
+/// What is lost of a coordinate that is written with 12 decimals.
 const WRITTEN: f64 = 6e-13;
-/// but of a small mechanism no more than this part of its size, in the solver's unit.
-const BEYOND: f64 = 1e-12;
+/// This near to a dead point doubles lose half of their digits and more, in radians or scaled lengths:
+/// there states are found in twice the digits.
+const EDGE: f64 = 1e-6;
 
 impl Motion {
-    /// Whether a coordinate is a dead point, within its rounding.
+    /// Whether a coordinate is a dead point: what is named as the end of the range is.
     pub(super) fn is_dead_point(&self, at: f64) -> bool {
-        self.dead_points
-            .iter()
-            .any(|&dead| (at - dead).abs() <= SAME * dead.abs())
+        self.dead_points.contains(&at)
     }
 
-    /// The coordinate itself, or the limit beyond which it lies.
-    pub(super) fn within(&self, at: f64) -> f64 {
-        match self.range {
-            Range::Full { .. } => at,
-            Range::Limited { low, high } => at.max(low).min(high),
-        }
+    /// Whether a coordinate lies in the range, and no end of it is near.
+    #[inline]
+    pub(super) fn is_clear(&self, at: f64) -> bool {
+        self.clear[0] < at && at < self.clear[1]
+    }
+
+    /// The group that is stretched to its limit at a coordinate, if that is an end of the range.
+    pub(super) fn stretched_at(&self, at: f64) -> Option<usize> {
+        let here = self.stretched.iter().find(|s| s.at == at);
+        here.map(|stretched| stretched.group)
     }
 
     /// Coordinates further and further inside the range, if this one is close to an end of it: some ulps
@@ -174,17 +182,16 @@ impl Motion {
         draws.filter(move |&drawn| (drawn - at) * inwards > 0.0 && low < drawn && drawn < high)
     }
 
-    /// The fold at a coordinate, or at the limit beyond which it lies.
+    /// The fold at a coordinate.
     pub(super) fn fold_at(&self, at: f64) -> Option<&Folded> {
-        let within = self.within(at);
-        self.folds.iter().find(|fold| fold.at == within)
+        self.folds.iter().find(|fold| fold.at == at)
     }
 
     /// Whether the motion from the scene's assembly comes to this coordinate.
     pub(super) fn covers(&self, at: f64) -> bool {
         match self.range {
             Range::Full { .. } => at.is_finite(),
-            Range::Limited { .. } => self.reach[0] <= at && at <= self.reach[1],
+            Range::Limited { low, high } => low <= at && at <= high,
         }
     }
 }
@@ -196,15 +203,19 @@ const MOST_DRAWS: i32 = 24;
 ///
 /// # Errors
 /// [`Fault::OverConstrained`] where a constraint that was set aside stops holding.
-pub(super) fn explore(
-    engine: &Engine,
-    compared: &dyn Fn() -> Option<Engine>,
+pub(super) fn explore<'e>(
+    engine: &'e Engine,
+    exact: Option<&'e Exact>,
     start: f64,
     state: &Workspace,
 ) -> Result<Motion, Fault> {
+    let room = |exact: &'e Exact| (exact, exact.state(state.travels.len()));
     let mut walker = Walker {
         engine,
-        exact: Exact::new(compared),
+        exact,
+        closely: exact
+            .filter(|e| e.tells(engine.program.steps.len()))
+            .map(room),
         state: state.clone(),
         anchors: Anchors::default(),
         seen: Vec::new(),
@@ -216,6 +227,7 @@ pub(super) fn explore(
         misses: Vec::new(),
         misfits: vec![0.0; engine.program.watches.len()],
         folds: Vec::new(),
+        stretched: Vec::new(),
         terms: junction::FIRST,
     };
     walker.check_fit()?;
@@ -238,41 +250,35 @@ pub(super) fn explore(
     let anchors = walker.anchors.sorted(engine, period);
     let passages = Passages::new(walker.passages, start, period);
     let dead_points = dead_points(range, engine, start);
-    let reach = reach(range, &dead_points, engine.finest());
     Ok(Motion {
         near_misses: near_misses(walker.misses, range, engine),
-        tolerance: walker.exact.tolerance().unwrap_or(0.0) * engine.frame.scale,
+        tolerance: exact.map_or(0.0, |exact| exact.rounding) * engine.frame.scale,
         samples: walker.samples,
         misfits: walker.misfits,
         range,
+        clear: clear(range, &dead_points, engine),
         dead_points,
-        reach,
         change_points: passages.coordinates(),
         anchors,
         passages,
         finest: engine.finest().max(f64::EPSILON * start.abs()),
         folds: walker.folds,
+        stretched: walker.stretched,
     })
 }
 
-/// How far beyond a dead point a coordinate stands for the dead point: its rounding, and that of the
-/// decimals it is written with.
-fn slack(dead: f64, finest: f64) -> f64 {
-    WRITTEN.min(BEYOND / f64::EPSILON * finest) + SAME * dead.abs()
-}
-
-/// A range with what still stands for its dead points.
-fn reach(range: Range, dead_points: &[f64], finest: f64) -> [f64; 2] {
-    let slack = |end: f64| {
+/// A range without what is near to its dead points.
+fn clear(range: Range, dead_points: &[f64], engine: &Engine) -> [f64; 2] {
+    let off = |end: f64, inwards: f64| {
         if dead_points.contains(&end) {
-            slack(end, finest)
+            engine.moved(end, inwards * EDGE)
         } else {
-            0.0
+            end - inwards * f64::EPSILON * end.abs()
         }
     };
     match range {
         Range::Full { .. } => [f64::NEG_INFINITY, f64::INFINITY],
-        Range::Limited { low, high } => [low - slack(low), high + slack(high)],
+        Range::Limited { low, high } => [off(low, 1.0), off(high, -1.0)],
     }
 }
 

@@ -1,9 +1,10 @@
 //! The walk along the motion: steps, barriers, and when a turn has closed.
 
 use super::anchors::Anchors;
-use super::exact::Exact;
-use super::{Folded, NearMiss};
+use super::{Folded, NearMiss, Stretched};
+use crate::Double;
 use crate::solver::engine::Engine;
+use crate::solver::exact::Exact;
 use crate::solver::fault::Fault;
 use crate::solver::passage::Passage;
 use crate::solver::state::{Condition, State};
@@ -48,7 +49,9 @@ pub(super) enum End {
 /// Someone who follows the motion from its start, in one direction.
 pub(super) struct Walker<'e> {
     pub(super) engine: &'e Engine,
-    pub(super) exact: Exact<'e>,
+    pub(super) exact: Option<&'e Exact>,
+    /// The same, with room, where it tells more than doubles do.
+    pub(super) closely: Option<(&'e Exact, State<Double>)>,
     pub(super) state: Workspace,
     pub(super) anchors: Anchors,
     /// The last few states, by coordinate and measures.
@@ -64,6 +67,7 @@ pub(super) struct Walker<'e> {
     /// How far each watched constraint was from holding at the most.
     pub(super) misfits: Vec<f64>,
     pub(super) folds: Vec<Folded>,
+    pub(super) stretched: Vec<Stretched>,
     /// How many terms of series the last place took at which groups were singular.
     pub(super) terms: usize,
 }
@@ -127,6 +131,27 @@ impl Walker<'_> {
             (from, k) = (to, k + 1);
         }
         Ok(End::Cut(from))
+    }
+
+    /// Runs every step, of a mechanism of dyads alone in twice the digits where doubles do not tell.
+    fn run(&mut self, at: f64, order: Order) -> Condition {
+        let condition = self.engine.run(at, order, &mut self.state);
+        match &mut self.closely {
+            Some((exact, close)) if condition != Condition::Ok => {
+                let state = &mut self.state.state;
+                let how = (&state.signs[..], None);
+                let found = exact.run(exact.closed, Double::exactly(at), order, how, close);
+                exact.write(exact.closed, close, state);
+                state.condition = found;
+                found
+            }
+            _ => condition,
+        }
+    }
+
+    /// By how much lengths differ that count as equal.
+    pub(super) fn slack(&self) -> f64 {
+        self.exact.map_or(0.0, Exact::slack)
     }
 
     /// How far on the way a coordinate is.
@@ -259,7 +284,7 @@ impl Walker<'_> {
 
     /// Whether a mechanism of dyads alone does not exist at a coordinate.
     fn fails_at(&mut self, at: f64) -> bool {
-        self.engine.run(at, Order::Position, &mut self.state) != Condition::Ok
+        self.run(at, Order::Position) != Condition::Ok
     }
 
     pub(super) fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
@@ -274,7 +299,7 @@ impl Walker<'_> {
             planned.push(first);
             group.predict(&mut room, dq);
         }
-        if self.engine.run(to, Order::Acceleration, &mut self.state) != Condition::Ok {
+        if self.run(to, Order::Acceleration) != Condition::Ok {
             return false;
         }
         let corrections = &self.state.scratch.first;
@@ -309,7 +334,7 @@ impl Walker<'_> {
         if self.has_path() {
             return self.advance(good, to);
         }
-        match self.engine.run(to, Order::Position, &mut self.state) {
+        match self.run(to, Order::Position) {
             Condition::NoAssembly => Err(Stop::Barrier { good, bad: to }),
             Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => Ok(()),
         }

@@ -32,11 +32,22 @@ fn plus<T: Number>(value: T, constant: Constant) -> T {
 impl Circles {
     pub(in crate::solver) fn new(point: PointId, arms: [Arm; 2], group: usize) -> Circles {
         let [a, b] = arms;
-        let (near, far) = if (a.length - b.length).hi <= 0.0 {
-            (a, b)
+        let arms = if (a.length - b.length).hi <= 0.0 {
+            [a, b]
         } else {
-            (b, a)
+            [b, a]
         };
+        Circles::measured(point, arms, group)
+    }
+
+    /// Measures the point from this pivot.
+    pub(in crate::solver) fn measure_from(&mut self, pivot: PointId) {
+        if self.near.pivot != pivot {
+            *self = Circles::measured(self.point, [self.far, self.near], self.group);
+        }
+    }
+
+    fn measured(point: PointId, [near, far]: [Arm; 2], group: usize) -> Circles {
         let (b, c) = (near.length, far.length);
         Circles {
             point,
@@ -69,7 +80,7 @@ impl Circles {
         let x = (d2 + T::of(self.squares)).scaled(0.5);
         let inverse = T::exactly(1.0) / d2;
         let reach = inner.min(outer);
-        if !reach.exceeds(T::exactly(self.slack)) {
+        if !reach.exceeds(T::exactly(self.slack * T::GRAIN)) {
             return Outcome::Unclear;
         }
         let sh = state.signs[self.group] * product.sqrt().scaled(0.5);
@@ -110,26 +121,31 @@ impl Circles {
         state.links[self.far.link.index()] = far;
     }
 
-    /// The arms in line, if within rounding they reach each other: positions alone. The nearer arm
-    /// keeps its length also where the pivots all but coincide.
-    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
-        let p = state.points[self.near.pivot.index()].p;
-        let u = state.points[self.far.pivot.index()].p - p;
-        let d2 = u.norm2();
-        let d = d2.sqrt();
+    /// Whether the arms reach each other within rounding, and say a direction.
+    pub(super) fn is_in_reach<T: Number>(&self, state: &State<T>) -> bool {
+        let u = self.between(state);
+        let d = u.norm2().sqrt();
         let reach = plus(d, -self.difference).min(-plus(d, -self.sum));
-        let distance = u.norm();
-        // Equal arms about one pivot: the point could be anywhere around it. Written so that NaN is
-        // open.
-        if distance <= self.slack || !(reach >= -self.slack) {
-            return Outcome::Open;
-        }
-        let x = d2 + self.squares.hi;
-        let e = u * (self.near.length.hi.copysign(x) / distance);
-        state.points[self.point.index()].p = p + e;
-        state.links[self.near.link.index()].d = e.turned(self.near.factor.nearest());
-        state.links[self.far.link.index()].d = (e - u).turned(self.far.factor.nearest());
-        Outcome::Stretched
+        let slack = T::exactly(self.slack * T::GRAIN);
+        // Equal arms about one pivot: the point could be anywhere around it.
+        d.is_finite() && T::norm(u).exceeds(slack) && !(-slack).exceeds(reach)
+    }
+
+    /// The arms in line: positions alone. The nearer arm keeps its length also where the pivots all but
+    /// coincide.
+    pub(super) fn align<T: Number>(&self, state: &mut State<T>) {
+        let u = self.between(state);
+        let x = u.norm2() + T::exactly(self.squares.hi);
+        let length = T::of(self.near.length);
+        let along = if x.nearest() < 0.0 { -length } else { length };
+        let e = u * (along / T::norm(u));
+        self.place::<T, { super::POSITION }>(e, e - u, T::default(), state);
+    }
+
+    /// From pivot to pivot.
+    fn between<T: Number>(&self, state: &State<T>) -> Vec2<T> {
+        let at = |pivot: PointId| state.points[pivot.index()].p;
+        at(self.far.pivot) - at(self.near.pivot)
     }
 }
 
@@ -206,7 +222,7 @@ impl Cylinder {
         let c = self.far.length.hi;
         let scale = of.rho2 * T::exactly(4.0 * c * c);
         state.measures[self.group] = of.product / scale;
-        let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK);
+        let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK * T::GRAIN);
         if !of.inner.min(of.outer).exceeds(slack) {
             return Outcome::Unclear;
         }
@@ -254,15 +270,20 @@ impl Cylinder {
         state.links[self.far.link.index()] = link;
     }
 
-    /// As [`Circles::stretch`].
-    pub(super) fn stretch(&self, q: f64, state: &mut State) -> Outcome {
+    /// As [`Circles::is_in_reach`].
+    pub(super) fn is_in_reach<T: Number>(&self, q: T, state: &State<T>) -> bool {
         let of = self.triangle(q, state);
-        let slack = REACH_SLACK * (of.rho + self.far.length.hi);
-        if !(of.inner >= -slack && of.outer >= -slack && of.rho > 0.0) || of.d2.sqrt() <= slack {
-            return Outcome::Open;
-        }
-        let e = self.arm(&of, 0.0);
-        self.place::<f64, { super::POSITION }>(q, e, e - of.u, 0.0, state);
-        Outcome::Stretched
+        let size = of.rho + T::exactly(self.far.length.hi);
+        let slack = size.scaled(REACH_SLACK * T::GRAIN);
+        let misses = |reach: T| (-slack).exceeds(reach);
+        let has_direction = of.rho.exceeds(T::default()) && of.d2.sqrt().exceeds(slack);
+        of.d2.is_finite() && has_direction && !misses(of.inner) && !misses(of.outer)
+    }
+
+    /// As [`Circles::align`].
+    pub(super) fn align<T: Number>(&self, q: T, state: &mut State<T>) {
+        let of = self.triangle(q, state);
+        let e = self.arm(&of, T::default());
+        self.place::<T, { super::POSITION }>(q, e, e - of.u, T::default(), state);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{CircleLine, CircleRail, Circles, Cylinder, Outcome, Swing};
 use crate::solver::state::State;
-use crate::{LinkId, PointId, Vec2};
+use crate::{LinkId, Number, PointId, Vec2};
 
 /// A dyad with two assemblies, of which the sign of its group chooses one.
 #[derive(Clone, Copy, Debug)]
@@ -22,13 +22,33 @@ pub(in crate::solver) enum Dyad<'a> {
 impl Dyad<'_> {
     /// Places it at its limit, if within rounding it still closes.
     #[cold]
-    pub(in crate::solver) fn stretch(self, q: f64, state: &mut State) -> Outcome {
+    pub(in crate::solver) fn stretch<T: Number>(self, q: T, state: &mut State<T>) -> Outcome {
+        if !self.is_in_reach(q, state) {
+            return Outcome::Open;
+        }
+        self.align(q, state);
+        Outcome::Stretched
+    }
+
+    /// Whether within rounding it still closes, in a direction that is told.
+    fn is_in_reach<T: Number>(self, q: T, state: &State<T>) -> bool {
         match self {
-            Dyad::Circles(c) => c.stretch(state),
-            Dyad::CircleLine(c) => c.stretch(state),
-            Dyad::CircleRail(c) => c.stretch(state),
-            Dyad::Swing(s) => s.stretch(state),
-            Dyad::Cylinder(c) => c.stretch(q, state),
+            Dyad::Circles(c) => c.is_in_reach(state),
+            Dyad::CircleLine(c) => c.is_in_reach(state),
+            Dyad::CircleRail(c) => c.is_in_reach(state),
+            Dyad::Swing(s) => s.is_in_reach(state),
+            Dyad::Cylinder(c) => c.is_in_reach(q, state),
+        }
+    }
+
+    /// Places it in line, as at its limit: positions alone.
+    pub(in crate::solver) fn align<T: Number>(self, q: T, state: &mut State<T>) {
+        match self {
+            Dyad::Circles(c) => c.align(state),
+            Dyad::CircleLine(c) => c.align(state),
+            Dyad::CircleRail(c) => c.align(state),
+            Dyad::Swing(s) => s.align(state),
+            Dyad::Cylinder(c) => c.align(q, state),
         }
     }
 
@@ -80,29 +100,30 @@ impl Dyad<'_> {
     }
 
     /// How far it is from the extremes of its reach, as a length: negative where it is open.
-    pub(in crate::solver) fn reserve(self, q: f64, state: &State) -> f64 {
+    pub(in crate::solver) fn reserve<T: Number>(self, q: T, state: &State<T>) -> T {
         let at = |point: PointId| state.points[point.index()].p;
         let between = |a: PointId, b: PointId| (at(b) - at(a)).norm();
-        let triangle = |d: f64, b: f64, c: f64| ((b + c) - d).min(d - (b - c).abs());
+        let triangle = |d: T, b: T, c: T| ((b + c) - d).min(d - (b - c).abs());
         match self {
             Dyad::Circles(c) => triangle(
                 between(c.near.pivot, c.far.pivot),
-                c.near.length.hi,
-                c.far.length.hi,
+                T::of(c.near.length),
+                T::of(c.far.length),
             ),
             Dyad::Cylinder(c) => {
-                let arm: Vec2 = c.through.nearest() + c.along.nearest() * q;
-                triangle(between(c.pivot, c.far.pivot), arm.norm(), c.far.length.hi)
+                let arm = Vec2::of(c.through) + Vec2::of(c.along) * q;
+                let far = T::of(c.far.length);
+                triangle(between(c.pivot, c.far.pivot), arm.norm(), far)
             }
             Dyad::CircleLine(c) => {
                 let guide = c.line.at(state);
-                c.arm.length.hi - guide.n.dot(at(c.arm.pivot) - guide.q.p).abs()
+                T::of(c.arm.length) - guide.n.dot(at(c.arm.pivot) - guide.q.p).abs()
             }
             Dyad::CircleRail(c) => {
-                let from = at(c.arm.pivot) - c.through.nearest();
-                c.arm.length.hi - c.along.nearest().cross(from).abs()
+                let from = at(c.arm.pivot) - Vec2::of(c.through);
+                T::of(c.arm.length) - Vec2::of(c.along).cross(from).abs()
             }
-            Dyad::Swing(s) => between(s.pivot, s.pin) - s.offset.hi.abs(),
+            Dyad::Swing(s) => between(s.pivot, s.pin) - T::of(s.offset).abs(),
         }
     }
 }

@@ -83,7 +83,7 @@ impl<T: Number> Chord<T> {
         Chord {
             product: left * right,
             reach: left.min(right),
-            slack: (length + from.x.abs() + from.y.abs()).scaled(REACH_SLACK),
+            slack: (length + from.x.abs() + from.y.abs()).scaled(REACH_SLACK * T::GRAIN),
         }
     }
 
@@ -91,12 +91,10 @@ impl<T: Number> Chord<T> {
     fn is_clear(&self) -> bool {
         self.reach.exceeds(self.slack)
     }
-}
 
-impl Chord<f64> {
-    /// Written so that NaN is open.
-    fn is_open(&self) -> bool {
-        !(self.reach >= -self.slack)
+    /// Whether within rounding the line touches the circle.
+    fn touches(&self) -> bool {
+        self.reach.is_finite() && !(-self.slack).exceeds(self.reach)
     }
 }
 
@@ -177,15 +175,16 @@ impl CircleLine {
         state.links[self.arm.link.index()] = link;
     }
 
-    /// The arm across the guide, if within rounding it reaches it: positions alone.
-    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
-        let (guide, from, h0, chord) = self.chord(state);
-        if chord.is_open() {
-            return Outcome::Open;
-        }
-        let e = -guide.n * h0;
-        self.place::<f64, { super::POSITION }>(&guide, guide.t.dot(from), e, [h0, 0.0], state);
-        Outcome::Stretched
+    /// Whether within rounding the arm reaches the guide.
+    pub(super) fn is_in_reach<T: Number>(&self, state: &State<T>) -> bool {
+        self.chord(state).3.touches()
+    }
+
+    /// The arm across the guide: positions alone.
+    pub(super) fn align<T: Number>(&self, state: &mut State<T>) {
+        let (guide, from, h0, _) = self.chord(state);
+        let (e, s) = (-guide.n * h0, guide.t.dot(from));
+        self.place::<T, { super::POSITION }>(&guide, s, e, [h0, T::default()], state);
     }
 }
 
@@ -269,16 +268,17 @@ impl CircleRail {
         state.links[self.arm.link.index()] = link;
     }
 
-    /// As [`CircleLine::stretch`].
-    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
-        let (from, h0, chord) = self.chord(state);
-        if chord.is_open() {
-            return Outcome::Open;
-        }
-        let t = self.along.nearest();
-        let e = -t.perp() * h0;
-        self.place::<f64, { super::POSITION }>(t.dot(from), e, [h0, 0.0], state);
-        Outcome::Stretched
+    /// As [`CircleLine::is_in_reach`].
+    pub(super) fn is_in_reach<T: Number>(&self, state: &State<T>) -> bool {
+        self.chord(state).2.touches()
+    }
+
+    /// As [`CircleLine::align`].
+    pub(super) fn align<T: Number>(&self, state: &mut State<T>) {
+        let (from, h0, _) = self.chord(state);
+        let t = Vec2::of(self.along);
+        let (e, s) = (-t.perp() * h0, t.dot(from));
+        self.place::<T, { super::POSITION }>(s, e, [h0, T::default()], state);
     }
 }
 

@@ -27,7 +27,7 @@ impl Swing {
         let d2 = w.norm2();
         let d = d2.sqrt();
         let size = d + T::of(self.offset.abs()) + pin.x.abs() + pin.y.abs();
-        (w, d, d2, size.scaled(REACH_SLACK))
+        (w, d, d2, size.scaled(REACH_SLACK * T::GRAIN))
     }
 
     /// w = B - O = s t + e n, hence s = +-sqrt((D - e)(D + e)) and t = w (s - i e) / D^2.
@@ -73,15 +73,18 @@ impl Swing {
         state.links[self.link.index()] = link;
     }
 
-    /// The guide across the line from pivot to pin, if within rounding it reaches it.
-    pub(super) fn stretch(&self, state: &mut State) -> Outcome {
-        let (w, d, d2, slack) = self.reach(state);
-        // Where the pin stands on the pivot no direction exists. Written so that NaN is open.
-        if !(d - self.offset.hi.abs() >= -slack) || d2 == 0.0 {
-            return Outcome::Open;
-        }
-        let t = w.turned(Vec2::new(0.0, -self.offset.hi)) * (1.0 / d2);
-        self.place::<f64, { super::POSITION }>(t, 0.0, state);
-        Outcome::Stretched
+    /// Whether within rounding the guide reaches the line from pivot to pin, and that has a direction.
+    pub(super) fn is_in_reach<T: Number>(&self, state: &State<T>) -> bool {
+        let (_, d, d2, slack) = self.reach(state);
+        let reach = d - T::of(self.offset).abs();
+        d.is_finite() && d2.exceeds(T::default()) && !(-slack).exceeds(reach)
+    }
+
+    /// The guide across the line from pivot to pin: positions alone.
+    pub(super) fn align<T: Number>(&self, state: &mut State<T>) {
+        let (w, _, d2, _) = self.reach(state);
+        let across = Vec2::new(T::default(), -T::of(self.offset));
+        let t = w.turned(across) * (T::exactly(1.0) / d2);
+        self.place::<T, { super::POSITION }>(t, T::default(), state);
     }
 }

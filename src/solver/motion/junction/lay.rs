@@ -30,7 +30,7 @@ impl Walker<'_> {
         direction: Vec2<Series>,
         series: &mut Workspace<Series>,
     ) -> Option<()> {
-        let engine = self.exact.engine()?;
+        let engine = &self.exact?.engine;
         for i in steps {
             let step = &engine.program.steps[i];
             let done = if let Some(dyad) = step.dyad() {
@@ -72,12 +72,11 @@ impl Walker<'_> {
         series: &mut Workspace<Series>,
     ) -> bool {
         let engine = self.engine;
-        let (Step::Coupled { index }, Some(exact)) =
-            (&engine.program.steps[step], self.exact.engine())
+        let (Step::Coupled { index }, Some(exact)) = (&engine.program.steps[step], self.exact)
         else {
             return false;
         };
-        let group = &exact.program.coupled[*index];
+        let group = &exact.engine.program.coupled[*index];
         // Its inputs are read in doubles, too.
         self.aim_at(at);
         self.take_places(series);

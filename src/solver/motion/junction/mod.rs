@@ -102,7 +102,7 @@ impl Walker<'_> {
         crossing: Option<&Change>,
         terms: usize,
     ) -> Result<Junction, Refusal> {
-        let engine = self.exact.engine().ok_or(Refusal::End)?;
+        let engine = &self.exact.ok_or(Refusal::End)?.engine;
         let signs = &self.state.signs;
         let mut junction = Junction {
             at,
@@ -147,7 +147,7 @@ impl Walker<'_> {
         junction: &mut Junction,
     ) -> Result<(), Refusal> {
         let group = dyad.group();
-        let slack = self.exact.slack();
+        let slack = self.slack();
         let (snap, order) = match self.standing(dyad, q, slack, &junction.series)? {
             Standing::Regular => (Snap::default(), 0),
             Standing::Missing { sine } => {

@@ -2,6 +2,7 @@
 
 use super::Junction;
 use crate::arithmetic::Series;
+use crate::solver::exact::Exact;
 use crate::solver::motion::walk::Walker;
 use crate::solver::passage::Passage;
 use crate::solver::step::root;
@@ -51,7 +52,7 @@ impl Walker<'_> {
     }
 
     fn tells(&mut self, junction: &Junction, dq: f64, steps: usize) -> bool {
-        let Some(engine) = self.exact.engine() else {
+        let Some(Exact { engine, .. }) = self.exact else {
             return false;
         };
         let signs = &junction.sides[usize::from(dq > 0.0)];

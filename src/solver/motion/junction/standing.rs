@@ -101,7 +101,7 @@ impl Walker<'_> {
     /// Where a dyad's reach is extreme to twice the precision, close to a coordinate; those before it
     /// are not singular there.
     pub(in crate::solver::motion) fn exactly(&mut self, step: usize, at: f64) -> Option<Double> {
-        let engine = self.exact.engine()?;
+        let engine = &self.exact?.engine;
         let mut at = Double::exactly(at);
         for _ in 0..STEPS {
             let (q, direction) = self.coordinate_of(at, FEW);

@@ -1,0 +1,96 @@
+//! What doubles cannot place, in twice the digits and from the numbers that are meant: a triangle as thin as
+//! a needle, and one that is open by less than a rounding.
+
+use super::{Assembler, TIE, miss, side_of};
+use crate::Double;
+use crate::solver::engine::Engine;
+use crate::solver::exact::Exact;
+use crate::solver::plan::Pick;
+use crate::solver::state::{Condition, State};
+use crate::solver::step::Outcome;
+use crate::solver::workspace::Workspace;
+
+impl Assembler<'_> {
+    /// Places the first steps, rounded; `None` where that tells no more than doubles do.
+    pub(super) fn place_closely(&self, steps: usize, work: &mut Workspace) -> Option<Condition> {
+        let exact = self.exact.filter(|exact| exact.tells(steps))?;
+        let mut close: State<Double> = exact.state(work.travels.len());
+        let condition = self.run_closely(exact, steps, work, &mut close);
+        exact.write(steps, &close, &mut work.state);
+        Some(condition)
+    }
+
+    /// What becomes of the dyad of a step of which doubles say this.
+    pub(super) fn closing_closely(
+        &self,
+        key: usize,
+        in_doubles: Outcome,
+        work: &mut Workspace,
+    ) -> Outcome {
+        if in_doubles == Outcome::Done {
+            return in_doubles;
+        }
+        match self.place_closely(key + 1, work) {
+            None => in_doubles,
+            Some(Condition::Ok) => Outcome::Done,
+            Some(Condition::DeadPoint | Condition::ChangePoint) => Outcome::Stretched,
+            Some(Condition::NoAssembly) => Outcome::Open,
+        }
+    }
+
+    /// The side of a dyad that is nearer to the rough places, as far as twice the digits tell the two apart.
+    pub(super) fn hinted(
+        &self,
+        number: usize,
+        key: usize,
+        engine: &Engine,
+        work: &Workspace,
+    ) -> Option<Pick> {
+        let exact = self.exact.filter(|exact| key < exact.closed)?;
+        let wanted = self.wanted(number, engine);
+        let mut work = work.clone();
+        let mut miss_of = |sign: f64| {
+            work.state.signs[number] = sign;
+            let mut close: State<Double> = exact.state(work.travels.len());
+            let found = self.run_closely(exact, key + 1, &work, &mut close);
+            exact.write(key + 1, &close, &mut work.state);
+            (found == Condition::Ok).then(|| miss(&wanted, &work))
+        };
+        let plus = side_of(engine, key, Pick::Plus)?;
+        let (plus, minus) = (miss_of(plus)?, miss_of(-plus)?);
+        let differ = (plus - minus).abs() > TIE * (plus + minus);
+        let nearer = if plus < minus {
+            Pick::Plus
+        } else {
+            Pick::Minus
+        };
+        differ.then_some(nearer)
+    }
+
+    /// By how much the dyad of a step misses to close.
+    pub(super) fn gap_closely(&self, key: usize, state: &State) -> Option<f64> {
+        let exact = self.exact.filter(|exact| exact.tells(key))?;
+        let mut close: State<Double> = exact.state(state.travels.len());
+        let _ = self.run_closely(exact, key, state, &mut close);
+        let (q, _) = exact.engine.coordinate(Double::exactly(self.request.at));
+        let dyad = exact.engine.program.steps[key].dyad()?;
+        Some((-dyad.reserve(q, &close)).hi.max(0.0))
+    }
+
+    fn run_closely(
+        &self,
+        exact: &Exact,
+        steps: usize,
+        state: &State,
+        close: &mut State<Double>,
+    ) -> Condition {
+        let how = (&state.signs[..], None);
+        exact.run(
+            steps,
+            Double::exactly(self.request.at),
+            self.order,
+            how,
+            close,
+        )
+    }
+}

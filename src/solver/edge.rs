@@ -1,0 +1,104 @@
+//! Where doubles cannot tell, twice the digits do.
+//!
+//! Close to an end of its motion a mechanism stands as high as the square root of what is left, and
+//! doubles lose of that half of their digits: within some roundings they cannot even tell whether it closes.
+//! There the steps before the first coupled group are run in twice the digits, from the numbers that are
+//! meant, and the figures are rounded once.
+
+use super::demand::{Part, outputs};
+use super::exact::Exact;
+use super::state::{Condition, LinkState, PointState, State, TravelState};
+use super::{Order, Solver, Workspace};
+use crate::{Double, Number};
+
+impl Solver {
+    /// Solves anywhere; by what the motion says of its ends, and closely where doubles do not tell.
+    #[cold]
+    pub(super) fn solve_closely(&self, at: f64, order: Order, work: &mut Workspace) {
+        work.state.begin(at, order);
+        work.state.condition = Condition::NoAssembly;
+        if !self.motion.covers(at) {
+            return;
+        }
+        let mut found = at;
+        let is_coupled = !self.engine.program.coupled.is_empty();
+        if self.look_closely(at, order, work) == Condition::NoAssembly && is_coupled {
+            let exists = |&at: &f64| self.run(at, order, work) != Condition::NoAssembly;
+            found = self.motion.drawn_back(at).find(exists).unwrap_or(at);
+        }
+        let state = &mut work.state;
+        state.at = at;
+        // Within rounding of a limit rates are as worthless as at the limit itself.
+        let is_dead = found != at || self.motion.is_dead_point(at);
+        if state.condition == Condition::Ok && is_dead {
+            state.condition = Condition::DeadPoint;
+        }
+    }
+
+    fn look_closely(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
+        let Some(exact) = self.exact.as_ref().filter(|_| !self.is_told(at)) else {
+            return self.run(at, order, work);
+        };
+        let Some(mut close) = work.close.take() else {
+            return self.run(at, order, work);
+        };
+        self.aim(at, work);
+        let how = (&work.state.signs[..], self.motion.stretched_at(at));
+        let mut condition = exact.run(exact.closed, Double::exactly(at), order, how, &mut close);
+        exact.write(exact.closed, &close, &mut work.state);
+        work.close = Some(close);
+        let behind = exact.closed..self.engine.program.steps.len();
+        if condition != Condition::NoAssembly && !behind.is_empty() {
+            let found = self.engine.run_steps(behind, at, order, work);
+            if found != Condition::Ok {
+                condition = found;
+            }
+        }
+        work.state.condition = condition;
+        condition
+    }
+
+    /// Whether what the motion has kept stands in at a coordinate: a fold, or a series.
+    fn is_told(&self, at: f64) -> bool {
+        self.motion.fold_at(at).is_some() || self.is_passing(at)
+    }
+}
+
+impl Exact {
+    /// Writes what the first steps have placed, rounded.
+    pub(super) fn write(&self, steps: usize, from: &State<Double>, to: &mut State) {
+        let program = &self.engine.program;
+        for step in &program.steps[..steps] {
+            outputs(step, &program.coupled, &mut |part| match part {
+                Part::Point(point) => {
+                    let PointState { p, v, a } = from.points[point.index()];
+                    let [p, v, a] = [p, v, a].map(|v| v.nearest());
+                    to.points[point.index()] = PointState { p, v, a };
+                }
+                Part::Link(link) => {
+                    to.links[link.index()] = rounded(&from.links[link.index()]);
+                }
+                Part::Slide(slide) => {
+                    let TravelState { s, v, a, guide } = &from.travels[slide.index()];
+                    to.travels[slide.index()] = TravelState {
+                        s: s.nearest(),
+                        v: v.nearest(),
+                        a: a.nearest(),
+                        guide: rounded(guide),
+                    };
+                }
+            });
+            if let Some(group) = step.choice() {
+                to.measures[group] = from.measures[group].nearest();
+            }
+        }
+    }
+}
+
+fn rounded(link: &LinkState<Double>) -> LinkState {
+    LinkState {
+        d: link.d.nearest(),
+        w: link.w.nearest(),
+        a: link.a.nearest(),
+    }
+}

@@ -1,0 +1,148 @@
+//! The mechanism in the numbers that are meant: typed decimals, and not the doubles next to them.
+//!
+//! Where doubles cannot tell - whether lengths are equal, on which side of an end a coordinate lies, how
+//! far from its limit a dyad stands - this engine is asked, in twice the digits.
+
+use super::engine::Engine;
+use super::network::Network;
+use super::order::Ordering;
+use super::state::{Condition, State};
+use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::{Demand, Order, chain};
+use crate::{Double, Number};
+
+/// What twice the precision leaves open of an equality, in units of about the longest link.
+const FLOOR: f64 = 1e-25;
+
+/// The mechanism in the numbers that are meant.
+#[derive(Clone, Debug)]
+pub(super) struct Exact {
+    pub(super) engine: Engine,
+    /// By how much equal lengths can differ, because two places on the ground have coordinates that were
+    /// rounded, in the solver's unit: numbers of 15 digits or more have been.
+    pub(super) rounding: f64,
+    /// So many steps come before the first coupled group: these have a closed form.
+    pub(super) closed: usize,
+}
+
+impl Exact {
+    /// Of a mechanism that has an engine in doubles; `None` where the meant numbers make other groups.
+    pub(super) fn new(
+        engine: &Engine,
+        network: &Network<'_>,
+        ordering: &Ordering,
+    ) -> Option<Exact> {
+        let mechanism = network.mechanism;
+        let frame = engine.frame.meant(mechanism);
+        let network = Network::meant(mechanism);
+        let (_, program) = chain::build(&network, frame, ordering, chain::Dyads::Closed).ok()?;
+        let rounding = frame.rounding(mechanism);
+        let mut exact = Engine::new(mechanism, frame, program);
+        let steps = &mut exact.program.steps;
+        if steps.len() != engine.program.steps.len() {
+            return None;
+        }
+        for (step, of) in steps.iter_mut().zip(&engine.program.steps) {
+            // Of two arms that are equal but for a rounding the same one is the nearer.
+            if let (Step::Circles(circles), Step::Circles(of)) = (step, of) {
+                circles.measure_from(of.near.pivot);
+            }
+        }
+        Some(Exact {
+            rounding,
+            closed: closed(&exact),
+            engine: exact,
+        })
+    }
+
+    /// By how much lengths differ that count as equal.
+    pub(super) fn slack(&self) -> f64 {
+        self.rounding + FLOOR
+    }
+
+    /// Whether twice the digits tell more of the first steps than doubles do. Where lengths count as equal
+    /// within what coordinates were rounded by, that is no matter of digits.
+    pub(super) fn tells(&self, steps: usize) -> bool {
+        steps <= self.closed && self.rounding == 0.0
+    }
+
+    /// Room for a state in another arithmetic than doubles.
+    pub(super) fn state<T: Number>(&self, slides: usize) -> State<T> {
+        self.engine.state(slides).into_state()
+    }
+
+    /// Runs the first steps with these signs, in twice the digits; the dyad of the group `ending` stands at
+    /// its limit. So does one of which not even these tell on which side of its limit it is.
+    pub(super) fn run<T: Number>(
+        &self,
+        steps: usize,
+        at: T,
+        order: Order,
+        (signs, ending): (&[f64], Option<usize>),
+        state: &mut State<T>,
+    ) -> Condition {
+        for (sign, &of) in state.signs.iter_mut().zip(signs) {
+            *sign = T::exactly(of);
+        }
+        let steps = &self.engine.program.steps[..steps];
+        match order {
+            Order::Position => self.run_to::<T, POSITION>(steps, at, ending, state),
+            Order::Velocity => self.run_to::<T, VELOCITY>(steps, at, ending, state),
+            Order::Acceleration | Order::Force => {
+                self.run_to::<T, ACCELERATION>(steps, at, ending, state)
+            }
+        }
+    }
+
+    fn run_to<T: Number, const ORDER: u8>(
+        &self,
+        steps: &[Step],
+        at: T,
+        ending: Option<usize>,
+        state: &mut State<T>,
+    ) -> Condition {
+        let (q, direction) = self.engine.coordinate(at);
+        let mut condition = Condition::Ok;
+        for step in steps {
+            let mut outcome = step.run::<T, ORDER>(q, direction, state);
+            if let Some(dyad) = step.dyad() {
+                if ending == Some(dyad.group()) {
+                    dyad.align(q, state);
+                    outcome = Outcome::Stretched;
+                } else if outcome == Outcome::Unclear {
+                    outcome = dyad.stretch(q, state);
+                }
+            }
+            match outcome {
+                Outcome::Done => {}
+                Outcome::Stretched => condition = Condition::DeadPoint,
+                Outcome::Open | Outcome::Unclear => return Condition::NoAssembly,
+            }
+        }
+        condition
+    }
+
+    /// The first closed step that cannot be done at a coordinate, to twice the digits.
+    pub(super) fn stops(&self, at: f64, state: &mut State<Double>) -> Option<usize> {
+        let (q, direction) = self.engine.coordinate(Double::exactly(at));
+        let mut steps = self.engine.program.steps[..self.closed].iter();
+        steps.position(|step| step.run::<Double, POSITION>(q, direction, state) != Outcome::Done)
+    }
+
+    /// The same without the steps that `demand` does not need.
+    pub(super) fn only(&self, demand: &Demand, slides: usize) -> Exact {
+        let engine = self.engine.only(demand, slides);
+        Exact {
+            closed: closed(&engine),
+            engine,
+            ..*self
+        }
+    }
+}
+
+/// How many steps come before the first coupled group.
+fn closed(engine: &Engine) -> usize {
+    let mut steps = engine.program.steps.iter();
+    let first = steps.position(|step| matches!(step, Step::Coupled { .. }));
+    first.unwrap_or(engine.program.steps.len())
+}
