@@ -22,8 +22,8 @@ const FINE: f64 = 1e-15;
 /// A coordinate that differs from a change point by less than this part of it is the change point.
 const SAME: f64 = 4.0 * f64::EPSILON;
 
-/// A function of the driver's coordinate by its Taylor coefficients.
-type Taylor = [Vec2; TERMS];
+/// A function of the driver's coordinate by the Taylor coefficients that are known.
+type Taylor = Vec<Vec2>;
 
 /// A group's way through one of its change points.
 #[derive(Clone, Debug)]
@@ -136,7 +136,7 @@ fn reduced(at: f64, period: f64) -> f64 {
 }
 
 /// A function and its first two derivatives.
-fn told(series: &Taylor, dq: f64) -> [Vec2; 3] {
+fn told(series: &[Vec2], dq: f64) -> [Vec2; 3] {
     let mut sums = [Vec2::ZERO; 3];
     for (n, &c) in series.iter().enumerate().rev() {
         let n = n as f64;
@@ -164,7 +164,10 @@ impl Passage {
         let mut known = TERMS;
         let mut kept = |v: Vec2<Series>| {
             known = known.min(v.x.known).min(v.y.known);
-            std::array::from_fn(|n| Vec2::new(v.x.c[n].hi, v.y.c[n].hi))
+            // The others are zeros.
+            let terms = v.x.known.max(v.y.known);
+            let told = v.x.c.iter().zip(&v.y.c).take(terms);
+            told.map(|(x, y)| Vec2::new(x.hi, y.hi)).collect::<Taylor>()
         };
         let points = points.into_iter();
         let points: Vec<_> = points
