@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::output::write_text;
-use crate::files::read_file;
+use crate::files::{from_home, read_file};
 use crate::scene::LARGEST_FILE;
 use crate::tui::{self, Config};
 use std::io::{self, ErrorKind};
@@ -23,7 +23,12 @@ fn is_absent(error: &io::Error) -> bool {
 /// no fault, unless it was named.
 pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
     let env = |name: &str| std::env::var_os(name).map(PathBuf::from);
-    let Some(path) = named.map(Path::to_owned).or_else(|| Config::path(env)) else {
+    // What a shell leaves of `--config=~/krank.toml`.
+    let meant = |path: &Path| {
+        path.to_str()
+            .map_or_else(|| path.to_owned(), |typed| from_home(typed, env))
+    };
+    let Some(path) = named.map(meant).or_else(|| Config::path(env)) else {
         return Ok(Config::default());
     };
     let shown = path.display().to_string();

@@ -124,11 +124,19 @@ fn sweep(folder: &Path) {
     let entries = fs::read_dir(folder).into_iter().flatten();
     for entry in entries.take(MOST_ENTRIES).flatten() {
         let name = entry.file_name();
-        let name = name.as_encoded_bytes();
-        if name.starts_with(BEGINS.as_bytes()) && name.ends_with(ENDS.as_bytes()) {
+        if is_name(name.as_encoded_bytes()) {
             sweep_one(&entry);
         }
     }
+}
+
+/// Whether a draft is called so: two numbers, of the process and of the draft.
+fn is_name(name: &[u8]) -> bool {
+    let between = name.strip_prefix(BEGINS.as_bytes());
+    let between = between.and_then(|rest| rest.strip_suffix(ENDS.as_bytes()));
+    let mut numbers = between.unwrap_or_default().split(|&byte| byte == b'-');
+    let is_number = |part: &[u8]| !part.is_empty() && part.iter().all(u8::is_ascii_digit);
+    numbers.clone().count() == 2 && numbers.all(is_number)
 }
 
 /// Only what is ours beyond doubt: a file of this person's that nobody has locked. Root also leaves what has
@@ -145,10 +153,12 @@ fn sweep_one(entry: &DirEntry) {
     };
     let file = File::from(file);
     let person = geteuid();
+    // After the lock: whoever had it before may have taken the file away, and the name is another's now.
+    let is_locked = lock::take(&file) == Locked::Ours;
     let is_own = file.metadata().is_ok_and(|found| {
         found.nlink() == 1 && (person.is_root() || found.uid() == person.as_raw())
     });
-    if is_own && lock::take(&file) == Locked::Ours {
+    if is_own && is_locked {
         let _ = fs::remove_file(&path);
     }
 }

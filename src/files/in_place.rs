@@ -20,7 +20,7 @@ use std::fmt::Write as _;
 use std::fs::{self, DirBuilder, File};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::os::unix::ffi::{OsStrExt, OsStringExt};
-use std::os::unix::fs::{DirBuilderExt, FileExt};
+use std::os::unix::fs::{DirBuilderExt, FileExt, MetadataExt};
 use std::path::{Path, PathBuf};
 
 /// What a record begins with, and what the names of records end with.
@@ -74,7 +74,8 @@ pub(crate) fn mend(folder: &Path) -> Vec<PathBuf> {
 /// What cannot be mended now stays for another start.
 fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
     let file = open_file(path, OFlags::RDWR | OFlags::NOFOLLOW)?;
-    if lock::take(&file) != Locked::Ours {
+    // One that is there no more another start has seen to.
+    if lock::take(&file) != Locked::Ours || file.metadata()?.nlink() == 0 {
         return Ok(None);
     }
     let record = Record::read(file)?;

@@ -73,6 +73,17 @@ impl Output {
         }))
     }
 
+    /// What was written so far lies on the disk.
+    #[cfg(feature = "tui")]
+    fn sync(&self) -> io::Result<()> {
+        match &self.0 {
+            Way::Stream(_) => Ok(()),
+            Way::New { draft, .. } | Way::Over { draft, .. } | Way::Into { draft, .. } => {
+                draft.file.sync_all()
+            }
+        }
+    }
+
     /// Everything was written: it becomes what the file holds.
     ///
     /// # Errors
@@ -183,6 +194,7 @@ pub(crate) fn save(
     let _lock = lock::of_folder(folder_of(&path))?;
     // Whoever had the lock before may have changed what is there.
     let target = Target::find(&path)?;
+    let before = stamp(&path);
     let old = match &target {
         Target::File(path, _) => Some(guard::read_file(path, saving.most)?),
         Target::New(_) => None,
@@ -194,5 +206,25 @@ pub(crate) fn save(
     }
     let mut output = Output::of(target, saving.records)?;
     output.write_all(&bytes)?;
+    // What takes long is behind us when we look whether somebody who knows no lock has come in between.
+    output.sync()?;
+    if stamp(&path) != before {
+        return Err(Trouble::Changed);
+    }
     output.commit(saving.records)
+}
+
+/// Tells a file that was written from one that was not; `None` where there is none.
+#[cfg(feature = "tui")]
+fn stamp(path: &Path) -> Option<[i64; 6]> {
+    let found = std::fs::metadata(path).ok()?;
+    let [device, inode, size] = [found.dev(), found.ino(), found.size()].map(u64::cast_signed);
+    Some([
+        device,
+        inode,
+        size,
+        found.mtime(),
+        found.mtime_nsec(),
+        found.ctime_nsec(),
+    ])
 }

@@ -321,3 +321,51 @@ mod saving {
         assert_eq!(from_home("~/a", |_| None), Path::new("~/a"));
     }
 }
+
+/// Editors know no lock of ours: what one of them writes while we do is not written over.
+#[cfg(feature = "tui")]
+#[test]
+fn what_somebody_else_writes_meanwhile_stays() {
+    let folder = folder("meanwhile");
+    let file = folder.join("scene.toml");
+    fs::write(&file, "old").unwrap();
+    let saving = Saving {
+        to: &file,
+        records: None,
+        though_read_only: false,
+        most: 100,
+    };
+    let foreign = |_| {
+        fs::write(&file, "foreign").unwrap();
+        Ok(b"new".to_vec())
+    };
+    assert!(matches!(save(saving, foreign), Err(Trouble::Changed)));
+    assert_eq!(fs::read_to_string(&file).unwrap(), "foreign");
+    assert_eq!(names(&folder), ["scene.toml"]);
+    save(saving, |_| Ok(b"new".to_vec())).unwrap();
+    assert_eq!(fs::read_to_string(&file).unwrap(), "new");
+    fs::remove_dir_all(folder).unwrap();
+}
+
+/// Only what is called like a draft is swept.
+#[test]
+fn a_file_that_is_called_nearly_like_a_draft_stays() {
+    let folder = folder("nearly");
+    for name in [
+        ".krank-notes.part",
+        ".krank-1.part",
+        ".krank-1-2-3.part",
+        ".krank-4711-0.part",
+    ] {
+        fs::write(folder.join(name), "mine").unwrap();
+    }
+    write(&folder.join("x"), b"text", None).unwrap();
+    let left = [
+        ".krank-1-2-3.part",
+        ".krank-1.part",
+        ".krank-notes.part",
+        "x",
+    ];
+    assert_eq!(names(&folder), left);
+    fs::remove_dir_all(folder).unwrap();
+}

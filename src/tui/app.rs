@@ -1,5 +1,6 @@
 //! The state of the workbench and how actions change it. Views read it and change nothing.
 
+mod asking;
 mod changing;
 mod choosing;
 mod comparing;
@@ -81,8 +82,11 @@ pub(crate) struct App {
     stage: Stage,
     steps: Steps,
     playback: Playback,
-    /// How many scenes have been opened: another number, another scene.
+    /// How many scenes have been opened, edits of one counted: another number, another text.
     opened: usize,
+    /// How many scenes have been shown, whatever was made of each: what was asked for of one is no answer to
+    /// another.
+    scenes: usize,
 
     // What keys go to and what is looked at.
     mode: Mode,
@@ -133,6 +137,8 @@ pub(crate) struct App {
     clerk: Clerk,
     /// What is to be done once nothing is unsaved.
     pending: Option<Pending>,
+    /// Since when a question is on the screen.
+    seen: Option<Duration>,
 
     // The terminal.
     capability: Capability,
@@ -159,6 +165,7 @@ impl App {
             steps: driving::steps_of(&stage),
             playback: Playback::new(),
             opened: 1,
+            scenes: 1,
             mode: Mode::Normal,
             keymap: Keymap::default(),
             view: View::default(),
@@ -183,6 +190,7 @@ impl App {
             storing: false,
             clerk: Clerk::default(),
             pending: None,
+            seen: None,
             stage,
             capability,
             theme: Theme::default(),

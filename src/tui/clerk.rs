@@ -6,7 +6,7 @@
 //! job is done where it is given.
 
 use super::app::App;
-use rustix::io::{read, write};
+use rustix::io::{Errno, read, write};
 use std::collections::VecDeque;
 use std::fmt;
 use std::io::{self, Error};
@@ -54,13 +54,15 @@ impl Clerk {
     pub(crate) fn apart() -> io::Result<Clerk> {
         let (bell, rope) = UnixStream::pair()?;
         bell.set_nonblocking(true)?;
+        rope.set_nonblocking(true)?;
         let (jobs, given) = channel::<Job>();
         let (finished, done) = channel();
         let work = move || {
             for job in given {
                 let then = catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|_| broken());
-                // Whoever has left wants to know of nothing more.
-                if finished.send(then).is_err() || write(&rope, &[1]).is_err() {
+                // A bell that is full rings already; whoever has left wants to know of nothing more.
+                let rung = |then| finished.send(then).is_ok() && rings(write(&rope, &[1]));
+                if !rung(then) {
                     return;
                 }
             }
@@ -147,7 +149,35 @@ impl fmt::Debug for Clerk {
     }
 }
 
+fn rings(written: Result<usize, Errno>) -> bool {
+    matches!(written, Ok(_) | Err(Errno::AGAIN | Errno::INTR))
+}
+
 /// What follows from a job that panicked: the rest goes on.
 fn broken() -> Then {
     Box::new(|app, _| app.fail(&Error::other("krank is broken there")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// The bell takes some hundred rings before it is full; nobody hears it while a line is stalled.
+    #[test]
+    fn jobs_are_done_whether_or_not_somebody_hears_the_bell() {
+        const JOBS: usize = 2000;
+        let done = Arc::new(AtomicUsize::new(0));
+        let mut clerk = Clerk::apart().unwrap();
+        for _ in 0..JOBS {
+            let done = Arc::clone(&done);
+            clerk.give(move || {
+                done.fetch_add(1, Ordering::Relaxed);
+                Box::new(|_, _| {})
+            });
+        }
+        drop(clerk);
+        assert_eq!(done.load(Ordering::Relaxed), JOBS);
+    }
 }

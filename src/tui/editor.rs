@@ -240,7 +240,7 @@ impl Editor {
         true
     }
 
-    /// Finds the step that fits the value under the cursor.
+    /// Need the step that fits the value under the cursor.
     pub(crate) fn fit(&mut self) {
         let Some(value) = self.value() else { return };
         let own = value.number.abs();

@@ -111,7 +111,7 @@ pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Ent
     let of = |view: View| {
         let here = move |entry: &&Entry| entry.place == Place::In(view);
         (
-            view.pane().title(),
+            view.pane().help_title(),
             action::entries().filter(here).collect(),
         )
     };

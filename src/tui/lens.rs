@@ -188,7 +188,7 @@ impl Lens {
         self.setting.window.zoom()
     }
 
-    /// Finds what is wanted of the motion, unless it is known already.
+    /// Need what is wanted of the motion, unless it is known already.
     pub(crate) fn focus(&mut self, stage: &Stage, chosen: &Chosen, opened: usize) {
         let wanted = self.wanted(stage, chosen);
         if wanted.is_empty() && self.made.is_none() {

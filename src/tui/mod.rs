@@ -286,10 +286,6 @@ impl Session {
                 self.paint(anew)?;
                 owed = self.workbench.is_cut();
                 anew = !owed;
-                if !owed {
-                    let now = self.begun.elapsed();
-                    self.workbench.app().show_offer(now);
-                }
                 #[cfg(debug_assertions)]
                 fault_on_demand();
             }
@@ -301,6 +297,10 @@ impl Session {
             }
             let bell = self.workbench.app().bell();
             let wakes = self.gate.wait(deadline, bell)?;
+            if let Some(drawn) = self.gate.drawn_at().filter(|_| !owed) {
+                let seen = drawn.saturating_duration_since(self.begun);
+                self.workbench.app().show_question(seen);
+            }
             owed = true;
             // What moves on by itself waits for a slow line: half of one picture and half of the next
             // would be none.

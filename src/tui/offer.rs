@@ -3,10 +3,6 @@
 
 use super::difference::difference;
 use super::recovery::{Generation, Others};
-use std::time::Duration;
-
-/// Who has not seen the offer for so long has typed for something else.
-const REACTION: Duration = Duration::from_millis(300);
 
 /// What is offered, and where the cursor is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -17,8 +13,6 @@ pub(crate) struct Offer {
     pub(crate) page: Option<Page>,
     /// Whether it is asked if the edits under the cursor are to go.
     pub(crate) asks: bool,
-    /// Since when it is on the screen.
-    seen: Option<Duration>,
 }
 
 /// Lines that are read.
@@ -38,18 +32,7 @@ impl Offer {
             cursor: 0,
             page: None,
             asks: false,
-            seen: None,
         })
-    }
-
-    /// It is on the screen.
-    pub(crate) fn show(&mut self, now: Duration) {
-        self.seen.get_or_insert(now);
-    }
-
-    /// Whether a key that comes now can be meant for it.
-    pub(crate) fn can_be_answered(&self, now: Duration) -> bool {
-        self.seen.is_some_and(|seen| now >= seen + REACTION)
     }
 
     /// The edits under the cursor.

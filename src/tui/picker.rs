@@ -272,7 +272,7 @@ impl Picker {
         };
     }
 
-    /// Finds the entries that have every word of the search in their name or title. The way out of the
+    /// Need the entries that have every word of the search in their name or title. The way out of the
     /// folder is nothing that is searched for.
     fn narrow(&mut self) {
         let typed = self.search.to_lowercase();

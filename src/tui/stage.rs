@@ -154,7 +154,7 @@ impl Stage {
         }
     }
 
-    /// Finds the forces, here and from now on, or ceases to.
+    /// Need the forces, here and from now on, or ceases to.
     pub(crate) fn balance_forces(&mut self, wanted: bool) {
         self.balance = None;
         if !(wanted && self.opened.solver.has_forces()) {
@@ -213,7 +213,7 @@ impl Stage {
         bounds.try_fold(0.0, |most: f64, bound| Some(most.max(bound?)))
     }
 
-    /// Finds what the given lengths do, here and from now on, or ceases to.
+    /// Need what the given lengths do, here and from now on, or ceases to.
     pub(crate) fn answer(&mut self, wanted: bool) {
         let Opened { scene, solver, .. } = &self.opened;
         self.answers = None;

@@ -328,6 +328,39 @@ fn saving_that_takes_long_keeps_no_key_waiting() {
     assert!(!session.ended_as_found().success());
 }
 
+/// What was asked for of one scene is nothing to the next.
+#[test]
+fn a_scene_that_is_shown_meanwhile_is_not_taken_for_the_one_that_was_saved() {
+    let (folder, _) = folder("meanwhile");
+    let lock = File::open(&folder).unwrap();
+    flock(&lock, FlockOperation::LockExclusive).unwrap();
+    let mut session = begin(&folder, "four-bar");
+    session.wait_for("? help").send("W\x15mine-too.toml\r");
+    session.wait_for("writing mine-too.toml").send("n");
+    session.wait_until("another preset", |seen| {
+        !seen
+            .terminal
+            .screen()
+            .contents()
+            .contains("Four-bar crank-rocker")
+    });
+    flock(&lock, FlockOperation::Unlock).unwrap();
+    session.wait_for("written to mine-too.toml");
+    assert_eq!(
+        fs::read_to_string(folder.join("mine-too.toml")).unwrap(),
+        four_bar()
+    );
+    // The other one has no file.
+    session.send("w");
+    session.wait_for("write to: ").send("\x1b");
+    session.wait_for("? help").send("q");
+    assert!(session.ended_as_found().success());
+    assert_eq!(
+        fs::read_to_string(folder.join("mine-too.toml")).unwrap(),
+        four_bar()
+    );
+}
+
 /// A home is meant by `~`, and a name may have 255 bytes and letters of any language.
 #[test]
 fn names_are_taken_as_they_are_typed() {

@@ -203,7 +203,7 @@ fn leaving_asks_and_saves() {
     let (folder, file) = folder("asked");
     let mut session = Session::run(&folder, "exec $KRANK mine.toml");
     session.wait_for("60.00 deg").send(EDIT).wait_for(EDITED);
-    session.send("q").wait_for("w save").send("w");
+    session.send("q").wait_for("unsaved edits").send("w");
     assert!(session.ended());
     let expected = four_bar().replace("length = 100", "length = 101");
     assert_eq!(fs::read_to_string(&file).unwrap(), expected);

@@ -26,6 +26,8 @@ fn the_shell_gets_its_terminal_while_it_is_stopped() {
     session.wait_for("60.00 deg").send(" ");
     session.wait_for("pause").send("\x1a");
     wait_for_the_main_screen(&session);
+    // Before that the shell throws away what is typed.
+    session.wait_for("Stopped");
     session.send("echo back$((1 + 1))\r");
     session.wait_for("back2");
     assert!(!session.seen.lock().unwrap().terminal.screen().hide_cursor());

@@ -464,7 +464,10 @@ fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
     );
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
-    session.press("w Enter");
+    // What was typed before the question could be read is no answer to it.
+    session.press("w Enter Enter");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
+    session.pass(1.0).press("Enter");
     let saved = std::fs::read_to_string(&file).unwrap();
     assert!(saved.contains("length = 101") && saved.contains("length = 250"));
     drop(session);
@@ -481,7 +484,7 @@ fn a_read_only_file_is_asked_about() {
     assert!(line.contains("mine.toml is read-only: write it?"), "{line}");
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), text("four-bar"));
-    session.press("w Enter");
+    session.press("w").pass(1.0).press("Enter");
     assert!(
         std::fs::read_to_string(&file)
             .unwrap()

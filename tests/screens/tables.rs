@@ -367,7 +367,12 @@ fn the_figures_are_written_as_a_sweep_of_one_row() {
         let line = session.press(keys).press("2 Y").last_line();
         let proposal = format!(" write  write to: {name}-{}", at.unwrap_or_default());
         assert!(line.starts_with(&proposal), "{line}");
-        session.press("Ctrl-U").type_in(path).press("Enter Enter");
+        session
+            .press("Ctrl-U")
+            .type_in(path)
+            .press("Enter")
+            .pass(1.0)
+            .press("Enter");
         let written = std::fs::read_to_string(&file).unwrap();
         let row = written.lines().nth(1).unwrap();
         let first = row.split(',').next().unwrap();
@@ -398,7 +403,7 @@ fn no_file_is_written_over_unasked() {
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
     session.press("Y Ctrl-U").type_in(file.to_str().unwrap());
-    let line = session.press("Enter Enter").last_line();
+    let line = session.press("Enter").pass(1.0).press("Enter").last_line();
     assert!(line.contains("the figures written to"), "{line}");
     assert!(std::fs::read_to_string(&file).unwrap().ends_with(",ok\n"));
     // A folder is no file.
@@ -413,7 +418,7 @@ fn no_file_is_written_over_unasked() {
 fn a_full_disk_is_said_and_another_name_can_be_typed() {
     let mut session = four_bar(80, 24);
     session.press("Y Ctrl-U").type_in("/dev/full");
-    let line = session.press("Enter Enter").last_line();
+    let line = session.press("Enter").pass(1.0).press("Enter").last_line();
     assert_eq!(
         line,
         " write  write to: /dev/full    not written: it is a device, not a file"
@@ -449,7 +454,7 @@ fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
         let line = session.press("P").last_line();
         assert!(line.contains("write to: press-60.txt"), "{line}");
         session.press("Ctrl-U").type_in(file.to_str().unwrap());
-        session.press("Enter Enter");
+        session.press("Enter").pass(1.0).press("Enter");
         assert_eq!(std::fs::read_to_string(&file).unwrap(), seen);
     }
     let mut session = four_bar(80, 24);

@@ -30,6 +30,7 @@ impl App {
         self.end_comparison();
         self.stage = Stage::new(opened);
         self.opened += 1;
+        self.scenes += 1;
         self.steps = steps_of(&self.stage);
         self.editor = Editor::new(self.stage.scene());
         self.playback = Playback::new();

@@ -6,7 +6,7 @@ use super::super::edited::{self, Edited};
 use super::super::figures::coordinate;
 use super::super::history::Deed;
 use super::super::line::Line;
-use super::super::views::Finds;
+use super::super::views::Need;
 use super::{App, Mode};
 use crate::Input;
 use crate::scene::{Measure, Value};
@@ -162,7 +162,7 @@ impl App {
 
     /// Lists the values again, while they are looked at.
     pub(super) fn relist(&mut self) {
-        if self.view.pane().finds() == Finds::Values {
+        if self.view.pane().needs() == Need::Values {
             self.editor.list(self.stage.scene());
         }
     }

@@ -99,7 +99,7 @@ impl App {
         let Some(name) = self.file_name() else { return };
         match news {
             News::Written(_) if self.is_changed() && !over => {
-                self.mode = Mode::Unsaved(Unsaved::Reload);
+                self.ask_about_edits(Unsaved::Reload);
             }
             News::Written(bytes) => self.read_in(&bytes, &name, now),
             // A file that is gone is no danger to the edits.

@@ -3,6 +3,7 @@
 use super::super::Opened;
 use super::super::key::Key;
 use super::{App, Effect, Mode};
+use std::time::Duration;
 
 /// A question about unsaved edits.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,7 +33,7 @@ impl App {
         }
         self.playback.pause();
         self.pending = Some(Pending::Quit);
-        self.mode = Mode::Unsaved(Unsaved::Quit);
+        self.ask_about_edits(Unsaved::Quit);
         Effect::Show
     }
 
@@ -44,16 +45,28 @@ impl App {
         }
         self.playback.pause();
         self.pending = Some(Pending::Show(Box::new(opened)));
-        self.mode = Mode::Unsaved(Unsaved::Open);
+        self.ask_about_edits(Unsaved::Open);
+    }
+
+    /// Asks what is to become of unsaved edits.
+    pub(super) fn ask_about_edits(&mut self, question: Unsaved) {
+        self.seen = None;
+        self.mode = Mode::Unsaved(question);
     }
 
     /// Keys of a question about unsaved edits; `None` for those that mean the same everywhere.
-    pub(super) fn answer(&mut self, key: Key) -> Option<Effect> {
+    pub(super) fn answer(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let Mode::Unsaved(question) = &self.mode else {
             return None;
         };
-        match (key, question.clone()) {
-            (Key::Escape, _) => self.mode = Mode::Normal,
+        let question = question.clone();
+        match key {
+            Key::Escape => self.mode = Mode::Normal,
+            Key::Ctrl(_) => return None,
+            _ if !self.can_be_answered(now) => return Some(Effect::Show),
+            _ => {}
+        }
+        match (key, question) {
             (Key::Char('w'), Unsaved::Quit | Unsaved::Open) => {
                 self.mode = Mode::Normal;
                 self.save_own();
@@ -67,7 +80,6 @@ impl App {
                 self.mode = Mode::Normal;
                 self.reload(true);
             }
-            (Key::Ctrl(_), _) => return None,
             _ => {}
         }
         Some(Effect::Show)

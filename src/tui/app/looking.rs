@@ -1,7 +1,7 @@
 //! What is seen: the view, how far it is scrolled, and with which characters and colours.
 
 use super::super::survey::Phase;
-use super::super::views::{self, Finds, List};
+use super::super::views::{self, List, Need};
 use super::{App, Mode, View};
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
@@ -20,7 +20,7 @@ impl App {
     /// Its key was pressed: a study goes on, or is repeated.
     pub(super) fn look_at(&mut self, view: View) {
         self.look(view);
-        if view.pane().finds() == Finds::Study {
+        if view.pane().needs() == Need::Study {
             self.study();
         }
     }
@@ -29,15 +29,19 @@ impl App {
     /// looked at for the first time.
     pub(crate) fn look(&mut self, view: View) {
         self.view = view;
-        let finds = view.pane().finds();
-        self.stage.answer(finds == Finds::Lengths);
-        self.stage.balance_forces(finds == Finds::Forces);
-        self.stage.explain(finds == Finds::Working);
-        self.relist();
-        if finds == Finds::Study && self.survey.phase() == Phase::Idle {
-            self.study();
+        self.stage.answer(false);
+        self.stage.balance_forces(false);
+        self.stage.explain(false);
+        match view.pane().needs() {
+            Need::Nothing => {}
+            Need::Lengths => self.stage.answer(true),
+            Need::Forces => self.stage.balance_forces(true),
+            Need::Working => self.stage.explain(true),
+            Need::Values => self.relist(),
+            Need::Study if self.survey.phase() == Phase::Idle => self.study(),
+            Need::Study => {}
+            Need::Curves | Need::Motor => self.sample(),
         }
-        self.sample();
     }
 
     /// Begins a study, goes on with it or repeats it.

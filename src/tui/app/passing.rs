@@ -2,7 +2,7 @@
 
 use super::super::cost;
 use super::super::survey::{Clock, Phase, Survey};
-use super::super::views::Finds;
+use super::super::views::Need;
 use super::{App, Mode};
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
@@ -56,7 +56,7 @@ impl App {
 
     /// Whether there is work to do between two frames, whoever waits: only in its view.
     pub(crate) fn is_working(&self) -> bool {
-        self.view.pane().finds() == Finds::Study && self.survey.phase() == Phase::Running
+        self.view.pane().needs() == Need::Study && self.survey.phase() == Phase::Running
     }
 
     /// Takes the time of studies from another clock.

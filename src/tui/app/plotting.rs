@@ -5,7 +5,7 @@ use super::super::key::Key;
 use super::super::motor::MotorStudy;
 use super::super::plot_list::PlotList;
 use super::super::plots::Plots;
-use super::super::views::Finds;
+use super::super::views::Need;
 use super::{App, Effect, Mode};
 
 impl App {
@@ -39,14 +39,14 @@ impl App {
 
     /// Samples what is plotted, and studies the motor, while it is looked at; what is up to date costs nothing.
     pub(super) fn sample(&mut self) {
-        let finds = self.view.pane().finds();
-        if finds == Finds::Curves {
+        let needs = self.view.pane().needs();
+        if needs == Need::Curves {
             self.follow();
             let opened = [self.opened, self.comparison.number()];
             let rival = self.comparison.rival();
             self.plots.sample(&self.stage, opened, rival);
         }
-        if finds == Finds::Motor {
+        if needs == Need::Motor {
             self.motor.study(&self.stage, self.opened);
         }
     }

@@ -15,6 +15,17 @@ use std::time::{Duration, SystemTime};
 /// The edits of this session, which only the clerk looks at.
 pub(super) type Kept = Arc<Mutex<Recovery>>;
 
+impl Drop for App {
+    /// What is kept is seen to apart from the screen: a disk that hangs keeps nobody from leaving.
+    fn drop(&mut self) {
+        let kept = self.recovery.take();
+        self.clerk.give(move || {
+            drop(kept);
+            Box::new(|_, _| {})
+        });
+    }
+}
+
 fn locked(kept: &Kept) -> MutexGuard<'_, Recovery> {
     kept.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -67,6 +78,7 @@ impl App {
         };
         if matches!(self.mode, Mode::Normal | Mode::Tour(_)) {
             self.playback.pause();
+            self.seen = None;
             self.mode = Mode::Recovery(Box::new(offer));
         } else {
             self.message = Some("others have edits of this scene: open it again to see".into());
@@ -79,6 +91,8 @@ impl App {
             return;
         };
         let text = self.stage.scene().text().to_owned();
+        // Edits that were taken up are taken back.
+        self.older &= self.is_changed();
         let edits = self
             .is_changed()
             .then(|| (text, self.editor.saved().to_owned()));
@@ -105,24 +119,17 @@ impl App {
         }
     }
 
-    /// The offer is on the screen, if there is one.
-    pub(crate) fn show_offer(&mut self, now: Duration) {
-        if let Mode::Recovery(offer) = &mut self.mode {
-            offer.show(now);
-        }
-    }
-
     /// Keys while edits are offered; `None` for those that mean the same everywhere. What was typed before
     /// the offer could be read was meant for something else, and answers nothing.
     pub(super) fn offer_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let page = self.page();
+        let (page, is_readable) = (self.page(), self.can_be_answered(now));
         let Mode::Recovery(offer) = &mut self.mode else {
             return None;
         };
         if let Key::Ctrl(_) = key {
             return None;
         }
-        if !offer.can_be_answered(now) {
+        if !is_readable {
             return Some(Effect::Show);
         }
         self.message = None;
@@ -159,8 +166,10 @@ impl App {
             Ok(edited) => {
                 self.mode = Mode::Normal;
                 if let Some(kept) = self.recovery.clone() {
+                    // As the scene says them now, with its start positions.
+                    let text = edited.opened.scene.text().to_owned();
                     self.clerk.give(move || {
-                        locked(&kept).take(found.file);
+                        locked(&kept).take(found.file, text);
                         Box::new(|_, _| {})
                     });
                 }

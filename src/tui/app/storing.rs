@@ -24,9 +24,11 @@ impl App {
             return;
         }
         // The file says what the screen says, if it is there.
+        let scene = self.scenes;
         self.clerk.give(move || {
             let is_gone = matches!(News::of(&path), News::Gone);
             Box::new(move |app, _| match is_gone {
+                _ if app.scenes != scene => {}
                 true => app.store(Document::Scene, path, Leave::default()),
                 false => app.message = Some("nothing has changed since it was saved".into()),
             })
@@ -76,9 +78,10 @@ impl App {
         }
         self.storing = true;
         self.message = Some(format!("writing {}", errand.to.display()));
+        let scene = self.scenes;
         self.clerk.give(move || {
             let done = errand.run();
-            Box::new(move |app, _| app.stored(document, errand, done))
+            Box::new(move |app, _| app.stored(document, errand, done, scene))
         });
     }
 
@@ -88,6 +91,7 @@ impl App {
 
     fn ask(&mut self, document: Document, errand: Errand, doubt: Doubt) {
         self.message = None;
+        self.seen = None;
         self.mode = Mode::Confirm(Question {
             document,
             to: errand.to,
@@ -96,9 +100,17 @@ impl App {
         });
     }
 
-    /// A document was written, or not.
-    fn stored(&mut self, document: Document, errand: Errand, done: Result<(), Trouble>) {
+    /// A document of a scene was written, or not. Where another scene is shown meanwhile, that is told and
+    /// nothing follows from it.
+    fn stored(
+        &mut self,
+        document: Document,
+        errand: Errand,
+        done: Result<(), Trouble>,
+        scene: usize,
+    ) {
         self.storing = false;
+        let is_shown = scene == self.scenes;
         let trouble = match done {
             Ok(()) => {
                 let to = errand.to.display();
@@ -106,7 +118,7 @@ impl App {
                     Document::Scene => format!("written to {to}"),
                     Document::Text(text) => format!("{} written to {to}", text.what),
                 });
-                if document == Document::Scene {
+                if document == Document::Scene && is_shown {
                     self.filed(&errand);
                 }
                 return;
@@ -118,7 +130,7 @@ impl App {
             Document::Text(_) => refused_there(&trouble),
         });
         // A question that comes late would be answered by a key that was meant for something else.
-        if self.mode != Mode::Normal {
+        if self.mode != Mode::Normal || !is_shown {
             return;
         }
         match Doubt::of(&trouble) {
@@ -140,6 +152,13 @@ impl App {
 
     /// The file holds the scene as it was when it was sent.
     fn filed(&mut self, errand: &Errand) {
+        if self.is_own(&errand.to) {
+            self.editor.filed(&errand.text);
+            // What was edited meanwhile is kept before anything goes.
+            if self.is_changed() {
+                self.keep();
+            }
+        }
         self.release();
         if !self.is_own(&errand.to) {
             let name = errand.to.display().to_string();

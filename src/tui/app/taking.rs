@@ -145,7 +145,7 @@ impl App {
             Origin::Stdin => None,
         };
         let stem = stem.unwrap_or_else(|| "scene".into());
-        let whole = self.view.pane().whole().filter(|_| ending != "txt");
+        let whole = self.view.pane().file_part().filter(|_| ending != "txt");
         let place = whole.map_or_else(|| coordinate(self.stage.at(), 0), str::to_owned);
         format!("{stem}-{place}.{ending}")
     }

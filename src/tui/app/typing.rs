@@ -51,11 +51,11 @@ impl App {
                 Effect::Show
             }),
             Mode::PlotList(_) => self.list_key(key),
-            Mode::Confirm(_) => self.confirm_key(key),
+            Mode::Confirm(_) => self.confirm_key(key, now),
             Mode::Pick(_) => self.pick_key(key, now),
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
-            Mode::Unsaved(_) => self.answer(key),
+            Mode::Unsaved(_) => self.answer(key, now),
             Mode::Recovery(_) => self.offer_key(key, now),
         }
     }

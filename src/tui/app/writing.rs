@@ -6,10 +6,11 @@ use super::super::saving::Leave;
 use super::super::writing::{Document, Prompt};
 use super::{App, Effect, Mode};
 use crate::files::{from_home, places};
+use std::time::Duration;
 
 impl App {
     /// Keys that answer whether to write over a file; `None` for those that mean the same everywhere.
-    pub(super) fn confirm_key(&mut self, key: Key) -> Option<Effect> {
+    pub(super) fn confirm_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let Mode::Confirm(question) = &self.mode else {
             return None;
         };
@@ -17,6 +18,9 @@ impl App {
             return None;
         }
         let question = question.clone();
+        if !self.can_be_answered(now) {
+            return Some(Effect::Show);
+        }
         self.mode = Mode::Normal;
         let leave = question.granted();
         self.store(question.document, question.to, leave);

@@ -74,8 +74,17 @@ pub(crate) struct Recovery {
     kept: bool,
     /// Whether it was said that they cannot be kept.
     told: bool,
-    /// Edits of earlier sessions that were taken up: they go with those of this one.
-    taken: Vec<PathBuf>,
+    /// Edits of earlier sessions that were taken up.
+    taken: Vec<Taken>,
+}
+
+/// Edits that were taken up. They go with those of this session, unless they were taken back.
+#[derive(Debug)]
+struct Taken {
+    file: PathBuf,
+    text: String,
+    /// Whether what is edited now stands on them.
+    is_in: bool,
 }
 
 impl Recovery {
@@ -148,6 +157,9 @@ impl Recovery {
 
     /// Keeps the edited text; in words why it cannot, once.
     pub(crate) fn keep(&mut self, text: &str, saved: &str, now: SystemTime) -> Option<String> {
+        for taken in &mut self.taken {
+            taken.is_in |= taken.text == text;
+        }
         match self.write(Some(text), saved, now) {
             Ok(()) => {
                 self.kept = true;
@@ -193,12 +205,19 @@ impl Recovery {
     }
 
     /// These edits of an earlier session are this one's now.
-    pub(crate) fn take(&mut self, file: PathBuf) {
-        self.taken.push(file);
+    pub(crate) fn take(&mut self, file: PathBuf, text: String) {
+        self.taken.push(Taken {
+            file,
+            text,
+            is_in: true,
+        });
     }
 
-    /// Nothing of this session is unsaved any more. What was taken up stays, since that can be taken back.
+    /// Nothing of this session is unsaved any more: what was taken up was taken back, and stays.
     pub(crate) fn rest(&mut self) {
+        for taken in &mut self.taken {
+            taken.is_in = false;
+        }
         if std::mem::take(&mut self.kept) {
             self.announce();
         }
@@ -206,10 +225,10 @@ impl Recovery {
 
     /// All was saved, or dropped: what was taken up too. What other sessions have left stays.
     pub(crate) fn release(&mut self) {
-        self.rest();
-        for file in self.taken.drain(..) {
-            delete(&file);
+        for taken in self.taken.extract_if(.., |taken| taken.is_in) {
+            delete(&taken.file);
         }
+        self.rest();
     }
 }
 

@@ -24,6 +24,14 @@ pub(super) const LONGEST_HEAD: usize = 16 << 10;
 /// The longest name of a host, in the name of a file.
 const LONGEST_HOST: usize = 64;
 
+/// The name of this machine, as far as it can be a part of the name of a file.
+fn this_host() -> String {
+    let uname = uname();
+    let host = uname.nodename().to_string_lossy();
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+    host.chars().map(plain).take(LONGEST_HOST).collect()
+}
+
 /// A run of the program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Session {
@@ -37,12 +45,10 @@ impl Session {
     /// This process, at a time.
     pub(crate) fn begun(now: SystemTime) -> Session {
         let start = now.duration_since(UNIX_EPOCH).unwrap_or(Duration::ZERO);
-        let host = uname().nodename().to_string_lossy().into_owned();
-        let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
         Session {
             process: std::process::id(),
             start: u64::try_from(start.as_millis()).unwrap_or(u64::MAX),
-            host: host.chars().map(plain).take(LONGEST_HOST).collect(),
+            host: this_host(),
         }
     }
 
@@ -53,8 +59,7 @@ impl Session {
 
     /// Whether it is known to be no more, where locks do not tell.
     pub(super) fn is_gone(&self) -> bool {
-        let here = uname().nodename().to_string_lossy() == self.host.as_str();
-        here && !fs::exists(format!("/proc/{}", self.process)).unwrap_or(true)
+        this_host() == self.host && !fs::exists(format!("/proc/{}", self.process)).unwrap_or(true)
     }
 }
 

@@ -99,9 +99,14 @@ fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
     // Taken up and taken back, it is still there; saved, it is not.
     let newest = next.others("old").left.remove(0);
     next.keep(&newest.text, "old", at(999));
-    next.take(newest.file);
+    next.take(newest.file, newest.text);
     next.rest();
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
+    // Something else that is edited and saved takes nothing of it away.
+    next.keep("another", "old", at(999));
+    next.release();
+    assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
+    // Made again, it goes with what is saved.
     next.keep("edit 3", "old", at(999));
     next.release();
     assert_eq!(texts(&next), ["edit 2", "edit 1"], "others' edits stay");

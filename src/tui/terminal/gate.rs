@@ -176,6 +176,11 @@ impl Gate {
         self.watch.follow(file)
     }
 
+    /// Since when a person has seen the last frame, if it is not still on its way.
+    pub(crate) fn drawn_at(&self) -> Option<Instant> {
+        self.pace.drawn_at(Instant::now())
+    }
+
     /// From when on a frame may be sent, if [`Wake::Room`] does not come before; `None` if at once.
     pub(crate) fn ready_at(&self) -> Option<Instant> {
         self.pace.ready_at()
@@ -224,8 +229,9 @@ impl Gate {
             if read.is_err() || inputs.contains(&Input::Answer) {
                 return;
             }
-            // Another signal changes nothing: we are leaving.
+            // Another signal changes nothing, nor does the scene's file: we are leaving.
             self.signals.pending();
+            self.watch.told();
         }
     }
 

@@ -81,6 +81,8 @@ pub(super) struct Pace {
     /// The frame whose answer is awaited.
     asked: Option<Asked>,
     last: Option<Instant>,
+    /// When the terminal has answered last.
+    drawn: Option<Instant>,
     /// Bytes sent since the last question.
     unasked: usize,
     /// Answers that were lost since the last one that came.
@@ -105,6 +107,7 @@ impl Pace {
             manner: Manner::Unknown,
             asked: None,
             last: None,
+            drawn: None,
             unasked: 0,
             lost: 0,
             rate: Rate {
@@ -136,6 +139,7 @@ impl Pace {
     /// The terminal answered `now`, late perhaps.
     pub(super) fn answered(&mut self, now: Instant) {
         self.manner = Manner::Answers;
+        self.drawn = Some(now);
         self.lost = 0;
         if let Some(asked) = self.asked.take() {
             #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
@@ -167,6 +171,19 @@ impl Pace {
             (Manner::Answers, Some(asked)) => Some(asked.at + self.patience(asked)),
             (Manner::Unknown | Manner::Answers, None) => None,
             (Manner::Mute, _) => Some(last + self.fixed(MUTE)),
+        }
+    }
+
+    /// Since when the last frame has been seen: since its answer, or since it was sent, where none comes;
+    /// `None` if it is still on its way.
+    pub(super) fn drawn_at(&self, now: Instant) -> Option<Instant> {
+        match (self.manner, self.asked) {
+            (Manner::Answers, Some(asked)) => {
+                let lost = asked.at + self.patience(asked);
+                (now >= lost).then_some(lost)
+            }
+            (Manner::Answers, None) => self.drawn,
+            (Manner::Unknown | Manner::Mute, _) => self.last,
         }
     }
 

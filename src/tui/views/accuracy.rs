@@ -7,7 +7,7 @@
 //!      +--+-------+----              not needed: every group has ..
 //! ```
 
-use super::pane::{Finds, Pane};
+use super::pane::{Need, Pane};
 use super::{MARGIN, Sketch, columns, inset, print, print_right, show};
 use crate::drawing::trade_off;
 use crate::report::{TIME_DIGITS, error_text, method_name, time_text, unfit_text};
@@ -80,12 +80,12 @@ impl Pane for AccuracyView {
         "Speed against error"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the accuracy view"
     }
 
-    fn finds(&self) -> Finds {
-        Finds::Study
+    fn needs(&self) -> Need {
+        Need::Study
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {

@@ -11,7 +11,7 @@
 //! r2 at A by ground   110.758    87.4215    141.103     38.284
 //! ```
 
-use super::pane::{Copied, Finds, Pane};
+use super::pane::{Copied, Need, Pane};
 use super::table::{columns_of, doubt};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right};
 use crate::quantity::Aspect;
@@ -40,12 +40,12 @@ impl Pane for ForcesView {
         "What the driver must do, and what joints and guides bear"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the forces view"
     }
 
-    fn finds(&self) -> Finds {
-        Finds::Forces
+    fn needs(&self) -> Need {
+        Need::Forces
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {

@@ -6,7 +6,7 @@
 //!  r3.angle [deg]                          0.843      0.193  r4.length
 //! ```
 
-use super::pane::{Finds, Pane};
+use super::pane::{Need, Pane};
 use super::{Sketch, cut, inset, mark_more, print, print_right};
 use crate::report::{Answer, Answers, NO_ANSWER};
 use crate::tui::app::App;
@@ -41,12 +41,12 @@ impl Pane for LengthsView {
         "What each length does"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the lengths view"
     }
 
-    fn finds(&self) -> Finds {
-        Finds::Lengths
+    fn needs(&self) -> Need {
+        Need::Lengths
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {

@@ -43,7 +43,7 @@ const MARGIN: u16 = 2;
 const SMALLEST: Size = Size::new(40, 12);
 
 pub(crate) use motion::Sketch;
-pub(crate) use pane::{Copied, Finds, List, Pane};
+pub(crate) use pane::{Copied, List, Need, Pane};
 
 impl View {
     /// What is looked at in this view.

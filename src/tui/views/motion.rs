@@ -237,7 +237,7 @@ impl Pane for MotionView {
         "The drawing, with live tables"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "What the motion view shows"
     }
 

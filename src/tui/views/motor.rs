@@ -8,7 +8,7 @@
 //!   largest              1133.76     1188.18     35.4129
 //! ```
 
-use super::pane::{Copied, Finds, Pane};
+use super::pane::{Copied, Need, Pane};
 use super::{MARGIN, Sketch, inset, mark_more, print, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::report::MotorLine;
@@ -83,12 +83,12 @@ impl Pane for MotorView {
         "The motor over a cycle"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the motor view"
     }
 
-    fn finds(&self) -> Finds {
-        Finds::Motor
+    fn needs(&self) -> Need {
+        Need::Motor
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
@@ -125,7 +125,7 @@ impl Pane for MotorView {
         Ok(("the curve", text))
     }
 
-    fn whole(&self) -> Option<&'static str> {
+    fn file_part(&self) -> Option<&'static str> {
         Some(self.name())
     }
 }

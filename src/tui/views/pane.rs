@@ -1,6 +1,6 @@
 //! What every view says of itself: all that the rest of the workbench knows of one.
 //!
-//! A view reads the workbench and changes nothing. What it needs to have found is told by [`Finds`], and what
+//! A view reads the workbench and changes nothing. What it needs to have found is told by [`Need`], and what
 //! its lines are by [`List`]; the workbench does the rest. A new view is a file with an `impl Pane`, a row in
 //! `View::pane`, its name in `View`, and its key in the table of actions.
 
@@ -19,11 +19,11 @@ pub(crate) trait Pane {
     fn about(&self) -> &'static str;
 
     /// Above the keys in the help that it alone has.
-    fn title(&self) -> &'static str;
+    fn help_title(&self) -> &'static str;
 
     /// What is to be found while it is looked at, and only then.
-    fn finds(&self) -> Finds {
-        Finds::Nothing
+    fn needs(&self) -> Need {
+        Need::Nothing
     }
 
     /// What its lines are.
@@ -53,7 +53,7 @@ pub(crate) trait Pane {
     }
 
     /// A mark that is told beside the keys, and what it means.
-    fn mark(&self) -> Option<(char, &'static str)> {
+    fn legend(&self) -> Option<(char, &'static str)> {
         None
     }
 
@@ -83,14 +83,14 @@ pub(crate) trait Pane {
     }
 
     /// What stands in the names of its files, where it shows more than one place of the motion.
-    fn whole(&self) -> Option<&'static str> {
+    fn file_part(&self) -> Option<&'static str> {
         None
     }
 }
 
 /// What a view needs to have found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Finds {
+pub(crate) enum Need {
     /// The state alone, as everywhere.
     Nothing,
     /// What the given lengths do to the figures.

@@ -6,7 +6,7 @@
 //! > [ ] C.vy     mm/s         |     0 |***:.....
 //! ```
 
-use super::pane::{Copied, Finds, Pane};
+use super::pane::{Copied, Need, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::tui::action::{Action, PlotsAction};
@@ -75,12 +75,12 @@ impl Pane for PlotsView {
         "Figures over the motion"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the plots"
     }
 
-    fn finds(&self) -> Finds {
-        Finds::Curves
+    fn needs(&self) -> Need {
+        Need::Curves
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
@@ -131,7 +131,7 @@ impl Pane for PlotsView {
         Ok(("the plot", text.ok_or(NOTHING_PLOTTED)?))
     }
 
-    fn whole(&self) -> Option<&'static str> {
+    fn file_part(&self) -> Option<&'static str> {
         Some("plot")
     }
 }

@@ -8,7 +8,7 @@
 //! ```
 
 use super::motion::rule;
-use super::pane::{Copied, Finds, List, Pane};
+use super::pane::{Copied, List, Need, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::scene::Value;
 use crate::tui::action::{Action, SceneAction};
@@ -82,12 +82,12 @@ impl Pane for SceneView {
         "What the scene gives"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the scene view"
     }
 
-    fn finds(&self) -> Finds {
-        Finds::Values
+    fn needs(&self) -> Need {
+        Need::Values
     }
 
     fn list(&self) -> List {

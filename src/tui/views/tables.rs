@@ -33,7 +33,7 @@ impl Pane for TablesView {
         "All tables"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the tables"
     }
 
@@ -73,7 +73,7 @@ impl Pane for TablesView {
         ]
     }
 
-    fn mark(&self) -> Option<(char, &'static str)> {
+    fn legend(&self) -> Option<(char, &'static str)> {
         Some((FOUND, "found"))
     }
 

@@ -6,7 +6,7 @@
 //!   m = sqrt(mx^2 + my^2) = 360.555 mm
 //! ```
 
-use super::pane::{Finds, Pane};
+use super::pane::{Need, Pane};
 use super::{Sketch, inset, mark_more, print};
 use crate::drawing::Glyphs;
 use crate::report::{LineKind, TextStyle, wrapped};
@@ -27,12 +27,12 @@ impl Pane for WorkingView {
         "The working, line by line"
     }
 
-    fn title(&self) -> &'static str {
+    fn help_title(&self) -> &'static str {
         "In the working"
     }
 
-    fn finds(&self) -> Finds {
-        Finds::Working
+    fn needs(&self) -> Need {
+        Need::Working
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {

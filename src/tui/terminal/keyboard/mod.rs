@@ -23,6 +23,8 @@ const STRING_PATIENCE: Duration = Duration::from_millis(250);
 const PASTE_PATIENCE: Duration = Duration::from_secs(1);
 /// Before a Ctrl-C within a paste that a person has pressed: pasted bytes follow on each other's heels.
 const PRESSED: Duration = Duration::from_millis(50);
+/// No key that a person presses has more bytes.
+const LONGEST_KEY: usize = 8;
 /// A paste that takes longer has no end.
 const LONGEST_PASTING: Duration = Duration::from_secs(2);
 /// No key has more parameters; of a longer sequence only the end is waited for.
@@ -86,12 +88,17 @@ pub(crate) struct Keyboard {
     recent: u64,
     /// When the paste began.
     since: Option<Instant>,
+    /// Whether what had come of a paste was given up: its rest may still come.
+    overdue: bool,
     last_byte: Option<Instant>,
 }
 
 impl Keyboard {
     /// Takes bytes that came `now`, and appends what they mean.
     pub(crate) fn feed(&mut self, bytes: &[u8], now: Instant, inputs: &mut Vec<Input>) {
+        if self.overdue && self.is_typed(bytes, now) {
+            self.begin(State::Ground);
+        }
         for &byte in bytes {
             self.take(byte, now, inputs);
             self.last_byte = Some(now);
@@ -108,21 +115,52 @@ impl Keyboard {
                 SEQUENCE_PATIENCE
             }
             State::Text => STRING_PATIENCE,
+            State::Paste if self.overdue => return None,
             State::Paste => PASTE_PATIENCE,
         };
         Some(self.last_byte? + patience)
     }
 
-    /// The rest did not come: a lone ESC was the key, anything else is dropped.
+    /// The rest did not come: a lone ESC was the key, of a paste is taken what there is, anything else is
+    /// dropped.
     pub(crate) fn give_up(&mut self, inputs: &mut Vec<Input>) {
-        if self.state == State::Escape {
-            inputs.push(Input::Key(Key::Escape));
+        match self.state {
+            State::Escape => inputs.push(Input::Key(Key::Escape)),
+            State::Paste => {
+                self.pasted(inputs);
+                self.overdue = true;
+                return;
+            }
+            _ => {}
         }
         self.begin(State::Ground);
     }
 
     fn begin(&mut self, state: State) {
         self.state = state;
+        self.held.clear();
+        self.overdue = false;
+    }
+
+    /// Whether bytes behind a paste that has stalled are keys: a person's come alone, the rest of a paste comes
+    /// on the heels of each other, and with its end.
+    fn is_typed(&self, bytes: &[u8], now: Instant) -> bool {
+        let is_alone = self
+            .last_byte
+            .is_none_or(|then| now - then.min(now) >= PRESSED);
+        let has_end = bytes
+            .windows(PASTE_ENDS.len())
+            .any(|part| part == PASTE_ENDS);
+        is_alone && bytes.len() <= LONGEST_KEY && !has_end
+    }
+
+    /// What has come of a paste is text.
+    fn pasted(&mut self, inputs: &mut Vec<Input>) {
+        self.held.truncate(LONGEST_PASTE);
+        if !self.held.is_empty() {
+            let text = String::from_utf8_lossy(&self.held).into_owned();
+            inputs.push(Input::Paste(text));
+        }
         self.held.clear();
     }
 
@@ -286,10 +324,7 @@ impl Keyboard {
         }
         if self.has_come(PASTE_ENDS) {
             self.drop_end(PASTE_ENDS);
-            self.held.truncate(LONGEST_PASTE);
-            inputs.push(Input::Paste(
-                String::from_utf8_lossy(&self.held).into_owned(),
-            ));
+            self.pasted(inputs);
             self.begin(State::Ground);
         } else if self.has_come(ANSWER) {
             // The terminal answers whenever it has drawn, in the middle of a paste too.

@@ -210,6 +210,32 @@ fn a_paste_without_an_end_is_left_by_ctrl_c() {
     assert_eq!(key_of(&endless), leave);
 }
 
+/// A stall of the network within a paste: its rest is none of the keys, which come again once a person types.
+#[test]
+fn the_rest_of_a_paste_that_stalls_is_no_keys() {
+    let mut keyboard = Keyboard::default();
+    let mut inputs = Vec::new();
+    let now = Instant::now();
+    keyboard.feed(b"\x1b[200~one q", now, &mut inputs);
+    keyboard.give_up(&mut inputs);
+    assert_eq!(inputs, [Input::Paste("one q".into())]);
+    assert_eq!(keyboard.deadline(), None);
+    inputs.clear();
+    let later = now + 2 * PASTE_PATIENCE;
+    keyboard.feed(b" w q w q w q", later, &mut inputs);
+    keyboard.feed(b" R\x1b[201~x", later + PRESSED, &mut inputs);
+    let rest = Input::Paste(" w q w q w q R".into());
+    assert_eq!(inputs, [rest, Input::Key(Key::Char('x'))]);
+    // One without an end makes nobody deaf.
+    inputs.clear();
+    keyboard.feed(b"\x1b[200~two", later, &mut inputs);
+    keyboard.give_up(&mut inputs);
+    keyboard.feed(b"\x1b[A", later + 2 * PASTE_PATIENCE, &mut inputs);
+    keyboard.feed(b"q", later + 2 * PASTE_PATIENCE + PRESSED, &mut inputs);
+    let keys = [Key::Up, Key::Char('q')].map(Input::Key);
+    assert_eq!(inputs[1..], keys);
+}
+
 proptest! {
     /// Whatever comes, in whatever pieces, Ctrl-C is heard afterwards and memory stays bounded.
     #[test]

@@ -46,7 +46,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
             line.hint(&key, name);
         }
         if action == Action::Help
-            && let Some((mark, meaning)) = app.view().pane().mark()
+            && let Some((mark, meaning)) = app.view().pane().legend()
         {
             line.hint(&mark.to_string(), meaning);
         }
