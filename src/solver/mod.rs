@@ -316,7 +316,7 @@ impl Solver {
     pub fn solve(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         let is_solved = self.motion.is_clear(at)
             && matches!(
-                self.run(at, order, work),
+                self.run_between(at, order, work),
                 Condition::Ok | Condition::ChangePoint
             );
         if !is_solved {
@@ -334,11 +334,24 @@ impl Solver {
 
     /// Solves at a coordinate of the range, from the motion as it is known there.
     fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        self.aim(at, work);
         if let Some(fold) = self.motion.fold_at(at) {
-            self.engine.run_folded(fold, work)
-        } else if self.is_passing(at) {
-            self.engine.run_near(at, order, &self.motion.passages, work)
+            self.aim(at, work);
+            return self.engine.run_folded(fold, work);
+        }
+        self.run_between(at, order, work)
+    }
+
+    /// The same between the ends of the range, where no group folds.
+    #[inline]
+    fn run_between(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
+        let passages = &self.motion.passages;
+        self.motion.anchors.aim(&self.engine, at, work);
+        if passages.is_empty() {
+            return self.engine.run(at, order, work);
+        }
+        passages.choose(&self.engine, at, &mut work.state.signs);
+        if passages.is_near(&self.engine, at) {
+            self.engine.run_near(at, order, passages, work)
         } else {
             self.engine.run(at, order, work)
         }
