@@ -48,7 +48,7 @@ impl<'a> Errors<'a> {
         &mut self,
         solver: &Solver,
         order: Order,
-        state: &mut State,
+        state: &mut Workspace,
         cells: &mut Vec<Option<f64>>,
     ) {
         solver.enclose(state, order, &mut self.enclosure);

@@ -4,7 +4,7 @@ use super::bounds::Errors;
 use super::coupled::Scratch;
 use super::state::State;
 use crate::{Double, Number};
-use std::ops::{Deref, DerefMut};
+use std::ops::Deref;
 
 /// Room to solve in, made once for a solver: the state that was found last, and what finding it
 /// takes besides.
@@ -53,12 +53,5 @@ impl<T> Deref for Workspace<T> {
 
     fn deref(&self) -> &State<T> {
         &self.state
-    }
-}
-
-/// For [`Solver::enclose`](super::Solver::enclose), which says of a state whether it keeps its forces.
-impl<T> DerefMut for Workspace<T> {
-    fn deref_mut(&mut self) -> &mut State<T> {
-        &mut self.state
     }
 }

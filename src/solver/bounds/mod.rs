@@ -59,13 +59,14 @@ impl Solver {
         enclosure
     }
 
-    /// Encloses what the solver has just put into `state`: every figure that is read from
+    /// Encloses what the solver has just found in `work`: every figure that is read from
     /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
     /// proved. It goes as far as `order`, and as the state was solved. Allocates nothing.
     ///
     /// Where forces are among them, the bounds of what their checks miss by decide whether rounding
-    /// explains it: `state` withholds its forces where they do not.
-    pub fn enclose(&self, state: &mut State, order: Order, enclosure: &mut Workspace<Ball>) {
+    /// explains it: the state in `work` withholds its forces where they do not.
+    pub fn enclose(&self, work: &mut Workspace, order: Order, enclosure: &mut Workspace<Ball>) {
+        let state = &mut work.state;
         let order = order.min(state.order);
         let is_clear = self.motion.is_clear(state.at);
         let proved = is_clear && self.engine.enclose_to(false, order, state, enclosure);

@@ -38,12 +38,12 @@ impl Walker<'_> {
                 let square = dyad.square(q, plain, series);
                 let is_open = !(square.nearest() > 0.0);
                 let height = root(square, 0, self.state.signs[dyad.group()]);
-                dyad.run_through(q, plain, height, series);
+                dyad.run_through(q, plain, height, &mut series.state);
                 !is_open
             } else if matches!(step, Step::Coupled { .. }) {
                 self.follow(i, at, q, None, series)
             } else {
-                step.run::<Series, POSITION>(q, direction, series) == Outcome::Done
+                step.run::<Series, POSITION>(q, direction, &mut series.state) == Outcome::Done
             };
             if !done {
                 return None;

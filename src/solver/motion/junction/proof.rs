@@ -75,7 +75,7 @@ impl Walker<'_> {
             let mut misses = [-1.0, 1.0]
                 .map(|side| {
                     let height = root(square, 0, side * signs[fold.group]);
-                    dyad.run_through(q, fold.snap, height, &mut here);
+                    dyad.run_through(q, fold.snap, height, &mut here.state);
                     let told = dyad.placed(&junction.series);
                     told.zip(dyad.placed(&here))
                         .map(|(told, here)| miss(told, here, dq))
