@@ -73,31 +73,32 @@ impl Output {
         }))
     }
 
-    /// What was written so far lies on the disk.
-    #[cfg(feature = "tui")]
-    fn sync(&self) -> io::Result<()> {
-        match &self.0 {
-            Way::Stream(_) => Ok(()),
-            Way::New { draft, .. } | Way::Over { draft, .. } | Way::Into { draft, .. } => {
-                draft.file.sync_all()
-            }
-        }
-    }
-
     /// Everything was written: it becomes what the file holds.
     ///
     /// # Errors
     /// What the system says; then nothing has changed.
     pub(crate) fn commit(self, records: Option<&Path>) -> Result<(), Trouble> {
+        self.sync()?;
+        self.take_place(records)
+    }
+
+    /// A draft that is to take the place of a file lies on the disk.
+    fn sync(&self) -> io::Result<()> {
+        match &self.0 {
+            // What is written into a file lies on the disk in its record.
+            Way::Stream(_) | Way::Into { .. } => Ok(()),
+            Way::New { draft, .. } | Way::Over { draft, .. } => draft.file.sync_all(),
+        }
+    }
+
+    fn take_place(self, records: Option<&Path>) -> Result<(), Trouble> {
         match self.0 {
             Way::Stream(mut file) => file.flush()?,
             Way::New { draft, target } => {
-                draft.file.sync_all()?;
                 draft.appear(&target)?;
                 sync_folder_of(&target);
             }
             Way::Over { draft, target } => {
-                draft.file.sync_all()?;
                 let mut kept = draft.file.try_clone()?;
                 match draft.replace(&target) {
                     Ok(_) => sync_folder_of(&target),
@@ -211,7 +212,7 @@ pub(crate) fn save(
     if stamp(&path) != before {
         return Err(Trouble::Changed);
     }
-    output.commit(saving.records)
+    output.take_place(saving.records)
 }
 
 /// Tells a file that was written from one that was not; `None` where there is none.

@@ -1,6 +1,6 @@
 //! A second scene beside the open one: its ghost in the drawing, and what the figures differ by.
 
-use crate::screen::{Session, folder, open, text};
+use crate::screen::{SCREENS, Session, folder, open, text};
 use krank::drawing::Glyphs;
 use krank::tui::Origin;
 use std::fs;
@@ -68,15 +68,7 @@ fn row(screen: &str, name: &str) -> Vec<String> {
 
 #[test]
 fn a_ghost_and_differences_stand_where_figures_stood() {
-    let screens = [
-        ("ascii-80x24", Glyphs::Ascii, 80, 24),
-        ("braille-80x24", Glyphs::Braille, 80, 24),
-        ("ascii-120x40", Glyphs::Ascii, 120, 40),
-        ("braille-120x40", Glyphs::Braille, 120, 40),
-        ("ascii-40x12", Glyphs::Ascii, 40, 12),
-        ("braille-40x12", Glyphs::Braille, 40, 12),
-    ];
-    for (name, glyphs, cols, rows) in screens {
+    for (name, glyphs, cols, rows) in SCREENS {
         let mut session = beside(name, glyphs, cols, rows);
         let screen = session.press("D").type_in("shorter").press("Enter").look();
         insta::assert_snapshot!(format!("motion-{name}"), masked(&screen));

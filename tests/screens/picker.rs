@@ -1,7 +1,7 @@
 //! Choosing a scene in the workbench, driven by keys: presets, files, and folders with whatever people
 //! and programs leave in them.
 
-use crate::screen::{Session, folder, open, text};
+use crate::screen::{SCREENS, Session, folder, open, text};
 use krank::drawing::Glyphs;
 use krank::scene::LARGEST_FILE;
 use krank::tui::Origin;
@@ -40,15 +40,7 @@ fn masked(screen: &str) -> String {
 
 #[test]
 fn presets_and_files_stand_beside_what_they_show() {
-    let screens = [
-        ("ascii-80x24", Glyphs::Ascii, 80, 24),
-        ("braille-80x24", Glyphs::Braille, 80, 24),
-        ("ascii-120x40", Glyphs::Ascii, 120, 40),
-        ("braille-120x40", Glyphs::Braille, 120, 40),
-        ("ascii-40x12", Glyphs::Ascii, 40, 12),
-        ("braille-40x12", Glyphs::Braille, 40, 12),
-    ];
-    for (name, glyphs, cols, rows) in screens {
+    for (name, glyphs, cols, rows) in SCREENS {
         let mut session = among_files(name, glyphs, cols, rows);
         let screen = session.press("o").look();
         insta::assert_snapshot!(format!("picker-{name}"), masked(&screen));

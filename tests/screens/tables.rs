@@ -1,29 +1,10 @@
 //! The tables with their cursor, and taking things out: the clipboard, files, and the printed screen.
 
-use crate::screen::{Session, folder, open, preset};
+use crate::screen::{SWINGING, Session, folder, open, preset};
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Origin, Workbench};
 use std::collections::HashMap;
 use std::process::{Command, Stdio};
-
-/// A crank that cannot turn fully: its limits are dead points, where there are no rates.
-const SWINGING: &str = r#"
-name = "Swinging crank"
-unit = "mm"
-[ground]
-A = [0, 0]
-D = [100, 0]
-[driver]
-link = "r2"
-angle = 60
-speed = "1 rad/s"
-[links]
-r2 = { from = "A", to = "B", length = 60 }
-r3 = { from = "B", to = "C", length = 50 }
-r4 = { from = "C", to = "D", length = 60 }
-[start]
-C = [75, 55]
-"#;
 
 /// Further steps than there is way.
 const TO_THE_DEAD_POINT: &str = "] ] ] ] ] .";

@@ -1,6 +1,6 @@
 //! Finding one's way in the workbench, as a terminal shows it: the help and searching it.
 
-use crate::screen::{Session, made_up, preset};
+use crate::screen::{Session, made_up, masked, preset};
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Config, Workbench};
 
@@ -135,19 +135,6 @@ fn printed(key: &str, rows: u16) -> String {
         .timed_by(made_up);
     workbench.press(key);
     workbench.text()
-}
-
-/// The same without the digits of bounds: a sharper proof is no other screen.
-fn masked(text: &str) -> String {
-    let mut pieces = text.split("+-");
-    let first = pieces.next().unwrap().to_owned();
-    pieces.fold(first, |mut all, piece| {
-        let end = piece.find(' ').unwrap_or(piece.len());
-        let digits = |c: char| if c.is_ascii_digit() { 'N' } else { c };
-        all.push_str("+-");
-        all.extend(piece[..end].chars().map(digits));
-        all + &piece[end..]
-    })
 }
 
 /// Every view has a screen in the README, and it is the one that is seen.

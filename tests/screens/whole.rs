@@ -1,6 +1,6 @@
 //! What holds for the workbench as a whole: opening, moving, helping, editing lengths, and every size.
 
-use crate::screen::{Session, emulator, made_up, open, preset};
+use crate::screen::{SWINGING, Session, emulator, made_up, masked, open, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
 use krank::tui::{Colours, Opened, Origin, Workbench};
@@ -8,25 +8,6 @@ use proptest::prelude::*;
 use std::time::Duration;
 
 const README: &str = include_str!("../../README.md");
-
-/// A crank that cannot turn fully: its limits are dead points.
-const SWINGING: &str = r#"
-name = "Swinging crank"
-unit = "mm"
-[ground]
-A = [0, 0]
-D = [100, 0]
-[driver]
-link = "r2"
-angle = 60
-speed = "1 rad/s"
-[links]
-r2 = { from = "A", to = "B", length = 60 }
-r3 = { from = "B", to = "C", length = 50 }
-r4 = { from = "C", to = "D", length = 60 }
-[start]
-C = [75, 55]
-"#;
 
 /// The keys of the workbench are the same wherever they are written down.
 #[test]
@@ -64,20 +45,6 @@ fn the_frame_of_the_readme_is_the_one_that_opens() {
         masked(README).contains(&format!("```txt\n{}```", masked(&screen))),
         "the README should show\n{screen}"
     );
-}
-
-/// The same with every bound as `+-Ne-NN`: a sharper proof is no other screen.
-fn masked(text: &str) -> String {
-    let mut pieces = text.split("+-");
-    let first = pieces.next().unwrap().to_owned();
-    pieces.fold(first, |mut all, piece| {
-        let digits = |c: char| if c.is_ascii_digit() { 'N' } else { c };
-        let end = piece.find(' ').unwrap_or(piece.len());
-        all.push_str("+-");
-        all.extend(piece[..end].chars().map(digits));
-        all.push_str(&piece[end..]);
-        all
-    })
 }
 
 /// A session whose studies take the time that is made up.

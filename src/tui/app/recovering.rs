@@ -109,6 +109,21 @@ impl App {
         });
     }
 
+    /// The scene was saved: what was edited since is kept, and what was taken up goes.
+    pub(super) fn keep_saved(&mut self) {
+        if !self.is_changed() {
+            self.release();
+            return;
+        }
+        self.keep();
+        if let Some(kept) = self.recovery.clone() {
+            self.clerk.give(move || {
+                locked(&kept).drop_taken();
+                Box::new(|_, _| {})
+            });
+        }
+    }
+
     /// What was kept is saved, or not wanted any more.
     pub(super) fn release(&mut self) {
         if let Some(kept) = self.recovery.clone() {

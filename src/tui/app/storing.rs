@@ -152,15 +152,9 @@ impl App {
 
     /// The file holds the scene as it was when it was sent.
     fn filed(&mut self, errand: &Errand) {
-        if self.is_own(&errand.to) {
-            self.editor.filed(&errand.text);
-            // What was edited meanwhile is kept before anything goes.
-            if self.is_changed() {
-                self.keep();
-            }
-        }
-        self.release();
-        if !self.is_own(&errand.to) {
+        let is_own = self.is_own(&errand.to);
+        if !is_own {
+            self.release();
             let name = errand.to.display().to_string();
             if let Ok(scene) = Scene::parse(self.stage.scene().text(), &name) {
                 self.stage.rename(scene, errand.to.clone());
@@ -169,7 +163,8 @@ impl App {
         }
         self.editor.filed(&errand.text);
         self.older = false;
-        self.keep();
+        // What was edited meanwhile is in the place of what was saved before anything else goes.
+        self.keep_saved();
         self.relist();
         self.watch();
     }

@@ -225,10 +225,15 @@ impl Recovery {
 
     /// All was saved, or dropped: what was taken up too. What other sessions have left stays.
     pub(crate) fn release(&mut self) {
+        self.drop_taken();
+        self.rest();
+    }
+
+    /// What was taken up is saved, or dropped; what is kept of this session stays.
+    pub(crate) fn drop_taken(&mut self) {
         for taken in self.taken.extract_if(.., |taken| taken.is_in) {
             delete(&taken.file);
         }
-        self.rest();
     }
 }
 

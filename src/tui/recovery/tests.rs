@@ -115,6 +115,24 @@ fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
     fs::remove_dir_all(folder).unwrap();
 }
 
+/// Edits that are made while the file is being written are kept at every moment of it.
+#[test]
+fn what_is_edited_while_it_is_saved_stays_and_what_was_taken_up_goes() {
+    let folder = folder("recovery-meanwhile");
+    session(&folder, 1, &four_bar()).keep("left", "old", at(60));
+    let mut next = session(&folder, 9, &four_bar());
+    let left = next.others("old").left.remove(0);
+    next.keep(&left.text, "old", at(99));
+    next.take(left.file, left.text);
+    next.keep("newer", "left", at(100));
+    next.drop_taken();
+    drop(next);
+    let found = session(&folder, 10, &four_bar()).others("left").left;
+    let texts: Vec<&str> = found.iter().map(|found| &found.text[..]).collect();
+    assert_eq!(texts, ["newer"]);
+    fs::remove_dir_all(folder).unwrap();
+}
+
 #[test]
 fn who_has_a_file_open_is_seen_and_leaves_nothing() {
     let folder = folder("recovery-open");

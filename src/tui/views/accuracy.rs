@@ -8,7 +8,7 @@
 //! ```
 
 use super::pane::{Need, Pane};
-use super::{MARGIN, Sketch, columns, inset, print, print_right, show};
+use super::{MARGIN, Sketch, columns, first_seen, inset, print, print_right, show};
 use crate::drawing::trade_off;
 use crate::report::{TIME_DIGITS, error_text, method_name, time_text, unfit_text};
 use crate::study::{Errors, Figures, Finding, Findings, Verdict};
@@ -95,9 +95,8 @@ impl Pane for AccuracyView {
         let Arrangement { chart, list } = arrange(body);
         render_chart(app, findings, chart, buffer);
         let lines = lines(app, findings, list.width);
-        let most = lines.len().saturating_sub(list.height.into());
-        let scroll = app.scroll().min(most);
-        for (y, line) in (list.top()..list.bottom()).zip(lines.iter().skip(scroll)) {
+        let first = first_seen(app, lines.len(), list, buffer);
+        for (y, line) in (list.top()..list.bottom()).zip(lines.iter().skip(first)) {
             line.render(
                 Rect {
                     y,
@@ -107,7 +106,6 @@ impl Pane for AccuracyView {
                 buffer,
             );
         }
-        super::mark_more(list, scroll > 0, scroll < most, buffer);
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {

@@ -13,7 +13,7 @@
 
 use super::pane::{Copied, Need, Pane};
 use super::table::{columns_of, doubt};
-use super::{Sketch, columns, cut, inset, mark_more, print, print_right};
+use super::{Sketch, columns, cut, first_seen, inset, print, print_right};
 use crate::quantity::Aspect;
 use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, upwards, wrapped};
 use crate::tui::app::App;
@@ -51,10 +51,8 @@ impl Pane for ForcesView {
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let area = inset(body);
         let (placed, lines) = lines(app, area);
-        let most = lines.len().saturating_sub(area.height.into());
-        let scroll = app.scroll().min(most);
-        mark_more(area, scroll > 0, scroll < most, buffer);
-        for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
+        let first = first_seen(app, lines.len(), area, buffer);
+        for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(first)) {
             let height = 1;
             render_line(app, &placed, line, Rect { y, height, ..area }, buffer);
         }

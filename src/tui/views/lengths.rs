@@ -7,7 +7,7 @@
 //! ```
 
 use super::pane::{Need, Pane};
-use super::{Sketch, cut, inset, mark_more, print, print_right};
+use super::{Sketch, cut, first_seen, inset, print, print_right};
 use crate::report::{Answer, Answers, NO_ANSWER};
 use crate::tui::app::App;
 use crate::tui::figures::short;
@@ -63,11 +63,8 @@ impl Pane for LengthsView {
             return;
         };
         let body = below_head(area);
-        let (lines, seen) = self.extent(app, body);
-        let scroll = app.scroll().min(lines.saturating_sub(seen));
-        let most = lines.saturating_sub(body.height.into());
-        mark_more(body, scroll > 0, scroll < most, buffer);
-        for (y, answer) in (body.top()..body.bottom()).zip(list.iter().skip(scroll)) {
+        let first = first_seen(app, list.len(), body, buffer);
+        for (y, answer) in (body.top()..body.bottom()).zip(list.iter().skip(first)) {
             columns.row(app, answer, y, buffer);
         }
     }

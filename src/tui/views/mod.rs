@@ -200,6 +200,14 @@ fn mark_more(area: Rect, above: bool, below: bool, buffer: &mut Buffer) {
     }
 }
 
+/// The first of so many lines that is seen in an area; marks where there are more.
+fn first_seen(app: &App, lines: usize, area: Rect, buffer: &mut Buffer) -> usize {
+    let most = lines.saturating_sub(area.height.into());
+    let first = app.scroll().min(most);
+    mark_more(area, first > 0, first < most, buffer);
+    first
+}
+
 fn row(area: Rect, y: u16) -> Rect {
     Rect {
         y: area.y + y,

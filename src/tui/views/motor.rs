@@ -9,7 +9,7 @@
 //! ```
 
 use super::pane::{Copied, Need, Pane};
-use super::{MARGIN, Sketch, inset, mark_more, print, show};
+use super::{MARGIN, Sketch, first_seen, inset, print, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::report::MotorLine;
 use crate::tui::app::App;
@@ -97,12 +97,10 @@ impl Pane for MotorView {
             render_curve(app, plot, curve, buffer);
         }
         let lines = lines(app, list.width);
-        let most = lines.len().saturating_sub(list.height.into());
-        let scroll = app.scroll().min(most);
-        for (y, (text, kind)) in (list.top()..list.bottom()).zip(lines.iter().skip(scroll)) {
+        let first = first_seen(app, lines.len(), list, buffer);
+        for (y, (text, kind)) in (list.top()..list.bottom()).zip(lines.iter().skip(first)) {
             render_line(text, *kind, Rect { y, ..list }, buffer);
         }
-        mark_more(list, scroll > 0, scroll < most, buffer);
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {

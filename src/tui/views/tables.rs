@@ -10,7 +10,7 @@
 
 use super::pane::{Copied, List, Pane};
 use super::table::{self, columns_of, render_line};
-use super::{MARGIN, Sketch, columns, mark_more, print};
+use super::{MARGIN, Sketch, columns, first_seen, print};
 use crate::report::upwards;
 use crate::tui::action::{Action, TablesAction};
 use crate::tui::app::App;
@@ -45,10 +45,8 @@ impl Pane for TablesView {
         let (lines, height) = lines(app, body);
         table::title(app, place(body), buffer);
         let body = table::below_title(app, place(body));
-        let most = lines.len().saturating_sub(height);
-        let scroll = app.scroll().min(most);
-        mark_more(body, scroll > 0, scroll < most, buffer);
-        for (y, at) in (body.top()..body.bottom()).zip(seen(&lines, scroll, height)) {
+        let first = first_seen(app, lines.len(), body, buffer);
+        for (y, at) in (body.top()..body.bottom()).zip(seen(&lines, first, height)) {
             let height = 1;
             let body = Rect { y, height, ..body };
             render_line(app, &lines[at], body, buffer);

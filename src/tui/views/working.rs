@@ -7,7 +7,7 @@
 //! ```
 
 use super::pane::{Need, Pane};
-use super::{Sketch, inset, mark_more, print};
+use super::{Sketch, first_seen, inset, print};
 use crate::drawing::Glyphs;
 use crate::report::{LineKind, TextStyle, wrapped};
 use crate::tui::app::App;
@@ -38,10 +38,8 @@ impl Pane for WorkingView {
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let area = inset(body);
         let lines = lines(app, area);
-        let most = lines.len().saturating_sub(area.height.into());
-        let scroll = app.scroll().min(most);
-        mark_more(area, scroll > 0, scroll < most, buffer);
-        let seen = lines.iter().skip(scroll);
+        let first = first_seen(app, lines.len(), area, buffer);
+        let seen = lines.iter().skip(first);
         for (y, (kind, line)) in (area.top()..area.bottom()).zip(seen) {
             let style = theme::part(match kind {
                 LineKind::Title | LineKind::Part => Part::Title,
