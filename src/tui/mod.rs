@@ -370,7 +370,7 @@ impl Session {
                 self.gate.enter()?;
                 self.start_over();
             }
-            Wake::Notice(Notice::Resized) => self.resize(),
+            Wake::Notice(Notice::Resized) => self.start_over(),
             Wake::Room => {}
             Wake::Written => {
                 let now = self.begun.elapsed();
@@ -398,14 +398,11 @@ impl Session {
         (self.workbench.app().attend(now) == Effect::Quit).then_some(None)
     }
 
-    fn resize(&mut self) {
+    /// What the terminal shows, and how large it is, is no longer what it was: where it became smaller and
+    /// larger again, only the first.
+    fn start_over(&mut self) {
         let (size, aspect) = (self.gate.size(), self.gate.aspect());
         self.workbench.app().resize(size, aspect);
-    }
-
-    /// What the terminal shows, and what time it is, is no longer what it was.
-    fn start_over(&mut self) {
-        self.resize();
         self.workbench.forget();
     }
 }

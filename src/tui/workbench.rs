@@ -112,9 +112,10 @@ impl Workbench {
         self.move_to(self.now + time);
     }
 
-    /// The screen has another size.
+    /// The screen has another size, or had one meanwhile: what it shows now is not known.
     pub fn resize(&mut self, cols: u16, rows: u16) {
         self.app.resize(Size::new(cols, rows), None);
+        self.forget();
     }
 
     /// The bytes that bring the terminal from the last frame to this one; none if nothing differs.

@@ -587,6 +587,18 @@ proptest! {
     }
 }
 
+/// A window that became smaller and larger again at once: the terminal has lost what it showed.
+#[test]
+fn a_size_that_is_what_it_was_paints_all_again() {
+    for (cols, rows) in [(80, 24), (11, 1)] {
+        let mut session = four_bar(Glyphs::Ascii, cols, rows);
+        let shown = session.look();
+        session.workbench.resize(cols, rows);
+        session.terminal = emulator(cols, rows);
+        assert_eq!(session.look(), shown);
+    }
+}
+
 /// The other assemblies: listed in the place of the tables, and drawn in points.
 #[test]
 fn shows_the_other_assemblies_as_ghosts() {
