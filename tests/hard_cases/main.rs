@@ -14,6 +14,7 @@ mod exact;
 mod change_points;
 mod closed_form;
 mod driver;
+mod edge_rates;
 mod edges;
 mod equal_lengths;
 mod led_through;

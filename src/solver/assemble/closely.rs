@@ -1,7 +1,7 @@
 //! What doubles cannot place, in twice the digits and from the numbers that are meant: a triangle as thin as
 //! a needle, and one that is open by less than a rounding.
 
-use super::{Assembler, TIE, miss, side_of};
+use super::{Assembler, TIE, miss, side_of, steps_of};
 use crate::Double;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
@@ -46,14 +46,16 @@ impl Assembler<'_> {
         engine: &Engine,
         work: &Workspace,
     ) -> Option<Pick> {
-        let exact = self.exact.filter(|exact| key < exact.closed)?;
+        // To its last step: a rough place may be that of a point on the dyad's link.
+        let end = steps_of(engine, number).end;
+        let exact = self.exact.filter(|exact| end <= exact.closed)?;
         let wanted = self.wanted(number, engine);
         let mut work = work.clone();
         let mut miss_of = |sign: f64| {
             work.state.signs[number] = sign;
             let mut close: State<Double> = exact.state(work.travels.len());
-            let found = self.run_closely(exact, key + 1, &work, &mut close);
-            exact.write(key + 1, &close, &mut work.state);
+            let found = self.run_closely(exact, end, &work, &mut close);
+            exact.write(end, &close, &mut work.state);
             (found == Condition::Ok).then(|| miss(&wanted, &work))
         };
         let plus = side_of(engine, key, Pick::Plus)?;
