@@ -3,49 +3,49 @@
 mod asking;
 mod changing;
 mod choosing;
+mod clock;
 mod comparing;
 mod driving;
 mod editing;
+mod export;
 mod filing;
 mod helping;
 mod leaving;
-mod lens;
 mod looking;
 mod mode;
-mod passing;
 mod picking;
 mod plotting;
 mod recovering;
 mod searching;
 mod storing;
-mod taking;
 mod touring;
 mod typing;
 mod writing;
+mod zooming;
 
 use super::Opened;
-use super::action::Action;
-use super::chosen::Chosen;
-use super::clerk::Clerk;
 use super::config::Config;
-use super::cursor::Cursor;
-use super::disk::Disk;
-use super::editor::Editor;
-use super::keymap::Keymap;
-use super::lens::Lens;
-use super::line::Line;
-use super::motor::MotorStudy;
-use super::palette::{Palette, Theme};
-use super::playback::Playback;
-use super::plots::Plots;
-use super::preview::Previews;
-use super::recovery::Session;
-use super::stage::Stage;
-use super::steps::Steps;
-use super::survey::Survey;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
+use crate::tui::appearance::palette::{Palette, Theme};
+use crate::tui::commands::action::Action;
+use crate::tui::commands::keymap::Keymap;
+use crate::tui::commands::line::Line;
+use crate::tui::document::clerk::Clerk;
+use crate::tui::document::disk::Disk;
+use crate::tui::document::editor::Editor;
+use crate::tui::document::recovery::Session;
+use crate::tui::figures::cursor::Cursor;
+use crate::tui::player::open_scene::OpenScene;
+use crate::tui::player::playback::Playback;
+use crate::tui::player::steps::Steps;
+use crate::tui::views::accuracy::study_run::StudyRun;
+use crate::tui::views::motion::followed::FollowedPoints;
+use crate::tui::views::motion::viewport::Viewport;
+use crate::tui::views::motor::study::MotorStudy;
+use crate::tui::views::picker::preview::Previews;
+use crate::tui::views::plots::curves::Plots;
 use comparing::Comparison;
 use leaving::Pending;
 pub(crate) use leaving::Unsaved;
@@ -79,7 +79,7 @@ pub(crate) enum Effect {
 #[derive(Debug)]
 pub(crate) struct App {
     // The open scene and where its driver is.
-    stage: Stage,
+    open_scene: OpenScene,
     steps: Steps,
     playback: Playback,
     /// How many scenes have been opened, edits of one counted: another number, another text.
@@ -99,9 +99,9 @@ pub(crate) struct App {
 
     // What the views show beside the scene itself.
     /// What the motion view shows beside the linkage, and how large.
-    lens: Lens,
+    viewport: Viewport,
     /// What the motion view shows of the tables.
-    chosen: Chosen,
+    followed: FollowedPoints,
     /// Where the cursor of the tables is.
     cursor: Cursor,
     /// The name that was sought last.
@@ -111,7 +111,7 @@ pub(crate) struct App {
     /// What the open scene asks of its motor.
     motor: MotorStudy,
     /// The study of the open scene.
-    survey: Survey,
+    study_run: StudyRun,
     /// What was seen of the scenes in the list of presets and files.
     previews: Previews,
     /// What the open scene is held against.
@@ -160,9 +160,9 @@ impl App {
     /// A workbench with an open scene, paused where it says, or at `at`.
     pub(crate) fn new(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
         let original = opened.scene.text().into();
-        let stage = Stage::new(opened);
+        let open_scene = OpenScene::new(opened);
         let mut app = App {
-            steps: driving::steps_of(&stage),
+            steps: driving::steps_of(&open_scene),
             playback: Playback::new(),
             opened: 1,
             scenes: 1,
@@ -171,17 +171,17 @@ impl App {
             view: View::default(),
             scroll: [0; View::ALL.len()],
             message: None,
-            lens: Lens::default(),
-            chosen: Chosen::default(),
+            viewport: Viewport::default(),
+            followed: FollowedPoints::default(),
             cursor: Cursor::default(),
             sought: String::new(),
             plots: Plots::default(),
             motor: MotorStudy::default(),
-            survey: Survey::new(passing::wall_clock),
+            study_run: StudyRun::new(clock::wall_clock),
             previews: Previews::default(),
             comparison: Comparison::default(),
             original,
-            editor: Editor::new(stage.scene()),
+            editor: Editor::new(open_scene.scene()),
             disk: None,
             folder: None,
             session: Session::begun(SystemTime::now()),
@@ -191,7 +191,7 @@ impl App {
             clerk: Clerk::default(),
             pending: None,
             seen: None,
-            stage,
+            open_scene,
             capability,
             theme: Theme::default(),
             size,
@@ -228,8 +228,8 @@ impl App {
         self.keymap = config.keymap.clone();
     }
 
-    pub(crate) fn stage(&self) -> &Stage {
-        &self.stage
+    pub(crate) fn open_scene(&self) -> &OpenScene {
+        &self.open_scene
     }
 
     pub(crate) fn steps(&self) -> &Steps {
@@ -240,13 +240,13 @@ impl App {
         &self.playback
     }
 
-    pub(crate) fn survey(&self) -> &Survey {
-        &self.survey
+    pub(crate) fn study_run(&self) -> &StudyRun {
+        &self.study_run
     }
 
     /// What is marked in the tables to be shown in the motion view.
-    pub(crate) fn chosen(&self) -> &Chosen {
-        &self.chosen
+    pub(crate) fn followed(&self) -> &FollowedPoints {
+        &self.followed
     }
 
     /// Which key asks for what.
@@ -255,8 +255,8 @@ impl App {
     }
 
     /// What the motion view shows beside the linkage, and how large.
-    pub(crate) fn lens(&self) -> &Lens {
-        &self.lens
+    pub(crate) fn viewport(&self) -> &Viewport {
+        &self.viewport
     }
 
     /// The cursor of the tables.
@@ -271,7 +271,7 @@ impl App {
 
     /// Whether the scene that is shown is not the one in its file.
     pub(crate) fn is_changed(&self) -> bool {
-        self.editor.is_changed(self.stage.scene())
+        self.editor.is_changed(self.open_scene.scene())
     }
 
     pub(crate) fn view(&self) -> View {
@@ -384,6 +384,6 @@ impl App {
 
     /// Why figures are missing, if they are.
     pub(crate) fn condition(&self) -> Condition {
-        self.stage.condition()
+        self.open_scene.condition()
     }
 }

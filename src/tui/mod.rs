@@ -6,84 +6,38 @@
 //!
 //! # Where to find what
 //!
-//! | modules | what they hold |
+//! | room | what it holds |
 //! |---|---|
-//! | `key`, `action`, `keymap`, `config` | keys, the table of what they can ask for, and what a person has configured |
-//! | `app` | the state, and what each action does to it; a file of `app/` for each part |
-//! | `views`, `theme`, `palette` | what is drawn; one file for each view and each list, `views/status/` for the last line |
+//! | `app` | the state of the workbench, and what each action does to it |
+//! | `commands`, `config` | keys, the one table of what they can ask for, and what a person has configured |
+//! | `document` | the scene as a text: edits, its file, recovery; what is done to files |
+//! | `player` | the open scene solved where its driver stands, how that moves, and what is compared with it |
+//! | `figures` | tables: columns, digits, the cursor, finding, copying |
+//! | `views` | what is drawn: a folder or file for each view and each list, with what it keeps |
+//! | `appearance` | what the parts of the screen look like, and the colours of a terminal |
 //! | `workbench`, `picture`, `terminal` | the whole without a terminal, its screen as text, and the real terminal |
-//! | `stage`, `course`, `playback`, `steps`, `ahead`, `panel`, `cost` | the open scene solved where its driver stands, and how that moves |
-//! | `lens`, `chosen` | the motion view: layers, zoom, the points that are followed |
-//! | `sheet`, `figures`, `cursor`, `search`, `copying`, `clipboard` | the tables: columns, width of figures, the cursor, finding, copying |
-//! | `plots`, `plot_list` | the plots, and the list of what is plotted |
-//! | `survey` | the study of the accuracy view |
-//! | `editor`, `edited`, `history` | the scene view: values, what an edit makes of the scene, taking it back |
-//! | `clerk`, `saving`, `writing`, `disk` | files, apart from the screen: the scene's own, others that are written, changes by others |
-//! | `recovery`, `offer`, `difference` | unsaved edits, and taking up those that were left |
-//! | `opening`, `picker`, `folder`, `preview`, `rival` | other scenes: opening, the list of them, what is seen of them, comparing with one |
-//! | `help`, `tour`, `line` | the help, the tour, and lines that are typed |
 
-mod action;
-mod ahead;
 mod app;
-mod balance;
-mod chosen;
-mod clerk;
-mod clipboard;
+mod appearance;
+mod commands;
 mod config;
-mod copying;
-mod cost;
-mod course;
-mod cursor;
-mod difference;
-mod disk;
-mod edited;
-mod editor;
+mod document;
 mod figures;
-mod folder;
-mod help;
-mod history;
-mod key;
-mod keymap;
-mod ledger;
-mod lens;
-mod line;
-mod motor;
-mod offer;
-mod opening;
-mod palette;
-mod panel;
-mod picker;
 mod picture;
-mod playback;
-mod plot_list;
-mod plots;
-mod preview;
-mod recovery;
-mod rival;
-mod saving;
-mod search;
-mod sheet;
-mod stage;
-mod steps;
-mod survey;
+mod player;
 mod terminal;
 #[cfg(test)]
 mod tests;
-mod theme;
-mod tour;
 mod views;
 mod workbench;
-mod working;
-mod writing;
 
 pub use crate::capability::Colours;
 pub use app::View;
+pub use appearance::palette::Theme;
 pub use config::{Config, template};
-pub use help::key_list;
-pub use palette::Theme;
 pub use picture::picture;
 pub use terminal::Terminal;
+pub use views::help::text::key_list;
 pub use workbench::Workbench;
 
 use crate::capability::Judgement;
@@ -98,7 +52,7 @@ use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
-use terminal::{Gate, Notice, Wake};
+use terminal::{Notice, Tty, Wake};
 use thiserror::Error;
 
 /// Where a scene comes from.
@@ -203,8 +157,8 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     let capability = judgement.capability(options.glyphs, options.colours.or(plain));
     let capability = capability.ok_or(Error::Dumb)?;
     let end = catching(|| {
-        let gate = Gate::open(capability)?;
-        let size = gate.size();
+        let tty = Tty::open(capability)?;
+        let size = tty.size();
         let workbench = Workbench::on(opened, options.at, capability, size).themed(options.theme);
         let mut workbench = workbench
             .configured(&options.config)
@@ -218,7 +172,7 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
             workbench.app().recover_in(&state.join("recovery"));
         }
         let session = Session {
-            gate,
+            tty,
             workbench,
             begun: Instant::now(),
         };
@@ -266,7 +220,7 @@ fn told_of(info: &PanicHookInfo<'_>) -> String {
 
 /// A workbench on a terminal.
 struct Session {
-    gate: Gate,
+    tty: Tty,
     workbench: Workbench,
     /// From when on its time counts.
     begun: Instant,
@@ -281,7 +235,7 @@ impl Session {
         // picture before the last one was sent to its end.
         let (mut owed, mut anew) = (true, true);
         loop {
-            let ready = self.gate.ready_at();
+            let ready = self.tty.ready_at();
             if owed && ready.is_none_or(|ready| ready <= Instant::now()) {
                 self.paint(anew)?;
                 owed = self.workbench.is_cut();
@@ -290,14 +244,14 @@ impl Session {
                 fault_on_demand();
             }
             let deadline = self.deadline(owed);
-            if self.gate.follow(self.workbench.app().watched()) {
+            if self.tty.follow(self.workbench.app().watched()) {
                 // It may have been written between the first look and now.
                 let now = self.begun.elapsed();
                 self.workbench.app().look_at_file(now, true);
             }
             let bell = self.workbench.app().bell();
-            let wakes = self.gate.wait(deadline, bell)?;
-            if let Some(drawn) = self.gate.drawn_at().filter(|_| !owed) {
+            let wakes = self.tty.wait(deadline, bell)?;
+            if let Some(drawn) = self.tty.drawn_at().filter(|_| !owed) {
                 let seen = drawn.saturating_duration_since(self.begun);
                 self.workbench.app().show_question(seen);
             }
@@ -314,20 +268,20 @@ impl Session {
 
     /// Sends the screen as it is now, or what was left of it before.
     fn paint(&mut self, anew: bool) -> Result<(), Error> {
-        let room = self.gate.room();
+        let room = self.tty.room();
         let frame = if anew {
             self.workbench.app().weigh();
             self.workbench.paint_within(room)
         } else {
             self.workbench.paint_rest(room)
         };
-        self.gate.send(frame)?;
+        self.tty.send(frame)?;
         Ok(())
     }
 
     /// Until when to wait, if nothing happens before.
     fn deadline(&mut self, owed: bool) -> Option<Instant> {
-        let ready = self.gate.ready_at();
+        let ready = self.tty.ready_at();
         // There is work to do, whether or not a slow line takes the next frame.
         if self.workbench.app().is_working() {
             return Some(Instant::now());
@@ -363,11 +317,11 @@ impl Session {
             Wake::HungUp => return Ok(Some(Some(terminal::HANG_UP))),
             Wake::Notice(Notice::End(signal)) => return Ok(Some(Some(signal))),
             Wake::Notice(Notice::Suspend) => {
-                self.gate.suspend()?;
+                self.tty.suspend()?;
                 self.start_over();
             }
             Wake::Notice(Notice::Continued) => {
-                self.gate.enter()?;
+                self.tty.enter()?;
                 self.start_over();
             }
             Wake::Notice(Notice::Resized) => self.start_over(),
@@ -384,7 +338,7 @@ impl Session {
             Wake::Paste(text) => self.workbench.app().paste(&text),
             Wake::Key(key) => match self.workbench.key(key) {
                 Effect::Show | Effect::Picture => {}
-                Effect::Send(bytes) => self.gate.say(&bytes)?,
+                Effect::Send(bytes) => self.tty.say(&bytes)?,
                 Effect::Redraw => self.start_over(),
                 Effect::Suspend => terminal::ask_to_suspend()?,
                 Effect::Quit => return Ok(Some(None)),
@@ -401,7 +355,7 @@ impl Session {
     /// What the terminal shows, and how large it is, is no longer what it was: where it became smaller and
     /// larger again, only the first.
     fn start_over(&mut self) {
-        let (size, aspect) = (self.gate.size(), self.gate.aspect());
+        let (size, aspect) = (self.tty.size(), self.tty.aspect());
         self.workbench.app().resize(size, aspect);
         self.workbench.forget();
     }

@@ -2,12 +2,12 @@
 
 use super::app::{App, Effect, View};
 use super::config::Config;
-use super::key::Key;
 use super::terminal::Painter;
 use super::views::{self, Sketch};
 use super::{Frames, Opened, Theme};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
+use crate::tui::commands::key::Key;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Size;
 use std::path::Path;

@@ -1,16 +1,16 @@
 //! Choosing another assembly, and saving the one that is shown.
 
-use super::super::action::Action;
 use super::{App, Mode, View};
+use crate::tui::commands::action::Action;
 use std::time::Duration;
 
 impl App {
     /// Lists the assemblies beside the drawing, which stands still meanwhile.
     pub(super) fn list_assemblies(&mut self) {
         self.playback.pause();
-        match self.stage.look_around() {
-            Some(panel) => {
-                self.mode = Mode::Assemblies(panel.first());
+        match self.open_scene.look_around() {
+            Some(assembly_list) => {
+                self.mode = Mode::Assemblies(assembly_list.first());
                 self.look(View::Motion);
             }
             None => self.message = Some("there is no other assembly here".into()),
@@ -19,7 +19,11 @@ impl App {
 
     /// Takes the assembly under the cursor.
     pub(super) fn take_assembly(&mut self, cursor: usize, now: Duration) {
-        let Some(row) = self.stage.panel().and_then(|p| p.rows().get(cursor)) else {
+        let Some(row) = self
+            .open_scene
+            .assembly_list()
+            .and_then(|p| p.rows().get(cursor))
+        else {
             return;
         };
         let (group, choice, wish) = (row.group, &row.choice, row.wish());
@@ -31,14 +35,14 @@ impl App {
             self.message = Some(format!("the rest does not close with {wish}"));
             return;
         }
-        match self.stage.switched(group, choice.pick) {
-            Ok(stage) => {
-                self.stage = stage;
+        match self.open_scene.switched(group, choice.pick) {
+            Ok(open_scene) => {
+                self.open_scene = open_scene;
                 self.opened += 1;
-                self.survey.forget();
+                self.study_run.forget();
                 self.look(self.view);
                 self.mode = Mode::Normal;
-                let at = self.stage.at();
+                let at = self.open_scene.at();
                 self.playback.rebase(now, at);
                 let mut message = format!("{wish} now");
                 if !self.record_assembly(&wish) {

@@ -1,16 +1,16 @@
 //! Comparing with another scene.
 
 use super::super::Opened;
-use super::super::picker::{Place, Purpose};
-use super::super::rival::Rival;
-use super::super::sheet::Sheet;
 use super::App;
 use crate::report::Tables;
+use crate::tui::figures::sheet::Sheet;
+use crate::tui::player::comparison::ComparedScene;
+use crate::tui::views::picker::list::{Place, Purpose};
 
 /// What the open scene is held against.
 #[derive(Debug, Default)]
 pub(super) struct Comparison {
-    rival: Option<Rival>,
+    compared: Option<ComparedScene>,
     /// Which of the scenes that were opened it was fitted to.
     fitted: usize,
     /// How often something was compared, or no longer: another number, another comparison.
@@ -24,8 +24,8 @@ impl Comparison {
         self.number
     }
 
-    pub(super) fn rival(&self) -> Option<&Rival> {
-        self.rival.as_ref()
+    pub(super) fn compared(&self) -> Option<&ComparedScene> {
+        self.compared.as_ref()
     }
 }
 
@@ -50,7 +50,7 @@ impl App {
         opened: Opened,
     ) -> Result<(), String> {
         self.comparison = Comparison {
-            rival: Some(Rival::new(name, opened, &self.stage)?),
+            compared: Some(ComparedScene::new(name, opened, &self.open_scene)?),
             fitted: self.opened,
             number: self.comparison.number + 1,
             last: Some(place),
@@ -62,17 +62,17 @@ impl App {
 
     /// What is compared with goes where the open scene is, or is fitted to it anew after an edit.
     pub(super) fn follow(&mut self) {
-        let Some(mut rival) = self.comparison.rival.take() else {
+        let Some(mut compared) = self.comparison.compared.take() else {
             return;
         };
         if self.comparison.fitted == self.opened {
-            rival.follow(&self.stage);
-            self.comparison.rival = Some(rival);
+            compared.follow(&self.open_scene);
+            self.comparison.compared = Some(compared);
             return;
         }
         self.comparison.fitted = self.opened;
-        match rival.again(&self.stage) {
-            Ok(rival) => self.comparison.rival = Some(rival),
+        match compared.again(&self.open_scene) {
+            Ok(compared) => self.comparison.compared = Some(compared),
             Err(why) => {
                 self.comparison.number += 1;
                 self.message = Some(why);
@@ -83,32 +83,34 @@ impl App {
 
     /// Ends the comparison, if there is one.
     pub(super) fn end_comparison(&mut self) -> bool {
-        let compared = self.comparison.rival.take().is_some();
+        let compared = self.comparison.compared.take().is_some();
         self.comparison.number += usize::from(compared);
         self.scroll_by(0);
         compared
     }
 
     /// The scene that the open one is held against.
-    pub(crate) fn rival(&self) -> Option<&Rival> {
-        self.comparison.rival()
+    pub(crate) fn compared(&self) -> Option<&ComparedScene> {
+        self.comparison.compared()
     }
 
     /// The columns of the tables: of figures, or while another scene is compared with, of differences.
     pub(crate) fn sheet(&self) -> &Sheet {
-        self.rival().map_or(self.stage.sheet(), Rival::sheet)
+        self.compared()
+            .map_or(self.open_scene.sheet(), ComparedScene::sheet)
     }
 
     /// The tables that are shown: figures, or differences.
     pub(crate) fn tables(&self) -> &Tables {
-        self.rival().map_or(self.stage.tables(), Rival::tables)
+        self.compared()
+            .map_or(self.open_scene.tables(), ComparedScene::tables)
     }
 
     /// What stands above tables of differences, as much of it as fits so many columns.
     pub(crate) fn difference_title(&self, width: usize) -> Option<String> {
-        let rival = self.rival()?;
-        let name = rival.name();
-        if !rival.is_assembled() {
+        let compared = self.compared()?;
+        let name = compared.name();
+        if !compared.is_assembled() {
             return Some(format!("{name} has no assembly here"));
         }
         let mut title = format!("this - {name}");
@@ -116,8 +118,10 @@ impl App {
         if long.chars().count() <= width {
             title = long;
         }
-        let speeds = rival.speeds(&self.stage).map(|s| format!("driven at {s}"));
-        let there = rival.pairing().only_there();
+        let speeds = compared
+            .speeds(&self.open_scene)
+            .map(|s| format!("driven at {s}"));
+        let there = compared.pairing().only_there();
         let there = (!there.is_empty()).then(|| format!("only there: {}", there.join(" ")));
         for part in speeds.into_iter().chain(there) {
             title = format!("{title}; {part}");

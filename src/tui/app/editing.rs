@@ -1,15 +1,15 @@
 //! Editing the scene: a value is typed or moved, its text is changed, and what that makes of the linkage
 //! is shown at once, or said why it cannot be.
 
-use super::super::action::{Action, SceneAction};
-use super::super::edited::{self, Edited};
-use super::super::figures::coordinate;
-use super::super::history::Deed;
-use super::super::line::Line;
 use super::super::views::Need;
 use super::{App, Mode};
 use crate::Input;
 use crate::scene::{Measure, Value};
+use crate::tui::commands::action::{Action, SceneAction};
+use crate::tui::commands::line::Line;
+use crate::tui::document::edited::{self, Edited};
+use crate::tui::document::history::Deed;
+use crate::tui::figures::format::coordinate;
 use std::time::Duration;
 
 impl App {
@@ -67,10 +67,10 @@ impl App {
         let Some(value) = self.editor.value().cloned() else {
             return false;
         };
-        let whole = self.stage.scene().with_value(&value, &text);
+        let whole = self.open_scene.scene().with_value(&value, &text);
         let edited = match value.measure {
             // Who moves a start means another assembly.
-            Measure::Start => edited::reopened(&self.stage, &whole),
+            Measure::Start => edited::reopened(&self.open_scene, &whole),
             Measure::Length
             | Measure::Coordinate
             | Measure::Angle
@@ -85,15 +85,15 @@ impl App {
             | Measure::Gravity
             | Measure::Stiffness
             | Measure::Damping
-            | Measure::Factor => edited::keeping(&self.stage, &whole),
+            | Measure::Factor => edited::keeping(&self.open_scene, &whole),
         };
         match edited {
             Ok(edited) => {
                 let opens = self.is_opening(&value);
                 self.change(edited, deed, now);
                 if opens {
-                    let course = self.stage.course();
-                    self.arrive(course.clamp(course.opening()), now);
+                    let driver_range = self.open_scene.driver_range();
+                    self.arrive(driver_range.clamp(driver_range.opening()), now);
                 }
                 true
             }
@@ -106,7 +106,7 @@ impl App {
 
     /// Whether a value is where the driver opens: then the linkage follows it there.
     fn is_opening(&self, value: &Value) -> bool {
-        let name = match self.stage.scene().mechanism.driver().input {
+        let name = match self.open_scene.scene().mechanism.driver().input {
             Input::Turn(_) => "driver angle",
             Input::Push(_) => "driver position",
         };
@@ -116,22 +116,22 @@ impl App {
     /// Before the first change: where the command line has chosen another assembly than the text says, the
     /// text is brought up to date first, as a step of its own.
     fn say_what_is_shown(&mut self) {
-        if self.editor.history.is_empty() && !edited::says_what_is_shown(&self.stage) {
+        if self.editor.history.is_empty() && !edited::says_what_is_shown(&self.open_scene) {
             self.record_assembly("assembly");
         }
     }
 
     /// The text says from now on which assembly is shown; false where no text can.
     pub(super) fn record_assembly(&mut self, name: &str) -> bool {
-        let before = self.stage.scene().text().to_owned();
-        let told = self.stage.saved_text();
-        let scene = told.and_then(|text| self.stage.scene().again(&text));
+        let before = self.open_scene.scene().text().to_owned();
+        let told = self.open_scene.saved_text();
+        let scene = told.and_then(|text| self.open_scene.scene().again(&text));
         let Some(scene) = scene else {
             return false;
         };
         let deed = Deed::Other(name.to_owned());
         self.editor.history.record(&before, scene.text(), deed);
-        self.stage.retell(scene);
+        self.open_scene.retell(scene);
         self.relist();
         self.keep();
         true
@@ -139,7 +139,7 @@ impl App {
 
     /// The scene is another one now, by a deed that can be taken back.
     pub(super) fn change(&mut self, edited: Edited, deed: Deed, now: Duration) {
-        let before = self.stage.scene().text();
+        let before = self.open_scene.scene().text();
         let after = edited.opened.scene.text();
         self.editor.history.record(before, after, deed);
         self.take_edit(edited, now);
@@ -147,11 +147,14 @@ impl App {
 
     /// Shows an edited scene where the driver stands, as far as it gets there.
     fn take_edit(&mut self, edited: Edited, now: Duration) {
-        let at = self.stage.at();
+        let at = self.open_scene.at();
         self.exchange(edited.opened, now);
-        let reached = self.stage.at();
+        let reached = self.open_scene.at();
         if reached != at {
-            let (decimals, unit) = (self.stage.course().decimals(), self.stage.unit());
+            let (decimals, unit) = (
+                self.open_scene.driver_range().decimals(),
+                self.open_scene.unit(),
+            );
             let at = coordinate(at, decimals);
             self.message = Some(format!("{at} {unit} is out of reach now"));
         } else if edited.started {
@@ -163,13 +166,13 @@ impl App {
     /// Lists the values again, while they are looked at.
     pub(super) fn relist(&mut self) {
         if self.view.pane().needs() == Need::Values {
-            self.editor.list(self.stage.scene());
+            self.editor.list(self.open_scene.scene());
         }
     }
 
     /// Takes an edit back, or makes it again.
     pub(super) fn edit_history(&mut self, action: Action, now: Duration) {
-        let text = self.stage.scene().text();
+        let text = self.open_scene.scene().text();
         let history = &self.editor.history;
         let is_undo = action == Action::Undo;
         let step = if is_undo {
@@ -187,7 +190,7 @@ impl App {
             return;
         };
         let name = name.to_owned();
-        match edited::reopened(&self.stage, &text) {
+        match edited::reopened(&self.open_scene, &text) {
             Ok(edited) => {
                 let history = &mut self.editor.history;
                 if is_undo {

@@ -1,11 +1,12 @@
 //! The scene and its file: reading again what somebody else has written.
 
-use super::super::action::Action;
-use super::super::disk::{Disk, News, Seen, unmarked};
-use super::super::history::Deed;
-use super::super::{Opened, Origin, opening};
 use super::{App, Effect, Mode, Unsaved};
 use crate::scene::Scene;
+use crate::tui::commands::action::Action;
+use crate::tui::document::disk::{Disk, News, Seen, unmarked};
+use crate::tui::document::history::Deed;
+use crate::tui::document::opening;
+use crate::tui::{Opened, Origin};
 use std::io;
 use std::path::Path;
 use std::time::Duration;
@@ -32,7 +33,7 @@ impl App {
 
     /// The file of the scene is watched from now on.
     pub(super) fn watch(&mut self) {
-        self.disk = match self.stage.origin() {
+        self.disk = match self.open_scene.origin() {
             Origin::File(path) => Some(Disk::new(path)),
             Origin::Preset(_) | Origin::Stdin => None,
         };
@@ -85,7 +86,7 @@ impl App {
 
     /// Reads the file again because that was asked for; over unsaved edits if they may go.
     pub(super) fn reload(&mut self, over: bool) {
-        let Origin::File(path) = self.stage.origin().clone() else {
+        let Origin::File(path) = self.open_scene.origin().clone() else {
             self.message = Some("this scene has no file to read again".into());
             return;
         };
@@ -125,13 +126,13 @@ impl App {
     /// Shows what the file holds now; what is broken leaves the last good state on the screen. The edits
     /// before it can be had back by taking this one back.
     fn read_in(&mut self, bytes: &[u8], name: &str, now: Duration) {
-        let origin = self.stage.scene().origin().to_owned();
+        let origin = self.open_scene.scene().origin().to_owned();
         let scene = Scene::read(bytes, &origin);
         let opened = scene.and_then(opening::assembled);
         match opened {
             Ok((scene, solver)) => {
-                let origin = self.stage.origin().clone();
-                let (before, after) = (self.stage.scene().text(), scene.text().to_owned());
+                let origin = self.open_scene.origin().clone();
+                let (before, after) = (self.open_scene.scene().text(), scene.text().to_owned());
                 let deed = Deed::Other("reading the file".into());
                 self.editor.history.record(before, &after, deed);
                 self.editor.filed(&after);

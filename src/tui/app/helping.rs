@@ -1,8 +1,8 @@
 //! The help, and searching it.
 
-use super::super::help::Help;
-use super::super::key::Key;
 use super::{App, Effect, Mode};
+use crate::tui::commands::key::Key;
+use crate::tui::views::help::text::Help;
 
 impl App {
     /// Shows the help, or takes it away.

@@ -1,8 +1,8 @@
 //! Leaving the program, or the scene for another: what is unsaved is asked about first.
 
 use super::super::Opened;
-use super::super::key::Key;
 use super::{App, Effect, Mode};
+use crate::tui::commands::key::Key;
 use std::time::Duration;
 
 /// A question about unsaved edits.

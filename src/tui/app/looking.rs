@@ -1,10 +1,10 @@
 //! What is seen: the view, how far it is scrolled, and with which characters and colours.
 
-use super::super::survey::Phase;
 use super::super::views::{self, List, Need};
 use super::{App, Mode, View};
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
+use crate::tui::views::accuracy::study_run::Phase;
 use ratatui::layout::Size;
 
 /// The height of a cell for its width in most fonts.
@@ -29,16 +29,16 @@ impl App {
     /// looked at for the first time.
     pub(crate) fn look(&mut self, view: View) {
         self.view = view;
-        self.stage.answer(false);
-        self.stage.balance_forces(false);
-        self.stage.explain(false);
+        self.open_scene.answer(false);
+        self.open_scene.balance_forces(false);
+        self.open_scene.explain(false);
         match view.pane().needs() {
             Need::Nothing => {}
-            Need::Lengths => self.stage.answer(true),
-            Need::Forces => self.stage.balance_forces(true),
-            Need::Working => self.stage.explain(true),
+            Need::Lengths => self.open_scene.answer(true),
+            Need::Forces => self.open_scene.balance_forces(true),
+            Need::Working => self.open_scene.explain(true),
             Need::Values => self.relist(),
-            Need::Study if self.survey.phase() == Phase::Idle => self.study(),
+            Need::Study if self.study_run.phase() == Phase::Idle => self.study(),
             Need::Study => {}
             Need::Curves | Need::Motor => self.sample(),
         }
@@ -46,7 +46,7 @@ impl App {
 
     /// Begins a study, goes on with it or repeats it.
     pub(super) fn study(&mut self) {
-        self.survey.go_on(self.stage.solver());
+        self.study_run.go_on(self.open_scene.solver());
     }
 
     /// The screen has another size.
@@ -64,7 +64,10 @@ impl App {
     /// Scrolls what is on top, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
         let most = match self.mode {
-            Mode::Assemblies(_) => self.stage.panel().map_or(0, |p| p.rows().len() - 1),
+            Mode::Assemblies(_) => self
+                .open_scene
+                .assembly_list()
+                .map_or(0, |p| p.rows().len() - 1),
             _ => views::most_scroll(self),
         };
         let scroll = match &mut self.mode {

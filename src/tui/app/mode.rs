@@ -1,13 +1,13 @@
 //! What keys go to, and what is looked at.
 
-use super::super::help::Help;
-use super::super::line::Line;
-use super::super::offer::Offer;
-use super::super::picker::Picker;
-use super::super::plot_list::PlotList;
-use super::super::search::Search;
-use super::super::writing::{Prompt, Question};
 use super::Unsaved;
+use crate::tui::commands::line::Line;
+use crate::tui::document::writing::{Prompt, Question};
+use crate::tui::figures::search::Search;
+use crate::tui::views::help::text::Help;
+use crate::tui::views::offer::list::Offer;
+use crate::tui::views::picker::list::Picker;
+use crate::tui::views::plots::list::PlotList;
 
 /// What keys go to.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -1,12 +1,12 @@
 //! Choosing a preset or a file.
 
-use super::super::key::Key;
-use super::super::opening::{self, Unopened};
-use super::super::picker::{Picker, Place, Purpose, Reading};
-use super::super::preview::Preview;
 use super::super::{Opened, Origin};
 use super::{App, Effect, Mode};
 use crate::scene::presets;
+use crate::tui::commands::key::Key;
+use crate::tui::document::opening::{self, Unopened};
+use crate::tui::views::picker::list::{Picker, Place, Purpose, Reading};
+use crate::tui::views::picker::preview::Preview;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,7 +20,7 @@ impl App {
 
     /// Lists what there is, with the cursor on `at`, or on the open scene.
     pub(super) fn list(&mut self, purpose: Purpose, at: Option<Place>) {
-        let folder = match self.stage.origin() {
+        let folder = match self.open_scene.origin() {
             Origin::File(path) => path.parent().map(Path::to_owned),
             Origin::Preset(_) | Origin::Stdin => None,
         };
@@ -33,7 +33,7 @@ impl App {
 
     /// Lists a folder, once it was read, with the cursor on a place in it, or on the open scene.
     fn look_into(&mut self, folder: PathBuf, at: Option<Place>, or_here: bool) {
-        let origin = self.stage.origin().clone();
+        let origin = self.open_scene.origin().clone();
         self.clerk.give(move || {
             let read = Reading::of(&folder);
             let at = at.or_else(|| or_here.then(|| Place::of(&origin)).flatten());
@@ -47,7 +47,7 @@ impl App {
 
     /// Whether the scene is no longer what was opened.
     pub(super) fn is_edited(&self) -> bool {
-        self.stage.scene().text() != &*self.original
+        self.open_scene.scene().text() != &*self.original
     }
 
     /// Brings what a frame shows beside the state itself up to date. It is done once for a frame, however
@@ -111,7 +111,7 @@ impl App {
     fn leave_list(&mut self, now: Duration) {
         self.mode = Mode::Normal;
         self.previews.forget();
-        self.playback.rebase(now, self.stage.at());
+        self.playback.rebase(now, self.open_scene.at());
         self.frame = now;
     }
 
@@ -142,7 +142,7 @@ impl App {
         let name = picker
             .chosen()
             .map_or(String::new(), |item| item.name.clone());
-        let (original, origin) = (Arc::clone(&self.original), self.stage.origin().clone());
+        let (original, origin) = (Arc::clone(&self.original), self.open_scene.origin().clone());
         self.message = Some(format!("reading {name}"));
         self.clerk.give(move || {
             let opened = opened(&place, &original, origin);

@@ -1,22 +1,23 @@
 //! What is plotted: choosing it, and what stands along x.
 
-use super::super::action::PlotsAction;
-use super::super::key::Key;
-use super::super::motor::MotorStudy;
-use super::super::plot_list::PlotList;
-use super::super::plots::Plots;
 use super::super::views::Need;
 use super::{App, Effect, Mode};
+use crate::tui::commands::action::PlotsAction;
+use crate::tui::commands::key::Key;
+use crate::tui::views::motor::study::MotorStudy;
+use crate::tui::views::plots::curves::Plots;
+use crate::tui::views::plots::list::PlotList;
 
 impl App {
     pub(super) fn plot(&mut self, action: PlotsAction) {
         match action {
             PlotsAction::Choose => {
-                let list = PlotList::new(self.stage.scene(), |name| self.plots.is_chosen(name));
+                let list =
+                    PlotList::new(self.open_scene.scene(), |name| self.plots.is_chosen(name));
                 self.mode = Mode::PlotList(list);
             }
             PlotsAction::Abscissa => {
-                let along = self.plots.next_abscissa(self.stage.scene());
+                let along = self.plots.next_abscissa(self.open_scene.scene());
                 self.message = Some(along);
             }
             PlotsAction::Extrema => {
@@ -43,11 +44,11 @@ impl App {
         if needs == Need::Curves {
             self.follow();
             let opened = [self.opened, self.comparison.number()];
-            let rival = self.comparison.rival();
-            self.plots.sample(&self.stage, opened, rival);
+            let compared = self.comparison.compared();
+            self.plots.sample(&self.open_scene, opened, compared);
         }
         if needs == Need::Motor {
-            self.motor.study(&self.stage, self.opened);
+            self.motor.study(&self.open_scene, self.opened);
         }
     }
 
@@ -91,7 +92,7 @@ impl App {
         if let Mode::PlotList(list) = &self.mode
             && let Some(name) = list.current()
         {
-            self.plots.toggle(name, self.stage.scene());
+            self.plots.toggle(name, self.open_scene.scene());
         }
     }
 }

@@ -1,13 +1,13 @@
 //! Keeping unsaved edits, and taking up those that earlier sessions have left.
 
 use super::super::Origin;
-use super::super::action::Action;
-use super::super::edited;
-use super::super::history::Deed;
-use super::super::key::Key;
-use super::super::offer::Offer;
-use super::super::recovery::{self, Others, Recovery};
 use super::{App, Effect, Mode};
+use crate::tui::commands::action::Action;
+use crate::tui::commands::key::Key;
+use crate::tui::document::edited;
+use crate::tui::document::history::Deed;
+use crate::tui::document::recovery::{self, Others, Recovery};
+use crate::tui::views::offer::list::Offer;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
@@ -51,7 +51,7 @@ impl App {
         let Some(folder) = self.folder.clone() else {
             return;
         };
-        let (session, origin) = (self.session.clone(), self.stage.origin().clone());
+        let (session, origin) = (self.session.clone(), self.open_scene.origin().clone());
         let text = self.editor.saved().to_owned();
         self.clerk.give(move || {
             drop(before);
@@ -66,7 +66,7 @@ impl App {
 
     fn met(&mut self, origin: &Origin, recovery: Recovery, others: Others) {
         // Another scene may have been opened meanwhile.
-        if self.stage.origin() != origin {
+        if self.open_scene.origin() != origin {
             return;
         }
         self.recovery = Some(Arc::new(Mutex::new(recovery)));
@@ -90,7 +90,7 @@ impl App {
         let Some(kept) = self.recovery.clone() else {
             return;
         };
-        let text = self.stage.scene().text().to_owned();
+        let text = self.open_scene.scene().text().to_owned();
         // Edits that were taken up are taken back.
         self.older &= self.is_changed();
         let edits = self
@@ -160,7 +160,7 @@ impl App {
             Key::Escape => self.mode = Mode::Normal,
             Key::Enter if offer.others.left.is_empty() => self.mode = Mode::Normal,
             Key::Enter if offer.page.is_none() => offer.look(),
-            Key::Char('c') => offer.compare(self.stage.scene().text()),
+            Key::Char('c') => offer.compare(self.open_scene.scene().text()),
             Key::Char('t') => self.take_offered(now),
             Key::Char('d') if is_asked => self.drop_offered(),
             Key::Char('d') => offer.asks = offer.page.is_none() && offer.chosen().is_some(),
@@ -177,7 +177,7 @@ impl App {
         let Some(found) = offer.chosen().cloned() else {
             return;
         };
-        match edited::reopened(&self.stage, &found.text) {
+        match edited::reopened(&self.open_scene, &found.text) {
             Ok(edited) => {
                 self.mode = Mode::Normal;
                 if let Some(kept) = self.recovery.clone() {

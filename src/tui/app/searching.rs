@@ -1,14 +1,15 @@
 //! Finding a row by its name, in the tables and in the scene view; the cursor of the tables, and choosing
 //! what the motion view shows.
 
-use super::super::action::TablesAction;
-use super::super::cursor::{self, Cursor};
-use super::super::key::Key;
-use super::super::line::Line;
-use super::super::search::{self, Search, Whence};
 use super::super::views::{self, List};
-use super::super::{chosen, sheet};
 use super::{App, Effect, Mode, View};
+use crate::tui::commands::action::TablesAction;
+use crate::tui::commands::key::Key;
+use crate::tui::commands::line::Line;
+use crate::tui::figures::cursor::{self, Cursor};
+use crate::tui::figures::search::{self, Search, Whence};
+use crate::tui::figures::sheet;
+use crate::tui::views::motion::followed;
 
 impl App {
     /// Asks for a name, in the views that have rows.
@@ -73,7 +74,7 @@ impl App {
     fn go_to_name(&mut self, typed: &str, from: Whence) -> bool {
         match from {
             Whence::Tables(from) => {
-                let found = search::best(self.stage.tables(), typed, from);
+                let found = search::best(self.open_scene.tables(), typed, from);
                 self.place_cursor(|_, _| found.unwrap_or(from));
                 found.is_some()
             }
@@ -109,7 +110,7 @@ impl App {
         }
         let found = match from {
             Whence::Tables(_) => {
-                let next = search::next(self.stage.tables(), &self.sought, self.cursor);
+                let next = search::next(self.open_scene.tables(), &self.sought, self.cursor);
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
             Whence::Scene(_) => self.editor.seek(&self.sought, true),
@@ -139,13 +140,15 @@ impl App {
     /// that move.
     fn choose(&mut self) {
         let Cursor { part, row, .. } = self.cursor;
-        let moving = chosen::moving(self.stage.scene(), part, row);
+        let moving = followed::moving(self.open_scene.scene(), part, row);
         if moving.is_empty() {
-            let name = part.name(self.stage.tables(), row);
+            let name = part.name(self.open_scene.tables(), row);
             self.message = Some(format!("{name} never moves: nothing to follow"));
             return;
         }
-        let all = moving.iter().all(|(point, _)| self.chosen.contains(*point));
+        let all = moving
+            .iter()
+            .all(|(point, _)| self.followed.contains(*point));
         let names = moving.iter().map(|(_, name)| *name).collect::<Vec<_>>();
         let names = names.join(" and ");
         self.message = Some(if all {
@@ -154,8 +157,8 @@ impl App {
             format!("{names} chosen for the motion view")
         });
         for (point, _) in moving {
-            if self.chosen.contains(point) == all {
-                self.chosen.toggle(point);
+            if self.followed.contains(point) == all {
+                self.followed.toggle(point);
             }
         }
     }

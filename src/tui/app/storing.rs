@@ -1,25 +1,26 @@
 //! Writing the scene, figures and pictures to files, and asking first where something would be lost.
 
-use super::super::action::Action;
-use super::super::disk::News;
-use super::super::saving::{Errand, Leave, refused, refused_there};
-use super::super::writing::{Document, Doubt, Question};
-use super::super::{Origin, edited};
 use super::{App, Mode};
 use crate::files::Trouble;
 use crate::scene::Scene;
+use crate::tui::Origin;
+use crate::tui::commands::action::Action;
+use crate::tui::document::disk::News;
+use crate::tui::document::edited;
+use crate::tui::document::saving::{Errand, Leave, refused, refused_there};
+use crate::tui::document::writing::{Document, Doubt, Question};
 use std::path::{Path, PathBuf};
 
 impl App {
     /// Writes the scene to its own file, or asks to which.
     pub(super) fn save_own(&mut self) {
         self.playback.pause();
-        let Origin::File(path) = self.stage.origin() else {
+        let Origin::File(path) = self.open_scene.origin() else {
             self.ask_where();
             return;
         };
         let path = path.clone();
-        if self.is_changed() || !edited::says_what_is_shown(&self.stage) {
+        if self.is_changed() || !edited::says_what_is_shown(&self.open_scene) {
             self.store(Document::Scene, path, Leave::default());
             return;
         }
@@ -38,7 +39,7 @@ impl App {
     /// Asks for the name of another file.
     pub(super) fn ask_where(&mut self) {
         self.playback.pause();
-        let proposal = match self.stage.origin() {
+        let proposal = match self.open_scene.origin() {
             Origin::File(path) => path.to_string_lossy().into_owned(),
             Origin::Preset(name) => format!("{name}.toml"),
             Origin::Stdin => "scene.toml".into(),
@@ -55,13 +56,13 @@ impl App {
         let text = match &document {
             Document::Text(text) => text.text.clone(),
             Document::Scene => {
-                let told = edited::says_what_is_shown(&self.stage);
+                let told = edited::says_what_is_shown(&self.open_scene);
                 if !told && !self.record_assembly("assembly") {
                     let why = "not written: no start positions tell this assembly from the others";
                     self.message = Some(why.into());
                     return;
                 }
-                self.stage.scene().text().to_owned()
+                self.open_scene.scene().text().to_owned()
             }
         };
         let is_own = document == Document::Scene && self.is_own(&to);
@@ -86,7 +87,7 @@ impl App {
     }
 
     fn is_own(&self, file: &Path) -> bool {
-        matches!(self.stage.origin(), Origin::File(own) if own == file)
+        matches!(self.open_scene.origin(), Origin::File(own) if own == file)
     }
 
     fn ask(&mut self, document: Document, errand: Errand, doubt: Doubt) {
@@ -156,8 +157,8 @@ impl App {
         if !is_own {
             self.release();
             let name = errand.to.display().to_string();
-            if let Ok(scene) = Scene::parse(self.stage.scene().text(), &name) {
-                self.stage.rename(scene, errand.to.clone());
+            if let Ok(scene) = Scene::parse(self.open_scene.scene().text(), &name) {
+                self.open_scene.rename(scene, errand.to.clone());
             }
             self.remember(false);
         }

@@ -1,9 +1,9 @@
 //! The tour.
 
-use super::super::key::Key;
-use super::super::tour::{SCREENS, is_first_start};
 use super::{App, Effect, Mode};
 use crate::files::places;
+use crate::tui::commands::key::Key;
+use crate::tui::views::tour::screens::{SCREENS, is_first_start};
 
 impl App {
     /// Begins the tour.

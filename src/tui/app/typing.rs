@@ -1,9 +1,9 @@
 //! A key, or a text that is pasted: what it means in the present mode.
 
-use super::super::action::Action;
-use super::super::key::Key;
-use super::super::tour;
 use super::{App, Effect, Mode};
+use crate::tui::commands::action::Action;
+use crate::tui::commands::key::Key;
+use crate::tui::views::tour::screens;
 use std::time::Duration;
 
 impl App {
@@ -91,7 +91,7 @@ impl App {
     /// Whether the mode lets an action through that is none of its own.
     pub(super) fn takes(&self, action: Action) -> bool {
         match self.mode {
-            Mode::Tour(_) => tour::allows(action),
+            Mode::Tour(_) => screens::allows(action),
             _ => self.mode == Mode::Normal,
         }
     }
@@ -106,7 +106,7 @@ impl App {
         if self.mode != Mode::Normal {
             self.mode = Mode::Normal;
         } else if self.is_working() {
-            self.survey.stop();
+            self.study_run.stop();
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Asking for the name of a file.
 
-use super::super::key::Key;
-use super::super::line::Line;
-use super::super::saving::Leave;
-use super::super::writing::{Document, Prompt};
 use super::{App, Effect, Mode};
 use crate::files::{from_home, places};
+use crate::tui::commands::key::Key;
+use crate::tui::commands::line::Line;
+use crate::tui::document::saving::Leave;
+use crate::tui::document::writing::{Document, Prompt};
 use std::time::Duration;
 
 impl App {

@@ -2,9 +2,9 @@
 
 use crate::document::{Diagnostic, Reader, Span, Value, quoted};
 use crate::nearest::did_you_mean;
-use crate::tui::action::{self, Action, Entry};
-use crate::tui::key::{self, Key};
-use crate::tui::keymap::Keymap;
+use crate::tui::commands::action::{self, Action, Entry};
+use crate::tui::commands::key::{self, Key};
+use crate::tui::commands::keymap::Keymap;
 
 /// What an action is called in the configuration: its name in one word.
 pub(super) fn name_of(entry: &Entry) -> String {

@@ -6,13 +6,13 @@ mod template;
 
 pub use template::template;
 
-use super::keymap::Keymap;
-use super::palette::Theme;
 use crate::capability::Colours;
 use crate::document::{self, Diagnostic, Diagnostics, Reader, Span, Value};
 use crate::drawing::Glyphs;
 use crate::files::places;
 use crate::nearest::did_you_mean;
+use crate::tui::appearance::palette::Theme;
+use crate::tui::commands::keymap::Keymap;
 use std::path::PathBuf;
 
 /// What a person wants otherwise.

@@ -1,7 +1,7 @@
 use super::*;
-use crate::tui::action::Action;
 use crate::tui::app::View;
-use crate::tui::key::Key;
+use crate::tui::commands::action::Action;
+use crate::tui::commands::key::Key;
 
 /// Every line that sets something, live.
 fn uncommented(text: &str) -> String {

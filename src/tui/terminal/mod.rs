@@ -1,22 +1,23 @@
-//! The gate between krank and the terminal: modes, keys, signals and bytes.
+//! All that lies between krank and the terminal: modes, keys, signals and bytes.
 //!
 //! Everything that goes to the terminal or comes from it passes here, and nothing of it knows
 //! linkages. One reader reads all that the terminal sends (`keyboard`), one writer writes whole
-//! frames (`painter`), one guard puts the terminal back as it was found (`gate`).
+//! frames (`painter`), one guard puts the terminal back as it was found (`tty`).
 
 mod about;
-mod gate;
+pub(crate) mod clipboard;
 mod keyboard;
 mod line;
-mod pace;
 mod painter;
-mod pen;
+mod rate_limit;
+mod sgr;
 mod signals;
+mod tty;
 mod watch;
 
 pub use about::Terminal;
-pub(crate) use gate::{Gate, Wake};
 #[cfg(test)]
 pub(crate) use keyboard::{Input, Keyboard};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};
+pub(crate) use tty::{Tty, Wake};

@@ -9,10 +9,10 @@
 //! shows is known cell by cell, so that the next frame simply has these changes left. What is urgent
 //! comes first, the rest from the top, or from where the last frame was cut.
 
-use super::pen::{Look, Pen, escape, identical};
+use super::sgr::{Look, Sgr, escape, identical};
 use crate::capability::Capability;
 use crate::tui::Frames;
-use crate::tui::palette::{Palette, Theme};
+use crate::tui::appearance::palette::{Palette, Theme};
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
 use std::ops::Range;
@@ -52,7 +52,7 @@ pub(crate) struct Painter {
     bytes: Vec<u8>,
     /// Where the cursor is, if that is certain.
     cursor: Option<(u16, u16)>,
-    pen: Pen,
+    sgr: Sgr,
     frames: Frames,
 }
 
@@ -81,7 +81,7 @@ impl Painter {
             room: usize::MAX,
             bytes: Vec::new(),
             cursor: None,
-            pen: Pen::PLAIN,
+            sgr: Sgr::PLAIN,
             frames: Frames::default(),
         }
     }
@@ -119,7 +119,7 @@ impl Painter {
     /// already. About `room` of them at the most: [`Painter::is_cut`] says whether that was enough.
     pub(crate) fn frame(&mut self, urgent: &[Rect], room: usize) -> &[u8] {
         self.bytes.clear();
-        (self.cursor, self.pen) = (None, Pen::PLAIN);
+        (self.cursor, self.sgr) = (None, Sgr::PLAIN);
         self.stale |= self.shown.area != self.wanted.area;
         let prologue = if self.synchronised { SYNC_ON } else { &[] };
         self.bytes.extend_from_slice(prologue);
@@ -138,7 +138,7 @@ impl Painter {
             self.bytes.clear();
             return &self.bytes;
         }
-        Pen::PLAIN.take_up(self.pen, &mut self.bytes);
+        Sgr::PLAIN.take_up(self.sgr, &mut self.bytes);
         if self.is_cut() {
             // Half a picture need not appear at once, and the brackets cost as much as a figure.
             self.bytes.drain(..prologue.len());
@@ -207,7 +207,7 @@ impl Painter {
         if erase {
             self.has_room()?;
             self.go_to(end, y, next);
-            self.set_pen(Pen::PLAIN);
+            self.set_pen(Sgr::PLAIN);
             self.bytes.extend_from_slice(ERASE_TO_END);
             self.shown.content[start + usize::from(end)..start + usize::from(width)]
                 .fill(Cell::EMPTY);
@@ -239,7 +239,7 @@ impl Painter {
         }
         self.has_room()?;
         self.go_to(columns.start, y, next);
-        self.set_pen(Pen::PLAIN);
+        self.set_pen(Sgr::PLAIN);
         self.bytes.extend_from_slice(ERASE_TO_END);
         self.shown.content[start + from..start + next.len()].fill(Cell::EMPTY);
         Ok(true)
@@ -302,8 +302,8 @@ impl Painter {
 
     /// Whether a cell can be written with the pen in force. A blank shows nothing of most pens.
     fn suits(&self, cell: &Cell) -> bool {
-        let pen = self.look.pen_of(cell);
-        pen == self.pen || (cell.symbol() == " " && pen == Pen::PLAIN && self.pen.leaves_blanks())
+        let sgr = self.look.pen_of(cell);
+        sgr == self.sgr || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.leaves_blanks())
     }
 
     fn put(&mut self, cell: &Cell, width: u16) {
@@ -318,9 +318,9 @@ impl Painter {
             .filter(|&(x, _)| x < width);
     }
 
-    fn set_pen(&mut self, pen: Pen) {
-        pen.take_up(self.pen, &mut self.bytes);
-        self.pen = pen;
+    fn set_pen(&mut self, sgr: Sgr) {
+        sgr.take_up(self.sgr, &mut self.bytes);
+        self.sgr = sgr;
     }
 }
 

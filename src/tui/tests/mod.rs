@@ -2,12 +2,12 @@
 
 mod monkey;
 
-use super::action::Action;
 use super::app::{App, View};
-use super::opening;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::presets;
+use crate::tui::commands::action::Action;
+use crate::tui::document::opening;
 use ratatui::layout::Size;
 use std::time::Duration;
 
@@ -22,9 +22,12 @@ fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
     let opened = opening::preset(presets::find("four-bar-load").unwrap()).unwrap();
     let mut app = App::new(opened, None, capability, Size::new(80, 24));
     let found = |app: &App| {
-        let stage = app.stage();
-        let [lengths, forces] = [stage.answers().is_some(), stage.balance().is_some()];
-        [lengths, forces, stage.explained().is_some()]
+        let open_scene = app.open_scene();
+        let [lengths, forces] = [
+            open_scene.answers().is_some(),
+            open_scene.force_figures().is_some(),
+        ];
+        [lengths, forces, open_scene.explained().is_some()]
     };
     for (view, expected) in [
         (View::Working, [false, false, true]),

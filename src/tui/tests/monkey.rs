@@ -10,12 +10,13 @@ use crate::drawing::Glyphs;
 use crate::scene::{is_harmful, presets};
 use crate::tests::{Chance, Fuzz, shape};
 use crate::tui::app::{App, Effect, Mode, View};
-use crate::tui::key::Key;
-use crate::tui::keymap::Keymap;
-use crate::tui::picker::Place;
+use crate::tui::commands::key::Key;
+use crate::tui::commands::keymap::Keymap;
+use crate::tui::document::opening;
 use crate::tui::terminal::{Input, Keyboard};
-use crate::tui::tour::SCREENS;
-use crate::tui::{Origin, Theme, Workbench, opening, views};
+use crate::tui::views::picker::list::Place;
+use crate::tui::views::tour::screens::SCREENS;
+use crate::tui::{Origin, Theme, Workbench, views};
 use ratatui::layout::Size;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::panic::{self, AssertUnwindSafe};
@@ -303,7 +304,7 @@ fn stays(app: &App, deed: &Deed) -> bool {
                 Some(Place::Original | Place::Preset(_)) | None => true,
             }
         }
-        _ => match app.stage().origin() {
+        _ => match app.open_scene().origin() {
             Origin::File(path) => is_in_cage(path),
             Origin::Preset(_) | Origin::Stdin => true,
         },
@@ -319,14 +320,19 @@ fn is_in_cage(path: &Path) -> bool {
 
 /// What must hold whatever was done.
 fn check(app: &App) {
-    let stage = app.stage();
-    let at = stage.at();
+    let open_scene = app.open_scene();
+    let at = open_scene.at();
     assert!(at.is_finite(), "the driver is at {at}");
-    assert!(stage.course().clamp(at) == at, "{at} is out of reach");
+    assert!(
+        open_scene.driver_range().clamp(at) == at,
+        "{at} is out of reach"
+    );
     match app.mode() {
         Mode::Tour(number) => assert!(*number < SCREENS),
         Mode::Assemblies(cursor) => {
-            let rows = stage.panel().map_or(0, |panel| panel.rows().len());
+            let rows = open_scene
+                .assembly_list()
+                .map_or(0, |assembly_list| assembly_list.rows().len());
             assert!(*cursor < rows, "assembly {cursor} of {rows}");
         }
         Mode::Help(help) => {
@@ -489,7 +495,7 @@ fn typed(first: u8, second: u8, bytes: &[u8]) -> u64 {
     (app.view() as usize, std::mem::discriminant(app.mode())).hash(&mut outcome);
     app.message().map(shape).hash(&mut outcome);
     (
-        app.stage().origin() == &Origin::Stdin,
+        app.open_scene().origin() == &Origin::Stdin,
         keyboard.deadline().is_some(),
     )
         .hash(&mut outcome);

@@ -8,9 +8,9 @@
 use super::{columns, cut, mark_more, print};
 use crate::assembly::pick_text;
 use crate::tui::app::App;
-use crate::tui::panel::Row;
-use crate::tui::stage::shown;
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::player::assembly_list::Row;
+use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -20,10 +20,10 @@ const LONGEST_NAME: usize = 9;
 const GAP: u16 = 1;
 
 pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) {
-    let Some(panel) = app.stage().panel() else {
+    let Some(assembly_list) = app.open_scene().assembly_list() else {
         return;
     };
-    let rows = panel.rows();
+    let rows = assembly_list.rows();
     let widths = Widths::of(rows);
     // The cursor is seen, with a row above it where there is one.
     let height = usize::from(area.height).max(1);

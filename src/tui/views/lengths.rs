@@ -10,9 +10,9 @@ use super::pane::{Need, Pane};
 use super::{Sketch, cut, first_seen, inset, print, print_right};
 use crate::report::{Answer, Answers, NO_ANSWER};
 use crate::tui::app::App;
-use crate::tui::figures::short;
-use crate::tui::stage::shown;
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::figures::format::short;
+use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -52,7 +52,7 @@ impl Pane for LengthsView {
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let area = inset(body);
         let columns = Columns::of(area);
-        let Some(answers) = app.stage().answers() else {
+        let Some(answers) = app.open_scene().answers() else {
             let text = "too many lengths: krank table --sensitivity tells what they do";
             print_text(text, area, buffer);
             return;
@@ -71,7 +71,7 @@ impl Pane for LengthsView {
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let area = inset(body);
-        let list = app.stage().answers().and_then(|a| a.list.as_ref());
+        let list = app.open_scene().answers().and_then(|a| a.list.as_ref());
         (list.map_or(0, Vec::len), below_head(area).height.into())
     }
 }

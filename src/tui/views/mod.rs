@@ -7,30 +7,30 @@
 //! mode  scene  angle  state     hints             one line
 //! ```
 
-mod accuracy;
+pub(crate) mod accuracy;
 mod assemblies;
-mod forces;
-mod help;
+pub(crate) mod forces;
+pub(crate) mod help;
 mod lengths;
-mod motion;
-mod motor;
-mod offer;
+pub(crate) mod motion;
+pub(crate) mod motor;
+pub(crate) mod offer;
 mod pane;
-mod picker;
-mod plots;
+pub(crate) mod picker;
+pub(crate) mod plots;
 mod popup;
 mod scene;
 mod status;
 mod table;
 mod tables;
 mod title;
-mod tour;
-mod working;
+pub(crate) mod tour;
+pub(crate) mod working;
 
 use super::app::{App, Mode, View};
-use super::sheet::Line;
-use super::theme::{self, Part};
 use crate::drawing::Raster;
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::figures::sheet::Line;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect, Size};
 use ratatui::style::Style;

@@ -5,8 +5,8 @@
 //! `View::pane`, its name in `View`, and its key in the table of actions.
 
 use super::Sketch;
-use crate::tui::action::Action;
 use crate::tui::app::App;
+use crate::tui::commands::action::Action;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 

@@ -2,7 +2,7 @@
 
 use super::print;
 use crate::drawing::Glyphs;
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 

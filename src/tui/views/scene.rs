@@ -11,11 +11,11 @@ use super::motion::rule;
 use super::pane::{Copied, List, Need, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::scene::Value;
-use crate::tui::action::{Action, SceneAction};
 use crate::tui::app::{App, Mode};
-use crate::tui::editor::Editor;
-use crate::tui::stage::shown;
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::commands::action::{Action, SceneAction};
+use crate::tui::document::editor::Editor;
+use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 

@@ -3,10 +3,10 @@
 use super::{columns, cut, mark_more, print, print_right};
 use crate::capability::Colours;
 use crate::tui::app::App;
-use crate::tui::figures::Unsure;
-use crate::tui::sheet::{self, Line, Shown};
-use crate::tui::stage::shown;
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::figures::format::Unsure;
+use crate::tui::figures::sheet::{self, Line, Shown};
+use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -61,17 +61,17 @@ pub(super) fn below_title(app: &App, area: Rect) -> Rect {
 
 /// Lines that the title of the tables takes.
 pub(super) fn title_lines(app: &App) -> u16 {
-    u16::from(app.rival().is_some())
+    u16::from(app.compared().is_some())
 }
 
 /// Whether the row has no partner in what is compared with.
 pub(super) fn is_alone(app: &App, line: &Line) -> bool {
-    let Some(rival) = app.rival() else {
+    let Some(compared) = app.compared() else {
         return false;
     };
     match *line {
-        Line::Row(sheet::Part::Vectors, row, _) => !rival.pairing().has_vector(row),
-        Line::Row(sheet::Part::Points, row, _) => !rival.pairing().has_point(row),
+        Line::Row(sheet::Part::Vectors, row, _) => !compared.pairing().has_vector(row),
+        Line::Row(sheet::Part::Points, row, _) => !compared.pairing().has_point(row),
         Line::Blank | Line::Names(..) | Line::Units(..) => false,
     }
 }

@@ -12,12 +12,12 @@ use super::pane::{Copied, List, Pane};
 use super::table::{self, columns_of, render_line};
 use super::{MARGIN, Sketch, columns, first_seen, print};
 use crate::report::upwards;
-use crate::tui::action::{Action, TablesAction};
 use crate::tui::app::App;
-use crate::tui::chosen;
-use crate::tui::cursor::seen;
-use crate::tui::sheet::{FOUND, Line, Part as Rows};
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::commands::action::{Action, TablesAction};
+use crate::tui::figures::cursor::seen;
+use crate::tui::figures::sheet::{FOUND, Line, Part as Rows};
+use crate::tui::views::motion::followed;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -116,10 +116,10 @@ fn mark(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
         return;
     };
     let chosen = *part == Rows::Points && {
-        let points = chosen::moving(app.stage().scene(), *part, *row);
+        let points = followed::moving(app.open_scene().scene(), *part, *row);
         points
             .iter()
-            .any(|(point, _)| app.chosen().contains(*point))
+            .any(|(point, _)| app.followed().contains(*point))
     };
     let key = theme::part(Part::Key);
     if chosen {

@@ -7,9 +7,9 @@
 
 use super::{columns, cut, print, print_right};
 use crate::tui::app::App;
-use crate::tui::figures::coordinate;
-use crate::tui::stage::shown;
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::figures::format::coordinate;
+use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -20,7 +20,7 @@ const TITLE: u16 = 16;
 const LONGEST_NAME: usize = 20;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
-    let title = shown(&app.stage().scene().name, app.glyphs());
+    let title = shown(&app.open_scene().scene().name, app.glyphs());
     let title = if app.is_changed() {
         title + " *"
     } else {
@@ -60,21 +60,21 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// What the scene is held against, behind its title.
 fn against(app: &App) -> String {
-    let Some(rival) = app.rival() else {
+    let Some(compared) = app.compared() else {
         return String::new();
     };
-    let missing = if rival.is_assembled() {
+    let missing = if compared.is_assembled() {
         ""
     } else {
         ": no assembly here"
     };
-    format!(" against {}{missing}", cut(rival.name(), LONGEST_NAME))
+    format!(" against {}{missing}", cut(compared.name(), LONGEST_NAME))
 }
 
 /// The most important first.
 fn settings(app: &App) -> Vec<String> {
-    let (stage, playback) = (app.stage(), app.playback());
-    let sweep = if stage.course().turns() {
+    let (open_scene, playback) = (app.open_scene(), app.playback());
+    let sweep = if open_scene.driver_range().turns() {
         "1 turn"
     } else {
         "1 sweep"
@@ -86,10 +86,10 @@ fn settings(app: &App) -> Vec<String> {
     };
     let step = coordinate(app.steps().size(), 0);
     let mut settings = vec![
-        format!("step {step} {}", stage.unit()),
+        format!("step {step} {}", open_scene.unit()),
         format!("{sweep} in {} s{backwards}", playback.seconds()),
     ];
-    settings.push(match playback.ratio(stage.course()) {
+    settings.push(match playback.ratio(open_scene.driver_range()) {
         None => "the driver stands still".into(),
         Some(ratio) if ratio < 1.0 => format!("1/{} of real time", short(1.0 / ratio)),
         Some(ratio) => format!("{} times real time", short(ratio)),

@@ -8,8 +8,8 @@
 
 mod sequence;
 
-use super::pace::ANSWER;
-use crate::tui::key::Key;
+use super::rate_limit::ANSWER;
+use crate::tui::commands::key::Key;
 use sequence::{control, csi, ss3};
 use std::time::{Duration, Instant};
 

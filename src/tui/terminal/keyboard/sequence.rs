@@ -1,6 +1,6 @@
 //! What the sequences of keys mean.
 
-use crate::tui::key::Key;
+use crate::tui::commands::key::Key;
 
 /// Bits of the modifiers, after one is taken off: Shift, Alt, Ctrl, then others that no terminal is set to
 /// send for a plain key.

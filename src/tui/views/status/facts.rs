@@ -2,13 +2,13 @@
 
 use crate::solver::Condition;
 use crate::tui::Origin;
-use crate::tui::ahead::ahead;
 use crate::tui::app::{App, Mode, Unsaved};
-use crate::tui::figures::coordinate;
-use crate::tui::picker::Purpose;
-use crate::tui::stage::{Stage, shown};
-use crate::tui::theme::Part;
-use crate::tui::writing::{Document, Prompt, Question};
+use crate::tui::appearance::theme::Part;
+use crate::tui::document::writing::{Document, Prompt, Question};
+use crate::tui::figures::format::coordinate;
+use crate::tui::player::next_singularity::ahead;
+use crate::tui::player::open_scene::{OpenScene, shown};
+use crate::tui::views::picker::list::Purpose;
 
 /// More turns than this are told with an exponent.
 const MANY_TURNS: f64 = 1e7;
@@ -43,7 +43,7 @@ pub(super) fn mode(app: &App) -> &'static str {
 }
 
 pub(super) fn scene(app: &App) -> String {
-    let name = match app.stage().origin() {
+    let name = match app.open_scene().origin() {
         Origin::Preset(name) => name.clone(),
         Origin::File(path) => {
             let name = path.file_name().unwrap_or(path.as_os_str());
@@ -56,17 +56,17 @@ pub(super) fn scene(app: &App) -> String {
 }
 
 /// The driver's coordinate: an angle within a turn, and the turns.
-pub(super) fn driver(stage: &Stage) -> String {
-    let (at, unit) = (stage.at(), stage.unit());
-    let course = stage.course();
-    if !course.turns() || course.shuttle().is_some() {
-        let text = coordinate(at, course.decimals());
+pub(super) fn driver(open_scene: &OpenScene) -> String {
+    let (at, unit) = (open_scene.at(), open_scene.unit());
+    let driver_range = open_scene.driver_range();
+    if !driver_range.turns() || driver_range.shuttle().is_some() {
+        let text = coordinate(at, driver_range.decimals());
         return format!("{text:>7} {unit}");
     }
     let turns = (at / crate::angle::TURN).floor();
     // Subtracting whole turns from a decimal leaves digits that nobody asked for.
-    let within = crate::tui::course::rounded(at - turns * crate::angle::TURN, 9);
-    let text = coordinate(within, course.decimals());
+    let within = crate::tui::player::driver_range::rounded(at - turns * crate::angle::TURN, 9);
+    let text = coordinate(within, driver_range.decimals());
     if turns == 0.0 {
         format!("{text:>6} {unit}")
     } else {
@@ -100,20 +100,26 @@ pub(super) fn state(condition: Condition, narrow: bool) -> (&'static str, Part) 
 
 /// Whether there is anything in the motion that the driver can come near to.
 pub(super) fn can_come_near(app: &App) -> bool {
-    let stage = app.stage();
-    stage.course().shuttle().is_some() || !stage.solver().motion().change_points.is_empty()
+    let open_scene = app.open_scene();
+    open_scene.driver_range().shuttle().is_some()
+        || !open_scene.solver().motion().change_points.is_empty()
 }
 
 /// What lies ahead of the driver, where figures exist and something is near.
 pub(super) fn near(app: &App) -> Option<String> {
-    let stage = app.stage();
+    let open_scene = app.open_scene();
     if app.condition() != Condition::Ok {
         return None;
     }
     let backwards = app.playback().is_backwards();
-    let motion = stage.solver().motion();
-    let ahead = ahead(stage.course(), motion, stage.at(), backwards)?;
-    Some(ahead.text(stage.course(), stage.unit()))
+    let motion = open_scene.solver().motion();
+    let ahead = ahead(
+        open_scene.driver_range(),
+        motion,
+        open_scene.at(),
+        backwards,
+    )?;
+    Some(ahead.text(open_scene.driver_range(), open_scene.unit()))
 }
 
 /// How far the figures that are shown can be from the truth, where there is room for it.

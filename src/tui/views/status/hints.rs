@@ -1,10 +1,10 @@
 //! The keys that matter now.
 
 use super::{ROOM_FOR_GAPS, Writer, is_listing};
-use crate::tui::action::{Action, PlotsAction, SceneAction, entry_of};
 use crate::tui::app::{App, Mode};
-use crate::tui::key::Key;
-use crate::tui::survey::Phase;
+use crate::tui::commands::action::{Action, PlotsAction, SceneAction, entry_of};
+use crate::tui::commands::key::Key;
+use crate::tui::views::accuracy::study_run::Phase;
 use crate::tui::views::most_scroll;
 use crate::tui::views::motion::FIT;
 
@@ -39,7 +39,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         line.hint(&Key::Enter.to_string(), "take");
     }
     for &action in offered(app) {
-        if (action == Action::LineDown && !can_scroll) || (action == FIT && app.lens().fits()) {
+        if (action == Action::LineDown && !can_scroll) || (action == FIT && app.viewport().fits()) {
             continue;
         }
         if let Some((key, name)) = hint_of(app, action) {
@@ -77,8 +77,8 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
         Action::Plots(PlotsAction::Choose) => "choose",
         Action::Plots(PlotsAction::Abscissa) => "along x",
-        Action::Look(_) if app.survey().phase() == Phase::Stopped && is_looked_at => "go on",
-        Action::Look(_) if app.survey().phase() == Phase::Done && is_looked_at => "again",
+        Action::Look(_) if app.study_run().phase() == Phase::Stopped && is_looked_at => "go on",
+        Action::Look(_) if app.study_run().phase() == Phase::Done && is_looked_at => "again",
         _ => entry_of(action).name,
     };
     Some((key.to_string(), name))

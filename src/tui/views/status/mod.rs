@@ -14,8 +14,8 @@ mod writer;
 use super::{columns, cut};
 use crate::solver::Condition;
 use crate::tui::app::{App, Mode};
-use crate::tui::stage::shown;
-use crate::tui::theme::Part;
+use crate::tui::appearance::theme::Part;
+use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use writer::Writer;
@@ -49,7 +49,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     line.gap(1);
     let studied = facts::progress(app);
     let is_studied = studied.is_some();
-    let driver = studied.unwrap_or_else(|| facts::driver(app.stage()));
+    let driver = studied.unwrap_or_else(|| facts::driver(app.open_scene()));
     let is_missing = app.condition() != Condition::Ok;
     let (state, part) = match is_studied {
         true => ("", Part::Text),
@@ -79,7 +79,7 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     line.gap(1);
     let studied = facts::progress(app);
     let is_studied = studied.is_some();
-    let driver = studied.unwrap_or_else(|| facts::driver(app.stage()));
+    let driver = studied.unwrap_or_else(|| facts::driver(app.open_scene()));
     let state = match is_studied {
         true => "",
         false => facts::state(app.condition(), narrow).0,

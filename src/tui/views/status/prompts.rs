@@ -3,14 +3,14 @@
 use super::facts::mode;
 use super::{ROOM_FOR_GAPS, Writer};
 use crate::tui::app::{App, Mode, Unsaved};
-use crate::tui::key::Key;
-use crate::tui::line::Line;
-use crate::tui::picker::{Picker, Place};
-use crate::tui::preview::Preview;
-use crate::tui::stage::shown;
-use crate::tui::theme::Part;
+use crate::tui::appearance::theme::Part;
+use crate::tui::commands::key::Key;
+use crate::tui::commands::line::Line;
+use crate::tui::document::writing::Question;
+use crate::tui::player::open_scene::shown;
+use crate::tui::views::picker::list::{Picker, Place};
+use crate::tui::views::picker::preview::Preview;
 use crate::tui::views::{columns, cut};
-use crate::tui::writing::Question;
 
 /// The name of a file that is asked about keeps so many characters.
 const SHORTEST_FILE: u16 = 12;
@@ -36,12 +36,15 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
 
 /// Where a coordinate is typed.
 fn coordinate(app: &App, typed: &Line, line: &mut Writer<'_>) {
-    let what = if app.stage().course().turns() {
+    let what = if app.open_scene().driver_range().turns() {
         "angle"
     } else {
         "position"
     };
-    line.say(&format!(" {what} [{}]: ", app.stage().unit()), Part::Text);
+    line.say(
+        &format!(" {what} [{}]: ", app.open_scene().unit()),
+        Part::Text,
+    );
     line.say(typed.text(), Part::Text);
     line.say(" ", Part::Caret);
     line.gap(3);

@@ -1,8 +1,8 @@
 //! Writing along a line.
 
 use crate::tui::app::App;
-use crate::tui::stage::shown;
-use crate::tui::theme::{self, Part};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::player::open_scene::shown;
 use crate::tui::views::{columns, print};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

@@ -1,0 +1,153 @@
+//! Taking figures and pictures out of the workbench.
+
+use super::super::views::Copied;
+use super::{App, Effect, Mode};
+use crate::quantity::Catalogue;
+use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
+use crate::tui::Origin;
+use crate::tui::commands::action::Action;
+use crate::tui::commands::key::Key;
+use crate::tui::document::writing::{Document, Text};
+use crate::tui::figures::copying::Shown;
+use crate::tui::figures::format::coordinate;
+use crate::tui::terminal::clipboard;
+
+impl App {
+    pub(super) fn take_out(&mut self, action: Action) -> Effect {
+        match action {
+            Action::Copy => return self.copy(),
+            Action::Picture => return Effect::Picture,
+            Action::Svg => self.ask_for_svg(),
+            _ => self.ask_for_csv(),
+        }
+        Effect::Show
+    }
+
+    /// Copies what the view shows; of the tables it asks how much.
+    fn copy(&mut self) -> Effect {
+        if !self.capability.modern {
+            self.message = Some(format!("this terminal has no clipboard{}", self.mend()));
+            return Effect::Show;
+        }
+        match self.view.pane().copy(self) {
+            Copied::Text(text) => return self.send(&text),
+            Copied::Asked => self.mode = Mode::Copy,
+            Copied::Nothing => {
+                self.message = Some("nothing to copy here; the tables have all".into());
+            }
+        }
+        Effect::Show
+    }
+
+    /// Keys that answer how much of the tables is copied; `None` for those that mean the same everywhere.
+    pub(super) fn copy_key(&mut self, key: Key) -> Option<Effect> {
+        let text = match key {
+            Key::Char('v') => self.shown().value(self.cursor),
+            Key::Char('r') => Some(self.shown().row(self.cursor)),
+            Key::Char('t') => Some(self.shown().table(self.cursor.part)),
+            Key::Ctrl(_) | Key::Escape => return None,
+            _ => return Some(Effect::Show),
+        };
+        self.mode = Mode::Normal;
+        if let Some(text) = text {
+            return Some(self.send(&text));
+        }
+        self.message = Some("there is no value to copy".into());
+        Some(Effect::Show)
+    }
+
+    /// The tables as they are seen: figures, or differences.
+    pub(crate) fn shown(&self) -> Shown<'_> {
+        Shown {
+            sheet: self.sheet(),
+            tables: self.tables(),
+            differences: self.compared().is_some(),
+        }
+    }
+
+    /// Sends a text to the clipboard. Nothing tells whether it arrived.
+    fn send(&mut self, text: &str) -> Effect {
+        match clipboard::sequence(text) {
+            Ok(bytes) => {
+                let count = text.len();
+                self.message = Some(format!("sent to the terminal's clipboard: {count} B"));
+                Effect::Send(bytes)
+            }
+            Err(too_large) => {
+                self.message = Some(format!("{too_large}{}", self.mend()));
+                Effect::Show
+            }
+        }
+    }
+
+    /// What to do where nothing can be copied: `: use Y`, which writes a file.
+    fn mend(&self) -> String {
+        let key = self.keymap.key(Action::Csv);
+        key.map_or_else(String::new, |key| format!(": use {key}"))
+    }
+
+    /// Asks where to write the figures as they are now, or what is plotted over the motion.
+    fn ask_for_csv(&mut self) {
+        let text = self.view.pane().csv(self);
+        self.offer_file(text, "the figures", "csv");
+    }
+
+    /// Asks for the name of a file for a text, or says why there is none.
+    fn offer_file(&mut self, text: Result<String, String>, what: &str, ending: &str) {
+        match text {
+            Ok(text) => {
+                let proposal = self.proposal(ending);
+                let what = what.into();
+                self.ask_for_file(Document::Text(Text { what, text }), &proposal);
+            }
+            Err(why) => self.message = Some(why),
+        }
+    }
+
+    /// All figures here, as a sweep of one row has them.
+    pub(crate) fn row_of_sweep(&self) -> Result<String, String> {
+        let (scene, at) = (self.open_scene.scene(), self.open_scene.at());
+        let catalogue = Catalogue::new(scene);
+        let broken = || "no figures can be written here".to_owned();
+        let here = Decimal::of(at).ok_or_else(broken)?;
+        let step = Decimal::of(1.0).ok_or_else(broken)?;
+        let sweep = Sweep {
+            scene,
+            solver: self.open_scene.solver(),
+            columns: &Columns::new(catalogue.driver(), catalogue.all(), true),
+            steps: &Steps::new(here, here, step).map_err(|e| e.to_string())?,
+            format: RowFormat::Csv,
+        };
+        let mut text = Vec::new();
+        let written = sweep.write(&mut text, &mut |_| {});
+        written.map_err(|e| e.to_string())?;
+        String::from_utf8(text).map_err(|e| e.to_string())
+    }
+
+    /// Asks where to write the screen as it was when the key was pressed.
+    pub(crate) fn ask_for_picture(&mut self, text: String) {
+        self.offer_file(Ok(text), "the screen", "txt");
+    }
+
+    /// Asks where to write the drawing, or the plot, as it is seen.
+    fn ask_for_svg(&mut self) {
+        match self.view.pane().svg(self) {
+            Ok((what, text)) => self.offer_file(Ok(text), what, "svg"),
+            Err(why) => self.message = Some(why),
+        }
+    }
+
+    /// The name of a file for what is seen here: `four-bar-60.csv`, or for the whole motion
+    /// `four-bar-plot.csv`.
+    fn proposal(&self, ending: &str) -> String {
+        let stem = match self.open_scene.origin() {
+            Origin::Preset(name) => Some(name.clone()),
+            Origin::File(path) => path.file_stem().map(|s| s.to_string_lossy().into_owned()),
+            Origin::Stdin => None,
+        };
+        let stem = stem.unwrap_or_else(|| "scene".into());
+        let whole = self.view.pane().file_part().filter(|_| ending != "txt");
+        let place = whole.map_or_else(|| coordinate(self.open_scene.at(), 0), str::to_owned);
+        format!("{stem}-{place}.{ending}")
+    }
+}

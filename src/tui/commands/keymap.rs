@@ -1,0 +1,131 @@
+//! Which key asks for what: the table of actions, with the keys that a person has chosen in place of those
+//! that are built in.
+
+use crate::tui::app::View;
+use crate::tui::commands::action::{self, Action, Entry, Place};
+use crate::tui::commands::key::Key;
+
+/// The keys of every action.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Keymap {
+    /// By the rows of the table.
+    keys: Vec<Vec<Key>>,
+}
+
+/// A key that two actions claim where both have their meaning.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clash {
+    pub(crate) key: Key,
+    pub(crate) first: &'static Entry,
+    pub(crate) second: &'static Entry,
+}
+
+impl Default for Keymap {
+    /// The keys that are built in.
+    fn default() -> Self {
+        let keys = action::entries().map(|entry| entry.keys.to_vec());
+        Keymap {
+            keys: keys.collect(),
+        }
+    }
+}
+
+impl Keymap {
+    /// Gives an action these keys and no others.
+    pub(crate) fn set(&mut self, action: Action, keys: Vec<Key>) {
+        let at = action::entries().position(|entry| entry.action == action);
+        if let Some(own) = at.and_then(|at| self.keys.get_mut(at)) {
+            *own = keys;
+        }
+    }
+
+    /// The action of a key in a view.
+    pub(crate) fn action(&self, key: Key, view: View) -> Option<Action> {
+        self.rows()
+            .find(|(entry, keys)| entry.place.covers(view) && keys.contains(&key))
+            .map(|(entry, _)| entry.action)
+    }
+
+    /// The keys of an action; none where a person took them away.
+    pub(crate) fn keys(&self, action: Action) -> &[Key] {
+        let row = self.rows().find(|(entry, _)| entry.action == action);
+        row.map_or(&[], |(_, keys)| keys)
+    }
+
+    /// The key by which an action is told, if it has one.
+    pub(crate) fn key(&self, action: Action) -> Option<Key> {
+        self.keys(action).first().copied()
+    }
+
+    /// The same as messages name it, also where a person took it away.
+    pub(crate) fn told(&self, action: Action) -> String {
+        self.key(action)
+            .map_or_else(|| "(no key)".into(), |key| key.to_string())
+    }
+
+    /// Every row of the table with its keys.
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'static Entry, &[Key])> {
+        action::entries().zip(self.keys.iter().map(Vec::as_slice))
+    }
+
+    /// The keys with two meanings in one place, in the order of the table.
+    pub(crate) fn clashes(&self) -> impl Iterator<Item = Clash> {
+        let rows: Vec<_> = self.rows().collect();
+        let claims = |&(entry, keys): &(&'static Entry, &[Key])| {
+            let keys: Vec<Key> = keys.to_vec();
+            keys.into_iter().map(move |key| (key, entry))
+        };
+        let claims: Vec<(Key, &'static Entry)> = rows.iter().flat_map(claims).collect();
+        let mut found = Vec::new();
+        for (n, &(key, second)) in claims.iter().enumerate() {
+            let meets = |place: Place| place.meets(second.place);
+            let earlier = claims[..n]
+                .iter()
+                .find(|(k, e)| *k == key && meets(e.place));
+            if let Some(&(key, first)) = earlier {
+                found.push(Clash { key, first, second });
+            }
+        }
+        found.into_iter()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_built_in_key_has_two_meanings_in_one_place() {
+        let keymap = Keymap::default();
+        assert_eq!(keymap.clashes().count(), 0, "{:?}", keymap.clashes().next());
+        for entry in action::entries() {
+            let view = match entry.place {
+                Place::Everywhere => View::Motion,
+                Place::In(view) => view,
+            };
+            let meant = keymap.action(entry.keys[0], view);
+            assert_eq!(meant, Some(entry.action), "{}", entry.name);
+        }
+    }
+
+    #[test]
+    fn a_key_that_was_given_away_means_the_other_thing() {
+        let mut keymap = Keymap::default();
+        keymap.set(Action::Play, vec![Key::Function(5)]);
+        let meant = |key| keymap.action(key, View::Motion);
+        assert_eq!(meant(Key::Function(5)), Some(Action::Play));
+        assert_eq!(meant(Key::Char(' ')), None);
+        assert_eq!(keymap.key(Action::Play), Some(Key::Function(5)));
+    }
+
+    #[test]
+    fn a_key_clashes_only_where_both_actions_are() {
+        let mut keymap = Keymap::default();
+        keymap.set(Action::Save, vec![Key::Char('m')]);
+        let clash = keymap.clashes().next().unwrap();
+        assert_eq!((clash.key, clash.first.name), (Key::Char('m'), "extrema"));
+        assert_eq!(keymap.clashes().count(), 1);
+        keymap.set(Action::Save, vec![Key::Char('w'), Key::Char('w')]);
+        assert_eq!(keymap.clashes().count(), 1, "twice in one list");
+    }
+}

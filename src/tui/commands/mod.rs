@@ -1,0 +1,6 @@
+//! What can be asked of the workbench, by which key, and lines that are typed.
+
+pub(crate) mod action;
+pub(crate) mod key;
+pub(crate) mod keymap;
+pub(crate) mod line;

@@ -1,0 +1,183 @@
+//! What is done to files, apart from the screen: a disk that hangs keeps no key waiting.
+//!
+//! A job is done by a thread, one after the other; what follows from it comes back as something to do to the
+//! workbench. Whoever gives a job waits a moment for it, so that on a disk as they are nothing is ever half
+//! done between two keys; on one that hangs everything else goes on. Without a thread, as tests have it, a
+//! job is done where it is given.
+
+use crate::tui::app::App;
+use rustix::io::{Errno, read, write};
+use std::collections::VecDeque;
+use std::fmt;
+use std::io::{self, Error};
+use std::os::fd::{AsFd, BorrowedFd};
+use std::os::unix::net::UnixStream;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// What follows from a job.
+pub(crate) type Then = Box<dyn FnOnce(&mut App, Duration) + Send>;
+/// What is done apart from the screen.
+type Job = Box<dyn FnOnce() -> Then + Send>;
+
+/// How long a job is waited for: too short to be felt, and long enough for a disk that does not hang.
+const GRACE: Duration = Duration::from_millis(60);
+/// How long leaving waits for what is still being written.
+const FAREWELL: Duration = Duration::from_secs(1);
+
+/// Does jobs, here or apart.
+#[derive(Default)]
+pub(crate) struct Clerk {
+    desk: Option<Desk>,
+    /// What was done here.
+    done: VecDeque<Then>,
+}
+
+/// Where jobs are done apart.
+struct Desk {
+    jobs: Sender<Job>,
+    done: Receiver<Then>,
+    /// Rings when a job is done.
+    bell: UnixStream,
+    /// Jobs that are not done yet, and until when they are waited for.
+    open: usize,
+    patience: Instant,
+}
+
+impl Clerk {
+    /// With a thread of its own.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub(crate) fn apart() -> io::Result<Clerk> {
+        let (bell, rope) = UnixStream::pair()?;
+        bell.set_nonblocking(true)?;
+        rope.set_nonblocking(true)?;
+        let (jobs, given) = channel::<Job>();
+        let (finished, done) = channel();
+        let work = move || {
+            for job in given {
+                let then = catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|_| broken());
+                // A bell that is full rings already; whoever has left wants to know of nothing more.
+                let rung = |then| finished.send(then).is_ok() && rings(write(&rope, &[1]));
+                if !rung(then) {
+                    return;
+                }
+            }
+        };
+        thread::Builder::new().name("files".into()).spawn(work)?;
+        Ok(Clerk {
+            desk: Some(Desk {
+                jobs,
+                done,
+                bell,
+                open: 0,
+                patience: Instant::now(),
+            }),
+            done: VecDeque::new(),
+        })
+    }
+
+    /// Gives a job.
+    pub(crate) fn give(&mut self, job: impl FnOnce() -> Then + Send + 'static) {
+        let Some(desk) = &mut self.desk else {
+            self.done.push_back(job());
+            return;
+        };
+        // One that hangs is not waited for again with every key.
+        if desk.open == 0 {
+            desk.patience = Instant::now() + GRACE;
+        }
+        match desk.jobs.send(Box::new(job)) {
+            Ok(()) => desk.open += 1,
+            Err(unsent) => self.done.push_back((unsent.0)()),
+        }
+    }
+
+    /// What follows from the next job that was done, waited for a moment.
+    pub(crate) fn next(&mut self) -> Option<Then> {
+        if let Some(then) = self.done.pop_front() {
+            return Some(then);
+        }
+        let desk = self.desk.as_mut().filter(|desk| desk.open > 0)?;
+        let patience = desk.patience.saturating_duration_since(Instant::now());
+        desk.take(patience)
+    }
+
+    /// The bell was heard. What it told of is there before it rings.
+    pub(crate) fn hush(&self) {
+        if let Some(desk) = &self.desk {
+            let _ = read(&desk.bell, &mut [0; 64]);
+        }
+    }
+
+    /// Readable when a job is done.
+    pub(crate) fn bell(&self) -> Option<BorrowedFd<'_>> {
+        self.desk.as_ref().map(|desk| desk.bell.as_fd())
+    }
+}
+
+impl Desk {
+    fn take(&mut self, patience: Duration) -> Option<Then> {
+        let then = self.done.recv_timeout(patience).ok()?;
+        self.open -= 1;
+        Some(then)
+    }
+}
+
+impl Drop for Clerk {
+    /// What was asked for before leaving is done, if that is not for ever.
+    fn drop(&mut self) {
+        let end = Instant::now() + FAREWELL;
+        while let Some(desk) = self.desk.as_mut().filter(|desk| desk.open > 0) {
+            if desk
+                .take(end.saturating_duration_since(Instant::now()))
+                .is_none()
+            {
+                return;
+            }
+        }
+    }
+}
+
+impl fmt::Debug for Clerk {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let open = self.desk.as_ref().map(|desk| desk.open);
+        f.debug_struct("Clerk").field("open", &open).finish()
+    }
+}
+
+fn rings(written: Result<usize, Errno>) -> bool {
+    matches!(written, Ok(_) | Err(Errno::AGAIN | Errno::INTR))
+}
+
+/// What follows from a job that panicked: the rest goes on.
+fn broken() -> Then {
+    Box::new(|app, _| app.fail(&Error::other("krank is broken there")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    /// The bell takes some hundred rings before it is full; nobody hears it while a line is stalled.
+    #[test]
+    fn jobs_are_done_whether_or_not_somebody_hears_the_bell() {
+        const JOBS: usize = 2000;
+        let done = Arc::new(AtomicUsize::new(0));
+        let mut clerk = Clerk::apart().unwrap();
+        for _ in 0..JOBS {
+            let done = Arc::clone(&done);
+            clerk.give(move || {
+                done.fetch_add(1, Ordering::Relaxed);
+                Box::new(|_, _| {})
+            });
+        }
+        drop(clerk);
+        assert_eq!(done.load(Ordering::Relaxed), JOBS);
+    }
+}

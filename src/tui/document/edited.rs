@@ -1,0 +1,269 @@
+//! What becomes of the linkage when the text of its scene is changed.
+//!
+//! The assembly that is shown stays. Where the changed text would open in another one, or does not say in
+//! which, its `[start]` is brought up to date as a part of the change: then the text always opens in the
+//! assembly that is seen, after it is saved, taken back or recovered too.
+
+use crate::scene::{Scene, figure};
+use crate::solver::{Condition, Fault, Order, Solver};
+use crate::tui::Opened;
+use crate::tui::document::opening::first_words;
+use crate::tui::player::open_scene::OpenScene;
+
+/// The scene after a change.
+#[derive(Debug)]
+pub(crate) struct Edited {
+    pub(crate) opened: Opened,
+    /// Whether `[start]` was brought up to date.
+    pub(crate) started: bool,
+}
+
+/// Opens the changed text in the assembly that is shown; in words why that cannot be.
+pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<Edited, String> {
+    let scene = parsed(open_scene, text)?;
+    let plain = Solver::new(&scene.mechanism);
+    let shown = open_scene.solver();
+    let at = seen_at(open_scene, &scene);
+    if let Ok(solver) = &plain
+        && shown.has_sides_of(at, solver)
+    {
+        let solver = solver.clone();
+        return Ok(edited(open_scene, scene, solver, false));
+    }
+    let kept = shown.carried_over(at, &scene.mechanism);
+    let kept = kept.map_err(|fault| match &plain {
+        Ok(_) => format!("this assembly {}", words(&scene, &fault)),
+        Err(fault) => words(&scene, fault),
+    })?;
+    if let Ok(solver) = plain
+        && agree(&scene, &kept, &solver)
+    {
+        return Ok(edited(open_scene, scene, solver, false));
+    }
+    let text = scene.with_start_of(&kept, scene.mechanism.driver().start);
+    let text = text.ok_or("no [start] could tell this assembly from the others")?;
+    let edited = reopened(open_scene, &text)?;
+    Ok(Edited {
+        started: true,
+        ..edited
+    })
+}
+
+/// Opens a text in the assembly that it says.
+pub(crate) fn reopened(open_scene: &OpenScene, text: &str) -> Result<Edited, String> {
+    let scene = parsed(open_scene, text)?;
+    match Solver::new(&scene.mechanism) {
+        Ok(solver) => Ok(edited(open_scene, scene, solver, false)),
+        Err(fault) => Err(words(&scene, &fault)),
+    }
+}
+
+/// Whether the text opens in the assembly that is shown: not where the command line chose another.
+pub(crate) fn says_what_is_shown(open_scene: &OpenScene) -> bool {
+    let scene = open_scene.scene();
+    let plain = Solver::new(&scene.mechanism);
+    plain.is_ok_and(|plain| agree(scene, open_scene.solver(), &plain))
+}
+
+fn edited(open_scene: &OpenScene, scene: Scene, solver: Solver, started: bool) -> Edited {
+    let origin = open_scene.origin().clone();
+    let opened = Opened {
+        scene,
+        solver,
+        origin,
+    };
+    Edited { opened, started }
+}
+
+fn parsed(open_scene: &OpenScene, text: &str) -> Result<Scene, String> {
+    Scene::parse(text, open_scene.scene().origin()).map_err(|faults| first_words(&faults))
+}
+
+/// Where to look for the assembly that is shown: where the changed scene opens, if it gets there, else
+/// where it opened so far.
+fn seen_at(open_scene: &OpenScene, changed: &Scene) -> f64 {
+    let mut state = open_scene.solver().state();
+    let mut reaches =
+        |at| open_scene.solver().solve(at, Order::Position, &mut state) != Condition::NoAssembly;
+    let openings = [changed, open_scene.scene()].map(|s| s.mechanism.driver().start);
+    openings
+        .into_iter()
+        .find(|&at| reaches(at))
+        .unwrap_or(open_scene.at())
+}
+
+/// Whether two solvers of a scene are in the same assembly where it opens.
+fn agree(scene: &Scene, one: &Solver, other: &Solver) -> bool {
+    let at = scene.mechanism.driver().start;
+    let (mut here, mut there) = (one.state(), other.state());
+    let closes = [
+        one.solve(at, Order::Position, &mut here),
+        other.solve(at, Order::Position, &mut there),
+    ];
+    !closes.contains(&Condition::NoAssembly) && scene.agree(&here, &there)
+}
+
+/// What hinders it, in as few words as a line has room for.
+fn words(scene: &Scene, fault: &Fault) -> String {
+    match fault {
+        Fault::Open { point, gap, .. } => {
+            let name = scene.point_name(*point).unwrap_or("a joint");
+            let (gap, unit) = (figure(*gap), scene.unit.symbol());
+            format!("{name} out of reach by {gap} {unit}")
+        }
+        Fault::Mobility { .. }
+        | Fault::OverConstrained { .. }
+        | Fault::Vague { .. }
+        | Fault::ChangePoint { .. }
+        | Fault::NoChoice { .. }
+        | Fault::NotAssembled { .. }
+        | Fault::Singular { .. } => first_words(&scene.explain(fault)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Vec2;
+    use crate::scene::{Measure, presets};
+    use crate::tui::document::opening;
+
+    fn places(scene: &Scene, solver: &Solver) -> Vec<Vec2> {
+        let mut state = solver.state();
+        let at = scene.mechanism.driver().start;
+        assert_ne!(
+            solver.solve(at, Order::Position, &mut state),
+            Condition::NoAssembly
+        );
+        let points = scene.mechanism.point_ids();
+        points.map(|point| state.position(point).unwrap()).collect()
+    }
+
+    /// A length that is a ten-thousandth longer moves no point far: in another assembly some would be
+    /// elsewhere. The text that comes of it opens there too.
+    #[test]
+    fn small_edits_of_any_preset_keep_its_assembly() {
+        let mut kept = 0;
+        for preset in presets::all() {
+            let open_scene = OpenScene::new(opening::preset(preset).unwrap());
+            let before = places(open_scene.scene(), open_scene.solver());
+            let size = before.iter().map(|p| p.norm()).fold(0.0, f64::max);
+            let values = open_scene.scene().values();
+            for value in values.iter().filter(|v| v.measure == Measure::Length) {
+                let text = value.moved(value.number * 1e-4);
+                let text = open_scene.scene().with_value(value, &text);
+                // Redundant linkages close with the lengths that they have, and no others.
+                let Ok(edited) = keeping(&open_scene, &text) else {
+                    continue;
+                };
+                kept += 1;
+                let Opened { scene, solver, .. } = &edited.opened;
+                let name = format!("{}: {}", preset.name, value.name);
+                let far = |after: &[Vec2]| {
+                    let pairs = before.iter().zip(after);
+                    pairs.map(|(a, b)| (*a - *b).norm()).fold(0.0, f64::max)
+                };
+                let moved = far(&places(scene, solver));
+                assert!(moved < 0.05 * size, "{name} moves {moved} of {size}");
+                let again = reopened(&open_scene, scene.text()).unwrap().opened;
+                let moved = far(&places(&again.scene, &again.solver));
+                assert!(
+                    moved < 0.05 * size,
+                    "{name} reopened moves {moved} of {size}"
+                );
+            }
+        }
+        assert!(kept > 50, "{kept}");
+    }
+}
+
+#[cfg(test)]
+mod nudges {
+    use super::*;
+    use crate::scene::{Measure, Value, presets};
+    use crate::tui::Origin;
+
+    fn open_scene(text: &str) -> OpenScene {
+        let scene = Scene::parse(text, "test").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        OpenScene::new(Opened {
+            scene,
+            solver,
+            origin: Origin::Preset("test".into()),
+        })
+    }
+
+    /// A small step for a value.
+    fn nudge(value: &Value, size: f64) -> f64 {
+        let own = if value.number == 0.0 {
+            size
+        } else {
+            value.number
+        };
+        match value.measure {
+            Measure::Angle => 1.0,
+            // A decimal of one digit always is a number.
+            _ => format!("{:.0e}", own * 1e-3).parse().unwrap(),
+        }
+    }
+
+    /// How far any point is moved, for the size of the linkage, at most, over the motion.
+    fn farthest(one: &OpenScene, other: &Solver) -> f64 {
+        let (low, high) = one.solver().motion().range.ends();
+        let size = one.reach().bounds().size().norm();
+        let (mut here, mut there) = (one.solver().state(), other.state());
+        let mut most = 0.0_f64;
+        for k in 0..8 {
+            let at = low + (high - low) * (f64::from(k) + 0.37) / 8.0;
+            let closes = [
+                one.solver().solve(at, Order::Position, &mut here),
+                other.solve(at, Order::Position, &mut there),
+            ];
+            if closes.contains(&Condition::NoAssembly) {
+                continue;
+            }
+            for point in one.scene().mechanism.point_ids() {
+                let moved = (here.position(point).unwrap() - there.position(point).unwrap()).norm();
+                most = most.max(moved / size);
+            }
+        }
+        most
+    }
+
+    /// Every length, coordinate and angle of every preset, nudged both ways: where nothing is near a change
+    /// point, all points move little, anywhere in the motion, and the text opens as it is shown.
+    #[test]
+    fn small_nudges_move_everything_little() {
+        for preset in presets::all() {
+            let first = open_scene(preset.text);
+            if !first.solver().motion().change_points.is_empty() {
+                continue;
+            }
+            let size = first.reach().bounds().size().norm();
+            for value in first.scene().values() {
+                if !matches!(
+                    value.measure,
+                    Measure::Length | Measure::Coordinate | Measure::Angle
+                ) {
+                    continue;
+                }
+                for sense in [1.0, -1.0] {
+                    let text = value.moved(sense * nudge(&value, size));
+                    let text = first.scene().with_value(&value, &text);
+                    let Ok(edited) = keeping(&first, &text) else {
+                        continue;
+                    };
+                    let named = format!("{} {} {sense}", preset.name, value.name);
+                    let moved = farthest(&first, &edited.opened.solver);
+                    assert!(moved < MOST_MOVED, "{named}: {moved}");
+                    let again = open_scene(edited.opened.scene.text());
+                    let same = agree(again.scene(), &edited.opened.solver, again.solver());
+                    assert!(same, "{named}");
+                }
+            }
+        }
+    }
+
+    /// Of the size of the linkage; another assembly would be farther off.
+    const MOST_MOVED: f64 = 0.1;
+}

@@ -1,0 +1,379 @@
+//! The values of the open scene as they are edited: which one the cursor is on, by how much a key moves
+//! it, and which differ from the file.
+
+use crate::scene::{Measure, Scene, Value};
+use crate::tui::document::history::History;
+use std::collections::HashMap;
+
+/// A step by which a value is moved: 1, 2 or 5 times a power of ten, in the value's own unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Notch {
+    digit: u8,
+    exponent: i32,
+}
+
+/// Beyond these powers of ten a step moves nothing that can be built.
+const FINEST: i32 = -12;
+const COARSEST: i32 = 12;
+/// A value is moved by about this part of it.
+const PART: f64 = 0.01;
+/// An angle is moved by whole degrees, whatever it is.
+const DEGREE: Notch = Notch {
+    digit: 1,
+    exponent: 0,
+};
+
+impl Notch {
+    /// The step next below a size.
+    fn below(size: f64) -> Notch {
+        let exponent = size.log10().floor();
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "between two small integers"
+        )]
+        let exponent = exponent.clamp(f64::from(FINEST), f64::from(COARSEST)) as i32;
+        // A size that is a step already is not missed by rounding.
+        let lead = size / 10.0_f64.powi(exponent) * (1.0 + 1e-9);
+        let digit = [5, 2].into_iter().find(|&d| lead >= f64::from(d));
+        Notch {
+            digit: digit.unwrap_or(1),
+            exponent,
+        }
+    }
+
+    /// The step, as the decimal says it.
+    pub(crate) fn size(self) -> f64 {
+        // A digit and a small exponent are always a number.
+        self.to_string().parse().unwrap_or(1.0)
+    }
+
+    fn finer(self) -> Notch {
+        let (digit, exponent) = match self.digit {
+            5 => (2, self.exponent),
+            2 => (1, self.exponent),
+            _ => (5, self.exponent - 1),
+        };
+        if exponent < FINEST {
+            return self;
+        }
+        Notch { digit, exponent }
+    }
+
+    fn coarser(self) -> Notch {
+        let (digit, exponent) = match self.digit {
+            1 => (2, self.exponent),
+            2 => (5, self.exponent),
+            _ => (1, self.exponent + 1),
+        };
+        if exponent > COARSEST {
+            return self;
+        }
+        Notch { digit, exponent }
+    }
+}
+
+impl std::fmt::Display for Notch {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let exponent = usize::try_from(self.exponent.unsigned_abs()).unwrap_or(0);
+        let digit = self.digit;
+        match self.exponent {
+            0..=3 => write!(f, "{digit}{}", "0".repeat(exponent)),
+            -4..0 => write!(f, "0.{}{digit}", "0".repeat(exponent - 1)),
+            _ => write!(f, "{digit}e{}", self.exponent),
+        }
+    }
+}
+
+/// The scene as the file has it, what was changed, and where in the list of values the person is.
+#[derive(Debug)]
+pub(crate) struct Editor {
+    /// The text as it was opened or saved last.
+    saved: String,
+    /// Its values by their names.
+    filed: HashMap<String, Value>,
+    /// The values of the scene that is shown.
+    values: Vec<Value>,
+    /// The row under the cursor.
+    cursor: usize,
+    /// The step that fits the value under the cursor, as it was when the cursor came to it.
+    fitting: Notch,
+    /// Steps that the person has chosen, each for all values that measure the same.
+    chosen: Vec<(Measure, Notch)>,
+    pub(crate) history: History,
+}
+
+impl Editor {
+    /// Nothing is changed in a scene that has just been opened.
+    pub(crate) fn new(scene: &Scene) -> Editor {
+        Editor {
+            saved: scene.text().to_owned(),
+            filed: HashMap::new(),
+            values: Vec::new(),
+            cursor: 0,
+            fitting: DEGREE,
+            chosen: Vec::new(),
+            history: History::default(),
+        }
+    }
+
+    /// The file holds this text now.
+    pub(crate) fn filed(&mut self, text: &str) {
+        text.clone_into(&mut self.saved);
+        self.filed.clear();
+    }
+
+    /// The text that the file holds.
+    pub(crate) fn saved(&self) -> &str {
+        &self.saved
+    }
+
+    /// Whether the scene that is shown is not the one in the file.
+    pub(crate) fn is_changed(&self, scene: &Scene) -> bool {
+        scene.text() != self.saved
+    }
+
+    /// Lists the values of the scene that is shown.
+    pub(crate) fn list(&mut self, scene: &Scene) {
+        let before = self.value().map(|v| v.name.clone());
+        self.values = scene.values();
+        if self.filed.is_empty() {
+            let filed = match self.is_changed(scene) {
+                true => Scene::parse(&self.saved, scene.origin()).map(|scene| scene.values()),
+                false => Ok(self.values.clone()),
+            };
+            let filed = filed.unwrap_or_default().into_iter();
+            self.filed = filed.map(|value| (value.name.clone(), value)).collect();
+        }
+        // Rows may have come or gone above the cursor: it stays with its value.
+        let same = before.and_then(|name| self.values.iter().position(|v| v.name == name));
+        match same {
+            Some(row) => self.cursor = row,
+            None => self.go(self.cursor.min(self.values.len().saturating_sub(1))),
+        }
+    }
+
+    pub(crate) fn values(&self) -> &[Value] {
+        &self.values
+    }
+
+    pub(crate) fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// The value under the cursor.
+    pub(crate) fn value(&self) -> Option<&Value> {
+        self.values.get(self.cursor)
+    }
+
+    /// The value as the file has it, where that is another.
+    pub(crate) fn in_file(&self, value: &Value) -> Option<&Value> {
+        let filed = self.filed.get(&value.name)?;
+        (filed.literal != value.literal || filed.unit != value.unit).then_some(filed)
+    }
+
+    /// Whether the file has no such value.
+    pub(crate) fn is_new(&self, value: &Value) -> bool {
+        !self.filed.contains_key(&value.name)
+    }
+
+    /// How many values differ from the file.
+    pub(crate) fn changes(&self) -> usize {
+        let changed = |v: &&Value| self.in_file(v).is_some() || self.is_new(v);
+        self.values.iter().filter(changed).count()
+    }
+
+    /// What to write for a value: as the file has it, where the number is the same.
+    pub(crate) fn as_filed(&self, value: &Value, text: String) -> String {
+        let number = |text: &str| {
+            let number = text.split(' ').next().unwrap_or(text);
+            let unit = text.strip_prefix(number).map(str::trim);
+            (
+                number.replace('_', "").parse::<f64>().ok(),
+                unit.map(str::to_owned),
+            )
+        };
+        let filed = self.filed.get(&value.name).map(Value::text);
+        let same =
+            filed.filter(|filed| number(filed).0.is_some() && number(filed) == number(&text));
+        same.unwrap_or(text)
+    }
+
+    /// Moves the cursor by rows, within the list.
+    pub(crate) fn move_by(&mut self, rows: isize) {
+        let last = self.values.len().saturating_sub(1);
+        let to = self.cursor.saturating_add_signed(rows).min(last);
+        if to != self.cursor {
+            self.go(to);
+        }
+    }
+
+    /// Puts the cursor on a row.
+    pub(crate) fn go_to(&mut self, row: usize) {
+        let last = self.values.len().saturating_sub(1);
+        if row.min(last) != self.cursor {
+            self.go(row.min(last));
+        }
+    }
+
+    fn go(&mut self, row: usize) {
+        self.cursor = row;
+        self.history.part();
+        self.fit();
+    }
+
+    /// Moves the cursor to the next value whose name has `text` in it, from the present one on, or from
+    /// the one behind it. False if there is none.
+    pub(crate) fn seek(&mut self, text: &str, behind: bool) -> bool {
+        let sought = text.to_ascii_lowercase();
+        let count = self.values.len();
+        let rows = (0..count).map(|i| (self.cursor + i + usize::from(behind)) % count);
+        let mut found = rows.filter(|&row| {
+            let name = self.values[row].name.to_ascii_lowercase();
+            name.contains(&sought)
+        });
+        let Some(row) = found.next() else {
+            return false;
+        };
+        if row != self.cursor {
+            self.go(row);
+        }
+        true
+    }
+
+    /// Need the step that fits the value under the cursor.
+    pub(crate) fn fit(&mut self) {
+        let Some(value) = self.value() else { return };
+        let own = value.number.abs();
+        let size = if own > 0.0 {
+            own
+        } else {
+            // Of a coordinate that is nothing: by what others of the kind are.
+            let others = self
+                .values
+                .iter()
+                .filter(|v| is_alike(v.measure, value.measure));
+            others.map(|v| v.number.abs()).fold(0.0, f64::max)
+        };
+        self.fitting = match value.measure {
+            Measure::Angle => DEGREE,
+            _ if size > 0.0 => Notch::below(PART * size),
+            _ => Notch::below(1.0),
+        };
+    }
+
+    /// By how much a key moves the value under the cursor.
+    pub(crate) fn notch(&self) -> Notch {
+        let chosen = |value: &Value| {
+            let mut chosen = self.chosen.iter();
+            chosen.find(|(measure, _)| *measure == value.measure)
+        };
+        let chosen = self.value().and_then(chosen);
+        chosen.map_or(self.fitting, |(_, notch)| *notch)
+    }
+
+    /// Moves values by less from now on.
+    pub(crate) fn finer(&mut self) {
+        self.choose(self.notch().finer());
+    }
+
+    /// Moves values by more from now on.
+    pub(crate) fn coarser(&mut self) {
+        self.choose(self.notch().coarser());
+    }
+
+    fn choose(&mut self, notch: Notch) {
+        let Some(measure) = self.value().map(|v| v.measure) else {
+            return;
+        };
+        self.chosen.retain(|(of, _)| *of != measure);
+        self.chosen.push((measure, notch));
+    }
+}
+
+/// Whether two values are of a kind: all that are measured in the scene's unit are.
+fn is_alike(one: Measure, other: Measure) -> bool {
+    let in_length = |m| matches!(m, Measure::Length | Measure::Coordinate | Measure::Start);
+    one == other || (in_length(one) && in_length(other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    fn editor(name: &str) -> (Scene, Editor) {
+        let preset = presets::find(name).unwrap();
+        let scene = Scene::parse(preset.text, name).unwrap();
+        let mut editor = Editor::new(&scene);
+        editor.list(&scene);
+        editor.fit();
+        (scene, editor)
+    }
+
+    #[test]
+    fn steps_are_round_and_fit_the_value() {
+        for (size, text) in [
+            (100.0, "1"),
+            (250.0, "2"),
+            (7.0, "0.05"),
+            (0.03, "0.0002"),
+            (1e-9, "1e-11"),
+            (5e6, "5e4"),
+            (1e300, "5e12"),
+        ] {
+            let notch = Notch::below(PART * size);
+            assert_eq!(notch.to_string(), text);
+            assert_eq!(notch.size(), text.parse::<f64>().unwrap());
+        }
+        let mut notch = Notch::below(1.0);
+        let coarser: Vec<String> = (0..5)
+            .map(|_| {
+                notch = notch.coarser();
+                notch.to_string()
+            })
+            .collect();
+        assert_eq!(coarser, ["2", "5", "10", "20", "50"]);
+        for _ in 0..5 {
+            notch = notch.finer();
+        }
+        assert_eq!(notch, Notch::below(1.0));
+        for _ in 0..100 {
+            notch = notch.finer();
+        }
+        assert!(notch.size() > 0.0);
+    }
+
+    #[test]
+    fn what_is_nothing_moves_by_what_others_are() {
+        let (_, editor) = editor("four-bar");
+        assert_eq!(editor.value().unwrap().name, "A x");
+        assert_eq!(editor.notch().to_string(), "2");
+    }
+
+    #[test]
+    fn a_step_that_was_chosen_stays_for_its_kind() {
+        let (_, mut editor) = editor("four-bar");
+        assert!(editor.seek("r2 length", false));
+        assert_eq!(editor.notch().to_string(), "1");
+        editor.finer();
+        assert!(editor.seek("r3 LEN", false));
+        assert_eq!(editor.notch().to_string(), "0.5");
+        assert!(editor.seek("driver angle", false));
+        assert_eq!(editor.notch(), DEGREE);
+        assert!(!editor.seek("nowhere", false));
+        assert_eq!(editor.value().unwrap().name, "driver angle");
+    }
+
+    #[test]
+    fn a_number_of_the_file_is_written_as_it_stands_there() {
+        let (scene, mut editor) = editor("excavator-boom");
+        assert!(editor.seek("driver position", false));
+        let value = editor.value().unwrap().clone();
+        assert_eq!(value.literal, "2.0");
+        let mut moved = value.clone();
+        moved.number = 2.02;
+        assert_eq!(moved.moved(-0.02), "2");
+        let text = editor.as_filed(&value, moved.moved(-0.02));
+        assert_eq!(scene.with_value(&value, &text), scene.text());
+    }
+}

@@ -1,0 +1,82 @@
+//! Opening scenes from inside the workbench: what is wrong with one is said in a line.
+
+use crate::files::read_file;
+use crate::scene::presets::Preset;
+use crate::scene::{Diagnostics, LARGEST_FILE, Scene};
+use crate::solver::Solver;
+use crate::tui::{Opened, Origin};
+use std::path::Path;
+
+/// Why a file cannot be opened.
+#[derive(Debug)]
+pub(crate) enum Unopened {
+    /// It cannot be read; in words why.
+    Unread(String),
+    /// What it holds is no scene.
+    Wrong(Diagnostics),
+}
+
+impl Unopened {
+    /// What is wrong, or wrong first.
+    pub(crate) fn first_words(self) -> String {
+        match self {
+            Unopened::Unread(why) => format!("cannot be read: {why}"),
+            Unopened::Wrong(diagnostics) => first_words(&diagnostics),
+        }
+    }
+}
+
+/// Opens a preset; in words what is wrong with it, which a test keeps from happening.
+pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
+    let origin = Origin::Preset(preset.name.to_owned());
+    let fault = |d| {
+        format!(
+            "the preset {} cannot be opened: {}",
+            preset.name,
+            first_words(&d)
+        )
+    };
+    text(preset.text, origin).map_err(fault)
+}
+
+/// Opens a file, or says all that is wrong with it.
+pub(crate) fn scene_of(path: &Path) -> Result<Opened, Unopened> {
+    let bytes = read_file(path, LARGEST_FILE).map_err(|e| Unopened::Unread(e.to_string()))?;
+    let scene = Scene::read(&bytes, &path.display().to_string());
+    let (scene, solver) = scene.and_then(assembled).map_err(Unopened::Wrong)?;
+    let origin = Origin::File(path.to_owned());
+    Ok(Opened {
+        scene,
+        solver,
+        origin,
+    })
+}
+
+/// Opens a text that comes from somewhere.
+pub(crate) fn text(text: &str, origin: Origin) -> Result<Opened, Diagnostics> {
+    let name = match &origin {
+        Origin::Preset(name) => name.clone(),
+        Origin::File(path) => path.display().to_string(),
+        Origin::Stdin => "stdin".into(),
+    };
+    let (scene, solver) = Scene::parse(text, &name).and_then(assembled)?;
+    Ok(Opened {
+        scene,
+        solver,
+        origin,
+    })
+}
+
+/// The scene with its solver.
+pub(crate) fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
+    match Solver::new(&scene.mechanism) {
+        Ok(solver) => Ok((scene, solver)),
+        Err(fault) => Err(scene.explain(&fault)),
+    }
+}
+
+/// What a message begins with.
+pub(crate) fn first_words(diagnostics: &Diagnostics) -> String {
+    let first = diagnostics.items.first();
+    first.map_or_else(String::new, |item| item.message.clone())
+}

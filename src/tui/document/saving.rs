@@ -1,0 +1,172 @@
+//! A text on its way to a file.
+
+use crate::files::{Saving, Trouble, save};
+use crate::scene::LARGEST_FILE;
+use crate::tui::document::disk::{BYTE_ORDER_MARK, unmarked};
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// What a person has said about the file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Leave {
+    /// What it holds may go.
+    pub(crate) over: bool,
+    /// It is meant although it is read-only.
+    pub(crate) read_only: bool,
+}
+
+/// A text that is to become what a file holds.
+#[derive(Clone, Debug)]
+pub(crate) struct Errand {
+    pub(crate) text: String,
+    pub(crate) to: PathBuf,
+    /// What the file is thought to hold, where it is the scene's own.
+    pub(crate) own: Option<String>,
+    pub(crate) leave: Leave,
+    /// Where old and new text are kept while a file is written in its place.
+    pub(crate) records: Option<PathBuf>,
+}
+
+impl Errand {
+    /// Writes it, at once or not at all. The scene's own file keeps its byte order mark.
+    ///
+    /// # Errors
+    /// Why nothing was written.
+    pub(crate) fn run(&self) -> Result<(), Trouble> {
+        let saving = Saving {
+            to: &self.to,
+            records: self.records.as_deref(),
+            though_read_only: self.leave.read_only,
+            most: LARGEST_FILE + BYTE_ORDER_MARK.len(),
+        };
+        save(saving, |old| self.instead_of(old))
+    }
+
+    fn instead_of(&self, old: Option<Vec<u8>>) -> Result<Vec<u8>, Trouble> {
+        let mut bytes = Vec::new();
+        match (&old, &self.own) {
+            (Some(old), Some(own)) => {
+                if !self.leave.over && unmarked(old) != own.as_bytes() {
+                    return Err(Trouble::Changed);
+                }
+                if old.starts_with(BYTE_ORDER_MARK.as_bytes()) {
+                    bytes.extend_from_slice(BYTE_ORDER_MARK.as_bytes());
+                }
+            }
+            (Some(_), None) if !self.leave.over => return Err(Trouble::Exists),
+            // What was taken away meanwhile is nothing to lose.
+            (Some(_), None) | (None, _) => {}
+        }
+        bytes.extend_from_slice(self.text.as_bytes());
+        Ok(bytes)
+    }
+}
+
+/// Why nothing was written, and of what: of a folder that is not there, the folder.
+pub(crate) fn refused(trouble: &Trouble, to: &Path) -> String {
+    if is_folder(trouble) {
+        return A_FOLDER.into();
+    }
+    let missing = matches!(trouble, Trouble::Io(e) if e.kind() == io::ErrorKind::NotFound);
+    let named = match to.parent().filter(|_| missing) {
+        Some(folder) => folder.to_string_lossy(),
+        None => to.file_name().unwrap_or(to.as_os_str()).to_string_lossy(),
+    };
+    format!("not written, {}: {named}", why(trouble))
+}
+
+/// The same where the name of the file stands before it.
+pub(crate) fn refused_there(trouble: &Trouble) -> String {
+    match is_folder(trouble) {
+        true => A_FOLDER.into(),
+        false => format!("not written: {}", why(trouble)),
+    }
+}
+
+/// What is said where no name was typed behind that of a folder.
+const A_FOLDER: &str = "that is a folder: add a name";
+
+fn is_folder(trouble: &Trouble) -> bool {
+    matches!(trouble, Trouble::Io(e) if e.kind() == io::ErrorKind::IsADirectory)
+}
+
+/// Why a file cannot be written, shorter than the system says it where that is usual: the line is short.
+fn why(trouble: &Trouble) -> String {
+    let Trouble::Io(error) = trouble else {
+        return trouble.to_string();
+    };
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "the disk is full".into(),
+        io::ErrorKind::FileTooLarge => "a file may not be so large".into(),
+        io::ErrorKind::PermissionDenied => "no permission".into(),
+        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only".into(),
+        io::ErrorKind::NotFound => "no such folder".into(),
+        _ => error.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    fn errand(to: &Path) -> Errand {
+        Errand {
+            text: "a\nb\n".into(),
+            to: to.to_owned(),
+            own: None,
+            leave: Leave::default(),
+            records: None,
+        }
+    }
+
+    #[test]
+    fn what_would_be_lost_is_asked_about() {
+        let folder = std::env::temp_dir().join(format!("krank-saving-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let file = folder.join("scene.toml");
+        errand(&file).run().unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), "a\nb\n");
+        assert!(matches!(errand(&file).run(), Err(Trouble::Exists)));
+        let own = |text: &str| Errand {
+            own: Some(text.into()),
+            ..errand(&file)
+        };
+        assert!(matches!(own("other").run(), Err(Trouble::Changed)));
+        fs::write(&file, "\u{feff}a\nb\n").unwrap();
+        own("a\nb\n").run().unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), "\u{feff}a\nb\n");
+        let over = Leave {
+            over: true,
+            ..Leave::default()
+        };
+        let meant = Errand {
+            leave: over,
+            ..errand(&file)
+        };
+        meant.run().unwrap();
+        assert_eq!(fs::read_to_string(&file).unwrap(), "a\nb\n");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn why_nothing_was_written_is_told_in_short() {
+        let told = |kind: io::ErrorKind| {
+            let trouble = Trouble::Io(kind.into());
+            refused(&trouble, Path::new("/nowhere/scene.toml"))
+        };
+        assert_eq!(
+            told(io::ErrorKind::StorageFull),
+            "not written, the disk is full: scene.toml"
+        );
+        assert_eq!(
+            told(io::ErrorKind::NotFound),
+            "not written, no such folder: /nowhere"
+        );
+        let device = errand(Path::new("/dev/full")).run().unwrap_err();
+        assert_eq!(
+            refused(&device, Path::new("/dev/full")),
+            "not written, it is a device, not a file: full"
+        );
+    }
+}

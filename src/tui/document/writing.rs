@@ -1,0 +1,91 @@
+//! What is to be written to a file while its name is asked for, and what is asked about that.
+
+use crate::files::Trouble;
+use crate::tui::commands::line::Line;
+use crate::tui::document::saving::Leave;
+use std::path::PathBuf;
+
+/// What is to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Document {
+    /// The scene, with the start positions of the assembly that is shown.
+    Scene,
+    /// A text as it was when it was asked for.
+    Text(Text),
+}
+
+/// Figures, or a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Text {
+    /// What it is, in the words of the message: `the screen`.
+    pub(crate) what: String,
+    pub(crate) text: String,
+}
+
+/// The line in which the name of a file is typed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Prompt {
+    pub(crate) document: Document,
+    pub(crate) name: Line,
+}
+
+/// The question whether to write to a file nevertheless.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Question {
+    pub(crate) document: Document,
+    pub(crate) to: PathBuf,
+    pub(crate) doubt: Doubt,
+    /// What was said before.
+    pub(crate) leave: Leave,
+}
+
+/// Why somebody is asked first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Doubt {
+    /// There is such a file.
+    Exists,
+    /// Somebody else has written it since it was read.
+    Changed,
+    /// The edits that were taken up are older than what it holds.
+    Older,
+    /// It says that it is not to be written to.
+    ReadOnly,
+}
+
+impl Doubt {
+    /// What a person can say to it; `None` where nothing that is said would help.
+    pub(crate) fn of(trouble: &Trouble) -> Option<Doubt> {
+        match trouble {
+            Trouble::Exists => Some(Doubt::Exists),
+            Trouble::Changed => Some(Doubt::Changed),
+            Trouble::ReadOnly => Some(Doubt::ReadOnly),
+            Trouble::NoFile(_) | Trouble::Busy | Trouble::NoJournal | Trouble::Io(_) => None,
+        }
+    }
+
+    /// What is asked, before and after the name of the file.
+    pub(crate) fn words(self) -> [&'static str; 2] {
+        match self {
+            Doubt::Exists => ["write over ", "?"],
+            Doubt::Changed => ["", " has changed on disk: write over it?"],
+            Doubt::Older => ["", " is newer than these edits: write over it?"],
+            Doubt::ReadOnly => ["", " is read-only: write it?"],
+        }
+    }
+}
+
+impl Question {
+    /// What was said, once this is said too.
+    pub(crate) fn granted(&self) -> Leave {
+        match self.doubt {
+            Doubt::Exists | Doubt::Changed | Doubt::Older => Leave {
+                over: true,
+                ..self.leave
+            },
+            Doubt::ReadOnly => Leave {
+                read_only: true,
+                ..self.leave
+            },
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Figures as text for other programs: full digits, so that each reads back to the same double, cells
+//! between tabs, and above them what they are.
+
+use crate::quantity::{Abscissa, Curves};
+use crate::report::{Entry, Forces, Tables, shortest};
+use crate::solver::State;
+use crate::tui::figures::cursor::Cursor;
+use crate::tui::figures::sheet::{Part, Sheet};
+
+/// Full digits; nothing where no value exists.
+fn number(value: Option<f64>) -> String {
+    let mut text = String::new();
+    if let Some(value) = value {
+        shortest(value, &mut text);
+    }
+    text
+}
+
+fn cell(entry: Option<Entry>) -> String {
+    number(entry.and_then(|entry| entry.value))
+}
+
+/// What is plotted, where the driver is: the values below their names.
+pub(crate) fn plotted(curves: &Curves, state: &State) -> String {
+    let here = curves.here(state);
+    let [name, unit] = &curves.title;
+    let along = match curves.abscissa {
+        Abscissa::Driver => None,
+        Abscissa::Time | Abscissa::Figure(_) => Some((format!("{name} [{unit}]"), here.along)),
+    };
+    let figures = curves.curves.iter().map(|curve| curve.quantity.header());
+    let driver = (curves.driver.header(), Some(state.at()));
+    let columns = std::iter::once(driver).chain(along);
+    let (names, values): (Vec<_>, Vec<_>) = columns.chain(figures.zip(here.values)).unzip();
+    line(names.into_iter()) + &line(values.into_iter().map(number))
+}
+
+/// All forces: a line per figure.
+pub(crate) fn balanced(forces: &Forces) -> String {
+    let figures = forces.figures().into_iter();
+    figures
+        .map(|(name, unit, entry)| {
+            line([format!("{name} [{unit}]"), number(entry.value)].into_iter())
+        })
+        .collect()
+}
+
+/// Tables as they are seen.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Shown<'a> {
+    pub(crate) sheet: &'a Sheet,
+    pub(crate) tables: &'a Tables,
+    /// Whether they are differences from another scene.
+    pub(crate) differences: bool,
+}
+
+impl Shown<'_> {
+    /// The figure under the cursor, alone; `None` where there is none.
+    pub(crate) fn value(self, cursor: Cursor) -> Option<String> {
+        let entries = self.sheet.entries(self.tables, cursor.part, cursor.row);
+        let text = cell(entries.get(cursor.column).copied().flatten());
+        (!text.is_empty()).then_some(text)
+    }
+
+    /// The row under the cursor with all its figures, below their names.
+    pub(crate) fn row(self, cursor: Cursor) -> String {
+        self.heading(cursor.part) + &self.figures(cursor.part, cursor.row)
+    }
+
+    /// All rows of a part, below the names of the figures.
+    pub(crate) fn table(self, part: Part) -> String {
+        let rows = 0..self.sheet.row_count(part);
+        let rows = rows.map(|row| self.figures(part, row));
+        self.heading(part) + &rows.collect::<String>()
+    }
+
+    /// Both parts, an empty line between them.
+    pub(crate) fn tables(self) -> String {
+        let parts = [Part::Vectors, Part::Points].into_iter();
+        let parts = parts.filter(|&part| self.sheet.row_count(part) > 0);
+        let parts: Vec<String> = parts.map(|part| self.table(part)).collect();
+        parts.join("\n")
+    }
+
+    fn heading(self, part: Part) -> String {
+        let title = match self.differences {
+            true => format!("{}, difference", part.title()),
+            false => part.title().to_owned(),
+        };
+        line(std::iter::once(title).chain(self.sheet.headers(part)))
+    }
+
+    fn figures(self, part: Part, row: usize) -> String {
+        let entries = self.sheet.entries(self.tables, part, row).into_iter();
+        let name = part.name(self.tables, row).to_owned();
+        line(std::iter::once(name).chain(entries.map(cell)))
+    }
+}
+
+fn line(cells: impl Iterator<Item = String>) -> String {
+    cells.collect::<Vec<_>>().join("\t") + "\n"
+}

@@ -1,0 +1,268 @@
+//! A place in the tables, and moving it over the lines that they are shown in.
+
+use crate::tui::figures::sheet::{Line, Part};
+use std::ops::Range;
+
+/// A figure of a row: whatever the width of the screen, it stands for the same one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Cursor {
+    pub(crate) part: Part,
+    pub(crate) row: usize,
+    /// Counted over all columns of the part.
+    pub(crate) column: usize,
+}
+
+impl Default for Cursor {
+    fn default() -> Self {
+        Cursor::at(Part::Vectors, 0)
+    }
+}
+
+impl Cursor {
+    /// On the first figure of a row.
+    pub(crate) fn at(part: Part, row: usize) -> Cursor {
+        Cursor {
+            part,
+            row,
+            column: 0,
+        }
+    }
+
+    /// The columns beside the figure under the cursor, if the line is its.
+    fn chunk_of(self, line: &Line) -> Option<&Range<usize>> {
+        match line {
+            Line::Row(part, row, chunk) if (*part, *row) == (self.part, self.row) => {
+                chunk.contains(&self.column).then_some(chunk)
+            }
+            Line::Row(..) | Line::Names(..) | Line::Units(..) | Line::Blank => None,
+        }
+    }
+
+    /// Which cell of a line the cursor is on.
+    pub(crate) fn cell_of(self, line: &Line) -> Option<usize> {
+        self.chunk_of(line).map(|chunk| self.column - chunk.start)
+    }
+
+    /// The line that the cursor is on.
+    pub(crate) fn line(self, lines: &[Line]) -> Option<usize> {
+        lines.iter().position(|line| self.chunk_of(line).is_some())
+    }
+
+    /// The same place where these lines have it; else the first figure of its row, or the first row:
+    /// what never moves has no rates at some widths, and another scene has other rows.
+    pub(crate) fn settled(self, lines: &[Line]) -> Cursor {
+        let first = lines.iter().find_map(|line| match line {
+            Line::Row(part, row, _) => Some(Cursor::at(*part, *row)),
+            Line::Names(..) | Line::Units(..) | Line::Blank => None,
+        });
+        let places = [self, Cursor::at(self.part, self.row)];
+        let found = places.into_iter().find(|c| c.line(lines).is_some());
+        found.or(first).unwrap_or(self)
+    }
+
+    /// So many lines further down, or up: on the row that is nearest to there on the way, below or above
+    /// the figure that it was on.
+    pub(crate) fn moved(self, lines: &[Line], by: isize) -> Cursor {
+        let Some(here) = self.line(lines) else {
+            return self.settled(lines);
+        };
+        let goal = here.saturating_add_signed(by);
+        let rows = |range: Range<usize>| {
+            let rows = range.filter(|&at| matches!(lines.get(at), Some(Line::Row(..))));
+            rows.collect::<Vec<_>>()
+        };
+        let target = if by > 0 {
+            let below = rows(here + 1..lines.len());
+            let near = below.iter().rfind(|&&at| at <= goal);
+            near.or(below.first()).copied()
+        } else {
+            let above = rows(0..here);
+            let near = above.iter().find(|&&at| at >= goal);
+            near.or(above.last()).copied()
+        };
+        match (target.and_then(|at| lines.get(at)), by) {
+            (None, _) | (_, 0) => self,
+            (Some(line), _) => self.under(&lines[here], line),
+        }
+    }
+
+    /// On another line, as many figures from its beginning as it was on this one.
+    fn under(self, from: &Line, to: &Line) -> Cursor {
+        let Line::Row(part, row, chunk) = to else {
+            return self;
+        };
+        let along = self.cell_of(from).unwrap_or(0);
+        Cursor {
+            part: *part,
+            row: *row,
+            column: (chunk.start + along).min(chunk.end.saturating_sub(1)),
+        }
+    }
+
+    /// On the next figure of its row, or the one before; it stays where there is none.
+    pub(crate) fn aside(self, lines: &[Line], by: isize) -> Cursor {
+        let there = Cursor {
+            column: self.column.saturating_add_signed(by),
+            ..self
+        };
+        match there.line(lines) {
+            Some(_) => there,
+            None => self.settled(lines),
+        }
+    }
+}
+
+/// The lines that are seen when the first `scroll` of so many are scrolled past: where the names of
+/// columns are among these, they stay above their rows.
+pub(crate) fn seen(lines: &[Line], scroll: usize, height: usize) -> Vec<usize> {
+    let mut seen: Vec<usize> = (scroll..lines.len()).take(height).collect();
+    let heading = heading_above(lines, scroll);
+    let rows_stay = matches!(lines.get(scroll + heading.len()), Some(Line::Row(..)));
+    if rows_stay && heading.len() < seen.len() {
+        for (place, at) in seen.iter_mut().zip(heading) {
+            *place = at;
+        }
+    }
+    seen
+}
+
+/// The names and units of the columns in this line, if they stand above it.
+fn heading_above(lines: &[Line], at: usize) -> Range<usize> {
+    let is_heading = |line: &Line| matches!(line, Line::Names(..) | Line::Units(..));
+    if !matches!(lines.get(at), Some(Line::Row(..) | Line::Units(..))) {
+        return 0..0;
+    }
+    let above = &lines[..at];
+    let Some(last) = above.iter().rposition(is_heading) else {
+        return 0..0;
+    };
+    // The units of a heading that is cut in two are part of it.
+    let behind = lines[last + 1..].iter().take_while(|l| is_heading(l));
+    let end = last + 1 + behind.count();
+    let first = above[..last].iter().rposition(|l| !is_heading(l));
+    first.map_or(0, |first| first + 1)..end
+}
+
+/// The scrolling nearest to `scroll` at which the cursor's line is seen, and the names of its columns
+/// above it.
+pub(crate) fn follow(lines: &[Line], cursor: Cursor, scroll: usize, height: usize) -> usize {
+    let most = lines.len().saturating_sub(height);
+    let scroll = scroll.min(most);
+    let Some(line) = cursor.line(lines) else {
+        return scroll;
+    };
+    let names = heading_above(lines, line).start;
+    let shows = |scroll: &usize| {
+        let seen = seen(lines, *scroll, height);
+        seen.contains(&line) && seen.contains(&names)
+    };
+    if shows(&scroll) {
+        return scroll;
+    }
+    let found = if line < scroll + height {
+        (0..scroll).rev().find(shows)
+    } else {
+        (scroll..=most).find(shows)
+    };
+    found.unwrap_or(scroll)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two blocks of vectors and one of points, of which the first never moves.
+    fn lines() -> Vec<Line> {
+        use Part::{Points, Vectors};
+        let mut lines = Vec::new();
+        let blocks = [
+            (Vectors, 0..3, 0..2),
+            (Vectors, 0..3, 2..4),
+            (Points, 0..4, 0..2),
+            (Points, 1..4, 2..5),
+        ];
+        for (part, rows, chunk) in blocks {
+            lines.push(Line::Names(part, chunk.clone()));
+            lines.push(Line::Units(part, chunk.clone()));
+            lines.extend(rows.map(|row| Line::Row(part, row, chunk.clone())));
+            lines.push(Line::Blank);
+        }
+        lines.pop();
+        lines
+    }
+
+    fn place(part: Part, row: usize, column: usize) -> Cursor {
+        Cursor { part, row, column }
+    }
+
+    #[test]
+    fn it_moves_from_row_to_row_over_what_lies_between() {
+        use Part::{Points, Vectors};
+        let lines = lines();
+        let cursor = place(Vectors, 2, 1);
+        assert_eq!(cursor.moved(&lines, 1), place(Vectors, 0, 3));
+        assert_eq!(cursor.moved(&lines, -1), place(Vectors, 1, 1));
+        assert_eq!(cursor.moved(&lines, -9), place(Vectors, 0, 1));
+        assert_eq!(
+            cursor.moved(&lines, 9),
+            place(Points, 0, 1).moved(&lines, -1)
+        );
+        assert_eq!(cursor.moved(&lines, 10), place(Points, 0, 1));
+        assert_eq!(cursor.moved(&lines, isize::MAX), place(Points, 3, 3));
+        assert_eq!(cursor.moved(&lines, 0), cursor);
+        assert_eq!(place(Points, 3, 4).moved(&lines, 1), place(Points, 3, 4));
+    }
+
+    #[test]
+    fn it_moves_from_figure_to_figure_through_all_blocks() {
+        use Part::{Points, Vectors};
+        let lines = lines();
+        let mut cursor = place(Vectors, 1, 0);
+        for column in 1..4 {
+            cursor = cursor.aside(&lines, 1);
+            assert_eq!(cursor, place(Vectors, 1, column));
+        }
+        assert_eq!(cursor.aside(&lines, 1), cursor);
+        assert_eq!(place(Vectors, 1, 0).aside(&lines, -1), place(Vectors, 1, 0));
+        // What never moves ends with its position.
+        assert_eq!(place(Points, 0, 1).aside(&lines, 1), place(Points, 0, 1));
+    }
+
+    #[test]
+    fn it_settles_where_its_place_is_not_shown() {
+        use Part::{Points, Vectors};
+        let lines = lines();
+        assert_eq!(place(Points, 0, 3).settled(&lines), place(Points, 0, 0));
+        assert_eq!(place(Points, 9, 3).settled(&lines), place(Vectors, 0, 0));
+        assert_eq!(place(Points, 9, 3).settled(&[]), place(Points, 9, 3));
+        assert_eq!(place(Points, 9, 3).moved(&[], 1), place(Points, 9, 3));
+    }
+
+    #[test]
+    fn wherever_it_is_it_is_seen_with_the_names_of_its_columns() {
+        let lines = lines();
+        for height in 4..lines.len() + 2 {
+            let mut scroll = 0;
+            let mut cursor = Cursor::default();
+            let steps = [1; 40]
+                .into_iter()
+                .chain([-1; 40])
+                .chain([7, 7, -5, 9, -99]);
+            for by in steps {
+                cursor = cursor.moved(&lines, by);
+                scroll = follow(&lines, cursor, scroll, height);
+                let seen = seen(&lines, scroll, height);
+                let line = cursor.line(&lines).unwrap();
+                assert!(seen.contains(&line), "{cursor:?} at {height}");
+                let mut names = seen.iter().filter(|&&at| at < line);
+                let names = names.rfind(|&&at| matches!(lines[at], Line::Names(..)));
+                let names = &lines[*names.unwrap()];
+                let (Line::Row(part, _, chunk), Line::Names(above, of)) = (&lines[line], names)
+                else {
+                    panic!("{cursor:?}");
+                };
+                assert_eq!((part, chunk), (above, of), "{cursor:?} at {height}");
+            }
+        }
+    }
+}

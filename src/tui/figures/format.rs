@@ -1,0 +1,380 @@
+//! Numbers in a fixed place: as many decimals as their column needs over the whole motion, so that a
+//! figure that changes does not make its neighbours dance.
+
+use crate::report::Entry;
+use std::ops::Range;
+
+/// Significant digits of a figure of usual size.
+const DIGITS: i32 = 6;
+/// More decimals than this say nothing to the eye; smaller figures take an exponent.
+const MOST_DECIMALS: i32 = 7;
+
+/// Zero with that many decimals.
+const NOUGHT: &str = "0.0000000";
+
+/// How the figures of a column are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Format {
+    /// `None`: with an exponent.
+    decimals: Option<usize>,
+    width: usize,
+}
+
+impl Format {
+    /// Directions: 0.000 to 359.999 deg.
+    pub(crate) const ANGLE: Format = Format {
+        decimals: Some(3),
+        width: 7,
+    };
+
+    /// Differences of directions: -179.999 to 180.000 deg.
+    pub(crate) const SIGNED_ANGLE: Format = Format {
+        decimals: Some(3),
+        width: 8,
+    };
+
+    /// Figures that are always 0.
+    const NOUGHT: Format = Format {
+        decimals: Some(0),
+        width: 7,
+    };
+
+    /// For figures whose sizes over the motion are these; what does not exist is left out.
+    ///
+    /// Near a dead point rates grow beyond all bounds, so the decimals follow from the size that a
+    /// quarter of the figures exceeds, and the few that do not fit take an exponent.
+    pub(crate) fn of_sizes(mut sizes: Vec<f64>) -> Format {
+        sizes.retain(|size| size.is_finite());
+        sizes.sort_by(f64::total_cmp);
+        let usual = sizes.get(sizes.len() * 3 / 4).copied().unwrap_or(0.0);
+        let largest = sizes.last().copied().unwrap_or(0.0);
+        match (usual > 0.0, largest > 0.0) {
+            (true, _) => Format::of_size(usual),
+            (false, true) => Format::of_size(largest),
+            (false, false) => Format::NOUGHT,
+        }
+    }
+
+    fn of_size(usual: f64) -> Format {
+        // Digits in front of the point.
+        let digits = exponent(usual) + 1;
+        let whole = digits.max(1);
+        let decimals = DIGITS - digits;
+        if decimals > MOST_DECIMALS || whole > 2 * DIGITS {
+            return Format {
+                decimals: None,
+                width: 11,
+            };
+        }
+        let decimals = decimals.max(0);
+        // Sign, whole digits with one to spare, point, decimals.
+        let width = 2 + whole + i32::from(decimals > 0) + decimals;
+        Format {
+            decimals: usize::try_from(decimals).ok(),
+            width: usize::try_from(width).unwrap_or(0),
+        }
+    }
+
+    /// Columns that a figure takes.
+    pub(crate) fn width(self) -> usize {
+        self.width
+    }
+
+    /// The figure, and which of its digits nothing proves; `-` for one that does not exist.
+    ///
+    /// It reads as zero only where its error may be all that it is, or where nothing is known of its
+    /// error and so many decimals show none of it.
+    pub(crate) fn write(self, entry: &Entry) -> Written {
+        let Some(value) = entry.seen().filter(|v| v.is_finite()) else {
+            return Written::sure("-".into());
+        };
+        let text = self.text(value, entry.bound.is_some());
+        let unsure = match entry.bound {
+            // A bare zero among figures with exponents stands for all the decimals that it does not show.
+            Some(bound) if self.decimals.is_none() && text == "0" => match unsure(NOUGHT, bound) {
+                Unsure::Nothing => Unsure::Nothing,
+                Unsure::Last(_) | Unsure::Everything => Unsure::Last(0..text.len()),
+            },
+            Some(bound) => unsure(&text, bound),
+            None => Unsure::Everything,
+        };
+        Written { text, unsure }
+    }
+
+    fn text(self, value: f64, proved: bool) -> String {
+        let plain = self.decimals.map(|decimals| plain(value, decimals));
+        let hidden = |text: &String| proved && value != 0.0 && !has_digits(text);
+        match plain {
+            Some(text) if text.len() <= self.width && !hidden(&text) => text,
+            // A zero has no power of ten.
+            _ if value == 0.0 => "0".into(),
+            _ => scientific(value, self.width),
+        }
+    }
+
+    /// A direction in degrees; one that rounds to 360 is 0.
+    pub(crate) fn write_angle(self, entry: &Entry) -> Written {
+        let written = self.write(entry);
+        if written.text == "360.000" {
+            let value = Some(0.0);
+            self.write(&Entry { value, ..*entry })
+        } else {
+            written
+        }
+    }
+}
+
+/// A figure in characters.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Written {
+    pub(crate) text: String,
+    pub(crate) unsure: Unsure,
+}
+
+impl Written {
+    /// Text without a digit that might be wrong.
+    pub(crate) fn sure(text: String) -> Written {
+        let unsure = Unsure::Nothing;
+        Written { text, unsure }
+    }
+}
+
+/// Which digits of a figure its bound does not cover.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Unsure {
+    /// None: all of them are proved.
+    Nothing,
+    /// Those at these places of the text.
+    Last(Range<usize>),
+    /// All: there is no bound.
+    Everything,
+}
+
+/// The last digits of a figure: those whose place counts less than twice the bound. Up to the digit
+/// before them the figure is right within one unit, rounding included.
+fn unsure(text: &str, bound: f64) -> Unsure {
+    let (digits, exponent) = match text.split_once('e') {
+        Some((digits, exponent)) => (digits, exponent.parse().unwrap_or(0)),
+        None => (text, 0),
+    };
+    let decimals = digits
+        .split_once('.')
+        .map_or(0, |(_, decimals)| decimals.len());
+    let last = exponent - i32::try_from(decimals).unwrap_or(0);
+    let places = digits.char_indices().rev();
+    let places = places.filter(|(_, c)| c.is_ascii_digit()).zip(last..);
+    // Read from a decimal, a power of ten is the nearest double.
+    let counts = |power: i32| format!("1e{power}").parse().unwrap_or(0.0);
+    let unsure = places.take_while(|(_, power)| counts(*power) < 2.0 * bound);
+    let from = unsure.last().map_or(digits.len(), |((at, _), _)| at);
+    if from == digits.len() {
+        Unsure::Nothing
+    } else {
+        Unsure::Last(from..digits.len())
+    }
+}
+
+fn has_digits(text: &str) -> bool {
+    text.bytes().any(|b| (b'1'..=b'9').contains(&b))
+}
+
+/// With so many decimals, and no sign in front of a zero.
+fn plain(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(digits) if !has_digits(digits) => digits.to_owned(),
+        _ => text,
+    }
+}
+
+/// With an exponent and as many digits as fit.
+fn scientific(value: f64, width: usize) -> String {
+    let longest = format!("{value:.*e}", width.saturating_sub(3));
+    let excess = longest.len().saturating_sub(width);
+    format!("{value:.*e}", width.saturating_sub(3 + excess))
+}
+
+/// Three significant digits within a width: a derivative that is read by eye.
+pub(crate) fn short(value: f64, width: usize) -> String {
+    let plain = format!(
+        "{value:.*}",
+        usize::try_from(2 - exponent(value)).unwrap_or(0).min(5)
+    );
+    let fits = plain.len() <= width && (value == 0.0 || value.abs() >= 1e-3);
+    match (value == 0.0, fits) {
+        (true, _) => "0".into(),
+        (false, true) => plain,
+        (false, false) => format!("{value:.2e}"),
+    }
+}
+
+/// The power of ten of the first digit.
+fn exponent(size: f64) -> i32 {
+    let text = format!("{size:e}");
+    let exponent = text.split_once('e').and_then(|(_, e)| e.parse().ok());
+    exponent.unwrap_or(0)
+}
+
+/// A coordinate as short as it can be said: at least `decimals` places, at most six more.
+pub(crate) fn coordinate(value: f64, decimals: usize) -> String {
+    let exact = (decimals..decimals + 6)
+        .find(|&d| crate::tui::player::driver_range::rounded(value, d) == value);
+    plain(value, exact.unwrap_or(decimals + 6))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// A figure with this bound.
+    fn proved(value: f64, bound: f64) -> Entry {
+        Entry {
+            value: Some(value),
+            given: false,
+            bound: Some(bound),
+        }
+    }
+
+    fn unproved(value: f64) -> Entry {
+        Entry {
+            bound: None,
+            ..proved(value, 0.0)
+        }
+    }
+
+    fn column(sizes: &[f64], value: f64) -> String {
+        let format = Format::of_sizes(sizes.to_vec());
+        format.write(&unproved(value)).text
+    }
+
+    #[test]
+    fn figures_have_six_digits_where_they_are_of_usual_size() {
+        assert_eq!(column(&[400.0, 250.0, 300.0], 250.0), "250.000");
+        assert_eq!(column(&[15.0, 3.9], -3.916_412_7), "-3.9164");
+        assert_eq!(column(&[22500.0, 1500.0], 22500.0), "22500.0");
+        assert_eq!(column(&[460_017.7], -460_017.673), "-460018");
+        assert_eq!(column(&[0.012], 0.012_345_678), "0.0123457");
+        assert_eq!(column(&[], 0.0), "0");
+        assert_eq!(column(&[1e-9], 1.234_567_89e-9), "1.234568e-9");
+        assert_eq!(column(&[1e-9], 0.0), "0");
+    }
+
+    #[test]
+    fn zero_has_no_sign_and_what_does_not_exist_is_a_dash() {
+        let format = Format::of_sizes(vec![100.0]);
+        let text = |entry: Entry| format.write(&entry).text;
+        assert_eq!(text(unproved(-0.0)), "0.000");
+        assert_eq!(text(unproved(-1e-9)), "0.000");
+        assert_eq!(text(Entry::NONE), "-");
+        assert_eq!(text(unproved(f64::NAN)), "-");
+        let around = Format::ANGLE.write_angle(&unproved(359.9999));
+        assert_eq!(around.text, "0.000");
+    }
+
+    #[test]
+    fn zero_is_shown_only_where_the_bound_allows_it() {
+        let format = Format::of_sizes(vec![100.0]);
+        assert_eq!(
+            format.write(&proved(6e-15, 1e-14)),
+            Written::sure("0.000".into())
+        );
+        assert_eq!(format.write(&proved(6e-5, 1e-14)).text, "6.0000e-5");
+        assert_eq!(format.write(&proved(-6e-14, 1e-14)).text, "-6.00e-14");
+    }
+
+    #[test]
+    fn digits_that_nothing_proves_are_told() {
+        let format = Format::of_sizes(vec![100.0]);
+        let unsure = |bound| format.write(&proved(123.456, bound)).unsure;
+        assert_eq!(unsure(1e-13), Unsure::Nothing);
+        assert_eq!(unsure(0.0005), Unsure::Nothing);
+        assert_eq!(unsure(0.0006), Unsure::Last(6..7));
+        assert_eq!(unsure(0.3), Unsure::Last(4..7));
+        assert_eq!(unsure(0.6), Unsure::Last(2..7));
+        assert_eq!(unsure(100.0), Unsure::Last(0..7));
+        assert_eq!(format.write(&unproved(1.0)).unsure, Unsure::Everything);
+        let tiny = Format::of_sizes(vec![1e-12]);
+        let unsure = |bound| tiny.write(&proved(1e-13, bound)).unsure;
+        assert_eq!(
+            (unsure(1e-12), unsure(0.07)),
+            (Unsure::Nothing, Unsure::Last(0..1))
+        );
+        // -1.234e8: the mantissa's digits, by what they count.
+        let large = format.write(&proved(-123_456_789.0, 60_000.0));
+        assert_eq!(
+            (large.text.as_str(), large.unsure),
+            ("-1.2346e8", Unsure::Last(5..7))
+        );
+    }
+
+    #[test]
+    fn near_a_dead_point_figures_take_an_exponent_rather_than_more_room() {
+        let format = Format::of_sizes(vec![10.0, 12.0, 14.0, 20.0]);
+        assert_eq!(format.write(&unproved(14.0)).text, "14.0000");
+        assert_eq!(format.write(&unproved(-123_456_789.0)).text, "-1.2346e8");
+    }
+
+    #[test]
+    fn a_coordinate_says_what_it_is() {
+        assert_eq!(coordinate(60.0, 2), "60.00");
+        assert_eq!(coordinate(13.897_841, 2), "13.897841");
+        assert_eq!(coordinate(28.955_024_371_859, 2), "28.95502437");
+        assert_eq!(coordinate(-0.0, 2), "0.00");
+    }
+
+    proptest! {
+        #[test]
+        fn no_figure_is_wider_than_its_column(
+            sizes in prop::collection::vec(any::<f64>().prop_map(f64::abs), 0..8),
+            value: f64,
+        ) {
+            let format = Format::of_sizes(sizes);
+            for entry in [unproved(value), proved(value, 0.0)] {
+                prop_assert!(format.write(&entry).text.len() <= format.width(), "{format:?}");
+            }
+        }
+
+        /// However a true value, its bound and a figure within it are drawn: the figure is right
+        /// within one unit of its last sure digit, and zero is shown only where it may be true.
+        #[test]
+        fn every_sure_digit_is_covered_by_the_bound(
+            usual in -6..7,
+            share in -1.0..1.0_f64,
+            size in -17..2,
+            off in -1.0..1.0_f64,
+        ) {
+            let scale = 10.0_f64.powi(usual);
+            let format = Format::of_sizes(vec![scale]);
+            let (truth, bound) = (share * scale, scale * 10.0_f64.powi(size));
+            let value = truth + off * bound;
+            let Written { text, unsure } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
+            let sure = match unsure {
+                Unsure::Nothing => text.clone(),
+                Unsure::Last(digits) => {
+                    let end = text.find('e').unwrap_or(text.len());
+                    prop_assert_eq!(digits.end, end);
+                    text[..digits.start].to_owned()
+                }
+                Unsure::Everything => unreachable!("there is a bound"),
+            };
+            if !has_digits(&text) {
+                prop_assert!(value.abs() <= bound * 1.001 + 1e-15 * scale, "{text} for {value:e}");
+            }
+            if sure.bytes().any(|b| b.is_ascii_digit()) {
+                let exponent: i32 = text.split_once('e').map_or(0, |(_, e)| e.parse().unwrap());
+                let whole = sure.split_once('e').map_or(sure.as_str(), |(digits, _)| digits);
+                // Digits behind the point that are sure; in front of it, those that are not.
+                let point = text.find(['.', 'e']).unwrap_or(text.len());
+                let place = if whole.len() > point {
+                    exponent - i32::try_from(whole.len() - point - 1).unwrap()
+                } else {
+                    exponent + i32::try_from(point - whole.len()).unwrap()
+                };
+                let shown: f64 = text.parse().unwrap();
+                let unit = 10.0_f64.powi(place);
+                prop_assert!((shown - truth).abs() <= unit * (1.0 + 1e-6), "{text} for {truth}, {unit:e}");
+            }
+        }
+    }
+}

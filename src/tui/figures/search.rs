@@ -1,0 +1,130 @@
+//! Finding a row by its name.
+
+use crate::report::Tables;
+use crate::tui::commands::line::Line;
+use crate::tui::figures::cursor::Cursor;
+use crate::tui::figures::sheet::Part;
+
+/// A name that is typed, and where the cursor was before.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Search {
+    pub(crate) name: Line,
+    pub(crate) from: Whence,
+}
+
+/// Where a search began.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Whence {
+    /// In the tables.
+    Tables(Cursor),
+    /// In this row of the scene view.
+    Scene(usize),
+}
+
+/// How well a name fits what is typed, the best last.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Fit {
+    Within,
+    Beginning,
+    Whole,
+}
+
+impl Fit {
+    fn of(name: &str, typed: &str) -> Option<Fit> {
+        let name = name.to_ascii_lowercase();
+        match name.find(typed)? {
+            0 if name.len() == typed.len() => Some(Fit::Whole),
+            0 => Some(Fit::Beginning),
+            _ => Some(Fit::Within),
+        }
+    }
+}
+
+/// The row whose name fits best what is typed, of several the first from a place on; large letters
+/// and small ones are the same.
+pub(crate) fn best(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor> {
+    let fits = fits(tables, typed, from);
+    let best = fits.iter().map(|(fit, _)| *fit).max()?;
+    let found = fits.into_iter().find(|(fit, _)| *fit == best);
+    found.map(|(_, cursor)| cursor)
+}
+
+/// The next row behind a place whose name has in it what is typed; the place itself comes last.
+pub(crate) fn next(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor> {
+    let fits = fits(tables, typed, from);
+    let other = fits
+        .iter()
+        .find(|(_, c)| (c.part, c.row) != (from.part, from.row));
+    other.or(fits.first()).map(|(_, cursor)| *cursor)
+}
+
+/// All rows that fit, from a place on to the end and from the beginning to there.
+fn fits(tables: &Tables, typed: &str, from: Cursor) -> Vec<(Fit, Cursor)> {
+    let typed = typed.trim().to_ascii_lowercase();
+    let vectors = tables.vectors.iter().map(|vector| &vector.name);
+    let points = tables.points.iter().map(|point| &point.name);
+    let vectors = vectors
+        .enumerate()
+        .map(|(row, name)| (Cursor::at(Part::Vectors, row), name));
+    let points = points
+        .enumerate()
+        .map(|(row, name)| (Cursor::at(Part::Points, row), name));
+    let mut rows: Vec<_> = vectors.chain(points).collect();
+    let here = rows
+        .iter()
+        .position(|(c, _)| (c.part, c.row) == (from.part, from.row));
+    rows.rotate_left(here.unwrap_or(0));
+    let fits = rows.into_iter();
+    fits.filter_map(|(cursor, name)| Some((Fit::of(name, &typed)?, cursor)))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Scene, presets};
+    use crate::solver::{Order, Solver};
+
+    fn tables() -> Tables {
+        let text = presets::find("four-bar").unwrap().text;
+        let scene = Scene::parse(text, "four-bar").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let mut state = solver.state();
+        let _ = solver.solve(60.0, Order::Position, &mut state);
+        Tables::new(&scene, &state)
+    }
+
+    fn name(tables: &Tables, cursor: Cursor) -> &str {
+        match cursor.part {
+            Part::Vectors => &tables.vectors[cursor.row].name,
+            Part::Points => &tables.points[cursor.row].name,
+        }
+    }
+
+    #[test]
+    fn the_best_fit_is_found_first() {
+        let tables = tables();
+        let found = |typed| best(&tables, typed, Cursor::default()).map(|c| name(&tables, c));
+        // `C` is a name of its own, though `r2.com` has it in it.
+        assert_eq!(found("c"), Some("C"));
+        assert_eq!(found("R3"), Some("r3"));
+        assert_eq!(found("r3."), Some("r3.com"));
+        assert_eq!(found("com"), Some("r2.com"));
+        assert_eq!(found("nothing"), None);
+    }
+
+    #[test]
+    fn the_next_one_goes_round() {
+        let tables = tables();
+        let mut cursor = Cursor::default();
+        let mut found = Vec::new();
+        for _ in 0..4 {
+            cursor = next(&tables, "com", cursor).unwrap();
+            found.push(name(&tables, cursor));
+        }
+        assert_eq!(found, ["r2.com", "r3.com", "r4.com", "r2.com"]);
+        let alone = next(&tables, "r2.com", cursor).unwrap();
+        assert_eq!(alone, cursor, "it is its own next");
+        assert_eq!(next(&tables, "nothing", cursor), None);
+    }
+}

@@ -1,0 +1,246 @@
+//! A column of the tables: what it shows, of which rows, and in which form.
+
+use super::Part;
+use crate::drawing::Glyphs;
+use crate::quantity::Aspect;
+use crate::report::{Entry, PointRow, Tables, VectorColumn};
+use crate::tui::figures::format::{Format, Written};
+
+/// What a column shows, of the order 0 (position), 1 (velocity) or 2 (acceleration).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Figure {
+    /// The length of a vector, or its rates.
+    Length(usize),
+    /// The direction of a vector, or its rates.
+    Turning(usize),
+    /// A point's component along x.
+    AlongX(usize),
+    /// A point's component along y.
+    AlongY(usize),
+    /// The size of a point's velocity or acceleration.
+    Size(usize),
+    /// The direction of a point's velocity or acceleration.
+    Bearing(usize),
+}
+
+/// A column: what it shows, and how.
+#[derive(Clone, Debug)]
+pub(super) struct Column {
+    figure: Figure,
+    unit: String,
+    format: Format,
+    /// Whether a chunk may begin with it: what belongs together is kept together.
+    pub(super) opens: bool,
+    /// Whether some of its figures are found and others given: found ones then have a star behind
+    /// them, in a place of its own.
+    pub(super) starred: bool,
+}
+
+/// Stands behind a figure that was found; the others are given by the scene.
+pub(crate) const FOUND: char = '*';
+
+/// Where the units of columns stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Heading {
+    /// Behind the names: `r [mm]`.
+    One,
+    /// In a line of their own.
+    Two,
+}
+
+pub(super) const VECTOR_FIGURES: [(Figure, bool); 6] = [
+    (Figure::Length(0), true),
+    (Figure::Turning(0), false),
+    (Figure::Length(1), true),
+    (Figure::Turning(1), false),
+    (Figure::Length(2), true),
+    (Figure::Turning(2), false),
+];
+
+pub(super) const POINT_FIGURES: [(Figure, bool); 10] = [
+    (Figure::AlongX(0), true),
+    (Figure::AlongY(0), false),
+    (Figure::AlongX(1), true),
+    (Figure::AlongY(1), false),
+    (Figure::Size(1), false),
+    (Figure::Bearing(1), false),
+    (Figure::AlongX(2), true),
+    (Figure::AlongY(2), false),
+    (Figure::Size(2), false),
+    (Figure::Bearing(2), false),
+];
+
+impl Column {
+    /// A figure in the form that fits it over the motion; `opens` where a chunk may begin with it.
+    pub(super) fn new(samples: &[Tables], part: Part, (figure, opens): (Figure, bool)) -> Column {
+        let first = samples.first();
+        let found = |t: &Tables| figure.entries(t, part).any(|entry| !entry.given);
+        Column {
+            figure,
+            unit: figure.unit(first.map_or("", |t| t.unit)),
+            format: figure.format(samples, part),
+            opens,
+            starred: part == Part::Vectors && first.is_some_and(found),
+        }
+    }
+
+    /// A difference of directions has a sign.
+    pub(super) fn give_sign(&mut self) {
+        if self.format == Format::ANGLE {
+            self.format = Format::SIGNED_ANGLE;
+        }
+    }
+
+    /// The name with its unit, as a sweep names its columns behind the dot: `vx [mm/s]`.
+    pub(super) fn header(&self) -> String {
+        format!("{} [{}]", self.figure.name(), self.unit)
+    }
+
+    /// The figure with all that is known of it; `None` where the row has no such figure at all.
+    pub(super) fn entry(&self, tables: &Tables, part: Part, row: usize) -> Option<Entry> {
+        self.figure.entry(tables, part, row)
+    }
+
+    /// The unit in characters that every terminal has.
+    pub(super) fn plain_unit(&self) -> &str {
+        &self.unit
+    }
+
+    pub(super) fn unit(&self, glyphs: Glyphs) -> String {
+        match glyphs {
+            Glyphs::Ascii | Glyphs::Line => self.unit.clone(),
+            Glyphs::Braille => self.unit.replace("^2", "\u{b2}"),
+        }
+    }
+
+    pub(super) fn title(&self, glyphs: Glyphs, heading: Heading) -> String {
+        let symbol = self.figure.symbol(glyphs);
+        match heading {
+            Heading::One => format!("{symbol} [{}]", self.unit(glyphs)),
+            Heading::Two => symbol.to_owned(),
+        }
+    }
+
+    pub(super) fn width(&self, glyphs: Glyphs, heading: Heading) -> usize {
+        // Asked for many times a frame: counted without writing anything.
+        let symbol = self.figure.symbol(glyphs).chars().count();
+        let unit = match glyphs {
+            Glyphs::Ascii | Glyphs::Line => self.unit.len(),
+            Glyphs::Braille => self.unit.len() - self.unit.matches("^2").count(),
+        };
+        let title = match heading {
+            Heading::One => symbol + unit + " []".len(),
+            Heading::Two => symbol.max(unit),
+        };
+        title.max(self.format.width()) + usize::from(self.starred)
+    }
+
+    /// The figure, and the mark of one that was found.
+    pub(super) fn cell(&self, tables: &Tables, part: Part, row: usize) -> (Written, Option<char>) {
+        let Some(entry) = self.figure.entry(tables, part, row) else {
+            return (Written::sure(String::new()), None);
+        };
+        let text = match self.figure {
+            Figure::Turning(0) | Figure::Bearing(_) => self.format.write_angle(&entry),
+            _ => self.format.write(&entry),
+        };
+        let found = entry.value.is_some() && !entry.given;
+        (text, found.then_some(FOUND))
+    }
+}
+
+impl Figure {
+    fn symbol(self, glyphs: Glyphs) -> &'static str {
+        let greek = glyphs == Glyphs::Braille;
+        match self {
+            Figure::Length(order) => ["r", "r'", "r''"][order],
+            Figure::Turning(order) if greek => ["\u{3b8}", "\u{3c9}", "\u{3b1}"][order],
+            Figure::Turning(order) => ["theta", "omega", "alpha"][order],
+            Figure::AlongX(order) => ["x", "vx", "ax"][order],
+            Figure::AlongY(order) => ["y", "vy", "ay"][order],
+            Figure::Size(order) => ["r", "v", "a"][order],
+            Figure::Bearing(order) => ["dir r", "dir v", "dir a"][order],
+        }
+    }
+
+    /// As in the name of a column, behind the dot.
+    fn name(self) -> &'static str {
+        match self {
+            Figure::Length(order) => ["length", "rate", "accel"][order],
+            Figure::Turning(order) => ["angle", "omega", "alpha"][order],
+            Figure::AlongX(order) => ["x", "vx", "ax"][order],
+            Figure::AlongY(order) => ["y", "vy", "ay"][order],
+            Figure::Size(order) => ["r", "v", "a"][order],
+            Figure::Bearing(order) => ["r.angle", "v.angle", "a.angle"][order],
+        }
+    }
+
+    fn unit(self, length: &str) -> String {
+        let aspect = match self {
+            Figure::Length(order)
+            | Figure::AlongX(order)
+            | Figure::AlongY(order)
+            | Figure::Size(order) => [Aspect::Length, Aspect::Rate, Aspect::Accel][order],
+            Figure::Turning(order) => [Aspect::Angle, Aspect::Omega, Aspect::Alpha][order],
+            Figure::Bearing(_) => Aspect::Angle,
+        };
+        aspect.unit(length)
+    }
+
+    /// The decimals and the width that this figure needs in all rows over the motion. Components and
+    /// size of one order share theirs, so that they can be compared by eye.
+    fn format(self, samples: &[Tables], part: Part) -> Format {
+        let figure = match self {
+            Figure::Turning(0) | Figure::Bearing(_) => return Format::ANGLE,
+            Figure::AlongX(order) | Figure::AlongY(order) => Figure::Size(order),
+            other => other,
+        };
+        let of_sample = |tables: &Tables| {
+            let entries = figure.entries(tables, part);
+            entries
+                .filter_map(|e| e.value)
+                .map(f64::abs)
+                .collect::<Vec<_>>()
+        };
+        // What never moves says nothing about the size of what does.
+        let sizes = samples.iter().flat_map(of_sample).filter(|s| *s > 0.0);
+        Format::of_sizes(sizes.collect())
+    }
+
+    /// The entries of all rows that have such a figure.
+    fn entries(self, tables: &Tables, part: Part) -> impl Iterator<Item = Entry> {
+        let rows = match part {
+            Part::Vectors => tables.vectors.len(),
+            Part::Points => tables.points.len(),
+        };
+        (0..rows).filter_map(move |row| self.entry(tables, part, row))
+    }
+
+    fn entry(self, tables: &Tables, part: Part, row: usize) -> Option<Entry> {
+        match part {
+            Part::Vectors => self.vector_entry(tables.vectors.get(row)?),
+            Part::Points => Some(self.point_entry(tables.points.get(row)?)),
+        }
+    }
+
+    /// `None` where the vector has no such figure at all.
+    fn vector_entry(self, vector: &VectorColumn) -> Option<Entry> {
+        match self {
+            Figure::Length(order) => vector.length.map(|length| length[order]),
+            Figure::Turning(order) => Some(vector.direction[order]),
+            _ => None,
+        }
+    }
+
+    fn point_entry(self, point: &PointRow) -> Entry {
+        let (order, figure) = match self {
+            Figure::AlongX(order) => (order, 0),
+            Figure::AlongY(order) => (order, 1),
+            Figure::Size(order) => (order, 2),
+            Figure::Bearing(order) => (order, 3),
+            Figure::Length(_) | Figure::Turning(_) => return Entry::NONE,
+        };
+        let plane = point.motion[order].as_ref();
+        plane.map_or(Entry::NONE, |plane| plane.entries(point.fixed)[figure])
+    }
+}

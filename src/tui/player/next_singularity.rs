@@ -1,0 +1,169 @@
+//! What lies ahead of the driver, the way it goes: the next dead point, change point or limit, where it
+//! is near enough to be worth a word.
+
+use crate::solver::{Motion, Range};
+use crate::tui::figures::format::coordinate;
+use crate::tui::player::driver_range::DriverRange;
+
+/// Near is within so many degrees, or this part of a slide's travel.
+const NEAR_TURNING: f64 = 15.0;
+const NEAR_PUSHING: f64 = 0.05;
+/// Decimals of what is left of an angle. Of a travel one less than its coordinate has.
+const DECIMALS: usize = 1;
+
+/// What there is ahead.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    DeadPoint,
+    ChangePoint,
+    /// The end of what was followed of a slide's travel.
+    Limit,
+}
+
+/// The next thing ahead, and how far it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct NextSingularity {
+    kind: Kind,
+    /// In degrees or the scene's length unit, more than 0.
+    distance: f64,
+}
+
+/// What lies ahead of `at`; `None` where nothing is near.
+pub(crate) fn ahead(
+    driver_range: &DriverRange,
+    motion: &Motion,
+    at: f64,
+    backwards: bool,
+) -> Option<NextSingularity> {
+    let near = if driver_range.turns() {
+        NEAR_TURNING
+    } else {
+        NEAR_PUSHING * driver_range.span()
+    };
+    let sense = if backwards { -1.0 } else { 1.0 };
+    let distance = |to: f64| match motion.range {
+        Range::Full { period } => ((to - at) * sense).rem_euclid(period),
+        Range::Limited { .. } => (to - at) * sense,
+    };
+    let limits = driver_range
+        .shuttle()
+        .map_or([None; 2], |(low, high)| [low, high].map(Some));
+    // The first of those at the same place: a limit may be a dead point, too.
+    let all = (motion.dead_points.iter().map(|&to| (Kind::DeadPoint, to)))
+        .chain(
+            motion
+                .change_points
+                .iter()
+                .map(|&to| (Kind::ChangePoint, to)),
+        )
+        .chain(limits.into_iter().flatten().map(|to| (Kind::Limit, to)));
+    let ahead = all.map(|(kind, to)| NextSingularity {
+        kind,
+        distance: distance(to),
+    });
+    ahead
+        .filter(|ahead| ahead.distance > 0.0 && ahead.distance <= near)
+        .min_by(|a, b| a.distance.total_cmp(&b.distance))
+}
+
+impl NextSingularity {
+    /// `dead point in 3.2 deg`.
+    pub(crate) fn text(self, driver_range: &DriverRange, unit: &str) -> String {
+        let kind = match self.kind {
+            Kind::DeadPoint => "dead point",
+            Kind::ChangePoint => "change point",
+            Kind::Limit => "limit",
+        };
+        let decimals = if driver_range.turns() {
+            DECIMALS
+        } else {
+            driver_range.decimals().saturating_sub(1)
+        };
+        let least = 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(0));
+        if self.distance < least {
+            return format!("{kind} within {} {unit}", coordinate(least, decimals));
+        }
+        format!("{kind} in {:.decimals$} {unit}", self.distance)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Scene, presets};
+    use crate::solver::Solver;
+
+    fn open(text: &str) -> (DriverRange, Solver) {
+        let scene = Scene::parse(text, "test").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        (DriverRange::new(&scene, &solver), solver)
+    }
+
+    fn preset(name: &str) -> (DriverRange, Solver) {
+        open(presets::find(name).unwrap().text)
+    }
+
+    /// A crank that cannot turn fully: dead points at about -82.8 and 82.8 deg.
+    const SWINGING: &str = r#"
+unit = "mm"
+[ground]
+A = [0, 0]
+D = [100, 0]
+[driver]
+link = "r2"
+angle = 60
+[links]
+r2 = { from = "A", to = "B", length = 60 }
+r3 = { from = "B", to = "C", length = 50 }
+r4 = { from = "C", to = "D", length = 60 }
+[start]
+C = [75, 55]
+"#;
+
+    #[test]
+    fn a_dead_point_is_told_when_it_comes_near() {
+        let (driver_range, solver) = open(SWINGING);
+        let text = |at, backwards| {
+            let ahead = ahead(&driver_range, solver.motion(), at, backwards);
+            ahead.map(|ahead| ahead.text(&driver_range, "deg"))
+        };
+        assert_eq!(text(60.0, false), None);
+        assert_eq!(text(79.6, false).unwrap(), "dead point in 3.2 deg");
+        assert_eq!(text(82.8, false).unwrap(), "dead point within 0.1 deg");
+        assert_eq!(text(79.6, true), None, "it moves away from it");
+        assert_eq!(text(-79.6, true).unwrap(), "dead point in 3.2 deg");
+        let (_, high) = driver_range.shuttle().unwrap();
+        assert_eq!(text(high, false), None, "that is where it is");
+    }
+
+    #[test]
+    fn a_change_point_is_told_on_every_turn() {
+        // Of a kite only every second turn is the same: its change points are at 0 and 360 of 720.
+        for name in ["parallelogram", "kite"] {
+            let (driver_range, solver) = preset(name);
+            for at in [-10.0, 350.0, 7190.0] {
+                let ahead = ahead(&driver_range, solver.motion(), at, false).unwrap();
+                assert_eq!(ahead.text(&driver_range, "deg"), "change point in 10.0 deg");
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_is_ahead_of_a_crank_that_turns_fully() {
+        let (driver_range, solver) = preset("four-bar");
+        for at in [-720.0, 0.0, 60.0, 359.0] {
+            assert_eq!(ahead(&driver_range, solver.motion(), at, false), None);
+        }
+    }
+
+    #[test]
+    fn the_end_of_a_slides_travel_is_told_in_its_unit() {
+        let (driver_range, solver) = preset("excavator-boom");
+        let (low, high) = driver_range.shuttle().unwrap();
+        let at = high - 0.02 * (high - low);
+        let ahead = ahead(&driver_range, solver.motion(), at, false).unwrap();
+        let text = ahead.text(&driver_range, "m");
+        assert!(text.starts_with("dead point in 0.0"), "{text}");
+        assert!(text.ends_with(" m"), "{text}");
+    }
+}

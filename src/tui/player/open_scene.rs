@@ -1,0 +1,380 @@
+//! The open scene: what is found once when it opens, and what follows from the driver's coordinate.
+
+use crate::Ball;
+use crate::drawing::Reach;
+use crate::quantity::{Catalogue, Sensitivity};
+use crate::report::{Answers, Forces, Tables};
+use crate::scene::presets::{self, Preset};
+use crate::scene::{Scene, harmless};
+use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
+use crate::tui::document::opening::first_words;
+use crate::tui::figures::sheet::Sheet;
+use crate::tui::player::assembly_list::AssemblyList;
+use crate::tui::player::cost::Cost;
+use crate::tui::player::driver_range::DriverRange;
+use crate::tui::views::forces::force_figures::ForceFigures;
+use crate::tui::views::working::explained::Explained;
+use crate::tui::{Opened, Origin};
+use std::path::PathBuf;
+
+/// States that the tables' columns are fitted to; fewer where a state has very many figures.
+const SAMPLES: u16 = 72;
+const FEWEST_SAMPLES: u16 = 6;
+const MOST_ROWS: usize = 20_000;
+
+/// An open scene at one coordinate of its driver.
+#[derive(Debug)]
+pub(crate) struct OpenScene {
+    opened: Opened,
+    driver_range: DriverRange,
+    reach: Reach,
+    sheet: Sheet,
+    at: f64,
+    state: Workspace,
+    enclosure: Workspace<Ball>,
+    tables: Tables,
+    cost: Cost,
+    /// What the given lengths do, while that is looked at.
+    answers: Option<Asked>,
+    /// The forces, while they are looked at and anything acts.
+    force_figures: Option<ForceFigures>,
+    /// The assemblies of the groups, while they are looked at.
+    assembly_list: Option<AssemblyList>,
+    /// The working of the state, while that is looked at.
+    explained: Option<Explained>,
+}
+
+/// What is asked about the given lengths, and what came of it.
+#[derive(Debug)]
+struct Asked {
+    sensitivity: Sensitivity,
+    answers: Answers,
+}
+
+/// Of more lengths than this a frame would be late.
+const MOST_LENGTHS: usize = 200;
+
+impl OpenScene {
+    /// Opens a scene where it says.
+    pub(crate) fn new(opened: Opened) -> Self {
+        let driver_range = DriverRange::new(&opened.scene, &opened.solver);
+        let reach = Reach::of(&opened.scene, &opened.solver);
+        let mut state = opened.solver.state();
+        let samples = samples(&opened, &driver_range, &mut state);
+        let at = driver_range.opening();
+        let mut enclosure = opened.solver.enclosure();
+        OpenScene {
+            sheet: Sheet::new(&samples),
+            tables: solved(&opened, at, Order::Acceleration, &mut state, &mut enclosure),
+            answers: None,
+            force_figures: None,
+            cost: Cost::default(),
+            enclosure,
+            opened,
+            driver_range,
+            reach,
+            at,
+            state,
+            assembly_list: None,
+            explained: None,
+        }
+    }
+
+    /// The same scene in another assembly of a group, at the same coordinate; in words why it cannot be.
+    pub(crate) fn switched(&self, group: GroupId, pick: Pick) -> Result<OpenScene, String> {
+        let Opened {
+            scene,
+            solver,
+            origin,
+        } = &self.opened;
+        let switched = solver.switched(self.at, group, pick);
+        let solver = switched.map_err(|fault| first_words(&scene.explain(&fault)))?;
+        let (scene, origin) = (scene.clone(), origin.clone());
+        let mut open_scene = OpenScene::new(Opened {
+            scene,
+            solver,
+            origin,
+        });
+        open_scene.go(self.at);
+        Ok(open_scene)
+    }
+
+    /// Looks for the assemblies of all groups here.
+    pub(crate) fn look_around(&mut self) -> Option<&AssemblyList> {
+        let Opened { scene, solver, .. } = &self.opened;
+        self.assembly_list = AssemblyList::new(scene, solver, self.at, &self.reach);
+        self.assembly_list.as_ref()
+    }
+
+    /// What [`OpenScene::look_around`] has found.
+    pub(crate) fn assembly_list(&self) -> Option<&AssemblyList> {
+        self.assembly_list.as_ref()
+    }
+
+    /// The text of the scene with the start positions of this assembly.
+    pub(crate) fn saved_text(&self) -> Option<String> {
+        let Opened { scene, solver, .. } = &self.opened;
+        scene.with_start_of(solver, self.at)
+    }
+
+    /// The scene is told by another text now, of the same mechanism.
+    pub(crate) fn retell(&mut self, scene: Scene) {
+        self.opened.scene = scene;
+        self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
+    }
+
+    /// The scene is another text now, of the same mechanism, and has a file of its own.
+    pub(crate) fn rename(&mut self, scene: Scene, file: PathBuf) {
+        self.opened.scene = scene;
+        self.opened.origin = Origin::File(file);
+        self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
+    }
+
+    /// Moves the driver to a coordinate, wherever that is.
+    pub(crate) fn go(&mut self, at: f64) {
+        self.at = at;
+        self.assembly_list = None;
+        let order = match self.force_figures {
+            Some(_) => Order::Force,
+            None => Order::Acceleration,
+        };
+        let (state, enclosure) = (&mut self.state, &mut self.enclosure);
+        self.tables = solved(&self.opened, at, order, state, enclosure);
+        if let Some(asked) = &mut self.answers {
+            let unit = self.opened.scene.unit.symbol();
+            asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
+        }
+        if let Some(force_figures) = &mut self.force_figures {
+            let Opened { scene, solver, .. } = &self.opened;
+            let forces = Forces::new(scene, solver, &self.state, Some(&self.enclosure));
+            force_figures.follow(forces);
+        }
+        if let Some(explained) = &mut self.explained {
+            explained.go(&self.opened, at);
+        }
+    }
+
+    /// Need the forces, here and from now on, or ceases to.
+    pub(crate) fn balance_forces(&mut self, wanted: bool) {
+        self.force_figures = None;
+        if !(wanted && self.opened.solver.has_forces()) {
+            return;
+        }
+        let Opened { scene, solver, .. } = &self.opened;
+        let mut state = solver.state();
+        let samples = self.places().into_iter().filter_map(|at| {
+            let _ = solver.solve(at, Order::Force, &mut state);
+            Forces::new(scene, solver, &state, None)
+        });
+        let samples: Vec<Forces> = samples.collect();
+        let (state, enclosure) = (&mut self.state, &mut self.enclosure);
+        let _ = solver.solve(self.at, Order::Force, state);
+        solver.enclose(state, Order::Force, enclosure);
+        let forces = Forces::new(scene, solver, state, Some(enclosure));
+        self.force_figures = forces.map(|forces| ForceFigures::new(forces, &samples));
+    }
+
+    /// The forces, if they are looked at and anything acts.
+    pub(crate) fn force_figures(&self) -> Option<&ForceFigures> {
+        self.force_figures.as_ref()
+    }
+
+    /// Shows the working, here and from now on, or ceases to.
+    pub(crate) fn explain(&mut self, wanted: bool) {
+        self.explained = wanted
+            .then(|| Explained::new(&self.opened, self.at))
+            .flatten();
+    }
+
+    /// The working of the state, if that was asked and the scene is not too large.
+    pub(crate) fn explained(&self) -> Option<&Explained> {
+        self.explained.as_ref()
+    }
+
+    /// Measures what the state costs, without its bounds.
+    pub(crate) fn weigh(&mut self) {
+        let OpenScene {
+            opened, at, state, ..
+        } = self;
+        self.cost.measure(|| {
+            let _ = opened.solver.solve(*at, Order::Acceleration, state);
+        });
+    }
+
+    /// What the last state cost, if that was measured.
+    pub(crate) fn cost(&self) -> Option<String> {
+        self.cost.text()
+    }
+
+    /// The largest bound of a coordinate of a point; `None` where one of them has none.
+    pub(crate) fn largest_bound(&self) -> Option<f64> {
+        let places = self.tables.points.iter().filter_map(|p| p.motion[0]);
+        let mut bounds = places.flat_map(|place| [place.bounds[0], place.bounds[1]]);
+        bounds.try_fold(0.0, |most: f64, bound| Some(most.max(bound?)))
+    }
+
+    /// Need what the given lengths do, here and from now on, or ceases to.
+    pub(crate) fn answer(&mut self, wanted: bool) {
+        let Opened { scene, solver, .. } = &self.opened;
+        self.answers = None;
+        if wanted && scene.mechanism.lengths().len() <= MOST_LENGTHS {
+            let figures = Catalogue::new(scene).figures();
+            let mut sensitivity = Sensitivity::new(scene, solver, &figures);
+            let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at);
+            let answers = answers.worth_reading();
+            self.answers = Some(Asked {
+                sensitivity,
+                answers,
+            });
+        }
+    }
+
+    /// What the given lengths do, if that was asked and there are not too many.
+    pub(crate) fn answers(&self) -> Option<&Answers> {
+        self.answers.as_ref().map(|asked| &asked.answers)
+    }
+
+    pub(crate) fn scene(&self) -> &Scene {
+        &self.opened.scene
+    }
+
+    pub(crate) fn solver(&self) -> &Solver {
+        &self.opened.solver
+    }
+
+    pub(crate) fn origin(&self) -> &Origin {
+        &self.opened.origin
+    }
+
+    pub(crate) fn driver_range(&self) -> &DriverRange {
+        &self.driver_range
+    }
+
+    pub(crate) fn reach(&self) -> &Reach {
+        &self.reach
+    }
+
+    pub(crate) fn sheet(&self) -> &Sheet {
+        &self.sheet
+    }
+
+    /// The driver's coordinate, in degrees or in the scene's length unit.
+    pub(crate) fn at(&self) -> f64 {
+        self.at
+    }
+
+    pub(crate) fn state(&self) -> &State {
+        &self.state
+    }
+
+    pub(crate) fn condition(&self) -> Condition {
+        self.state.condition()
+    }
+
+    pub(crate) fn tables(&self) -> &Tables {
+        &self.tables
+    }
+
+    /// The tables at another coordinate, with their bounds.
+    pub(crate) fn tables_at(
+        &self,
+        at: f64,
+        state: &mut Workspace,
+        enclosure: &mut Workspace<Ball>,
+    ) -> Tables {
+        solved(&self.opened, at, Order::Acceleration, state, enclosure)
+    }
+
+    /// Coordinates spread over the whole motion, the opening first.
+    pub(crate) fn places(&self) -> Vec<f64> {
+        places(&self.opened.scene, &self.driver_range)
+    }
+
+    /// The unit of the driver's coordinate.
+    pub(crate) fn unit(&self) -> &'static str {
+        if self.driver_range.turns() {
+            "deg"
+        } else {
+            self.opened.scene.unit.symbol()
+        }
+    }
+
+    /// The preset so many places further on in the list; from a file, the first or the last.
+    pub(crate) fn preset_at(&self, distance: isize) -> Option<&'static Preset> {
+        let all = presets::all();
+        let position = match &self.opened.origin {
+            Origin::Preset(name) => all.iter().position(|preset| preset.name == name.as_str()),
+            Origin::File(_) | Origin::Stdin => None,
+        };
+        let count = isize::try_from(all.len()).ok().filter(|&n| n > 0)?;
+        let target = match position {
+            Some(here) => isize::try_from(here).ok()? + distance,
+            None if distance > 0 => 0,
+            None => -1,
+        };
+        all.get(usize::try_from(target.rem_euclid(count)).ok()?)
+    }
+}
+
+/// The tables at a coordinate, with their bounds, of a state that is solved as far as that.
+pub(crate) fn solved(
+    opened: &Opened,
+    at: f64,
+    order: Order,
+    state: &mut Workspace,
+    enclosure: &mut Workspace<Ball>,
+) -> Tables {
+    let _ = opened.solver.solve(at, order, state);
+    opened.solver.enclose(state, order, enclosure);
+    Tables::bounded(&opened.scene, state, enclosure)
+}
+
+/// The tables at coordinates spread over the whole motion, the opening first.
+fn samples(opened: &Opened, driver_range: &DriverRange, state: &mut Workspace) -> Vec<Tables> {
+    let places = places(&opened.scene, driver_range).into_iter();
+    places
+        .map(|at| {
+            let _ = opened.solver.solve(at, Order::Acceleration, state);
+            Tables::new(&opened.scene, state)
+        })
+        .collect()
+}
+
+/// Coordinates spread over the whole motion, the opening first.
+fn places(scene: &Scene, driver_range: &DriverRange) -> Vec<f64> {
+    let (low, high) = driver_range.shuttle().unwrap_or((
+        driver_range.opening(),
+        driver_range.opening() + driver_range.span(),
+    ));
+    let mechanism = &scene.mechanism;
+    let rows = mechanism.points().len() + mechanism.links().len();
+    let count = u16::try_from(MOST_ROWS / rows.max(1)).unwrap_or(SAMPLES);
+    let count = count.clamp(FEWEST_SAMPLES, SAMPLES);
+    let share = |k: u16| f64::from(k) / f64::from(count);
+    let spread = (0..=count).map(|k| low + (high - low) * share(k));
+    std::iter::once(driver_range.opening())
+        .chain(spread)
+        .collect()
+}
+
+/// Text of a scene that may be shown: one column to a character, and only such characters as the
+/// terminal has.
+pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
+    use crate::drawing::Glyphs;
+    let ascii = glyphs == Glyphs::Ascii;
+    let text = harmless(text, ascii);
+    let fits = |c: char| match glyphs {
+        Glyphs::Ascii => c.is_ascii(),
+        // Console fonts have Latin-1.
+        Glyphs::Line => u32::from(c) < 0x100,
+        // What was harmful is `?` here as elsewhere.
+        Glyphs::Braille if c == char::REPLACEMENT_CHARACTER => false,
+        Glyphs::Braille => {
+            let mut buffer = [0; 4];
+            ratatui::text::Span::raw(&*c.encode_utf8(&mut buffer)).width() == 1
+        }
+    };
+    text.chars()
+        .map(|c| if fits(c) { c } else { '?' })
+        .collect()
+}

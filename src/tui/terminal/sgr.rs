@@ -1,0 +1,170 @@
+//! Colours and attributes, and the bytes that change them: SGR in its shortest form.
+
+use crate::tui::appearance::palette::Palette;
+use ratatui::buffer::Cell;
+use ratatui::style::{Color, Modifier};
+use std::io::Write;
+
+const PLAIN: &[u8] = b"\x1b[m";
+
+const ATTRIBUTES: [(Modifier, u8); 4] = [
+    (Modifier::BOLD, 1),
+    (Modifier::DIM, 2),
+    (Modifier::UNDERLINED, 4),
+    (Modifier::REVERSED, 7),
+];
+
+/// What shows on a blank, too.
+const OF_BLANKS: Modifier = Modifier::UNDERLINED.union(Modifier::REVERSED);
+
+/// Colours and attributes in force.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Sgr {
+    fg: Color,
+    bg: Color,
+    modifier: Modifier,
+}
+
+/// How a terminal shows cells.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Look {
+    pub(super) palette: Palette,
+    /// The Linux console shows faint text in a grey that is hard to read; a VT100 has none.
+    pub(super) has_faint: bool,
+}
+
+impl Look {
+    /// A cell's colours and attributes, as far as the terminal has them and they can be seen.
+    pub(super) fn pen_of(&self, cell: &Cell) -> Sgr {
+        let mut sgr = Sgr {
+            fg: cell.fg,
+            bg: cell.bg,
+            modifier: cell.modifier,
+        };
+        if cell.symbol() == " " && !sgr.modifier.contains(Modifier::REVERSED) {
+            sgr.fg = Color::Reset;
+            sgr.modifier &= OF_BLANKS;
+        }
+        if sgr == Sgr::PLAIN {
+            return sgr;
+        }
+        let (fg, modifier) = self.palette.faint(sgr.fg, sgr.modifier);
+        let none = if self.has_faint {
+            Modifier::empty()
+        } else {
+            Modifier::DIM
+        };
+        Sgr {
+            fg: self.palette.colour(fg),
+            bg: self.palette.colour(sgr.bg),
+            modifier: modifier - none,
+        }
+    }
+
+    /// Whether two cells look alike.
+    pub(super) fn same(&self, a: &Cell, b: &Cell) -> bool {
+        same_symbol(a, b) && (same_style(a, b) || self.pen_of(a) == self.pen_of(b))
+    }
+
+    /// Whether a cell is nothing but ground.
+    pub(super) fn is_blank(&self, cell: &Cell) -> bool {
+        cell.symbol().as_bytes() == b" " && self.pen_of(cell) == Sgr::PLAIN
+    }
+}
+
+/// Whether two cells are the same, whatever the terminal shows of it: most are, and this is asked of
+/// every cell of every frame.
+pub(super) fn identical(a: &Cell, b: &Cell) -> bool {
+    same_style(a, b) && same_symbol(a, b)
+}
+
+fn same_style(a: &Cell, b: &Cell) -> bool {
+    (a.fg, a.bg, a.modifier) == (b.fg, b.bg, b.modifier)
+}
+
+fn same_symbol(a: &Cell, b: &Cell) -> bool {
+    match (a.symbol().as_bytes(), b.symbol().as_bytes()) {
+        // Without a call.
+        ([a], [b]) => a == b,
+        (a, b) => a == b,
+    }
+}
+
+impl Sgr {
+    pub(super) const PLAIN: Sgr = Sgr {
+        fg: Color::Reset,
+        bg: Color::Reset,
+        modifier: Modifier::empty(),
+    };
+
+    /// Whether a blank drawn with this pen is plain ground.
+    pub(super) fn leaves_blanks(self) -> bool {
+        self.bg == Color::Reset && !self.modifier.intersects(OF_BLANKS)
+    }
+
+    /// Takes up this pen where `has` was in force.
+    pub(super) fn take_up(self, has: Sgr, bytes: &mut Vec<u8>) {
+        if self == has {
+            return;
+        }
+        if self == Sgr::PLAIN {
+            bytes.extend_from_slice(PLAIN);
+            return;
+        }
+        // An attribute is taken away by starting over: VT100s do not know how to end a single one.
+        let over = !self.modifier.contains(has.modifier);
+        let has = if over { Sgr::PLAIN } else { has };
+        bytes.extend_from_slice(b"\x1b[");
+        if over {
+            bytes.extend_from_slice(b"0;");
+        }
+        for (modifier, code) in ATTRIBUTES {
+            if (self.modifier - has.modifier).contains(modifier) {
+                escape(bytes, format_args!("{code};"));
+            }
+        }
+        if self.fg != has.fg {
+            colour(self.fg, 0, bytes);
+        }
+        if self.bg != has.bg {
+            colour(self.bg, 10, bytes);
+        }
+        // The last separator becomes the end.
+        bytes.pop();
+        bytes.push(b'm');
+    }
+}
+
+/// A colour with a separator behind it; `layer` is 0 for the foreground, 10 for the background.
+fn colour(colour: Color, layer: u8, bytes: &mut Vec<u8>) {
+    let name = match colour {
+        Color::Reset => 39,
+        Color::Black => 30,
+        Color::Red => 31,
+        Color::Green => 32,
+        Color::Yellow => 33,
+        Color::Blue => 34,
+        Color::Magenta => 35,
+        Color::Cyan => 36,
+        Color::Gray => 37,
+        Color::DarkGray => 90,
+        Color::LightRed => 91,
+        Color::LightGreen => 92,
+        Color::LightYellow => 93,
+        Color::LightBlue => 94,
+        Color::LightMagenta => 95,
+        Color::LightCyan => 96,
+        Color::White => 97,
+        Color::Indexed(i) => return escape(bytes, format_args!("{};5;{i};", 38 + layer)),
+        Color::Rgb(r, g, b) => {
+            return escape(bytes, format_args!("{};2;{r};{g};{b};", 38 + layer));
+        }
+    };
+    escape(bytes, format_args!("{};", name + layer));
+}
+
+/// Appends what is formatted.
+pub(super) fn escape(bytes: &mut Vec<u8>, text: std::fmt::Arguments<'_>) {
+    // Writing into memory cannot fail.
+    let _ = bytes.write_fmt(text);
+}

@@ -1,0 +1,439 @@
+//! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
+
+use super::keyboard::{Input, Keyboard};
+use super::line::Line;
+use super::rate_limit::{QUESTION, RateLimit};
+use super::signals::{self, Notice, Signals};
+use super::watch::Watch;
+use crate::capability::Capability;
+use crate::tui::Error;
+use crate::tui::commands::key::Key;
+use ratatui::layout::Size;
+use rustix::event::{PollFd, PollFlags, Timespec, poll};
+use rustix::fs::{Mode, OFlags, open};
+use rustix::io::{Errno, read, write};
+use rustix::termios::{OptionalActions, Termios, isatty, tcgetattr, tcgetwinsize, tcsetattr};
+use std::io;
+use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// Alternate screen, cursor hidden; the painter clears.
+const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l";
+/// Undoes it. The screen is cleared for terminals that have no alternate one.
+const LEAVE: &[u8] = b"\x1b[0m\x1b[2J\x1b[H\x1b[?25h\x1b[?1049l";
+/// Text that is pasted comes marked as such.
+const ENTER_MODERN: &[u8] = b"\x1b[?2004h";
+const LEAVE_MODERN: &[u8] = b"\x1b[?2004l";
+/// Ends a frame that was cut short: CAN aborts half a sequence, and the frame is shown as it is.
+const CUT: &[u8] = b"\x18";
+const CUT_MODERN: &[u8] = b"\x1b[?2026l";
+
+/// How long a stalled line may hold up leaving.
+const FAREWELL: Duration = Duration::from_millis(500);
+/// What is read before a frame is drawn; a terminal's queue holds no more.
+const MOST_AT_ONCE: usize = 4096;
+
+/// What a terminal is taken for that reports no size: a serial console, mostly.
+const USUAL_SIZE: Size = Size::new(80, 24);
+/// No screen is larger; a nonsensical size must not eat the memory.
+const LARGEST_SIZE: Size = Size::new(1000, 400);
+
+/// Why the wait is over.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Wake {
+    /// A key was pressed.
+    Key(Key),
+    /// Text was pasted.
+    Paste(String),
+    /// A signal came.
+    Notice(Notice),
+    /// The line has taken the last frame.
+    Room,
+    /// Something has happened to the file that is watched.
+    Written,
+    /// The bell rings.
+    Done,
+    /// The terminal is gone; nothing may be written any more.
+    HungUp,
+}
+
+/// The terminal, taken over. Dropping it puts the terminal back.
+#[derive(Debug)]
+pub(crate) struct Tty {
+    keys: OwnedFd,
+    screen: OwnedFd,
+    /// The modes as they were found, and as they are set while it is held.
+    found: Termios,
+    modern: bool,
+    entered: bool,
+    hung_up: bool,
+    /// Whether the last frame was not written to its end.
+    cut: bool,
+    signals: Signals,
+    watch: Watch,
+    keyboard: Keyboard,
+    rate_limit: RateLimit,
+    /// What has come and was not asked for yet.
+    wakes: Vec<Wake>,
+}
+
+impl Tty {
+    /// Takes the terminal over.
+    ///
+    /// Keys come from standard input, or from /dev/tty if that is no terminal: the scene may come
+    /// through standard input.
+    ///
+    /// # Errors
+    /// No terminal to draw on or to read keys from, or what the system says.
+    pub(crate) fn open(capability: Capability) -> Result<Self, Error> {
+        let screen = terminal_of(io::stdout().as_fd()).ok_or(Error::NoScreen)?;
+        let keys = terminal_of(io::stdin().as_fd()).or_else(controlling_terminal);
+        let keys = keys.ok_or(Error::NoKeyboard)?;
+        let mut tty = Tty {
+            found: tcgetattr(&keys).map_err(io::Error::from)?,
+            keys,
+            screen,
+            modern: capability.modern,
+            entered: false,
+            hung_up: false,
+            cut: false,
+            signals: Signals::new()?,
+            watch: Watch::new(),
+            keyboard: Keyboard::default(),
+            rate_limit: RateLimit::new(None),
+            wakes: Vec::new(),
+        };
+        tty.enter()?;
+        Ok(tty)
+    }
+
+    /// Raw mode and alternate screen. What the screen shows afterwards is not known.
+    pub(crate) fn enter(&mut self) -> io::Result<()> {
+        self.entered = true;
+        self.rate_limit = RateLimit::new(Line::of(&self.screen).and_then(Line::rate));
+        let mut raw = self.found.clone();
+        raw.make_raw();
+        tcsetattr(&self.keys, OptionalActions::Now, &raw)?;
+        let modern = if self.modern { ENTER_MODERN } else { &[] };
+        self.write_all(&[ENTER, modern].concat())
+    }
+
+    /// Puts the terminal back as it was found. Does what it can: there is nobody to tell.
+    pub(crate) fn leave(&mut self) {
+        if !std::mem::take(&mut self.entered) || self.hung_up {
+            return;
+        }
+        self.await_answer();
+        let parts = [
+            (CUT, self.cut),
+            (CUT_MODERN, self.cut && self.modern),
+            (LEAVE_MODERN, self.modern),
+            (LEAVE, true),
+        ];
+        let said = parts.iter().filter(|(_, said)| *said);
+        let bytes: Vec<u8> = said.flat_map(|(part, _)| part.iter().copied()).collect();
+        let _ = self.write_until(&bytes, Some(Instant::now() + FAREWELL));
+        let _ = tcsetattr(&self.keys, OptionalActions::Now, &self.found);
+    }
+
+    /// Stops the program until it is continued; does nothing where nobody could continue it.
+    /// What the screen shows afterwards is not known.
+    pub(crate) fn suspend(&mut self) -> io::Result<()> {
+        if !signals::can_suspend() {
+            return Ok(());
+        }
+        self.leave();
+        signals::stop()?;
+        let woken_by = |n: &Notice| matches!(n, Notice::Continued | Notice::Suspend);
+        let others = self.signals.pending().into_iter().filter(|n| !woken_by(n));
+        self.wakes.extend(others.map(Wake::Notice));
+        self.enter()
+    }
+
+    /// The size of the screen in cells, never empty.
+    #[must_use]
+    pub(crate) fn size(&self) -> Size {
+        let told = tcgetwinsize(&self.screen).map_or((0, 0), |w| (w.ws_col, w.ws_row));
+        match told {
+            (0, _) | (_, 0) => USUAL_SIZE,
+            (cols, rows) => Size::new(cols.min(LARGEST_SIZE.width), rows.min(LARGEST_SIZE.height)),
+        }
+    }
+
+    /// The height of a cell for its width, if the terminal's size in pixels tells it.
+    #[must_use]
+    pub(crate) fn aspect(&self) -> Option<f64> {
+        let w = tcgetwinsize(&self.screen).ok()?;
+        let cell = |pixels: u16, cells: u16| f64::from(pixels) / f64::from(cells);
+        let aspect = cell(w.ws_ypixel, w.ws_row) / cell(w.ws_xpixel, w.ws_col);
+        // Some terminals report pixels that cannot be; a cell is between square and very slim.
+        (1.0..=4.0).contains(&aspect).then_some(aspect)
+    }
+
+    /// Tells from now on what happens to this file, and to no other; whether that begins now.
+    pub(crate) fn follow(&mut self, file: Option<&Path>) -> bool {
+        self.watch.follow(file)
+    }
+
+    /// Since when a person has seen the last frame, if it is not still on its way.
+    pub(crate) fn drawn_at(&self) -> Option<Instant> {
+        self.rate_limit.drawn_at(Instant::now())
+    }
+
+    /// From when on a frame may be sent, if [`Wake::Room`] does not come before; `None` if at once.
+    pub(crate) fn ready_at(&self) -> Option<Instant> {
+        self.rate_limit.ready_at()
+    }
+
+    /// So many bytes the next frame may have.
+    pub(crate) fn room(&self) -> usize {
+        self.rate_limit.room()
+    }
+
+    /// Writes a frame; one without a byte is none. On a line that hangs, what ends the program ends
+    /// the writing too; it is reported by the next [`Tty::wait`].
+    pub(crate) fn send(&mut self, frame: &[u8]) -> io::Result<()> {
+        if frame.is_empty() {
+            return Ok(());
+        }
+        let ask = self.rate_limit.send(frame.len(), Instant::now());
+        let question = if ask { QUESTION } else { &[] };
+        self.write_all(&[frame, question].concat())
+    }
+
+    /// Writes what is no part of a frame and is never dropped for one: whole, once, behind what was
+    /// sent before. The screen must not change by it.
+    pub(crate) fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.rate_limit.say(bytes.len());
+        self.write_all(bytes)
+    }
+
+    fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {
+        self.cut = true;
+        self.cut = !self.write_until(bytes, None)?;
+        Ok(())
+    }
+
+    /// Waits for an answer that is still to come: the shell would take it for typed text. Keys typed
+    /// meanwhile were meant for us and are dropped with it.
+    fn await_answer(&mut self) {
+        let Some(until) = self.rate_limit.farewell(Instant::now()) else {
+            return;
+        };
+        while !self.hung_up && Instant::now() < until {
+            let mut inputs = Vec::new();
+            let read = self
+                .poll(Some(until), PollFlags::empty(), None)
+                .and_then(|told| self.read_keys(told.keys, &mut inputs));
+            if read.is_err() || inputs.contains(&Input::Answer) {
+                return;
+            }
+            // Another signal changes nothing, nor does the scene's file: we are leaving.
+            self.signals.pending();
+            self.watch.told();
+        }
+    }
+
+    /// Writes, and says whether everything was written.
+    fn write_until(&mut self, mut bytes: &[u8], deadline: Option<Instant>) -> io::Result<bool> {
+        while !bytes.is_empty() && !self.hung_up {
+            match write(&self.screen, bytes) {
+                Ok(n) => bytes = &bytes[n..],
+                Err(Errno::INTR) => {}
+                Err(Errno::AGAIN) => {
+                    if !self.wait_for_room(deadline)? {
+                        return Ok(false);
+                    }
+                }
+                Err(Errno::IO | Errno::PIPE | Errno::NXIO) => self.hung_up = true,
+                Err(error) => return Err(error.into()),
+            }
+        }
+        Ok(bytes.is_empty())
+    }
+
+    /// Waits until the line takes more; false if the rest is not worth waiting for.
+    fn wait_for_room(&mut self, deadline: Option<Instant>) -> io::Result<bool> {
+        let told = self.poll(deadline, PollFlags::OUT, None)?;
+        if deadline.is_some_and(|deadline| deadline <= Instant::now()) {
+            return Ok(false);
+        }
+        self.collect(told)?;
+        let leaving = deadline.is_some();
+        Ok(leaving || !self.wakes.iter().any(ends))
+    }
+
+    /// Waits for something to happen until `deadline`, or for ever. Everything that is there is taken
+    /// at once, so that many keys cost one frame; keys are looked for even where time is up.
+    pub(crate) fn wait(
+        &mut self,
+        deadline: Option<Instant>,
+        bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Vec<Wake>> {
+        loop {
+            let at_once = (!self.wakes.is_empty()).then(Instant::now);
+            let until = [deadline, self.keyboard.deadline(), at_once];
+            let until = until.into_iter().flatten().min();
+            let told = self.poll(until, PollFlags::empty(), bell)?;
+            self.collect(told)?;
+            if !told.bell.is_empty() {
+                self.wakes.push(Wake::Done);
+            }
+            if self.hung_up {
+                self.wakes.push(Wake::HungUp);
+            }
+            if !self.wakes.is_empty() || deadline.is_some_and(|d| d <= Instant::now()) {
+                return Ok(std::mem::take(&mut self.wakes));
+            }
+        }
+    }
+
+    /// Takes in what signals and keys have come.
+    fn collect(&mut self, told: Told) -> io::Result<()> {
+        self.hung_up |= gone(told.screen);
+        let notices = self.signals.pending().into_iter();
+        self.wakes.extend(notices.map(Wake::Notice));
+        if self.watch.told() {
+            self.wakes.push(Wake::Written);
+        }
+        let mut inputs = Vec::new();
+        self.read_keys(told.keys, &mut inputs)?;
+        let now = Instant::now();
+        if self
+            .keyboard
+            .deadline()
+            .is_some_and(|deadline| deadline <= now)
+        {
+            self.keyboard.give_up(&mut inputs);
+        }
+        for input in inputs {
+            self.wakes.push(match input {
+                Input::Key(key) => Wake::Key(key),
+                Input::Paste(text) => Wake::Paste(text),
+                Input::Answer => {
+                    self.rate_limit.answered(now);
+                    Wake::Room
+                }
+            });
+        }
+        Ok(())
+    }
+
+    /// Waits for keys, signals, a bell, and what is asked of the screen.
+    fn poll(
+        &self,
+        until: Option<Instant>,
+        screen: PollFlags,
+        bell: Option<BorrowedFd<'_>>,
+    ) -> io::Result<Told> {
+        let timeout = until.map(|d| timespec(d.saturating_duration_since(Instant::now())));
+        let keys = PollFd::new(&self.keys, PollFlags::IN);
+        let signals = PollFd::new(&self.signals, PollFlags::IN);
+        let screen = PollFd::new(&self.screen, screen);
+        // Where nothing is watched, the place is taken by what is waited on anyway.
+        let or_signals = |fd: Option<_>| match fd {
+            Some(fd) => PollFd::from_borrowed_fd(fd, PollFlags::IN),
+            None => signals.clone(),
+        };
+        let (watched, rings) = (or_signals(self.watch.descriptor()), or_signals(bell));
+        let mut fds = [keys, signals, screen, watched, rings];
+        match poll(&mut fds, timeout.as_ref()) {
+            Ok(_) => Ok(Told {
+                keys: fds[0].revents(),
+                screen: fds[2].revents(),
+                bell: match bell {
+                    Some(_) => fds[4].revents(),
+                    None => PollFlags::empty(),
+                },
+            }),
+            Err(Errno::INTR) => Ok(Told::default()),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// Reads once, which never blocks after a poll. The end of the file and an error of the device
+    /// mean that the terminal is gone.
+    fn read_keys(&mut self, told: PollFlags, inputs: &mut Vec<Input>) -> io::Result<()> {
+        if told.is_empty() {
+            return Ok(());
+        }
+        let mut buffer = [0; MOST_AT_ONCE];
+        match read(&self.keys, &mut buffer) {
+            Ok(0) | Err(Errno::IO | Errno::NXIO) => self.hung_up = true,
+            Ok(n) => self.keyboard.feed(&buffer[..n], Instant::now(), inputs),
+            // Nothing to read, and yet poll returned: without this the loop would spin.
+            Err(Errno::AGAIN) => self.hung_up |= gone(told),
+            Err(Errno::INTR) => {}
+            Err(error) => return Err(error.into()),
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Tty {
+    fn drop(&mut self) {
+        self.leave();
+    }
+}
+
+/// What poll says of both directions.
+#[derive(Clone, Copy, Debug)]
+struct Told {
+    keys: PollFlags,
+    screen: PollFlags,
+    bell: PollFlags,
+}
+
+impl Default for Told {
+    fn default() -> Self {
+        Told {
+            keys: PollFlags::empty(),
+            screen: PollFlags::empty(),
+            bell: PollFlags::empty(),
+        }
+    }
+}
+
+/// What ends the program even where a line hangs.
+fn ends(wake: &Wake) -> bool {
+    matches!(
+        wake,
+        Wake::HungUp | Wake::Notice(Notice::End(_)) | Wake::Key(Key::Ctrl('c'))
+    )
+}
+
+/// Whether what poll says means that the terminal is gone.
+fn gone(events: PollFlags) -> bool {
+    events.intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL)
+}
+
+/// A descriptor of our own for the terminal behind `fd`, which never blocks; `None` if it is none.
+///
+/// Opened anew, since O_NONBLOCK on the given one would reach every program that shares it. Where
+/// that is not allowed (after `su`), the given one is used, and a stalled line can block.
+fn terminal_of(fd: BorrowedFd<'_>) -> Option<OwnedFd> {
+    if !isatty(fd) {
+        return None;
+    }
+    let path = format!("/proc/self/fd/{}", std::os::fd::AsRawFd::as_raw_fd(&fd));
+    let anew = open(path, terminal_flags(), Mode::empty()).ok();
+    anew.filter(|fd| isatty(fd))
+        .or_else(|| fd.try_clone_to_owned().ok())
+}
+
+fn controlling_terminal() -> Option<OwnedFd> {
+    open("/dev/tty", terminal_flags(), Mode::empty()).ok()
+}
+
+fn terminal_flags() -> OFlags {
+    OFlags::RDWR | OFlags::NONBLOCK | OFlags::NOCTTY | OFlags::CLOEXEC
+}
+
+fn timespec(duration: Duration) -> Timespec {
+    // No wait is longer than i64 seconds.
+    Timespec::try_from(duration).unwrap_or(Timespec {
+        tv_sec: i64::MAX,
+        tv_nsec: 0,
+    })
+}

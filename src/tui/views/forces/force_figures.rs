@@ -1,0 +1,80 @@
+//! The forces of the state that is looked at, and in which form they are shown over the motion.
+
+use crate::report::{Entry, Forces};
+use crate::tui::figures::format::Format;
+
+/// Forces, with the forms of their figures.
+#[derive(Debug)]
+pub(crate) struct ForceFigures {
+    forces: Forces,
+    formats: Formats,
+}
+
+/// The forms of figures of a kind: those of one kind can be compared by eye.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Formats {
+    /// What the driver must do, and its parts.
+    pub(crate) effort: Format,
+    pub(crate) power: Format,
+    /// At joints, guides and the frame.
+    pub(crate) force: Format,
+    pub(crate) moment: Format,
+    /// Distances along a guide.
+    pub(crate) arm: Format,
+}
+
+impl ForceFigures {
+    /// Forces here, in forms that fit those over the motion.
+    pub(crate) fn new(forces: Forces, samples: &[Forces]) -> ForceFigures {
+        ForceFigures {
+            forces,
+            formats: Formats::of(samples),
+        }
+    }
+
+    /// The same scene at another coordinate.
+    pub(crate) fn follow(&mut self, forces: Option<Forces>) {
+        if let Some(forces) = forces {
+            self.forces = forces;
+        }
+    }
+
+    pub(crate) fn forces(&self) -> &Forces {
+        &self.forces
+    }
+
+    pub(crate) fn formats(&self) -> &Formats {
+        &self.formats
+    }
+}
+
+impl Formats {
+    fn of(samples: &[Forces]) -> Formats {
+        let format = |entries: fn(&Forces) -> Vec<Entry>| {
+            let sizes = samples.iter().flat_map(entries);
+            let sizes = sizes.filter_map(|entry| entry.seen()).map(f64::abs);
+            // What is nothing says nothing about the size of what there is.
+            Format::of_sizes(sizes.filter(|size| *size > 0.0).collect())
+        };
+        Formats {
+            effort: format(|forces| [&[forces.drive.total][..], &forces.drive.parts].concat()),
+            power: format(|forces| vec![forces.drive.power]),
+            force: format(sizes_of_forces),
+            moment: format(|forces| {
+                let guides = forces.guides.iter().filter_map(|guide| guide.moment);
+                guides.chain([forces.frame.moment]).collect()
+            }),
+            arm: format(|forces| forces.guides.iter().filter_map(|guide| guide.at).collect()),
+        }
+    }
+}
+
+/// The sizes of all forces; components are no larger.
+fn sizes_of_forces(forces: &Forces) -> Vec<Entry> {
+    let joints = forces.joints.iter().filter_map(|joint| joint.force);
+    let planes = joints.chain(forces.frame.force);
+    let sizes = planes.map(|plane| plane.entries(false)[2]);
+    sizes
+        .chain(forces.guides.iter().map(|guide| guide.normal))
+        .collect()
+}

@@ -1,0 +1,144 @@
+//! The help overlay: the keys by what they are for, over the middle of the view.
+//!
+//! ```text
+//! +- Help ------------------------+
+//! | The motion                    |
+//! | space        play or pause    |
+//! ```
+
+pub(crate) mod text;
+
+use super::popup::{self, BORDER};
+use super::table::UNSURE;
+use super::{cut, print, print_right};
+use crate::capability::Colours;
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::commands::action::Action;
+use crate::tui::figures::sheet::FOUND;
+use crate::tui::views::help::text::{Help, HelpLine};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns of the keys, and of what they do.
+const KEYS: u16 = 13;
+const HELP: u16 = 23;
+/// Blanks between two columns of lines.
+const GAP: u16 = 2;
+/// More columns than this are no help.
+const MOST_COLUMNS: u16 = 3;
+
+/// What is said where no key was found.
+const NOTHING: [&str; 2] = ["no key does that", "Esc shows all keys"];
+
+pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
+    let lines = help.lines(app.view(), app.keymap());
+    let place = popup::centred(area, width(area), height(area, lines.len()));
+    let end = popup::frame(app.glyphs(), place, "Help", buffer);
+    if let Some(words) = help.words() {
+        searched(words, help.is_typing(), end, place, buffer);
+    }
+    footer(app, help, lines.len(), place, buffer);
+    let inner = popup::within(place);
+    if lines.is_empty() {
+        for (y, text) in (inner.top()..inner.bottom()).zip(NOTHING) {
+            print(
+                buffer,
+                inner.x,
+                y,
+                inner.width,
+                text,
+                theme::part(Part::Text),
+            );
+        }
+    }
+    let per_column = usize::from(inner.height).max(1);
+    let seen = lines.get(help.scroll..).unwrap_or_default();
+    let xs = (inner.x..).step_by((KEYS + HELP + GAP).into());
+    for (x, lines) in xs.zip(seen.chunks(per_column)).take(count(area).into()) {
+        for (y, line) in (inner.y..).zip(lines) {
+            show(line, x, y, buffer);
+        }
+    }
+}
+
+fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
+    match line {
+        HelpLine::Blank => {}
+        HelpLine::Title(title) => {
+            print(buffer, x, y, KEYS + HELP, title, theme::part(Part::Title));
+        }
+        HelpLine::Keys(keys, help) => {
+            let keys = cut(keys, usize::from(KEYS) - 1);
+            // Bold keys would be a third of what the help takes of a slow line.
+            print(buffer, x, y, KEYS, &keys, theme::part(Part::Text));
+            print(buffer, x + KEYS, y, HELP, help, theme::part(Part::Text));
+        }
+    }
+}
+
+/// What is searched for, in the upper border; of long words the end is seen.
+fn searched(words: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer) {
+    let room = place.right().saturating_sub(x + 5);
+    let skipped = words.len().saturating_sub(room.into());
+    let text = format!("/{}", words.get(skipped..).unwrap_or_default());
+    let room = room + 1;
+    let x = print(buffer, x, place.y, room, &text, theme::part(Part::Text));
+    let caret = if typing { Part::Caret } else { Part::Text };
+    print(buffer, x, place.y, 1, " ", theme::part(caret));
+}
+
+/// In the lower border what marks mean, and how to see more.
+fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer) {
+    let (y, style) = (place.bottom() - 1, theme::part(Part::Quiet));
+    let inner = popup::within(place);
+    let seen = usize::from(inner.height) * usize::from(count(place));
+    let legend = legend(app.colours(), inner.width > KEYS + HELP);
+    print(buffer, place.x + 2, y, inner.width, &legend, style);
+    if help.scroll + seen < lines
+        && let Some(key) = app.keymap().key(Action::LineDown)
+    {
+        let more = format!(" {key} for more ");
+        print_right(buffer, place.right() - 2, y, &more, style);
+    }
+}
+
+/// What the marks beside figures mean; of digits only where there is room.
+fn legend(colours: Colours, wide: bool) -> String {
+    let digits = match (wide, colours) {
+        (false, _) => String::new(),
+        (true, Colours::None) => format!("; {UNSURE} for digits that are not proved"),
+        (true, _) => "; dim digits are not proved".into(),
+    };
+    format!(" {FOUND} found, rest given{digits} ")
+}
+
+/// Where the box is.
+pub(super) fn placed(app: &App, help: &Help, area: Rect) -> Rect {
+    let lines = help.lines(app.view(), app.keymap()).len();
+    popup::centred(area, width(area), height(area, lines))
+}
+
+/// Lines of the help, and how many are seen.
+pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
+    let lines = help.lines(app.view(), app.keymap()).len();
+    let rows = popup::within(placed(app, help, area)).height;
+    (lines, usize::from(rows) * usize::from(count(area)))
+}
+
+/// Columns of lines for which there is room.
+fn count(area: Rect) -> u16 {
+    let room = (area.width + GAP).saturating_sub(BORDER.0);
+    (room / (KEYS + HELP + GAP)).clamp(1, MOST_COLUMNS)
+}
+
+fn width(area: Rect) -> u16 {
+    let count = count(area);
+    count * (KEYS + HELP) + (count - 1) * GAP
+}
+
+/// Rows of so many lines; also while a search finds few of them, the words must have their place.
+fn height(area: Rect, lines: usize) -> u16 {
+    let rows = lines.div_ceil(count(area).into()).max(NOTHING.len());
+    u16::try_from(rows).unwrap_or(u16::MAX)
+}

@@ -1,0 +1,192 @@
+//! What the help shows: the table of actions by what they are for, the present view first, and of that what
+//! a person searches for.
+
+use crate::tui::app::View;
+use crate::tui::commands::action::{self, Entry, Place};
+use crate::tui::commands::keymap::Keymap;
+use crate::tui::commands::line::Line;
+
+/// The help overlay.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Help {
+    /// Lines that it is scrolled by.
+    pub(crate) scroll: usize,
+    search: Option<Search>,
+}
+
+/// What is searched for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Search {
+    line: Line,
+    /// Whether keys are typed into the line.
+    typing: bool,
+}
+
+/// A line of the help.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum HelpLine {
+    /// Between two groups.
+    Blank,
+    /// What the keys below are for.
+    Title(&'static str),
+    /// Keys, and what they do.
+    Keys(String, &'static str),
+}
+
+impl Help {
+    /// Begins to search, or goes on with it.
+    pub(crate) fn search(&mut self) {
+        let line = match self.search.take() {
+            Some(search) => search.line,
+            None => Line::for_words(),
+        };
+        self.search = Some(Search { line, typing: true });
+    }
+
+    /// The line that is typed into.
+    pub(crate) fn typed(&mut self) -> Option<&mut Line> {
+        let search = self.search.as_mut().filter(|search| search.typing)?;
+        Some(&mut search.line)
+    }
+
+    /// Whether keys are typed.
+    pub(crate) fn is_typing(&self) -> bool {
+        self.search.as_ref().is_some_and(|search| search.typing)
+    }
+
+    /// Ends the typing: what was found stays.
+    pub(crate) fn accept(&mut self) {
+        match &mut self.search {
+            Some(search) if !search.line.text().trim().is_empty() => search.typing = false,
+            _ => self.search = None,
+        }
+    }
+
+    /// Shows all keys again. False if it did before.
+    pub(crate) fn show_all(&mut self) -> bool {
+        self.scroll = 0;
+        self.search.take().is_some()
+    }
+
+    /// What is searched for.
+    pub(crate) fn words(&self) -> Option<&str> {
+        self.search.as_ref().map(|search| search.line.text())
+    }
+
+    /// The lines in a view: none where no key does what is searched for.
+    pub(crate) fn lines(&self, view: View, keymap: &Keymap) -> Vec<HelpLine> {
+        let wanted = self.words().unwrap_or_default().to_ascii_lowercase();
+        let mut lines = Vec::new();
+        for (title, entries) in groups(Some(view)) {
+            let rows = entries.into_iter().filter_map(|entry| {
+                let keys = keymap.keys(entry.action);
+                let row = (action::listed(keys), entry.help);
+                let is_meant = finds(&wanted, &[&row.0, row.1, entry.name, title]);
+                (is_meant && !keys.is_empty()).then_some(row)
+            });
+            let mut rows = rows.peekable();
+            if rows.peek().is_none() {
+                continue;
+            }
+            if !lines.is_empty() {
+                lines.push(HelpLine::Blank);
+            }
+            lines.push(HelpLine::Title(title));
+            lines.extend(rows.map(|(keys, help)| HelpLine::Keys(keys, help)));
+        }
+        lines
+    }
+}
+
+/// Whether each of the words is in one of the texts.
+fn finds(words: &str, texts: &[&str]) -> bool {
+    let texts: Vec<String> = texts.iter().map(|text| text.to_ascii_lowercase()).collect();
+    let mut words = words.split_whitespace();
+    words.all(|word| texts.iter().any(|text| text.contains(word)))
+}
+
+/// The rows of the table by what they are for: those of a view alone first, what all views have in common, then
+/// those of the other views.
+pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Entry>)> {
+    let of = |view: View| {
+        let here = move |entry: &&Entry| entry.place == Place::In(view);
+        (
+            view.pane().help_title(),
+            action::entries().filter(here).collect(),
+        )
+    };
+    let common = action::SECTIONS.iter().map(|section| {
+        let everywhere = |entry: &&Entry| entry.place == Place::Everywhere;
+        let entries: Vec<_> = section.entries.iter().filter(everywhere).collect();
+        (section.title, entries)
+    });
+    let others = View::ALL.into_iter().filter(|view| Some(*view) != first);
+    let all = first.into_iter().map(of).chain(common);
+    all.chain(others.map(of))
+        .filter(|(_, entries): &(_, Vec<_>)| !entries.is_empty())
+        .collect()
+}
+
+/// The keys that are built in and what they do, one row each, for a manual: the group, the keys, the
+/// purpose.
+pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> {
+    groups(None).into_iter().flat_map(|(title, entries)| {
+        let row = move |entry: &Entry| (title, action::listed(entry.keys), entry.help);
+        entries.into_iter().map(row)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn searched(words: &str) -> Vec<HelpLine> {
+        let mut help = Help::default();
+        help.search();
+        let line = help.typed().unwrap();
+        words.chars().for_each(|c| line.push(c));
+        help.lines(View::Motion, &Keymap::default())
+    }
+
+    #[test]
+    fn every_action_stands_in_one_group() {
+        for first in View::ALL.map(Some).into_iter().chain([None]) {
+            let all = groups(first).into_iter().flat_map(|(_, entries)| entries);
+            let all: Vec<&str> = all.map(|entry| entry.name).collect();
+            assert_eq!(all.len(), action::entries().count());
+            assert!(action::entries().all(|entry| all.contains(&entry.name)));
+        }
+    }
+
+    #[test]
+    fn the_keys_of_the_present_view_come_first() {
+        let lines = Help::default().lines(View::Scene, &Keymap::default());
+        assert_eq!(lines[0], HelpLine::Title("In the scene view"));
+        let lines = Help::default().lines(View::Accuracy, &Keymap::default());
+        assert_eq!(lines[0], HelpLine::Title("The motion"));
+    }
+
+    #[test]
+    fn all_words_must_be_found_and_in_any_order() {
+        let keys = |lines: Vec<HelpLine>| -> Vec<String> {
+            let keys = lines.into_iter().filter_map(|line| match line {
+                HelpLine::Keys(keys, _) => Some(keys),
+                HelpLine::Blank | HelpLine::Title(_) => None,
+            });
+            keys.collect()
+        };
+        assert_eq!(keys(searched("VELOCITY arrows")), ["v"]);
+        assert_eq!(keys(searched("f2")), ["I F2"]);
+        assert!(keys(searched("scene")).len() > 3, "the group counts too");
+        assert_eq!(searched("coffee"), []);
+    }
+
+    #[test]
+    fn an_action_without_a_key_is_not_listed() {
+        let mut keymap = Keymap::default();
+        let before = Help::default().lines(View::Motion, &keymap).len();
+        keymap.set(action::Action::Reverse, Vec::new());
+        let after = Help::default().lines(View::Motion, &keymap).len();
+        assert_eq!(after, before - 1);
+    }
+}

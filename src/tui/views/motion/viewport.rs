@@ -1,0 +1,315 @@
+//! What the motion view shows beside the linkage, and which part of it how large.
+//!
+//! Layers are switched by keys and stay on from scene to scene; the window is fitted to each scene anew.
+//! What follows from the whole motion is found once for a scene and a choice, not for every frame.
+
+use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, View, Wanted};
+use crate::tui::player::open_scene::OpenScene;
+use crate::tui::views::motion::followed::FollowedPoints;
+use crate::{PointId, Vec2};
+
+/// Positions of the linkage that are shown elsewhere in its motion.
+const GHOSTS: u16 = 6;
+
+/// A lower drawing leaves no room for the tips of arrows: the linkage would be too small to see.
+const ROOM_FOR_ARROWS: u16 = 12;
+
+/// Traces are named while they are so few.
+const MOST_NAMES: usize = 3;
+
+/// A picture of its own is so many columns wide, and so many rows high at the most.
+const PICTURE: (u16, u16) = (100, 50);
+/// The height of its characters for their width.
+const PICTURE_ASPECT: f64 = 2.0;
+
+/// Which names are shown.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Names {
+    #[default]
+    Points,
+    PointsAndLinks,
+    None,
+}
+
+impl Names {
+    fn next(self) -> Names {
+        match self {
+            Names::Points => Names::PointsAndLinks,
+            Names::PointsAndLinks => Names::None,
+            Names::None => Names::Points,
+        }
+    }
+
+    /// In words.
+    pub(crate) fn text(self) -> &'static str {
+        match self {
+            Names::Points => "names of points",
+            Names::PointsAndLinks => "names of points and links",
+            Names::None => "no names",
+        }
+    }
+}
+
+/// A layer that is on or off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Layer {
+    Velocities,
+    Accelerations,
+    Traces,
+    Ghosts,
+    Centres,
+    Guides,
+}
+
+/// Which of the layers are on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct On([bool; 6]);
+
+impl On {
+    fn has(self, layer: Layer) -> bool {
+        self.0[layer as usize]
+    }
+}
+
+/// The part of the drawing that is seen: its magnification and where it was moved to.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Window {
+    /// Half steps of two from the whole motion.
+    level: i8,
+    /// From the middle of the whole motion, in the scene's length unit.
+    shift: Vec2,
+}
+
+/// From a quarter of the size to 64 times.
+const LEVELS: std::ops::RangeInclusive<i8> = -4..=12;
+/// A pan goes so far, in diagonals of what is seen.
+const PAN: f64 = 0.1;
+
+impl Window {
+    fn zoom(self) -> f64 {
+        2.0_f64.powf(f64::from(self.level) / 2.0)
+    }
+}
+
+/// What a person has set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Setting {
+    names: Names,
+    on: On,
+    window: Window,
+}
+
+/// What the motion view shows, and how large.
+#[derive(Debug)]
+pub(crate) struct Viewport {
+    setting: Setting,
+    overlay: Overlay,
+    /// The space that the linkage needs with its arrows, where there are any.
+    reach: Option<Reach>,
+    /// For which scene, and what, the overlay was made.
+    made: Option<(usize, Wanted)>,
+    /// Which points leave traces, in words.
+    traced: String,
+}
+
+impl Default for Viewport {
+    fn default() -> Self {
+        let mut on = On([false; 6]);
+        on.0[Layer::Guides as usize] = true;
+        let setting = Setting {
+            names: Names::default(),
+            on,
+            window: Window::default(),
+        };
+        Viewport {
+            setting,
+            overlay: Overlay::default(),
+            reach: None,
+            made: None,
+            traced: String::new(),
+        }
+    }
+}
+
+impl Viewport {
+    /// What is set: another one, another drawing.
+    pub(crate) fn setting(&self) -> Setting {
+        self.setting
+    }
+
+    /// Switches to the next names.
+    pub(crate) fn next_names(&mut self) -> Names {
+        self.setting.names = self.setting.names.next();
+        self.setting.names
+    }
+
+    /// Switches a layer on or off, and says which.
+    pub(crate) fn toggle(&mut self, layer: Layer) -> bool {
+        let on = &mut self.setting.on.0[layer as usize];
+        *on = !*on;
+        *on
+    }
+
+    /// Shows the whole motion.
+    pub(crate) fn fit(&mut self) {
+        self.setting.window = Window::default();
+    }
+
+    /// Whether the whole motion is seen, as large as it can be.
+    pub(crate) fn fits(&self) -> bool {
+        self.setting.window == Window::default()
+    }
+
+    /// Enlarges by so many steps; false at the end of what is sensible.
+    pub(crate) fn enlarge(&mut self, steps: i8) -> bool {
+        let level = self.setting.window.level.saturating_add(steps);
+        let possible = LEVELS.contains(&level);
+        if possible {
+            self.setting.window.level = level;
+        }
+        possible
+    }
+
+    /// Moves the window by a step to the right and upwards, as far as there is something to see.
+    pub(crate) fn pan(&mut self, open_scene: &OpenScene, right: f64, up: f64) -> bool {
+        let size = open_scene.reach().bounds().size();
+        let step = PAN * size.norm() / self.zoom();
+        let wanted = self.setting.window.shift + Vec2::new(right, up) * step;
+        let within = |wanted: f64, size: f64| wanted.clamp(-size / 2.0, size / 2.0);
+        let shift = Vec2::new(within(wanted.x, size.x), within(wanted.y, size.y));
+        let moved = shift.is_finite() && shift != self.setting.window.shift;
+        if moved {
+            self.setting.window.shift = shift;
+        }
+        moved
+    }
+
+    fn zoom(&self) -> f64 {
+        self.setting.window.zoom()
+    }
+
+    /// Need what is wanted of the motion, unless it is known already.
+    pub(crate) fn focus(
+        &mut self,
+        open_scene: &OpenScene,
+        followed: &FollowedPoints,
+        opened: usize,
+    ) {
+        let wanted = self.wanted(open_scene, followed);
+        if wanted.is_empty() && self.made.is_none() {
+            return;
+        }
+        if self
+            .made
+            .as_ref()
+            .is_some_and(|(scene, made)| *scene == opened && *made == wanted)
+        {
+            return;
+        }
+        let (scene, reach) = (open_scene.scene(), open_scene.reach());
+        self.overlay = Overlay::of(scene, open_scene.solver(), reach, &wanted);
+        self.reach = self.overlay.reach(reach);
+        let names = wanted.traces.iter().filter_map(|&p| scene.point_name(p));
+        let names: Vec<&str> = names.collect();
+        self.traced = match names.len() {
+            0..=MOST_NAMES => format!("trace {}", names.join(",")),
+            more => format!("{more} traces"),
+        };
+        self.made = (!wanted.is_empty()).then_some((opened, wanted));
+    }
+
+    fn wanted(&self, open_scene: &OpenScene, followed: &FollowedPoints) -> Wanted {
+        let mechanism = &open_scene.scene().mechanism;
+        let points = |layer, usual: fn(&crate::Mechanism) -> Vec<PointId>| {
+            if !self.setting.on.has(layer) {
+                return Vec::new();
+            }
+            // After an edit a point may be gone.
+            let count = mechanism.points().len();
+            let there = followed.points().iter().filter(|p| p.index() < count);
+            let there: Vec<PointId> = there.copied().collect();
+            if there.is_empty() {
+                usual(mechanism)
+            } else {
+                there
+            }
+        };
+        Wanted {
+            traces: points(Layer::Traces, drawing::usual_traces),
+            velocities: points(Layer::Velocities, drawing::usual_arrows),
+            accelerations: points(Layer::Accelerations, drawing::usual_arrows),
+            ghosts: if self.setting.on.has(Layer::Ghosts) {
+                GHOSTS
+            } else {
+                0
+            },
+        }
+    }
+
+    /// The linkage as it is now, with all layers that are on.
+    pub(crate) fn figure(&self, open_scene: &OpenScene) -> Figure {
+        let layers = Layers {
+            ground: self.setting.on.has(Layer::Guides),
+            points: self.setting.names != Names::None,
+            links: self.setting.names == Names::PointsAndLinks,
+            centres: self.setting.on.has(Layer::Centres),
+        };
+        let (scene, state) = (open_scene.scene(), open_scene.state());
+        let mut figure = drawing::linkage(scene, open_scene.reach(), state, layers);
+        self.overlay.add_to(&mut figure, scene, state, self.zoom());
+        figure
+    }
+
+    /// The space that a drawing of so many rows is fitted to before it is enlarged.
+    pub(crate) fn reach<'s>(&'s self, open_scene: &'s OpenScene, rows: u16) -> &'s Reach {
+        let with_arrows = self.reach.as_ref().filter(|_| rows >= ROOM_FOR_ARROWS);
+        with_arrows.unwrap_or(open_scene.reach())
+    }
+
+    /// The window of so many cells on a drawing that needs this space.
+    pub(crate) fn view(&self, reach: &Reach, (cols, rows): (u16, u16), aspect: f64) -> View {
+        let view = View::fit(reach, cols, rows, aspect);
+        view.zoomed(reach, self.zoom(), self.setting.window.shift)
+    }
+
+    /// What is on that the drawing does not explain by itself, the most important first.
+    pub(crate) fn legend(&self, view: &View) -> Vec<LegendEntry> {
+        let mut entries = self.overlay.legend(view, self.zoom());
+        let note = |text: &str| LegendEntry::Note(text.to_owned());
+        if self.setting.window != Window::default() {
+            entries.push(LegendEntry::Note(format!("zoom {}", times(self.zoom()))));
+        }
+        if self.setting.on.has(Layer::Traces) {
+            entries.push(note(&self.traced));
+        }
+        if self.setting.on.has(Layer::Ghosts) {
+            entries.push(LegendEntry::Note(format!("{GHOSTS} positions")));
+        }
+        if self.setting.on.has(Layer::Centres) {
+            entries.push(note("x centre of mass"));
+        }
+        entries
+    }
+
+    /// The drawing as an SVG document, as it is seen now.
+    pub(crate) fn svg(&self, open_scene: &OpenScene) -> String {
+        let (cols, most) = PICTURE;
+        let reach = self.reach(open_scene, most);
+        let snug = View::snug(reach, cols, most, PICTURE_ASPECT);
+        let view = snug.zoomed(reach, self.zoom(), self.setting.window.shift);
+        let at = open_scene.driver_range().on_grid(open_scene.at());
+        let title = format!("{} at {at} {}", open_scene.scene().name, open_scene.unit());
+        drawing::svg(&self.figure(open_scene), &view, &title, &self.legend(&view))
+    }
+}
+
+/// `2x`, `1.4x`.
+fn times(zoom: f64) -> String {
+    let text = format!("{zoom:.2}");
+    let text = if zoom < 1.0 {
+        text
+    } else {
+        format!("{zoom:.1}")
+    };
+    format!("{}x", text.trim_end_matches('0').trim_end_matches('.'))
+}

@@ -1,0 +1,188 @@
+//! The motor over a cycle: the curve of what the driver must do, and beside or below it the figures.
+//!
+//! ```text
+//! N m      * driver.torque 12.3    over driver.angle 60.00 deg
+//!  1000 |          ..
+//!     0 |..........  ...........
+//! torque [N m]               all       loads     gravity
+//!   largest              1133.76     1188.18     35.4129
+//! ```
+
+pub(crate) mod study;
+
+use super::pane::{Copied, Need, Pane};
+use super::{MARGIN, Sketch, first_seen, inset, print, show};
+use crate::drawing::plot::{Look, Plot};
+use crate::report::MotorLine;
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::player::open_scene::shown;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns of the figures of all parts, and of those of the whole alone.
+const WIDE: u16 = 66;
+const NARROW: u16 = 42;
+/// A curve beside the figures has at least so many columns; otherwise it stands above them.
+const LEAST_CURVE: u16 = 44;
+/// Blanks between the two.
+const GAP: u16 = 2;
+/// Where it stands above, it takes less than half the height, but within these rows.
+const ROWS_ABOVE: (u16, u16) = (5, 16);
+
+/// Where the parts of the view are.
+struct Arrangement {
+    curve: Rect,
+    list: Rect,
+}
+
+fn arrange(app: &App, area: Rect) -> Arrangement {
+    if app.motor().plot().is_none() {
+        let curve = Rect { height: 0, ..area };
+        let list = inset(area);
+        return Arrangement { curve, list };
+    }
+    let beside = |list: u16| {
+        let left = area.width.checked_sub(list + 1 + MARGIN);
+        left.filter(|&width| width >= LEAST_CURVE)
+    };
+    if let Some(width) = beside(WIDE).or(beside(NARROW)) {
+        let list = Rect {
+            x: area.x + width,
+            width: area.width - width,
+            ..area
+        };
+        return Arrangement {
+            curve: Rect {
+                width: width.saturating_sub(GAP),
+                ..area
+            },
+            list: inset(list),
+        };
+    }
+    let (least, most) = ROWS_ABOVE;
+    let height = (area.height * 2 / 5).clamp(least, most).min(area.height);
+    let list = Rect {
+        y: area.y + height,
+        height: area.height - height,
+        ..area
+    };
+    Arrangement {
+        curve: Rect { height, ..area },
+        list: inset(list),
+    }
+}
+
+/// The motor over a cycle.
+pub(super) struct MotorView;
+
+impl Pane for MotorView {
+    fn name(&self) -> &'static str {
+        "motor"
+    }
+
+    fn about(&self) -> &'static str {
+        "The motor over a cycle"
+    }
+
+    fn help_title(&self) -> &'static str {
+        "In the motor view"
+    }
+
+    fn needs(&self) -> Need {
+        Need::Motor
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let Arrangement { curve, list } = arrange(app, body);
+        if let Some(plot) = app.motor().plot() {
+            render_curve(app, plot, curve, buffer);
+        }
+        let lines = lines(app, list.width);
+        let first = first_seen(app, lines.len(), list, buffer);
+        for (y, (text, kind)) in (list.top()..list.bottom()).zip(lines.iter().skip(first)) {
+            render_line(text, *kind, Rect { y, ..list }, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let list = arrange(app, body).list;
+        (lines(app, list.width).len(), list.height.into())
+    }
+
+    fn copy(&self, app: &App) -> Copied {
+        app.motor().text(true).map_or(Copied::Nothing, Copied::Text)
+    }
+
+    fn csv(&self, app: &App) -> Result<String, String> {
+        let motor = app.motor();
+        motor.csv().ok_or_else(|| motor.nothing())
+    }
+
+    fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
+        let motor = app.motor();
+        let text = motor.svg(app.open_scene()).ok_or_else(|| motor.nothing())?;
+        Ok(("the curve", text))
+    }
+
+    fn file_part(&self) -> Option<&'static str> {
+        Some(self.name())
+    }
+}
+
+/// How a line is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Head,
+    Labelled,
+    Plain,
+}
+
+fn lines(app: &App, width: u16) -> Vec<(String, Kind)> {
+    let mut all = Vec::new();
+    for line in app.motor().lines() {
+        let kind = match line {
+            MotorLine::Head(..) => Kind::Head,
+            MotorLine::Figures(..) | MotorLine::Fact(..) => Kind::Labelled,
+            MotorLine::Text(_) | MotorLine::Blank => Kind::Plain,
+        };
+        let texts = line.at_width(width.into()).into_iter();
+        all.extend(texts.map(|text| (shown(&text, app.glyphs()), kind)));
+    }
+    all
+}
+
+/// Labels and the names of columns are dim, so that figures stand out.
+fn render_line(text: &str, kind: Kind, area: Rect, buffer: &mut Buffer) {
+    let width = usize::from(area.width);
+    let (label, rest) = text.split_at(MotorLine::label_end(text, width));
+    let (first, second) = match kind {
+        Kind::Head => (Part::Name, Part::Quiet),
+        Kind::Labelled => (Part::Quiet, Part::Text),
+        Kind::Plain => (Part::Text, Part::Text),
+    };
+    let x = print(
+        buffer,
+        area.x,
+        area.y,
+        area.width,
+        label,
+        theme::part(first),
+    );
+    let room = area.right().saturating_sub(x);
+    print(buffer, x, area.y, room, rest, theme::part(second));
+}
+
+fn render_curve(app: &App, plot: &Plot, area: Rect, buffer: &mut Buffer) {
+    let look = Look {
+        cols: area.width,
+        rows: area.height,
+        glyphs: app.glyphs(),
+        aspect: app.aspect(),
+        extrema: true,
+        first: 0,
+    };
+    let here = app.motor().here(app.open_scene().at());
+    let raster = plot.render(&look, here.as_ref());
+    show(&raster, area, buffer);
+}

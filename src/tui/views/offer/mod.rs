@@ -1,0 +1,172 @@
+//! The offer of edits that earlier sessions have left, in the middle of the screen.
+//!
+//! ```text
+//! +- Unsaved edits of this scene -------------------+
+//! | > 2026-11-21 14:03 UTC                          |
+//! |   2026-11-20 09:12 UTC  older than the file     |
+//! |                                                 |
+//! | Enter look  c compare  t take  d drop  Esc later|
+//! +-------------------------------------------------+
+//! ```
+
+pub(crate) mod list;
+
+use super::popup::{self, BORDER};
+use super::{cut, print};
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::document::recovery::{Alive, Generation};
+use crate::tui::player::open_scene::shown;
+use crate::tui::views::offer::list::{Offer, Page};
+use crate::tui::views::tour::screens::wrapped;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns of the list.
+const LIST: u16 = 54;
+/// A line, and how it looks.
+type Line = (String, Part);
+
+pub(super) fn render(app: &App, offer: &Offer, area: Rect, buffer: &mut Buffer) {
+    let Layout { place, lines, keys } = Layout::of(offer, area);
+    let title = match &offer.page {
+        Some(page) => page.title,
+        None if offer.others.left.is_empty() => "Open elsewhere",
+        None => "Unsaved edits of this scene",
+    };
+    popup::frame(app.glyphs(), place, title, buffer);
+    let inner = popup::within(place);
+    let below = inner.bottom().saturating_sub(rows(&keys)).max(inner.top());
+    let mut put = |y, text: &str, part| {
+        let text = cut(&shown(text, app.glyphs()), inner.width.into());
+        print(buffer, inner.x, y, inner.width, &text, theme::part(part));
+    };
+    for (y, (text, part)) in (inner.top()..below).zip(&lines) {
+        put(y, text, *part);
+    }
+    for (y, text) in (below..inner.bottom()).zip(&keys) {
+        put(y, text, Part::Key);
+    }
+}
+
+/// Where the offer stands.
+pub(super) fn placed(offer: &Offer, area: Rect) -> Rect {
+    Layout::of(offer, area).place
+}
+
+/// What is seen of the offer, and where.
+struct Layout {
+    place: Rect,
+    lines: Vec<Line>,
+    /// Below the lines.
+    keys: Vec<String>,
+}
+
+impl Layout {
+    fn of(offer: &Offer, area: Rect) -> Layout {
+        let room = area.width.saturating_sub(BORDER.0);
+        let columns = match offer.page {
+            Some(_) => room,
+            None => LIST.min(room),
+        };
+        let keys = hints(keys(offer), columns.into());
+        let most = area.height.saturating_sub(BORDER.1 + rows(&keys));
+        let lines = match &offer.page {
+            Some(page) => read(page, offer, most),
+            None => listed(offer, columns, most),
+        };
+        let height = match offer.page {
+            Some(_) => area.height,
+            None => rows(&lines).saturating_add(rows(&keys)),
+        };
+        Layout {
+            place: popup::centred(area, columns, height),
+            lines,
+            keys,
+        }
+    }
+}
+
+fn rows<T>(lines: &[T]) -> u16 {
+    u16::try_from(lines.len()).unwrap_or(u16::MAX)
+}
+
+/// The keys that matter, and what they do.
+fn keys(offer: &Offer) -> &'static [&'static str] {
+    match (&offer.page, offer.others.left.is_empty(), offer.asks) {
+        (Some(_), ..) => &["c compare", "t take", "Esc back"],
+        (None, true, _) => &["Enter go on"],
+        (None, false, true) => &["d again drops them for ever,", "any other key does not"],
+        (None, false, false) => &["Enter look", "c compare", "t take", "d drop", "Esc later"],
+    }
+}
+
+/// Two blanks apart, in as many lines as they take.
+fn hints(keys: &[&str], width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for key in keys {
+        match lines.last_mut() {
+            Some(line) if line.len() + 2 + key.len() <= width => {
+                line.push_str("  ");
+                line.push_str(key);
+            }
+            _ => lines.push((*key).to_owned()),
+        }
+    }
+    lines
+}
+
+/// The generations, with the cursor among those that are seen, and who else is there.
+fn listed(offer: &Offer, columns: u16, most: u16) -> Vec<Line> {
+    let elsewhere = offer.others.alive.iter().flat_map(|other| {
+        let lines = wrapped(&elsewhere(other), columns.into(), false);
+        lines.into_iter().map(|line| (line, Part::Warning))
+    });
+    let mut behind: Vec<Line> = elsewhere.collect();
+    behind.push((String::new(), Part::Text));
+    let left = &offer.others.left;
+    let room = usize::from(most).saturating_sub(behind.len()).max(1);
+    let first = offer.cursor.saturating_sub(room / 2);
+    let first = first.min(left.len().saturating_sub(room));
+    let seen = left.iter().enumerate().skip(first).take(room);
+    let mut lines: Vec<Line> = seen
+        .map(|(n, found)| row(found, n == offer.cursor))
+        .collect();
+    lines.append(&mut behind);
+    lines
+}
+
+fn row(found: &Generation, is_chosen: bool) -> Line {
+    let mark = if is_chosen { '>' } else { ' ' };
+    let says = match (found.is_older, found.is_stale) {
+        (true, _) => "  older than the file",
+        (false, true) => "  made on another text",
+        (false, false) => "",
+    };
+    let part = if is_chosen { Part::Key } else { Part::Text };
+    (format!("{mark} {}{says}", found.time), part)
+}
+
+fn elsewhere(other: &Alive) -> String {
+    let Alive {
+        process,
+        host,
+        time,
+    } = other;
+    format!(
+        "krank has it open too: process {process} on {host}, since {time}. Its edits are left alone; \
+         who saves second is asked."
+    )
+}
+
+/// The lines of a page from where it is scrolled to.
+fn read(page: &Page, offer: &Offer, most: u16) -> Vec<Line> {
+    let time = offer.chosen().map_or("", |chosen| &chosen.time);
+    let head = (format!("of {time}"), Part::Quiet);
+    let lines = page.lines.iter().skip(page.scroll);
+    let lines = lines.map(|line| (line.clone(), Part::Text));
+    std::iter::once(head)
+        .chain(lines)
+        .take(most.into())
+        .collect()
+}

@@ -1,0 +1,374 @@
+//! The list of presets and files, and beside it the scene under the cursor.
+//!
+//! ```text
+//! Open a scene  search: pre_                     3 of 31
+//!   scenes/             | Press with a ram
+//! > press-mine.toml     |     o-----o
+//!   presets             |    /       \
+//!   press               | 5 links, 1 slide, in mm
+//! open  Press with a ram                 Enter open  Esc back
+//! ```
+
+pub(crate) mod folder;
+pub(crate) mod list;
+pub(crate) mod preview;
+
+use super::{body, columns, cut, inset, mark_more, print, print_right, row};
+use crate::drawing::{self, Layers};
+use crate::report::wrapped;
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::player::open_scene::shown;
+use crate::tui::views::picker::list::{Item, Picker, Purpose, Row};
+use crate::tui::views::picker::preview::{Fault, Preview, Sample};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Where the parts of the screen are.
+struct Arrangement {
+    list: Rect,
+    /// One column, and what is right of it; none on small screens.
+    preview: Option<(Rect, Rect)>,
+}
+
+fn arrange(area: Rect) -> Arrangement {
+    if area.width < NARROWEST || area.height < LOWEST {
+        let list = inset(area);
+        return Arrangement {
+            list,
+            preview: None,
+        };
+    }
+    let width = if area.width < ROOM_FOR_TITLES {
+        LIST
+    } else {
+        LIST_WITH_TITLES
+    };
+    let part = |x: u16, width: u16| Rect {
+        x: area.x + x,
+        width,
+        ..area
+    };
+    Arrangement {
+        list: inset(part(0, width)),
+        preview: Some((
+            part(width, 1),
+            inset(part(width + 1, area.width - width - 1)),
+        )),
+    }
+}
+
+pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buffer) {
+    let arrangement = arrange(body(screen));
+    search(app, picker, row(screen, 0), buffer);
+    list(app, picker, arrangement.list, buffer);
+    if let Some((rule, area)) = arrangement.preview {
+        super::motion::rule(app.glyphs(), rule, buffer);
+        preview(app, picker, area, buffer);
+    }
+}
+
+/// Lines of the list, and how many are seen.
+pub(super) fn extent(picker: &Picker, area: Rect) -> (usize, usize) {
+    (picker.rows().len(), arrange(area).list.height.into())
+}
+
+/// The first line: what is typed, and how much is left by it.
+fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
+    let what = match picker.purpose() {
+        Purpose::Open => "Open a scene",
+        Purpose::Compare => "Compare with",
+    };
+    let right = area.right().saturating_sub(1);
+    let put = |buffer: &mut Buffer, x: u16, text: &str, part| {
+        let room = right.saturating_sub(x);
+        print(buffer, x, area.y, room, text, theme::part(part))
+    };
+    let x = put(buffer, area.x + 1, what, Part::Title);
+    let x = put(buffer, x + 2, "search: ", Part::Quiet);
+    let x = put(buffer, x, &shown(picker.search(), app.glyphs()), Part::Text);
+    let x = put(buffer, x, " ", Part::Caret);
+    let (found, all) = picker.count();
+    let count = format!("{found} of {all}");
+    if x + columns(&count) < right {
+        print_right(buffer, right, area.y, &count, theme::part(Part::Quiet));
+    }
+}
+
+fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
+    let rows = picker.rows();
+    if rows.is_empty() {
+        let words = "nothing matches; Ctrl-U clears what was typed";
+        let style = theme::part(Part::Text);
+        paragraph(app, words, area, style, buffer);
+        return;
+    }
+    // The cursor is seen, with as much above it as below.
+    let height = usize::from(area.height).max(1);
+    let cursor = rows
+        .iter()
+        .position(|row| matches!(row, Row::Item(_, true)));
+    let most = rows.len().saturating_sub(height);
+    let first = cursor.unwrap_or(0).saturating_sub(height / 2).min(most);
+    mark_more(area, first > 0, first < most, buffer);
+    for (y, row) in (area.top()..area.bottom()).zip(&rows[first..]) {
+        let line = Rect {
+            y,
+            height: 1,
+            ..area
+        };
+        match *row {
+            Row::Folder(path) => {
+                let path = path.display().to_string();
+                heading(
+                    &ending(&shown(&path, app.glyphs()), area.width.into()),
+                    line,
+                    buffer,
+                );
+            }
+            Row::Presets => heading("presets", line, buffer),
+            Row::Note(note) => {
+                let text = cut(&shown(note, app.glyphs()), usize::from(area.width) - 2);
+                print(
+                    buffer,
+                    line.x + 2,
+                    y,
+                    line.width,
+                    &text,
+                    theme::part(Part::Quiet),
+                );
+            }
+            Row::Item(item, under_cursor) => entry(app, item, under_cursor, line, buffer),
+        }
+    }
+}
+
+fn heading(text: &str, area: Rect, buffer: &mut Buffer) {
+    let style = theme::part(Part::Quiet);
+    print(buffer, area.x, area.y, area.width, text, style);
+}
+
+fn entry(app: &App, item: &Item, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
+    let part = |other| theme::part(if under_cursor { Part::Key } else { other });
+    let room = usize::from(area.width.saturating_sub(INDENT));
+    let mark = if under_cursor { ">" } else { " " };
+    print(buffer, area.x, area.y, 1, mark, part(Part::Key));
+    let name = cut(&shown(&item.name, app.glyphs()), room);
+    let x = area.x + INDENT;
+    print(buffer, x, area.y, area.width, &name, part(Part::Text));
+    // Titles stand below each other.
+    let x = x + NAMES;
+    if area.right() >= x + SHORTEST_TITLE && columns(&name) < NAMES {
+        let title = cut(
+            &shown(item.title, app.glyphs()),
+            usize::from(area.right() - x),
+        );
+        print(
+            buffer,
+            x,
+            area.y,
+            area.right() - x,
+            &title,
+            part(Part::Quiet),
+        );
+    }
+}
+
+fn preview(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
+    let Some(item) = picker.chosen() else {
+        return;
+    };
+    let (title, below) = split(area, 1);
+    let name = match app.preview() {
+        Some(Preview::Scene(sample)) => &sample.scene.name,
+        Some(Preview::Fault(_) | Preview::Folder(_) | Preview::Unseen(_)) | None => &item.name,
+    };
+    let name = cut(&shown(name, app.glyphs()), area.width.into());
+    print(
+        buffer,
+        title.x,
+        title.y,
+        title.width,
+        &name,
+        theme::part(Part::Title),
+    );
+    match app.preview() {
+        Some(Preview::Scene(sample)) => scene(app, sample, below, buffer),
+        Some(Preview::Fault(fault)) => faulty(app, fault, below, buffer),
+        Some(Preview::Folder(names)) => folder(app, names, below, buffer),
+        Some(Preview::Unseen(why)) => {
+            paragraph(app, why, split(below, 1).1, theme::part(Part::Text), buffer);
+        }
+        None => {}
+    }
+}
+
+/// The drawing, and the facts below it.
+fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
+    let facts = facts(sample, area.width.into());
+    let most = area
+        .height
+        .saturating_sub(LOWEST_DRAWING)
+        .min(area.height / 2);
+    let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
+    let (picture, text) = split(area, area.height - lines);
+    let figure = drawing::linkage(
+        &sample.scene,
+        &sample.reach,
+        &sample.state,
+        Layers::default(),
+    );
+    let view = drawing::View::fit(&sample.reach, picture.width, picture.height, app.aspect());
+    super::show(
+        &drawing::render(&figure, &view, app.glyphs()),
+        picture,
+        buffer,
+    );
+    for (y, (fact, part)) in (text.top()..text.bottom()).zip(facts) {
+        let fact = shown(&fact, app.glyphs());
+        print(buffer, text.x, y, text.width, &fact, theme::part(part));
+    }
+}
+
+/// What is worth knowing before a scene is opened, in lines.
+fn facts(sample: &Sample, width: usize) -> Vec<(String, Part)> {
+    let Sample { scene, .. } = sample;
+    let lines = |text: &str, most: usize, part: Part| {
+        let mut lines = wrapped(text, width);
+        if lines.len() > most {
+            lines.truncate(most);
+            if let Some(last) = lines.last_mut() {
+                *last = cut(&format!("{last} ..."), width);
+            }
+        }
+        lines.into_iter().map(move |line| (line, part))
+    };
+    let own = format!("{}; {}", sample.parts, sample.range);
+    let said = [
+        (own.as_str(), MOST_FACTS, Part::Text),
+        (
+            scene.source.as_deref().unwrap_or(""),
+            MOST_SOURCE,
+            Part::Quiet,
+        ),
+        (scene.note.as_deref().unwrap_or(""), MOST_NOTE, Part::Text),
+    ];
+    let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
+    said.flat_map(|(text, most, part)| lines(text, most, part))
+        .collect()
+}
+
+/// The first fault in words, where it is and what mends it.
+fn faulty(app: &App, fault: &Fault, area: Rect, buffer: &mut Buffer) {
+    let area = split(area, 1).1;
+    let area = paragraph(
+        app,
+        "cannot be opened",
+        area,
+        theme::part(Part::Warning),
+        buffer,
+    );
+    let area = paragraph(app, &fault.what, area, theme::part(Part::Text), buffer);
+    let mut area = area;
+    if let Some((line, column)) = fault.at {
+        let place = format!("line {line}, column {column}");
+        area = paragraph(app, &place, area, theme::part(Part::Quiet), buffer);
+    }
+    if let Some(mend) = &fault.mend {
+        area = paragraph(app, mend, split(area, 1).1, theme::part(Part::Text), buffer);
+    }
+    if fault.more > 0 {
+        let more = format!("{} more below it", fault.more);
+        paragraph(app, &more, area, theme::part(Part::Quiet), buffer);
+    }
+}
+
+fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
+    let area = split(area, 1).1;
+    if names.is_empty() {
+        let none = "no scene file in it";
+        paragraph(app, none, area, theme::part(Part::Quiet), buffer);
+        return;
+    }
+    let height = usize::from(area.height);
+    let is_whole = names.len() <= height;
+    let seen = if is_whole {
+        height
+    } else {
+        height.saturating_sub(1)
+    };
+    for (y, name) in (area.top()..area.bottom()).zip(names.iter().take(seen)) {
+        let name = cut(&shown(name, app.glyphs()), area.width.into());
+        print(
+            buffer,
+            area.x,
+            y,
+            area.width,
+            &name,
+            theme::part(Part::Text),
+        );
+    }
+    if !is_whole && area.height > 0 {
+        let more = format!("and {} more", names.len() - seen);
+        let style = theme::part(Part::Quiet);
+        print(buffer, area.x, area.bottom() - 1, area.width, &more, style);
+    }
+}
+
+/// Writes text into as many lines as it takes; what is left of the area.
+fn paragraph(
+    app: &App,
+    text: &str,
+    area: Rect,
+    style: ratatui::style::Style,
+    buffer: &mut Buffer,
+) -> Rect {
+    let lines = wrapped(&shown(text, app.glyphs()), area.width.into());
+    for (y, line) in (area.top()..area.bottom()).zip(&lines) {
+        let line = cut(line, area.width.into());
+        print(buffer, area.x, y, area.width, &line, style);
+    }
+    split(area, u16::try_from(lines.len()).unwrap_or(area.height)).1
+}
+
+/// The first lines of an area, and the others.
+fn split(area: Rect, height: u16) -> (Rect, Rect) {
+    let height = height.min(area.height);
+    let below = Rect {
+        y: area.y + height,
+        height: area.height - height,
+        ..area
+    };
+    (Rect { height, ..area }, below)
+}
+
+/// The text, or where it is longer than `most` characters, two points and its end: of a path that says
+/// most.
+fn ending(text: &str, most: usize) -> String {
+    let length = text.chars().count();
+    if length <= most {
+        return text.to_owned();
+    }
+    let end: String = text.chars().skip(length + 2 - most.max(2)).collect();
+    format!("..{end}")
+}
+
+/// Below this, the list stands alone.
+const NARROWEST: u16 = 70;
+const LOWEST: u16 = 14;
+/// Columns of the list, its margins included.
+const LIST: u16 = 30;
+const LIST_WITH_TITLES: u16 = 56;
+/// On wider screens titles stand behind the names.
+const ROOM_FOR_TITLES: u16 = 110;
+/// In front of a name, for the mark of the cursor.
+const INDENT: u16 = 2;
+/// Columns of names that have titles behind them, and what a title needs to say something.
+const NAMES: u16 = 22;
+const SHORTEST_TITLE: u16 = 24;
+/// The drawing keeps so many lines.
+const LOWEST_DRAWING: u16 = 6;
+/// Lines of what is said about a scene.
+const MOST_FACTS: usize = 2;
+const MOST_SOURCE: usize = 2;
+const MOST_NOTE: usize = 3;

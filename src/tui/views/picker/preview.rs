@@ -1,0 +1,208 @@
+//! What can be said and shown of a scene before it is opened.
+
+use crate::Input;
+use crate::drawing::Reach;
+use crate::scene::{Diagnostics, LARGEST_FILE, Scene, presets};
+use crate::solver::{Order, Range, Solver, State};
+use crate::tui::document::opening::{self, Unopened};
+use crate::tui::player::driver_range::DriverRange;
+use crate::tui::views::picker::folder::{Folder, name_of};
+use crate::tui::views::picker::list::Place;
+use crate::tui::{Opened, Origin};
+use std::fs;
+use std::path::Path;
+
+/// Larger files are not opened before somebody asks for it: that could take longer than the time
+/// between two keys.
+const LARGEST: u64 = 32 << 10;
+/// Previews that are kept: going to and fro costs nothing.
+const KEPT: usize = 24;
+
+/// What is shown beside an entry of the list.
+#[derive(Debug)]
+pub(crate) enum Preview {
+    /// A scene where it opens.
+    Scene(Box<Sample>),
+    /// A file that cannot be opened.
+    Fault(Fault),
+    /// What a folder holds, by name.
+    Folder(Vec<String>),
+    /// There is nothing to see yet; why, in words.
+    Unseen(String),
+}
+
+/// A scene where it opens.
+#[derive(Debug)]
+pub(crate) struct Sample {
+    pub(crate) scene: Scene,
+    pub(crate) reach: Reach,
+    pub(crate) state: State,
+    /// `4 links, 1 slide, unit mm`.
+    pub(crate) parts: String,
+    /// `r2 turns fully`.
+    pub(crate) range: String,
+}
+
+/// Why a file cannot be opened.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Fault {
+    /// What is wrong first.
+    pub(crate) what: String,
+    /// Line and column, from 1.
+    pub(crate) at: Option<(usize, usize)>,
+    /// What would mend it.
+    pub(crate) mend: Option<String>,
+    /// How many more faults there are.
+    pub(crate) more: usize,
+}
+
+/// The previews that were made, the last ones last.
+#[derive(Debug, Default)]
+pub(crate) struct Previews {
+    made: Vec<(Place, Preview)>,
+}
+
+impl Previews {
+    /// Whether the preview of an entry is to be made: not if there is one, or it is being made.
+    pub(crate) fn expect(&mut self, place: &Place) -> bool {
+        let is_new = self.of(place).is_none();
+        if is_new {
+            if self.made.len() == KEPT {
+                self.made.remove(0);
+            }
+            self.made
+                .push((place.clone(), Preview::Unseen("being read".into())));
+        }
+        is_new
+    }
+
+    /// The preview of an entry was made; of one that is still in the list.
+    pub(crate) fn put(&mut self, place: &Place, preview: Preview) {
+        let expected = self.made.iter_mut().find(|(known, _)| known == place);
+        if let Some((_, made)) = expected {
+            *made = preview;
+        }
+    }
+
+    /// The preview of an entry, if it was made.
+    pub(crate) fn of(&self, place: &Place) -> Option<&Preview> {
+        let made = self.made.iter().find(|(known, _)| known == place);
+        made.map(|(_, preview)| preview)
+    }
+
+    /// Files may change while nobody looks at them.
+    pub(crate) fn forget(&mut self) {
+        self.made.clear();
+    }
+}
+
+impl Preview {
+    /// Makes the preview of an entry, which may take long. `original` is the text that was opened.
+    pub(crate) fn of(place: &Place, original: &str) -> Preview {
+        match place {
+            Place::Folder(path) => of_folder(path),
+            Place::File(path) => of_file(path),
+            Place::Original => of_text(original, ""),
+            Place::Preset(name) => {
+                let text = presets::find(name).map_or("", |preset| preset.text);
+                of_text(text, name)
+            }
+        }
+    }
+}
+
+fn of_text(text: &str, name: &str) -> Preview {
+    match opening::text(text, Origin::Preset(name.to_owned())) {
+        Ok(opened) => Preview::Scene(Box::new(Sample::of(opened))),
+        Err(diagnostics) => Preview::Fault(Fault::first_of(&diagnostics)),
+    }
+}
+
+fn of_file(path: &Path) -> Preview {
+    let size = fs::metadata(path).map_or(0, |file| if file.is_file() { file.len() } else { 0 });
+    // What is too large for any scene is refused without being read to its end.
+    if (LARGEST + 1..=LARGEST_FILE as u64).contains(&size) {
+        let size = size.div_ceil(1 << 10);
+        return Preview::Unseen(format!("{size} KiB: too large for a preview"));
+    }
+    match opening::scene_of(path) {
+        Ok(opened) => Preview::Scene(Box::new(Sample::of(opened))),
+        Err(Unopened::Wrong(diagnostics)) => Preview::Fault(Fault::first_of(&diagnostics)),
+        Err(unread @ Unopened::Unread(_)) => Preview::Fault(Fault {
+            what: unread.first_words(),
+            at: None,
+            mend: None,
+            more: 0,
+        }),
+    }
+}
+
+fn of_folder(path: &Path) -> Preview {
+    match Folder::read(path) {
+        Ok(found) => {
+            let folders = found.folders.iter().map(|p| format!("{}/", name_of(p)));
+            let scenes = found.scenes.iter().map(|p| name_of(p));
+            Preview::Folder(folders.chain(scenes).collect())
+        }
+        Err(why) => Preview::Unseen(format!("cannot be read: {why}")),
+    }
+}
+
+impl Sample {
+    fn of(opened: Opened) -> Sample {
+        let Opened { scene, solver, .. } = opened;
+        let mut state = solver.state();
+        let start = scene.mechanism.driver().start;
+        let _ = solver.solve(start, Order::Position, &mut state);
+        Sample {
+            reach: Reach::of(&scene, &solver),
+            parts: parts(&scene),
+            range: range(&scene, &solver),
+            state: state.into_state(),
+            scene,
+        }
+    }
+}
+
+impl Fault {
+    fn first_of(diagnostics: &Diagnostics) -> Fault {
+        let first = diagnostics.items.first();
+        Fault {
+            what: opening::first_words(diagnostics),
+            at: first.and_then(|item| diagnostics.position(item)),
+            mend: first.and_then(|item| item.helps.first().cloned()),
+            more: diagnostics.items.len().saturating_sub(1),
+        }
+    }
+}
+
+fn parts(scene: &Scene) -> String {
+    let mechanism = &scene.mechanism;
+    let counted = [
+        (mechanism.links().len(), "link"),
+        (mechanism.slides().len(), "slide"),
+    ];
+    let counted = counted.into_iter().filter(|(count, _)| *count > 0);
+    let mut words: Vec<String> = counted
+        .map(|(count, what)| format!("{count} {what}{}", if count == 1 { "" } else { "s" }))
+        .collect();
+    words.push(format!("unit {}", scene.unit.symbol()));
+    words.join(", ")
+}
+
+fn range(scene: &Scene, solver: &Solver) -> String {
+    let (name, unit) = match scene.mechanism.driver().input {
+        Input::Turn(link) => (scene.link_name(link), "deg"),
+        Input::Push(slide) => (scene.slide_name(slide), scene.unit.symbol()),
+    };
+    match solver.motion().range {
+        Range::Full { period } if period > crate::angle::TURN => {
+            format!("{name} turns fully; the motion repeats after {period} deg")
+        }
+        Range::Full { .. } => format!("{name} turns fully"),
+        Range::Limited { low, high } => {
+            let decimals = DriverRange::new(scene, solver).decimals();
+            format!("{name} from {low:.decimals$} to {high:.decimals$} {unit}")
+        }
+    }
+}

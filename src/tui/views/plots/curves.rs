@@ -1,0 +1,312 @@
+//! What is plotted, and what was sampled for it.
+//!
+//! Samples are solved once for a scene and a choice; a frame only looks where the driver is.
+
+use crate::Vec2;
+use crate::drawing::plot::Plot;
+use crate::quantity::{Abscissa, Catalogue, Clock, Curves, Here, Quantity};
+use crate::report::curves_csv;
+use crate::scene::Scene;
+use crate::solver::{Solver, State};
+use crate::tui::player::comparison::ComparedScene;
+use crate::tui::player::open_scene::OpenScene;
+
+/// What stands along x, by name: another scene has other quantities.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Along {
+    /// The driver's coordinate.
+    #[default]
+    Driver,
+    /// Time.
+    Time,
+    /// A quantity that was chosen, against which the others stand.
+    Figure(String),
+}
+
+/// The plots of a scene.
+#[derive(Debug)]
+pub(crate) struct Plots {
+    /// The names of the quantities, in the order in which they were chosen; `None` until something is
+    /// chosen: then the usual ones are plotted.
+    chosen: Option<Vec<String>>,
+    along: Along,
+    /// Whether extrema are marked.
+    extrema: bool,
+    /// `None` until they are looked at, and when something else has been chosen.
+    sampled: Option<Sampled>,
+}
+
+/// What was sampled of a scene.
+#[derive(Debug)]
+struct Sampled {
+    /// The number of the scene, and of what it is held against.
+    opened: [usize; 2],
+    /// What is plotted, in the order of the panels' figures.
+    names: Vec<String>,
+    outcome: Outcome,
+}
+
+/// What came of sampling.
+#[derive(Debug)]
+enum Outcome {
+    Plot(Box<Curves>, Plot),
+    /// In words, why there is nothing.
+    Nothing(String),
+}
+
+impl Default for Plots {
+    fn default() -> Self {
+        Plots {
+            chosen: None,
+            along: Along::default(),
+            extrema: true,
+            sampled: None,
+        }
+    }
+}
+
+impl Plots {
+    /// Samples what was chosen, if that was not done yet for this scene and what it is held against.
+    pub(crate) fn sample(
+        &mut self,
+        open_scene: &OpenScene,
+        opened: [usize; 2],
+        compared: Option<&ComparedScene>,
+    ) {
+        if self.sampled.as_ref().is_some_and(|s| s.opened == opened) {
+            return;
+        }
+        let names = self.names(open_scene.scene());
+        let outcome = match sampled(open_scene.scene(), open_scene.solver(), &names, &self.along) {
+            Ok(curves) => {
+                let plot = Plot::of(&curves);
+                Outcome::Plot(Box::new(curves), plot)
+            }
+            Err(why) => Outcome::Nothing(why),
+        };
+        self.sampled = Some(Sampled {
+            opened,
+            names,
+            outcome,
+        });
+        if let Some(compared) = compared {
+            self.compare(compared, open_scene.scene().unit.symbol());
+        }
+    }
+
+    /// What is plotted: what was chosen as far as the scene has it, or the usual figures.
+    fn names(&self, scene: &Scene) -> Vec<String> {
+        let Some(chosen) = &self.chosen else {
+            return usual(scene);
+        };
+        let catalogue = Catalogue::new(scene);
+        let known = |name: &&String| catalogue.all().iter().any(|q| q.name == **name);
+        chosen.iter().filter(known).cloned().collect()
+    }
+
+    /// Whether a quantity is plotted, or stands along x.
+    pub(crate) fn is_chosen(&self, name: &str) -> bool {
+        let names = self.sampled.as_ref().map(|s| &s.names);
+        names.is_some_and(|names| names.iter().any(|n| n == name))
+    }
+
+    /// How many quantities are chosen.
+    pub(crate) fn count(&self) -> usize {
+        self.sampled.as_ref().map_or(0, |s| s.names.len())
+    }
+
+    /// Chooses a quantity, or no longer.
+    pub(crate) fn toggle(&mut self, name: &str, scene: &Scene) {
+        let mut names = self.names(scene);
+        match names.iter().position(|n| n == name) {
+            Some(at) => drop(names.remove(at)),
+            None => names.push(name.to_owned()),
+        }
+        if self.along == Along::Figure(name.to_owned()) {
+            self.along = Along::Driver;
+        }
+        self.chosen = Some(names);
+        self.sampled = None;
+    }
+
+    /// Takes nothing, to choose anew.
+    pub(crate) fn clear(&mut self) {
+        self.chosen = Some(Vec::new());
+        self.along = Along::Driver;
+        self.sampled = None;
+    }
+
+    /// Puts the next thing along x: the driver's coordinate, time, and then each of the figures that are
+    /// chosen, for the others to stand against it. Says what it is.
+    pub(crate) fn next_abscissa(&mut self, scene: &Scene) -> String {
+        let names = self.names(scene);
+        // One figure alone has nothing to stand against.
+        let figures = names.iter().filter(|_| names.len() > 1);
+        let time = Clock::new(scene.mechanism.driver()).map(|_| Along::Time);
+        let mut all = vec![Along::Driver];
+        all.extend(time);
+        all.extend(figures.cloned().map(Along::Figure));
+        let here = all.iter().position(|along| *along == self.along);
+        let next = here.map_or(0, |here| (here + 1) % all.len());
+        self.along = all.swap_remove(next);
+        self.sampled = None;
+        match &self.along {
+            Along::Driver => format!("over {}", Catalogue::new(scene).driver().name),
+            Along::Time => "over time: 0 s is where the scene opens".into(),
+            Along::Figure(name) => format!("against {name}"),
+        }
+    }
+
+    /// Marks extrema, or no longer.
+    pub(crate) fn toggle_extrema(&mut self) -> bool {
+        self.extrema = !self.extrema;
+        self.extrema
+    }
+
+    pub(crate) fn extrema(&self) -> bool {
+        self.extrema
+    }
+
+    /// What is to be drawn, or in words why there is nothing.
+    pub(crate) fn plot(&self) -> Result<&Plot, &str> {
+        match self.sampled.as_ref().map(|s| &s.outcome) {
+            None => Err(""),
+            Some(Outcome::Nothing(why)) => Err(why),
+            Some(Outcome::Plot(_, plot)) => Ok(plot),
+        }
+    }
+
+    /// Adds the curves of what the scene is held against, dotted and in the scene's unit.
+    fn compare(&mut self, compared: &ComparedScene, unit: &str) {
+        let Some(Sampled { names, outcome, .. }) = &mut self.sampled else {
+            return;
+        };
+        let (scene, solver) = (compared.scene(), compared.solver());
+        let catalogue = Catalogue::new(scene);
+        let known = |name: &String| catalogue.all().iter().any(|q| q.name == *name);
+        let along = match &self.along {
+            Along::Driver | Along::Time => true,
+            Along::Figure(name) => known(name),
+        };
+        let names: Vec<String> = names.iter().filter(|name| known(name)).cloned().collect();
+        if let (true, Outcome::Plot(_, plot), Ok(curves)) =
+            (along, outcome, sampled(scene, solver, &names, &self.along))
+        {
+            let other = Plot::of(&curves).in_unit(scene.unit.symbol(), unit, compared.scale());
+            plot.compare(&other, compared.name());
+        }
+    }
+
+    /// The figures where the driver is.
+    pub(crate) fn here(&self, state: &State) -> Option<Here> {
+        self.curves().map(|curves| curves.here(state))
+    }
+
+    /// Why a part of what is plotted is not shown.
+    pub(crate) fn hidden(&self) -> Option<String> {
+        let curves = self.curves()?;
+        let hidden = curves.hidden.as_ref()?;
+        Some(hidden.text(&curves.driver.unit))
+    }
+
+    /// What was sampled; `None` where there is nothing.
+    pub(crate) fn curves(&self) -> Option<&Curves> {
+        match self.sampled.as_ref().map(|s| &s.outcome) {
+            Some(Outcome::Plot(curves, _)) => Some(curves),
+            Some(Outcome::Nothing(_)) | None => None,
+        }
+    }
+
+    /// The plot as an SVG document, with the cursor where the driver is; `None` where there is none.
+    pub(crate) fn svg(&self, open_scene: &OpenScene) -> Option<String> {
+        let plot = self.plot().ok()?;
+        let here = self.here(open_scene.state());
+        let title = &open_scene.scene().name;
+        Some(plot.svg(title, PAPER, self.extrema, here.as_ref()))
+    }
+
+    /// What is plotted as comma separated values; `None` where there is nothing.
+    pub(crate) fn csv(&self) -> Option<String> {
+        curves_csv(self.curves()?).ok()
+    }
+}
+
+/// The size of an SVG in its own units.
+const PAPER: Vec2 = Vec2 { x: 800.0, y: 640.0 };
+
+/// The samples of these quantities, or in words why there are none.
+fn sampled(
+    scene: &Scene,
+    solver: &Solver,
+    names: &[String],
+    along: &Along,
+) -> Result<Curves, String> {
+    let catalogue = Catalogue::new(scene);
+    let find = |name: &String| catalogue.all().iter().find(|q| q.name == *name).cloned();
+    let mut figures: Vec<Quantity> = names.iter().filter_map(find).collect();
+    let abscissa = match along {
+        Along::Driver => Abscissa::Driver,
+        Along::Time => Abscissa::Time,
+        Along::Figure(name) => {
+            figures.retain(|q| q.name != *name);
+            find(name).map_or(Abscissa::Driver, Abscissa::Figure)
+        }
+    };
+    if figures.is_empty() {
+        return Err("nothing is plotted yet".into());
+    }
+    let curves = Curves::new(scene, solver, &figures, abscissa, None).map_err(|e| e.to_string())?;
+    if curves
+        .curves
+        .iter()
+        .all(|curve| curve.values.iter().all(Option::is_none))
+    {
+        let names: Vec<&str> = figures.iter().map(|q| q.name.as_str()).collect();
+        let hidden = curves.hidden.as_ref();
+        let why = hidden.map(|hidden| format!("; {}", hidden.text(&curves.driver.unit)));
+        return Err(format!(
+            "no value anywhere in this motion: {}{}",
+            names.join(", "),
+            why.unwrap_or_default()
+        ));
+    }
+    Ok(curves)
+}
+
+/// What is plotted before anything is chosen: the turning of the last link on the ground that is not
+/// driven, or the way of the last slide there, or the velocity of the last moving point.
+fn usual(scene: &Scene) -> Vec<String> {
+    let mechanism = &scene.mechanism;
+    let catalogue = Catalogue::new(scene);
+    let has = |name: &String| catalogue.all().iter().any(|q| q.name == *name);
+    let named = |name: &str, aspects: [&str; 2]| -> Option<Vec<String>> {
+        let names = aspects.map(|aspect| format!("{name}.{aspect}"));
+        names.iter().all(has).then(|| names.to_vec())
+    };
+    let driven = match mechanism.driver().input {
+        crate::Input::Turn(link) => Some(link),
+        crate::Input::Push(_) => None,
+    };
+    let on_ground = |&link: &crate::LinkId| {
+        let members = &mechanism.link(link).members;
+        let grounded = |m: &crate::Member| mechanism.point(m.point).ground.is_some();
+        Some(link) != driven && members.iter().any(grounded)
+    };
+    let rocker = mechanism.link_ids().filter(on_ground).last();
+    let rocker = rocker.and_then(|link| named(scene.link_name(link), ["omega", "alpha"]));
+    let slide = || {
+        let pushed = |&slide: &crate::SlideId| {
+            mechanism.driver().input != crate::Input::Push(slide)
+                && mechanism.slide(slide).on == crate::Body::Ground
+        };
+        let slide = mechanism.slide_ids().filter(pushed).last()?;
+        named(scene.slide_name(slide), ["length", "rate"])
+    };
+    let point = || {
+        let moving = |&id: &crate::PointId| mechanism.point(id).ground.is_none();
+        let points = mechanism.point_ids().filter(moving);
+        let names = points.filter_map(|id| scene.point_name(id));
+        named(names.last()?, ["vx", "vy"])
+    };
+    rocker.or_else(slide).or_else(point).unwrap_or_default()
+}

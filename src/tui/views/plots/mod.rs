@@ -1,0 +1,287 @@
+//! Quantities over the motion, and at their left the list in which they are chosen.
+//!
+//! ```text
+//!  plot what?        2 of 28  | mm/s  * C.vx -722.6      over driver.angle 60.00 deg
+//!   [x] C.vx     mm/s         |  1000 |   **^***
+//! > [ ] C.vy     mm/s         |     0 |***:.....
+//! ```
+
+pub(crate) mod curves;
+pub(crate) mod list;
+
+use super::pane::{Copied, Need, Pane};
+use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
+use crate::drawing::plot::{Look, Plot};
+use crate::tui::app::{App, Mode};
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::commands::action::{Action, PlotsAction};
+use crate::tui::figures::copying;
+use crate::tui::player::open_scene::shown;
+use crate::tui::views::plots::list::PlotList;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Why there is nothing to take out.
+const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
+/// Columns of the list beside a plot; on a screen narrower than this it stands alone.
+const LIST: u16 = 30;
+const BOTH: u16 = 70;
+/// Rows of the list's heading.
+const HEAD: u16 = 1;
+/// Longer names are cut.
+const NAME: u16 = 16;
+
+/// Where the parts of the view are.
+struct Arrangement {
+    list: Option<Rect>,
+    plot: Option<Rect>,
+}
+
+fn arrange(app: &App, area: Rect) -> Arrangement {
+    let whole = inset(area);
+    if !matches!(app.mode(), Mode::PlotList(_)) {
+        return Arrangement {
+            list: None,
+            plot: Some(whole),
+        };
+    }
+    if area.width < BOTH {
+        return Arrangement {
+            list: Some(inset(area)),
+            plot: None,
+        };
+    }
+    let list = Rect {
+        width: LIST,
+        ..area
+    };
+    let plot = Rect {
+        x: whole.x + LIST,
+        width: whole.width - LIST,
+        ..whole
+    };
+    Arrangement {
+        list: Some(inset(list)),
+        plot: Some(plot),
+    }
+}
+
+/// Figures over the motion.
+pub(super) struct PlotsView;
+
+impl Pane for PlotsView {
+    fn name(&self) -> &'static str {
+        "plots"
+    }
+
+    fn about(&self) -> &'static str {
+        "Figures over the motion"
+    }
+
+    fn help_title(&self) -> &'static str {
+        "In the plots"
+    }
+
+    fn needs(&self) -> Need {
+        Need::Curves
+    }
+
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let Arrangement { list, plot } = arrange(app, body);
+        if let Some(body) = plot {
+            render_plot(app, body, buffer);
+        }
+        if let (Some(body), Mode::PlotList(list)) = (list, app.mode()) {
+            render_list(app, list, body, buffer);
+        }
+    }
+
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        match (arrange(app, body).list, app.mode(), app.plots().plot()) {
+            (Some(body), Mode::PlotList(list), _) => {
+                (list.count().0, body.height.saturating_sub(HEAD).into())
+            }
+            (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(body.height)),
+            (_, _, Err(_)) => (0, 0),
+        }
+    }
+
+    fn hints(&self, _app: &App) -> &'static [Action] {
+        &[
+            Action::Help,
+            Action::Plots(PlotsAction::Choose),
+            Action::LineDown,
+            Action::Plots(PlotsAction::Abscissa),
+            Action::MOTION,
+            Action::Play,
+            Action::StepForward,
+            Action::Quit,
+        ]
+    }
+
+    fn copy(&self, app: &App) -> Copied {
+        app.plots().curves().map_or(Copied::Nothing, |curves| {
+            Copied::Text(copying::plotted(curves, app.open_scene().state()))
+        })
+    }
+
+    fn csv(&self, app: &App) -> Result<String, String> {
+        app.plots().csv().ok_or_else(|| NOTHING_PLOTTED.into())
+    }
+
+    fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
+        let text = app.plots().svg(app.open_scene());
+        Ok(("the plot", text.ok_or(NOTHING_PLOTTED)?))
+    }
+
+    fn file_part(&self) -> Option<&'static str> {
+        Some("plot")
+    }
+}
+
+fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
+    let plot = match app.plots().plot() {
+        Ok(plot) => plot,
+        Err(why) => {
+            tell(app, why, area, buffer);
+            return;
+        }
+    };
+    let area = tell_what_is_hidden(app, area, buffer);
+    let look = Look {
+        cols: area.width,
+        rows: area.height,
+        glyphs: app.glyphs(),
+        aspect: app.aspect(),
+        extrema: app.plots().extrema(),
+        first: app.scroll(),
+    };
+    let here = app.plots().here(app.open_scene().state());
+    let raster = plot.render(&look, here.as_ref());
+    show(&raster, area, buffer);
+    mark_panels(plot, &look, area, buffer);
+}
+
+/// Above the plot, why a part of it is not shown; gives the room that is left.
+fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
+    let Some(why) = app.plots().hidden() else {
+        return area;
+    };
+    let lines = crate::report::wrapped(&shown(&why, app.glyphs()), area.width.into());
+    let height = u16::try_from(lines.len()).unwrap_or(area.height);
+    let height = height.min(area.height / 2);
+    for (y, line) in (area.top()..area.top() + height).zip(&lines) {
+        print(buffer, area.x, y, area.width, line, theme::part(Part::Text));
+    }
+    Rect {
+        y: area.y + height,
+        height: area.height - height,
+        ..area
+    }
+}
+
+/// Marks at the right edge that there are more panels above or below.
+fn mark_panels(plot: &Plot, look: &Look, area: Rect, buffer: &mut Buffer) {
+    let hidden = plot.panels.len() - plot.panels_in(look.rows);
+    let first = look.first.min(hidden);
+    mark_more(area, first > 0, first < hidden, buffer);
+}
+
+/// In the middle, why there is nothing to see, and which key leads on.
+fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
+    let lead = |(action, what)| {
+        let key = app.keymap().key(Action::Plots(action))?;
+        Some(format!("{key}  {what}"))
+    };
+    let leads = [
+        (PlotsAction::Choose, "choose what is plotted"),
+        (PlotsAction::Abscissa, "put something else along x"),
+    ];
+    let leads: Vec<String> = leads.into_iter().filter_map(lead).collect();
+    let width = usize::from(area.width);
+    let lines = crate::report::wrapped(&shown(why, app.glyphs()), width);
+    let rows = u16::try_from(lines.len() + 1 + leads.len()).unwrap_or(area.height);
+    let mut y = area.y + area.height.saturating_sub(rows) / 2;
+    let block = leads.iter().map(|line| columns(line)).max().unwrap_or(0);
+    let mut say = |text: &str, width: u16, part| {
+        if y < area.bottom() {
+            let x = area.x + area.width.saturating_sub(width) / 2;
+            print(buffer, x, y, area.width, text, theme::part(part));
+        }
+        y += 1;
+    };
+    for line in &lines {
+        say(line, columns(line), Part::Text);
+    }
+    say("", 0, Part::Text);
+    for line in &leads {
+        say(line, block, Part::Quiet);
+    }
+}
+
+fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
+    let (found, all) = list.count();
+    let quiet = theme::part(Part::Quiet);
+    match list.search() {
+        None => {
+            print(buffer, area.x, area.y, area.width, "plot what?", quiet);
+            let count = format!("{} of {all}", app.plots().count());
+            print_right(buffer, area.right(), area.y, &count, quiet);
+        }
+        Some((text, typing)) => {
+            let room = usize::from(area.width).saturating_sub(columns_of(found) + 3);
+            let skipped = text.len().saturating_sub(room.saturating_sub(1));
+            let seen = text.get(skipped..).unwrap_or_default();
+            let x = print(buffer, area.x, area.y, area.width, "/", quiet);
+            let x = print(buffer, x, area.y, area.width, seen, theme::part(Part::Text));
+            if typing {
+                print(buffer, x, area.y, 1, " ", theme::part(Part::Caret));
+            }
+            print_right(buffer, area.right(), area.y, &found.to_string(), quiet);
+        }
+    }
+    let rows = Rect {
+        y: area.y + HEAD,
+        height: area.height.saturating_sub(HEAD),
+        ..area
+    };
+    if found == 0 {
+        print(
+            buffer,
+            rows.x,
+            rows.y,
+            rows.width,
+            "no figure has that",
+            quiet,
+        );
+        return;
+    }
+    // The cursor is seen, with rows above it where there are some.
+    let height = usize::from(rows.height).max(1);
+    let most = found.saturating_sub(height);
+    let first = list.cursor().saturating_sub(height / 2).min(most);
+    let seen = list.rows().enumerate().skip(first);
+    for (y, (i, (name, unit))) in (rows.top()..rows.bottom()).zip(seen) {
+        let is_here = i == list.cursor();
+        let part = |other| theme::part(if is_here { Part::Key } else { other });
+        let mark = match (is_here, app.plots().is_chosen(name)) {
+            (true, true) => "> [x] ",
+            (true, false) => "> [ ] ",
+            (false, true) => "  [x] ",
+            (false, false) => "  [ ] ",
+        };
+        let x = print(buffer, rows.x, y, rows.width, mark, part(Part::Text));
+        let room = rows.right().saturating_sub(x);
+        let name = shown(&cut(name, usize::from(NAME.min(room))), app.glyphs());
+        print(buffer, x, y, room, &name, part(Part::Name));
+        let x = (x + NAME + 1).min(x + columns(&name).max(9) + 1);
+        let room = rows.right().saturating_sub(x);
+        print(buffer, x, y, room, unit, part(Part::Quiet));
+    }
+    mark_more(rows, first > 0, first < most, buffer);
+}
+
+/// Digits of a number.
+fn columns_of(count: usize) -> usize {
+    count.to_string().len()
+}

@@ -1,0 +1,72 @@
+//! A screen of the tour: a panel at the right, so that the linkage is seen beside it; over all where there is
+//! no room beside.
+//!
+//! ```text
+//!  drawing      +- Tour 2/5: Moving the crank -+
+//!               | . and , step: try it now.    |
+//!               +- Enter next  Left back ------+
+//! ```
+
+pub(crate) mod screens;
+
+use super::popup::{self, BORDER};
+use super::{print, print_right};
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::views::tour::screens::{SCREENS, Screen, screen, wrapped};
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns of text; more where that covers everything anyway.
+const TEXT: u16 = 32;
+/// A narrower screen has no room for a drawing beside the text.
+const ROOM_BESIDE: u16 = 70;
+
+pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) {
+    let screen = screen(number, app.keymap());
+    let (place, text) = laid_out(&screen, area);
+    let title = format!("Tour {}/{SCREENS}: {}", number + 1, screen.title);
+    popup::frame(app.glyphs(), place, &title, buffer);
+    let inner = popup::within(place);
+    for (y, line) in (inner.top()..inner.bottom()).zip(&text) {
+        print(
+            buffer,
+            inner.x,
+            y,
+            inner.width,
+            line,
+            theme::part(Part::Text),
+        );
+    }
+    let next = if number + 1 < SCREENS { "next" } else { "done" };
+    let keys = format!(" Enter {next}  Left back  Esc end ");
+    let style = theme::part(Part::Quiet);
+    print_right(buffer, place.right() - 1, place.bottom() - 1, &keys, style);
+}
+
+/// Where a screen of the tour stands.
+pub(super) fn placed(app: &App, number: usize, area: Rect) -> Rect {
+    laid_out(&screen(number, app.keymap()), area).0
+}
+
+/// The place of a screen, and its lines.
+fn laid_out(screen: &Screen, area: Rect) -> (Rect, Vec<String>) {
+    let beside = area.width >= ROOM_BESIDE;
+    let width = if beside { TEXT + BORDER.0 } else { area.width };
+    let text = wrapped(&screen.text, (width - BORDER.0).into(), beside);
+    let rows = u16::try_from(text.len()).unwrap_or(u16::MAX);
+    let height = rows.saturating_add(BORDER.1).min(area.height);
+    // Without room beside, the drawing is above.
+    let y = if beside {
+        area.y
+    } else {
+        area.bottom() - height
+    };
+    let place = Rect {
+        x: area.right() - width,
+        y,
+        width,
+        height,
+    };
+    (place, text)
+}

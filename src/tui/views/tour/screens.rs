@@ -1,0 +1,186 @@
+//! The tour: five screens that tell what krank shows and how one finds one's way, beside the workbench, whose
+//! keys for the motion work meanwhile.
+
+use crate::files::places;
+use crate::tui::app::View;
+use crate::tui::commands::action::Action;
+use crate::tui::commands::keymap::Keymap;
+use std::fs::{self, File};
+use std::path::PathBuf;
+
+/// How many screens it has.
+pub(crate) const SCREENS: usize = 5;
+
+/// The file that tells that the tour was shown.
+const MARK: &str = "tour-shown";
+
+/// A screen of the tour.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Screen {
+    pub(crate) title: &'static str,
+    /// Text to be broken into lines; a line feed begins a paragraph.
+    pub(crate) text: String,
+}
+
+/// A screen, from 0, with the keys that a person has.
+pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
+    use Action as A;
+    let key = |action| keymap.told(action);
+    let (title, text) = match number {
+        0 => (
+            "What krank shows",
+            "A crank turns a linkage. The drawing is to scale; the tables have position, velocity \
+             and acceleration of each part, * marks what krank has found.\nThe last line says \
+             where the crank stands, and which keys matter now."
+                .to_owned(),
+        ),
+        1 => (
+            "Moving the crank",
+            format!(
+                "{} and {} step: try it now. {} plays, once the tour is over.\n{} and {} change \
+                 the step, {} and {} the pace, {} the direction. {} goes where you type, {} back \
+                 to the opening.",
+                key(A::StepForward),
+                key(A::StepBack),
+                key(A::Play),
+                key(A::SmallerStep),
+                key(A::LargerStep),
+                key(A::Slower),
+                key(A::Faster),
+                key(A::Reverse),
+                key(A::GoTo),
+                key(A::Opening),
+            ),
+        ),
+        2 => (
+            "Tables, plots, trust",
+            format!(
+                "{} has all tables, {} plots, {} the motion again.\nFigures have a proved \
+                 bound where there is one: digits beyond it are dim, or dots. What does not exist is -. {} measures methods, {} what each length does.",
+                key(A::Look(View::Tables)),
+                key(A::Look(View::Plots)),
+                key(A::Look(View::Motion)),
+                key(A::Look(View::Accuracy)),
+                key(A::Look(View::Lengths)),
+            ),
+        ),
+        3 => (
+            "Editing and saving",
+            format!(
+                "{} opens a preset or a file; {} shows the next preset.\n{} lists every number of \
+                 the scene to be edited, and the linkage follows. {} takes an edit back. Nothing \
+                 is written before you press {}.",
+                key(A::Open),
+                key(A::NextPreset),
+                key(A::Look(View::Scene)),
+                key(A::Undo),
+                key(A::Save),
+            ),
+        ),
+        _ => (
+            "Where help is",
+            format!(
+                "{} lists the keys of the view, then all others; {} searches them. {} goes one \
+                 level back, {} leaves.\n{} brings this tour back. Without a terminal: krank \
+                 --help, krank man.",
+                key(A::Help),
+                key(A::Search),
+                key(A::Back),
+                key(A::Quit),
+                key(A::Tour),
+            ),
+        ),
+    };
+    Screen { title, text }
+}
+
+/// Whether a key for this works while the tour is shown.
+pub(crate) fn allows(action: Action) -> bool {
+    use Action as A;
+    matches!(
+        action,
+        A::StepBack
+            | A::StepForward
+            | A::SmallerStep
+            | A::LargerStep
+            | A::Slower
+            | A::Faster
+            | A::Reverse
+            | A::Opening
+            | A::Glyphs
+            | A::Colours
+            | A::Look(_)
+    )
+}
+
+/// The text in lines of at most so many characters, broken between words; with a blank line between
+/// paragraphs where there is room.
+pub(crate) fn wrapped(text: &str, width: usize, roomy: bool) -> Vec<String> {
+    let mut lines = Vec::new();
+    for (n, paragraph) in text.split('\n').enumerate() {
+        if n > 0 && roomy {
+            lines.push(String::new());
+        }
+        let mut line = String::new();
+        for word in paragraph.split_whitespace() {
+            if !line.is_empty() && line.len() + 1 + word.len() > width {
+                lines.push(std::mem::take(&mut line));
+            }
+            if !line.is_empty() {
+                line.push(' ');
+            }
+            line.push_str(word);
+        }
+        lines.push(line);
+    }
+    lines
+}
+
+/// Whether this is the first start, as far as can be told; from now on it is not. Where that cannot
+/// be kept it is none: a tour that comes back every time is no help.
+pub(crate) fn is_first_start(env: impl Fn(&str) -> Option<PathBuf>) -> bool {
+    let Some(folder) = places::folder_of("XDG_STATE_HOME", ".local/state", env) else {
+        return false;
+    };
+    fs::create_dir_all(&folder).is_ok() && File::create_new(folder.join(MARK)).is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tui::commands::key::Key;
+
+    #[test]
+    fn every_screen_is_read_at_once_on_the_smallest_terminal() {
+        for number in 0..SCREENS {
+            let screen = screen(number, &Keymap::default());
+            let lines = wrapped(&screen.text, 36, false);
+            assert!(lines.len() <= 8, "{number}: {lines:#?}");
+            assert!(lines.iter().all(|line| line.len() <= 36 && line.is_ascii()));
+            assert!(screen.title.len() <= 20, "the border cuts it");
+        }
+    }
+
+    #[test]
+    fn the_keys_are_those_that_a_person_has() {
+        let mut keymap = Keymap::default();
+        keymap.set(Action::StepForward, vec![Key::Function(7)]);
+        keymap.set(Action::GoTo, Vec::new());
+        let text = screen(1, &keymap).text;
+        assert!(text.starts_with("F7 and , step"), "{text}");
+        assert!(text.contains("(no key) goes where you type"), "{text}");
+    }
+
+    #[test]
+    fn the_first_start_is_the_first_one_alone() {
+        let folder = std::env::temp_dir().join(format!("krank-first-{}", std::process::id()));
+        let state = |name: &str| (name == "XDG_STATE_HOME").then(|| folder.clone());
+        assert!(is_first_start(state));
+        assert!(!is_first_start(state));
+        // Where nothing can be kept: no home, a file in the way.
+        assert!(!is_first_start(|_| None));
+        let file = folder.join("krank").join(MARK);
+        assert!(!is_first_start(move |_| Some(file.clone())));
+        fs::remove_dir_all(folder).unwrap();
+    }
+}

@@ -1,0 +1,51 @@
+//! The working of the present state, while it is looked at.
+
+use crate::Ball;
+use crate::report::{Document, Worked, Working};
+use crate::solver::{Order, Workspace};
+use crate::tui::Opened;
+
+/// Significant digits, as in the tables.
+const DIGITS: usize = 6;
+/// Of more links than this a frame would be late.
+const MOST_LINKS: usize = 64;
+
+/// What the working is written from, and the present one.
+#[derive(Debug)]
+pub(crate) struct Explained {
+    working: Working,
+    state: Workspace,
+    enclosure: Workspace<Ball>,
+    document: Document,
+}
+
+impl Explained {
+    /// The working at a coordinate; `None` where the scene has too many links for it.
+    pub(crate) fn new(opened: &Opened, at: f64) -> Option<Explained> {
+        let Opened { scene, solver, .. } = opened;
+        if scene.mechanism.links().len() > MOST_LINKS {
+            return None;
+        }
+        let mut explained = Explained {
+            working: Working::new(scene, solver),
+            state: solver.state(),
+            enclosure: solver.enclosure(),
+            document: Document::default(),
+        };
+        explained.go(opened, at);
+        Some(explained)
+    }
+
+    /// The driver is somewhere else.
+    pub(crate) fn go(&mut self, opened: &Opened, at: f64) {
+        let Opened { scene, solver, .. } = opened;
+        let _ = solver.solve(at, Order::Force, &mut self.state);
+        solver.enclose(&mut self.state, Order::Force, &mut self.enclosure);
+        let Worked { document, .. } = self.working.of(scene, solver, &self.state, DIGITS);
+        self.document = document;
+    }
+
+    pub(crate) fn document(&self) -> &Document {
+        &self.document
+    }
+}
