@@ -67,34 +67,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! # Notation
-//!
-//! The frame is fixed, x to the right and y up. Angles and everything that turns count
-//! counter-clockwise, from +x.
-//!
-//! | symbol | in columns | meaning | unit |
-//! |---|---|---|---|
-//! | r | `length` | length of a vector; of a slide the signed position along its guide, counted from `through` | the scene's length unit |
-//! | theta | `angle` | direction of a vector at its tail, from 0 to below 360; the driver's is not wrapped | deg |
-//! | dr/dt, d2r/dt2 | `rate`, `accel` | first and second rate of r | length/s, length/s^2 |
-//! | omega | `omega` | angular velocity of a link or a vector | rad/s |
-//! | alpha | `alpha` | angular acceleration | rad/s^2 |
-//! | x, y | `x`, `y` | position of a point in the ground frame | length |
-//! | v | `vx`, `vy` | its velocity | length/s |
-//! | a | `ax`, `ay` | its acceleration | length/s^2 |
-//! | q | `driver.angle`, `driver.position` | the driver's coordinate | deg, or length |
-//! | e | | in the solver: from a known point P to the point X that is sought, e = X - P | length |
-//! | t, n | | direction of a guide, and its normal: t turned by +90 degrees | 1 |
-//! | T | `driver.torque` | what the driver must do: its torque, or the force of a pushed slide (`driver.force`); counter-clockwise, or along the guide | N m, or N |
-//! | P | `driver.power` | its power, positive where it gives energy to the linkage | W |
-//! | F | `r3.B.fx`, `r3.B.fy` | force on link r3 at its pin B | N |
-//! | N | `r4.normal` | force of a guide on what slides, along the guide's direction turned by +90 degrees | N |
-//! | M | `r6.moment` | moment of a guide on a link that slides without turning, about the link's origin | N m |
-//! | | `ground.fx`, `ground.moment` | shaking force and moment: of the whole on the frame, about the scene's origin | N, N m |
-//! | mu | | transmission angle of a dyad: between its two links, at the inner joint | deg |
-//!
-//! A link from B to C has its origin at B and its x axis towards C; `com`, further points and the
-//! guides that it carries are given in that frame.
+#![doc = include_str!("notation.md")]
 #![cfg_attr(test, allow(clippy::unwrap_used, reason = "a test fails by panicking"))]
 
 mod arithmetic;
@@ -113,6 +86,7 @@ mod document;
 pub mod drawing;
 mod explain;
 mod files;
+mod manual;
 mod mechanism;
 mod nearest;
 mod numeric;

@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 18] = [
+const PLACES: [(&str, u8); 19] = [
     ("nearest", 0),
     ("numeric", 0),
     ("arithmetic", 0),
@@ -27,6 +27,7 @@ const PLACES: [(&str, u8); 18] = [
     ("drawing", 6),
     ("report", 6),
     ("capability", 7),
+    ("manual", 7),
     ("tui", 8),
     ("cli", 9),
     ("main", 10),

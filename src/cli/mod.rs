@@ -10,9 +10,11 @@ mod diagnose;
 mod draw;
 mod explain;
 mod failure;
+mod help;
 mod misuse;
 mod motor;
 mod output;
+mod pager;
 mod picture;
 mod plot;
 #[cfg(feature = "tui")]
@@ -110,6 +112,7 @@ fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
         Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
         #[cfg(feature = "tui")]
         Some(Command::Config) => config::config(),
+        Some(Command::Help(args)) => help::help(args),
         Some(Command::Completions { shell }) => commands::completions(*shell),
         Some(Command::Man { command }) => commands::man(command.as_deref()),
     }

@@ -1,10 +1,10 @@
-//! What the terminal behind standard error can show.
+//! What a terminal can show: the one behind standard error, or behind standard output.
 
 use crate::capability::{Colours, Judgement, Kind};
 use crate::drawing::Glyphs;
-use std::io::{IsTerminal, stderr};
+use std::io::{IsTerminal, stderr, stdout};
 
-/// What messages may use.
+/// What messages and texts to be read may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Screen {
     /// 7-bit characters only.
@@ -19,6 +19,11 @@ impl Screen {
     /// As the environment says.
     pub(super) fn detect() -> Self {
         Screen::judge(&judgement(), stderr().is_terminal())
+    }
+
+    /// The same of the terminal behind standard output, for what is read there.
+    pub(super) fn of_results() -> Self {
+        Screen::judge(&judgement(), stdout().is_terminal())
     }
 
     fn judge(judgement: &Judgement, terminal: bool) -> Self {

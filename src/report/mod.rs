@@ -52,8 +52,9 @@ pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
 pub use tables_text::TableStyle;
+pub(crate) use text::wrapped;
 pub use working::{
     Agreement, Block, Document, Equation, LineKind, Table, TextStyle, Worked, Working,
 };
 #[cfg(feature = "tui")]
-pub(crate) use {forces_text::missed, number::shortest, number::upwards, text::wrapped};
+pub(crate) use {forces_text::missed, number::shortest, number::upwards};

@@ -10,6 +10,7 @@ mod explain;
 #[cfg(target_os = "linux")]
 mod files;
 mod forces;
+mod help;
 mod motor;
 mod plot;
 mod readme;
@@ -131,6 +132,7 @@ fn help_has_an_example_for_each_command() {
         "accuracy",
         "motor",
         "config",
+        "help",
         "completions",
         "man",
     ] {

@@ -1,22 +1,14 @@
-//! The tutorial of the README: every step is a scene that does what is said of it.
+//! The tutorial: every step is a scene that does what is said of it.
 
-use super::{command, folder, run};
+use super::{command, done, folder, run};
 
-const README: &str = include_str!("../../README.md");
+const TUTORIAL: &str = include_str!("../../src/manual/tutorial.md");
 const FILE: &str = "six-bar.toml";
-
-/// The tutorial alone.
-fn tutorial() -> &'static str {
-    let (_, behind) = README
-        .split_once("## From an empty file to a six-bar\n")
-        .unwrap();
-    behind.split("\n## ").next().unwrap()
-}
 
 /// Its blocks in this language.
 pub(super) fn blocks(language: &str) -> Vec<&'static str> {
     let opening = format!("```{language}\n");
-    let behind = tutorial().split(opening.as_str()).skip(1);
+    let behind = TUTORIAL.split(opening.as_str()).skip(1);
     behind
         .map(|text| text.split("```").next().unwrap())
         .collect()
@@ -41,7 +33,7 @@ fn every_step_is_a_scene() {
     assert_eq!(heard.code, 0, "{}", heard.err);
     for said in ["turns fully", "four-bar, crank-rocker: Grashof"] {
         assert!(
-            heard.out.contains(said) && tutorial().contains(said),
+            heard.out.contains(said) && TUTORIAL.contains(said),
             "{}",
             heard.out
         );
@@ -72,7 +64,7 @@ fn every_step_is_a_scene() {
 fn its_commands_run() {
     let here = folder("tutorial-commands");
     std::fs::write(here.join(FILE), blocks("toml").last().unwrap()).unwrap();
-    let shown = tutorial()
+    let shown = TUTORIAL
         .lines()
         .filter_map(|line| line.strip_prefix("    krank "));
     let mut ran = 0;
@@ -83,4 +75,15 @@ fn its_commands_run() {
         ran += 1;
     }
     assert_eq!(ran, 4);
+}
+
+/// What stands in the text is what is shown, scene by scene.
+#[test]
+fn its_scenes_are_shown_as_they_are() {
+    let shown = done(&["help", "tutorial"]);
+    for block in blocks("toml") {
+        let lines = block.lines().map(|line| format!("    {line}"));
+        let lines: Vec<String> = lines.map(|line| line.trim_end().to_owned()).collect();
+        assert!(shown.contains(&lines.join("\n")), "{shown}");
+    }
 }

@@ -8,6 +8,7 @@ mod environment;
 mod first_start;
 mod input;
 mod line;
+mod manual;
 mod progress;
 mod saving;
 mod scene;

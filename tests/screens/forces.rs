@@ -46,10 +46,10 @@ fn forces_stand_in_blocks_of_one_width() {
     insta::assert_snapshot!("forces-excavator-boom-ascii-80x24", masked(&screen));
 }
 
-/// The screen in the README is the one that is seen.
+/// The screen in the manual is the one that is seen.
 #[test]
-fn the_screen_of_the_readme_is_real() {
-    let readme = include_str!("../../README.md");
+fn the_screen_of_the_manual_is_real() {
+    let views = include_str!("../../src/manual/views.md");
     let mut workbench = Workbench::new(
         preset("four-bar-load"),
         Glyphs::Ascii,
@@ -61,8 +61,8 @@ fn the_screen_of_the_readme_is_real() {
     let screen = workbench.text();
     let block = format!("```txt\n{}\n```", screen.trim_end());
     assert!(
-        masked(readme).contains(&masked(&block)),
-        "the README should show\n{screen}"
+        masked(views).contains(&masked(&block)),
+        "the manual should show\n{screen}"
     );
 }
 

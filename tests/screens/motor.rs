@@ -130,12 +130,12 @@ fn no_preset_leaves_the_screen_empty_or_broken() {
     }
 }
 
-/// The screen in the README is the one that is seen.
+/// The screen in the manual is the one that is seen.
 #[test]
-fn the_screen_of_the_readme_is_real() {
-    let readme = include_str!("../../README.md");
+fn the_screen_of_the_manual_is_real() {
+    let views = include_str!("../../src/manual/views.md");
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 18);
     let screen = session.press("8").look();
     let block = format!("```txt\n{}\n```", screen.trim_end());
-    assert!(readme.contains(&block), "the README should show\n{screen}");
+    assert!(views.contains(&block), "the manual should show\n{screen}");
 }

@@ -51,6 +51,7 @@ const SCENE_HELP: &str = "A file, a preset's name, or - for standard input";
                   of any mechanism with one input, and the forces where anything acts, drawn \
                   and in tables.",
     args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true,
     after_help = concat!(
         keys_help!(),
         "\
@@ -65,7 +66,8 @@ Examples:
 SCENE is a file, a preset's name (krank list) or - for standard input. A name
 with a slash or ending in .toml is always a file: ./four-bar.
 
-krank completions SHELL and krank man print a completion script and the manual.
+krank help lists the topics of the manual: the scene file, keys, columns and more.
+krank completions SHELL and krank man print a completion script and a man page.
 
 Exit codes: 0 done; 1 the mechanism cannot do what was asked, or the output
 cannot be written; 2 the command line or the scene is wrong."
@@ -218,6 +220,15 @@ Example:
 The workbench reads $XDG_CONFIG_HOME/krank/config.toml, or ~/.config/krank/config.toml
 where that is not set, and never writes it: characters, colours, keys.")]
     Config,
+    /// Read a topic of the manual, or the help of a command
+    #[command(after_help = "\
+Examples:
+  krank help                     the topics
+  krank help scene               every key of a scene file
+  krank help sweep               as krank sweep --help
+
+On a terminal it is shown by $PAGER, or by less or more.")]
+    Help(HelpArgs),
     /// Print a completion script for a shell
     #[command(
         hide = true,
@@ -241,6 +252,15 @@ Examples:
         /// The command that the page is about; krank itself if left out
         command: Option<String>,
     },
+}
+
+#[derive(Debug, Args)]
+pub(super) struct HelpArgs {
+    /// A topic or a command; what there is if left out
+    pub(super) topic: Option<String>,
+    /// Write it all at once
+    #[arg(long)]
+    pub(super) no_pager: bool,
 }
 
 #[derive(Debug, Args)]

@@ -1,0 +1,111 @@
+//! `krank help`: the topics of the manual, and the help of the commands.
+
+use super::args::{Cli, HelpArgs};
+use super::failure::Failure;
+use super::pager;
+use super::screen::{Screen, size};
+use crate::manual::{self, Kind, TOPICS, Topic};
+use crate::nearest::nearest;
+use clap::{Command, CommandFactory};
+
+/// Columns where nobody tells how many there are.
+const USUAL_WIDTH: usize = 80;
+/// Lines longer than this are no pleasure to read.
+const WIDEST: usize = 100;
+
+/// Shows a topic or the help of a command; without a word what there is.
+pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
+    let screen = Screen::of_results();
+    let text = match args.topic.as_deref() {
+        None => laid_out(&contents(), screen),
+        Some(word) => match manual::find(word) {
+            Some(topic) => laid_out(&topic.text(&keys()), screen),
+            None => of_command(word)?,
+        },
+    };
+    match args.no_pager {
+        true => super::output::write_text(None, &text),
+        false => pager::show(&text, screen),
+    }
+}
+
+/// The text as wide as the terminal; there its headings are bold.
+fn laid_out(text: &str, screen: Screen) -> String {
+    let width = size().map_or(USUAL_WIDTH, |(columns, _)| columns.into());
+    let lines = manual::lines(text, width.min(WIDEST)).into_iter();
+    let shown = lines.map(|line| match line.kind {
+        Kind::Title if screen.colour => format!("\x1b[1m{}\x1b[0m\n", line.text),
+        Kind::Title | Kind::Words | Kind::Code => line.text + "\n",
+    });
+    shown.collect()
+}
+
+/// Topics and commands.
+fn contents() -> String {
+    let rows = |rows: Vec<(&str, String)>| -> String {
+        let rows = rows.into_iter();
+        rows.map(|(name, about)| format!("| {name} | {about} |\n"))
+            .collect()
+    };
+    let topics = TOPICS.iter().map(|t| (t.name, t.about.to_owned()));
+    let krank = Cli::command();
+    let commands = krank.get_subcommands().filter(|c| !c.is_hide_set());
+    let commands = commands.map(|c| (c.get_name(), about(c)));
+    format!(
+        "# Topics: krank help TOPIC\n\n| | |\n|---|---|\n{}\n# Commands: krank help COMMAND\n\n| | |\n|---|---|\n{}\n\
+         `krank --help` tells of the workbench and its options.\n",
+        rows(topics.collect()),
+        rows(commands.collect()),
+    )
+}
+
+fn about(command: &Command) -> String {
+    command
+        .get_about()
+        .map(ToString::to_string)
+        .unwrap_or_default()
+}
+
+/// The help of a command, as its `--help` has it.
+fn of_command(word: &str) -> Result<String, Failure> {
+    let mut krank = Cli::command();
+    krank.build();
+    match krank.find_subcommand_mut(word) {
+        Some(command) => Ok(command.render_long_help().to_string()),
+        None => Err(unknown(word, &krank)),
+    }
+}
+
+fn unknown(word: &str, krank: &Command) -> Failure {
+    let topics = || TOPICS.iter().map(|topic: &Topic| topic.name);
+    let commands = krank.get_subcommands().map(Command::get_name);
+    let mend = nearest(word, topics().chain(commands))
+        .map_or_else(String::new, |near| format!("did you mean `{near}`? "));
+    let topics: Vec<_> = topics().collect();
+    Failure::Usage(format!(
+        "there is no topic and no command `{word}`; {mend}the topics are {}",
+        topics.join(", ")
+    ))
+}
+
+/// The rows of the workbench's keys.
+#[cfg(feature = "tui")]
+fn keys() -> String {
+    let mut rows = String::new();
+    let mut group = "";
+    for (title, keys, help) in crate::tui::key_list() {
+        if title != group {
+            rows += &format!("| **{title}** | |\n");
+            group = title;
+        }
+        let keys: Vec<_> = keys.split(' ').map(|key| format!("`{key}`")).collect();
+        rows += &format!("| {} | {help} |\n", keys.join(" "));
+    }
+    rows
+}
+
+/// Without the workbench there are none.
+#[cfg(not(feature = "tui"))]
+fn keys() -> String {
+    String::new()
+}

@@ -1,0 +1,139 @@
+//! A text in Markdown as lines of a width.
+
+use super::markdown::{Block, Content, blocks};
+use super::table;
+use crate::report::wrapped;
+
+/// What a line is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A heading.
+    Title,
+    /// Words, or nothing.
+    Words,
+    /// Part of a file or of a screen, as it stands: the only lines that may be wider than there is room.
+    Code,
+}
+
+/// A line, without the blanks at its end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Line {
+    pub(crate) kind: Kind,
+    pub(crate) text: String,
+}
+
+/// Narrower than this no table and no word has room.
+const NARROWEST: usize = 30;
+/// Blanks before what is shown as it stands, where there is room for them.
+const CODE: usize = 4;
+/// Code of more characters than this may be broken between its words.
+const TOGETHER: usize = 22;
+/// Stands for a blank at which no line is broken.
+const TIED: char = '\u{1}';
+
+/// The text in lines of at most so many characters.
+pub(crate) fn lines(text: &str, width: usize) -> Vec<Line> {
+    let mut lines: Vec<Line> = Vec::new();
+    for block in blocks(text) {
+        if block.apart && !lines.is_empty() {
+            lines.push(line(Kind::Words, ""));
+        }
+        lines.extend(laid_out(&block, width.max(NARROWEST)));
+    }
+    lines
+}
+
+fn laid_out(block: &Block<'_>, width: usize) -> Vec<Line> {
+    let room = width - block.indent;
+    let inner = match &block.content {
+        Content::Heading(text) => kind(Kind::Title, broken(&plain(text), room)),
+        Content::Paragraph(text) => kind(Kind::Words, broken(&plain(text), room)),
+        Content::Item(text) => kind(Kind::Words, item(text, room)),
+        Content::Code(code) => kind(Kind::Code, as_it_stands(code, room)),
+        Content::Table(table) => table::lines(table, room),
+    };
+    let indented = inner.into_iter().map(|inner| match inner.text.as_str() {
+        "" => inner,
+        text => line(inner.kind, &format!("{:1$}{text}", "", block.indent)),
+    });
+    indented.collect()
+}
+
+/// The words behind their mark.
+fn item(text: &str, width: usize) -> Vec<String> {
+    let lines = broken(&plain(text), width - 2).into_iter();
+    let marks = std::iter::once("- ").chain(std::iter::repeat("  "));
+    lines
+        .zip(marks)
+        .map(|(line, mark)| mark.to_owned() + &line)
+        .collect()
+}
+
+fn as_it_stands(code: &[&str], width: usize) -> Vec<String> {
+    let widest = code.iter().map(|line| line.chars().count()).max();
+    let indent = CODE.min(width.saturating_sub(widest.unwrap_or(0)));
+    let indented = code.iter().map(|line| format!("{:indent$}{line}", ""));
+    indented.map(|line| line.trim_end().to_owned()).collect()
+}
+
+/// Words in lines of at most so many characters; short code stays together.
+pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
+    let pieces = text.split('`').enumerate();
+    let tied = pieces.map(|(i, piece)| match i % 2 == 1 && piece.len() <= TOGETHER {
+        true => piece.replace(' ', &TIED.to_string()),
+        false => piece.to_owned(),
+    });
+    let tied: Vec<String> = tied.collect();
+    let lines = wrapped(&tied.join("`"), width).into_iter();
+    lines.map(|line| line.replace(TIED, " ")).collect()
+}
+
+/// Without the marks of what is to be bold; those of code stay, for a terminal has no other.
+pub(super) fn plain(text: &str) -> String {
+    text.replace("**", "")
+}
+
+pub(super) fn line(kind: Kind, text: &str) -> Line {
+    Line {
+        kind,
+        text: text.trim_end().to_owned(),
+    }
+}
+
+fn kind(kind: Kind, lines: Vec<String>) -> Vec<Line> {
+    lines.iter().map(|text| line(kind, text)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn shown(text: &str, width: usize) -> String {
+        let lines = lines(text, width).into_iter();
+        lines.map(|line| line.text + "\n").collect()
+    }
+
+    #[test]
+    fn words_wrap_and_what_stands_as_it_is_does_not() {
+        let text = "# A **heading**\n\n- one two three four five six seven\n- eight\n\n```text\n  a   b\n```\n";
+        let lines = "A heading\n\n- one two three four five six\n  seven\n- eight\n\n      a   b\n";
+        assert_eq!(shown(text, 30), lines);
+        let wide = "a".repeat(90);
+        let text = format!("```txt\n{wide}\n```\n");
+        assert_eq!(shown(&text, 80), wide + "\n");
+    }
+
+    #[test]
+    fn short_code_stays_together() {
+        let text =
+            "one two three four five `six seven`, and `that --which is too long for it` goes on\n";
+        let lines = "one two three four five\n`six seven`, and `that --which\nis too long for it` goes on\n";
+        assert_eq!(shown(text, 30), lines);
+    }
+
+    #[test]
+    fn a_screen_of_no_width_gets_what_the_narrowest_gets() {
+        let text = "one two three four five six seven\n\n| a | b |\n|---|---|\n| 1 | 2 |\n";
+        assert_eq!(lines(text, 0), lines(text, NARROWEST));
+    }
+}

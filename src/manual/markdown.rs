@@ -1,0 +1,187 @@
+//! As much of Markdown as the manual is written in: headings, paragraphs, lists of one level, tables, and what is
+//! shown as it stands, between fences or indented by four.
+
+/// A piece of a text.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Block<'t> {
+    pub(super) content: Content<'t>,
+    /// Columns that it is indented by: it belongs to an item of a list.
+    pub(super) indent: usize,
+    /// Whether a blank line stands before it.
+    pub(super) apart: bool,
+}
+
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Content<'t> {
+    Heading(&'t str),
+    Paragraph(String),
+    /// A paragraph behind a mark.
+    Item(String),
+    /// As it stands.
+    Code(Vec<&'t str>),
+    Table(Table<'t>),
+}
+
+#[derive(Debug, Default, PartialEq, Eq)]
+pub(super) struct Table<'t> {
+    /// Cells as they are written; the first row is the head.
+    pub(super) rows: Vec<Vec<&'t str>>,
+    /// Whether a column stands to the right.
+    pub(super) right: Vec<bool>,
+}
+
+const FENCE: &str = "```";
+/// Blanks before what belongs to an item.
+const ITEM: &str = "  ";
+/// Blanks before what is shown as it stands.
+const CODE: &str = "    ";
+
+/// Takes a text apart.
+pub(super) fn blocks(text: &str) -> Vec<Block<'_>> {
+    let mut reader = Reader::default();
+    let mut lines = text.lines();
+    while let Some(line) = lines.next() {
+        if line.trim().is_empty() {
+            reader.apart = true;
+            continue;
+        }
+        let inner = reader.within_item(line);
+        if inner.starts_with(FENCE) {
+            let indent = reader.indent;
+            let code = lines.by_ref().map(|line| line.get(indent..).unwrap_or(""));
+            let code = code.take_while(|line| !line.starts_with(FENCE)).collect();
+            reader.begin(Content::Code(code));
+        } else {
+            reader.line(inner);
+        }
+    }
+    reader.blocks
+}
+
+#[derive(Default)]
+struct Reader<'t> {
+    blocks: Vec<Block<'t>>,
+    indent: usize,
+    apart: bool,
+}
+
+impl<'t> Reader<'t> {
+    /// The line without the blanks that make it part of an item.
+    fn within_item(&mut self, line: &'t str) -> &'t str {
+        let in_list = self.indent > 0 || matches!(self.last(), Some(Content::Item(_)));
+        match line.strip_prefix(ITEM).filter(|_| in_list) {
+            Some(inner) => {
+                self.indent = ITEM.len();
+                inner
+            }
+            None => {
+                self.indent = 0;
+                line
+            }
+        }
+    }
+
+    fn last(&mut self) -> Option<&mut Content<'t>> {
+        self.blocks.last_mut().map(|block| &mut block.content)
+    }
+
+    fn begin(&mut self, content: Content<'t>) {
+        self.blocks.push(Block {
+            content,
+            indent: self.indent,
+            apart: self.apart,
+        });
+        self.apart = false;
+    }
+
+    /// A line that is no fence: it goes on with the block before, or begins one.
+    fn line(&mut self, line: &'t str) {
+        if let Some(code) = line.strip_prefix(CODE) {
+            match self.last() {
+                Some(Content::Code(lines)) => lines.push(code),
+                _ => self.begin(Content::Code(vec![code])),
+            }
+        } else if line.starts_with('#') {
+            self.begin(Content::Heading(line.trim_start_matches('#').trim()));
+        } else if let Some(item) = line.strip_prefix("- ") {
+            self.begin(Content::Item(item.to_owned()));
+        } else if line.starts_with('|') {
+            self.row(line);
+        } else {
+            self.words(line);
+        }
+    }
+
+    fn words(&mut self, line: &str) {
+        let apart = self.apart;
+        match self.last() {
+            Some(Content::Paragraph(text) | Content::Item(text)) if !apart => {
+                text.push(' ');
+                text.push_str(line);
+            }
+            _ => self.begin(Content::Paragraph(line.to_owned())),
+        }
+    }
+
+    fn row(&mut self, line: &'t str) {
+        if self.apart || !matches!(self.last(), Some(Content::Table(_))) {
+            self.begin(Content::Table(Table::default()));
+        }
+        let cells = line.trim().trim_start_matches('|');
+        let cells = cells.strip_suffix('|').unwrap_or(cells).split('|');
+        let cells: Vec<&str> = cells.map(str::trim).collect();
+        let Some(Content::Table(table)) = self.last() else {
+            return;
+        };
+        if cells.iter().all(|cell| cell.contains("---")) {
+            table.right = cells.iter().map(|cell| cell.ends_with(':')).collect();
+        } else {
+            table.rows.push(cells);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn contents(text: &str) -> Vec<(usize, bool, Content<'_>)> {
+        let blocks = blocks(text).into_iter();
+        blocks.map(|b| (b.indent, b.apart, b.content)).collect()
+    }
+
+    #[test]
+    fn every_kind_of_block_is_known() {
+        let text = "# One\n\nTwo\nwords.\n- an item\n  goes on\n\n  ```toml\n  a = 1\n\n    b\n  ```\n\n  and on\n\n    krank\n";
+        let paragraph = |text: &str| Content::Paragraph(text.into());
+        assert_eq!(
+            contents(text),
+            [
+                (0, false, Content::Heading("One")),
+                (0, true, paragraph("Two words.")),
+                (0, false, Content::Item("an item goes on".into())),
+                (2, true, Content::Code(vec!["a = 1", "", "  b"])),
+                (2, true, paragraph("and on")),
+                (2, true, paragraph("  krank")),
+            ]
+        );
+    }
+
+    #[test]
+    fn a_table_has_its_head_first() {
+        let found = contents("|a|b|\n|---|---:|\n| 1 | |\n\n    krank list\n    krank\n");
+        let table = Table {
+            rows: vec![vec!["a", "b"], vec!["1", ""]],
+            right: vec![false, true],
+        };
+        assert_eq!(found[0], (0, false, Content::Table(table)));
+        let code = Content::Code(vec!["krank list", "krank"]);
+        assert_eq!(found[1], (0, true, code));
+    }
+
+    #[test]
+    fn a_fence_that_is_left_open_ends_with_the_text() {
+        assert_eq!(contents("```\na"), [(0, false, Content::Code(vec!["a"]))]);
+        assert_eq!(contents(""), []);
+    }
+}

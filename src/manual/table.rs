@@ -1,0 +1,197 @@
+//! Tables: in columns where they fit, the widest one wrapped where that helps, and else entry by entry.
+
+use super::layout::{Kind, Line, broken, line, plain};
+use super::markdown::Table;
+
+/// Blanks between two columns.
+const GAP: usize = 2;
+/// A column of words narrower than this is no pleasure to read.
+const NARROWEST: usize = 24;
+/// Blanks before what is told of an entry.
+const INDENT: usize = 4;
+
+/// The table in lines of at most so many characters.
+pub(super) fn lines(table: &Table<'_>, width: usize) -> Vec<Line> {
+    let rows = table.rows.iter().map(|cells| Row::new(cells));
+    let rows: Vec<Row> = rows.collect();
+    let widths = widths(&rows);
+    match fitting(&widths, width) {
+        Some(widths) => in_columns(&rows, &table.right, &widths),
+        None => by_entry(&rows, widest(&widths), width),
+    }
+}
+
+/// Cells as they are shown.
+struct Row {
+    cells: Vec<String>,
+    /// Whether it begins a group of rows.
+    opens: bool,
+}
+
+impl Row {
+    fn new(cells: &[&str]) -> Self {
+        Row {
+            opens: cells.first().is_some_and(|cell| cell.starts_with("**")),
+            cells: cells.iter().map(|cell| plain(cell)).collect(),
+        }
+    }
+
+    fn is_blank(&self) -> bool {
+        self.cells.iter().all(String::is_empty)
+    }
+
+    fn kind(&self) -> Kind {
+        if self.opens { Kind::Title } else { Kind::Words }
+    }
+}
+
+/// How wide each column is by itself; the name of a group has its line alone.
+fn widths(rows: &[Row]) -> Vec<usize> {
+    let mut widths: Vec<usize> = Vec::new();
+    for row in rows.iter().filter(|row| !is_title(row)) {
+        widths.resize(widths.len().max(row.cells.len()), 0);
+        for (width, cell) in widths.iter_mut().zip(&row.cells) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    widths
+}
+
+/// The first of the widest columns.
+fn widest(widths: &[usize]) -> usize {
+    let most = widths.iter().max();
+    let first = widths.iter().position(|width| Some(width) == most);
+    first.unwrap_or(0)
+}
+
+/// The columns as wide as there is room: the widest is made narrower; `None` where that would make it too
+/// narrow.
+fn fitting(widths: &[usize], width: usize) -> Option<Vec<usize>> {
+    let gaps = GAP * widths.len().saturating_sub(1);
+    let used = widths.iter().sum::<usize>() + gaps;
+    let mut fitting = widths.to_vec();
+    if used > width {
+        let widest = fitting.get_mut(widest(widths))?;
+        *widest = (*widest + width).checked_sub(used)?;
+        if *widest < NARROWEST {
+            return None;
+        }
+    }
+    Some(fitting)
+}
+
+fn is_title(row: &Row) -> bool {
+    row.opens && row.cells.iter().skip(1).all(String::is_empty)
+}
+
+fn in_columns(rows: &[Row], right: &[bool], widths: &[usize]) -> Vec<Line> {
+    let mut lines = Vec::new();
+    for row in rows.iter().filter(|row| !row.is_blank()) {
+        if row.opens && !lines.is_empty() {
+            lines.push(line(Kind::Words, ""));
+        }
+        if is_title(row) {
+            lines.push(line(Kind::Title, &row.cells[0]));
+            continue;
+        }
+        let cells = row.cells.iter().zip(widths);
+        let cells: Vec<_> = cells.map(|(cell, width)| broken(cell, *width)).collect();
+        let deepest = cells.iter().map(Vec::len).max().unwrap_or(0);
+        for depth in 0..deepest {
+            let mut text = String::new();
+            for (column, (cell, &width)) in cells.iter().zip(widths).enumerate() {
+                let words = cell.get(depth).map_or("", String::as_str);
+                text += &match right.get(column) {
+                    Some(true) => format!("{words:>width$}"),
+                    _ => format!("{words:width$}"),
+                };
+                text += &" ".repeat(GAP);
+            }
+            lines.push(line(row.kind(), &text));
+        }
+    }
+    lines
+}
+
+/// The first cell, and below it what stands in the others with their head; the widest column speaks for itself.
+fn by_entry(rows: &[Row], widest: usize, width: usize) -> Vec<Line> {
+    let Some((head, rows)) = rows.split_first() else {
+        return Vec::new();
+    };
+    let mut lines = Vec::new();
+    for row in rows {
+        if row.opens && !lines.is_empty() {
+            lines.push(line(Kind::Words, ""));
+        }
+        let cells = row.cells.iter().zip(&head.cells).enumerate();
+        for (column, (cell, head)) in cells.filter(|(_, (cell, _))| !cell.is_empty()) {
+            let (kind, indent, told) = match column {
+                0 => (row.kind(), 0, cell.clone()),
+                _ if column == widest => (Kind::Words, INDENT, cell.clone()),
+                _ => (Kind::Words, INDENT, format!("{head}: {cell}")),
+            };
+            let told = broken(&told, width - indent).into_iter();
+            lines.extend(told.map(|text| line(kind, &format!("{:indent$}{text}", ""))));
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::manual::lines;
+
+    fn shown(text: &str, width: usize) -> String {
+        let lines = lines(text, width).into_iter();
+        lines.map(|line| line.text + "\n").collect()
+    }
+
+    const KEYS: &str = "\
+| key | what it is | default |
+|---|---|---:|
+| `a` | short | 1 |
+| **Group** | | |
+| `length` | one two three four five six seven | none |
+";
+
+    #[test]
+    fn columns_line_up() {
+        let lines = "\
+key       what it is                         default
+`a`       short                                    1
+
+Group
+`length`  one two three four five six seven     none
+";
+        assert_eq!(shown(KEYS, 80), lines);
+    }
+
+    #[test]
+    fn the_widest_column_is_wrapped() {
+        let lines = "\
+key       what it is                 default
+`a`       short                            1
+
+Group
+`length`  one two three four five       none
+          six seven
+";
+        assert_eq!(shown(KEYS, 44), lines);
+    }
+
+    #[test]
+    fn where_there_is_no_room_entries_follow_each_other() {
+        let lines = "\
+`a`
+    short
+    default: 1
+
+Group
+`length`
+    one two three four five
+    six seven
+    default: none
+";
+        assert_eq!(shown(KEYS, 30), lines);
+    }
+}

@@ -1,0 +1,245 @@
+//! `krank help`: every topic is there, reads well where it is shown, and tells what krank does.
+
+use super::{command, done, folder, presets, refused, run};
+use std::collections::BTreeSet;
+
+const README: &str = include_str!("../../README.md");
+
+/// The names under a heading of the contents.
+fn listed(heading: &str) -> Vec<String> {
+    let contents = done(&["help"]);
+    let behind = contents
+        .lines()
+        .skip_while(|line| !line.starts_with(heading));
+    let rows = behind.skip(2).take_while(|line| !line.is_empty());
+    let first = |line: &str| line.split_whitespace().next().unwrap().to_owned();
+    let named = rows.filter(|line| !line.starts_with(' '));
+    named.map(first).collect()
+}
+
+fn topics() -> Vec<String> {
+    let topics = listed("Topics");
+    assert!(topics.len() >= 8, "{topics:?}");
+    topics
+}
+
+/// A topic as it is shown.
+fn topic(name: &str) -> String {
+    done(&["help", name])
+}
+
+#[test]
+fn topics_and_commands_are_listed() {
+    let commands = listed("Commands");
+    assert!(commands.contains(&"sweep".into()), "{commands:?}");
+    for command in &commands {
+        assert!(
+            done(&["help", command]).contains("Usage: krank"),
+            "{command}"
+        );
+    }
+    // A topic with the name of a command would hide its help.
+    assert!(topics().iter().all(|topic| !commands.contains(topic)));
+}
+
+/// In a pipe there is no pager and no escape, and lines end within 80 columns unless they stand as they are.
+#[test]
+fn topics_are_plain_text_in_a_pipe() {
+    for name in topics() {
+        let text = topic(&name);
+        assert!(text.is_ascii() && !text.contains('\x1b'), "{name}");
+        assert_eq!(text, done(&["help", &name, "--no-pager"]));
+        let mut with_pager = command(&["help", &name]);
+        with_pager
+            .env("PAGER", "false")
+            .env("TERM", "xterm")
+            .env("LC_ALL", "C.UTF-8");
+        assert_eq!(run(&mut with_pager).out, text);
+        assert!(text.lines().count() > 15, "{text}");
+    }
+}
+
+#[test]
+fn a_topic_that_is_not_there_is_told_with_those_that_are() {
+    for (word, near) in [
+        ("sceen", "did you mean `scene`?"),
+        ("swep", "did you mean `sweep`?"),
+        ("gears", "the topics are"),
+        ("", "the topics are"),
+        ("\x1b[2J", "the topics are"),
+    ] {
+        let message = refused(2, &["help", word]);
+        assert!(message.contains(near), "{message}");
+        assert!(!message.contains('\x1b'), "{message}");
+        assert!(
+            topics()
+                .iter()
+                .all(|topic| message.contains(topic.as_str()))
+        );
+    }
+    refused(2, &["help", "scene", "keys"]);
+}
+
+/// Whatever tells to ask for help tells of a topic or a command that there is.
+#[test]
+fn every_topic_that_is_named_is_there() {
+    let names = topics();
+    let commands = listed("Commands");
+    let mut texts = vec![README.to_owned(), done(&["--help"])];
+    texts.extend(names.iter().map(|name| topic(name)));
+    let mut asked = BTreeSet::new();
+    for text in &texts {
+        let words: Vec<&str> = text.split_whitespace().collect();
+        for three in words.windows(3) {
+            let is_code = three[0].starts_with('`') && three[2].contains('`');
+            if three[0].trim_matches('`') == "krank" && three[1] == "help" && is_code {
+                let word = three[2].split('`').next().unwrap();
+                asked.insert(word.to_owned());
+            }
+        }
+    }
+    assert!(asked.len() > 4, "{asked:?}");
+    for word in asked {
+        assert!(names.contains(&word) || commands.contains(&word), "{word}");
+    }
+    for name in names {
+        let code = format!("`{name}`");
+        assert!(README.contains(&code), "the README lacks {code}");
+    }
+}
+
+/// The program itself tells which keys it knows, by the faults of scenes that have others.
+#[test]
+fn every_key_of_a_scene_is_told() {
+    let shown = topic("scene");
+    let group = |title: &str| -> Vec<&str> {
+        let lines = shown.lines();
+        let behind = lines.skip_while(|line| !line.starts_with(title)).skip(1);
+        behind.take_while(|line| !line.is_empty()).collect()
+    };
+    let stub = "[ground]\nA = [0, 0]\nD = [4, 0]\n[driver]\nlink = \"r\"\nangle = 1\n[links]\nr = { from = \"A\", to = \"B\", length = 1 }\n";
+    let mut told = 0;
+    for (title, scene) in [
+        ("key ", format!("zzzzzzzz = 1\n{stub}")),
+        ("`[driver]`", stub.replace("angle", "zzzzzzzz = 1\nangle")),
+        ("`[links]`", stub.replace("length", "zzzzzzzz = 1, length")),
+        (
+            "`[slides]`",
+            format!(
+                "{stub}[slides]\ns = {{ point = \"B\", on = \"ground\", through = \"A\", zzzzzzzz = 1 }}\n"
+            ),
+        ),
+        (
+            "`[[loads]]`",
+            format!("{stub}[[loads]]\npoint = \"B\"\nforce = [0, 1]\nzzzzzzzz = 1\n"),
+        ),
+        (
+            "`[[loads]]`",
+            format!("{stub}[[loads]]\nlink = \"r\"\ntorque = 1\nzzzzzzzz = 1\n"),
+        ),
+        (
+            "`[[loads]]`",
+            format!("{stub}[[loads]]\nslide = \"s\"\npress = [[1, 0], [0, 1]]\nzzzzzzzz = 1\n"),
+        ),
+        (
+            "`[[springs]]`",
+            format!("{stub}[[springs]]\nfrom = \"A\"\nto = \"B\"\nzzzzzzzz = 1\n"),
+        ),
+        ("`[motor]`", format!("{stub}[motor]\nzzzzzzzz = 1\n")),
+        (
+            "`[redundant]`",
+            format!("{stub}[redundant]\nzzzzzzzz = 1\n"),
+        ),
+    ] {
+        let heard = run(command(&["check", "-"]).write_stdin(scene));
+        assert_eq!(heard.code, 2);
+        let fault = heard.err.split("unknown key `zzzzzzzz`").nth(1);
+        let fault = fault.unwrap_or_else(|| panic!("{title}: {}", heard.err));
+        let (_, known) = fault.split_once("known keys: ").unwrap();
+        let known = known.lines().next().unwrap();
+        for key in known.split(", ") {
+            // The tables of the scene have rows of their own.
+            let table = key.trim_matches('`');
+            let rows = [format!("`[{table}]`"), format!("`[[{table}]]`")];
+            let is_told = group(title).iter().any(|line| line.contains(key))
+                || shown
+                    .lines()
+                    .any(|line| rows.iter().any(|row| line.starts_with(row)));
+            assert!(is_told, "{title} lacks {key}:\n{:#?}", group(title));
+            told += 1;
+        }
+    }
+    assert!(told > 40, "{told}");
+}
+
+/// Every kind of column that a preset has, told by what stands behind its last names.
+#[test]
+fn every_column_is_told() {
+    let shown = topic("columns");
+    let mut kinds = BTreeSet::new();
+    for preset in presets() {
+        let header = done(&["sweep", &preset, "--no-units"]);
+        let header = header.lines().next().unwrap().to_owned();
+        for name in header.split(',') {
+            let last = name.rsplit('.').next().unwrap();
+            // The shares are told behind the whole.
+            kinds.insert(last.to_owned());
+        }
+    }
+    assert!(kinds.len() > 20, "{kinds:?}");
+    for kind in kinds {
+        let told = shown.contains(&format!(".{kind}")) || shown.contains(&format!("`{kind}`"));
+        assert!(told, "{kind}");
+    }
+}
+
+/// Of each option of a sweep and of a table that adds columns is told what they are called.
+#[test]
+fn columns_of_errors_are_told() {
+    let shown = topic("columns");
+    let columns = ["--columns", "C.x,r4.omega", "--bounds", "--sensitivity"];
+    let header = done(&[&["sweep", "four-bar"], &columns[..]].concat());
+    let header = header.lines().next().unwrap();
+    for (option, column, unit) in [
+        ("--bounds", "C.x.bound", "[mm]"),
+        ("--sensitivity", "C.x.sensitivity", "[mm per mm]"),
+        ("--sensitivity", "r4.omega.sensitivity", "[rad/s per mm]"),
+    ] {
+        assert!(header.contains(&format!("{column} {unit}")), "{header}");
+        for command in ["sweep", "table"] {
+            assert!(done(&[command, "--help"]).contains(option));
+        }
+        assert!(shown.contains(&format!("`{option}`")), "{option}");
+        let is_told = !unit.contains("per") || shown.contains(&format!("`{unit}`"));
+        assert!(is_told, "{unit}");
+    }
+    assert!(shown.contains("`C.x.bound`") && shown.contains("`C.x.sensitivity`"));
+}
+
+/// What the topics show of output is what is printed, and what they show of commands runs.
+#[test]
+fn what_is_shown_is_what_is_done() {
+    // However far it is indented.
+    let flush = |text: &str| -> String {
+        let lines = text.lines().map(|line| line.trim().to_owned() + "\n");
+        lines.collect()
+    };
+    let scene = topic("scene");
+    let check = done(&["check", "stephenson-six-bar"]);
+    assert!(flush(&scene).contains(&flush(&check)), "{scene}");
+    let here = folder("help-commands");
+    let mut ran = 0;
+    for name in ["drawings", "forces"] {
+        let text = topic(name);
+        for line in text
+            .lines()
+            .filter_map(|line| line.strip_prefix("    krank "))
+        {
+            let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
+            let heard = run(command(&args).current_dir(&here));
+            assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
+            ran += 1;
+        }
+    }
+    assert_eq!(ran, 10);
+}
