@@ -25,6 +25,7 @@ mod zooming;
 
 use super::Opened;
 use super::config::Config;
+use super::player::edition::Edition;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
@@ -82,8 +83,6 @@ pub(crate) struct App {
     open_scene: OpenScene,
     steps: Steps,
     playback: Playback,
-    /// How many scenes have been opened, edits of one counted: another number, another text.
-    opened: usize,
     /// How many scenes have been shown, whatever was made of each: what was asked for of one is no answer to
     /// another.
     scenes: usize,
@@ -153,7 +152,7 @@ pub(crate) struct App {
     /// When the last frame was due.
     frame: Duration,
     /// When the last state was weighed, and where that was; `None` before the first one.
-    weighed: Option<(Duration, usize, f64)>,
+    weighed: Option<(Duration, Edition, f64)>,
 }
 
 impl App {
@@ -164,7 +163,6 @@ impl App {
         let mut app = App {
             steps: driving::steps_of(&open_scene),
             playback: Playback::new(),
-            opened: 1,
             scenes: 1,
             mode: Mode::Normal,
             keymap: Keymap::default(),
@@ -280,11 +278,6 @@ impl App {
 
     pub(crate) fn mode(&self) -> &Mode {
         &self.mode
-    }
-
-    /// How many scenes have been opened: another number, another scene.
-    pub(crate) fn opened(&self) -> usize {
-        self.opened
     }
 
     /// Lines that the view is scrolled by.

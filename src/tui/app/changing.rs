@@ -30,7 +30,6 @@ impl App {
         self.original = opened.scene.text().into();
         self.end_comparison();
         self.open_scene = OpenScene::new(opened);
-        self.opened += 1;
         self.scenes += 1;
         self.steps = steps_of(&self.open_scene);
         self.editor = Editor::new(self.open_scene.scene());
@@ -55,7 +54,6 @@ impl App {
         if turned != self.open_scene.driver_range().turns() {
             self.steps = steps_of(&self.open_scene);
         }
-        self.opened += 1;
         self.study_run.forget();
         self.look(self.view);
         self.arrive(self.open_scene.driver_range().clamp(at), now);

@@ -38,7 +38,6 @@ impl App {
         match self.open_scene.switched(group, choice.pick) {
             Ok(open_scene) => {
                 self.open_scene = open_scene;
-                self.opened += 1;
                 self.study_run.forget();
                 self.look(self.view);
                 self.mode = Mode::Normal;

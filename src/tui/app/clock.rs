@@ -32,13 +32,16 @@ impl App {
     /// Measures what a state costs, where that is worth it: of another scene at once, of another state
     /// after a while.
     pub(crate) fn weigh(&mut self) {
-        let (opened, at) = (self.opened, self.open_scene.at());
-        let is_due = self.weighed.is_none_or(|(then, scene, place)| {
-            scene != opened || (place != at && self.now >= then + cost::PAUSE)
-        });
+        let (edition, at) = (self.open_scene.edition(), self.open_scene.at());
+        let is_due = self
+            .weighed
+            .as_ref()
+            .is_none_or(|&(then, ref scene, place)| {
+                scene != edition || (place != at && self.now >= then + cost::PAUSE)
+            });
         if is_due {
+            self.weighed = Some((self.now, edition.clone(), at));
             self.open_scene.weigh();
-            self.weighed = Some((self.now, opened, at));
         }
     }
 

@@ -11,19 +11,11 @@ use crate::tui::views::picker::list::{Place, Purpose};
 #[derive(Debug, Default)]
 pub(super) struct Comparison {
     compared: Option<ComparedScene>,
-    /// Which of the scenes that were opened it was fitted to.
-    fitted: usize,
-    /// How often something was compared, or no longer: another number, another comparison.
-    number: usize,
     /// What was compared with last.
     last: Option<Place>,
 }
 
 impl Comparison {
-    pub(super) fn number(&self) -> usize {
-        self.number
-    }
-
     pub(super) fn compared(&self) -> Option<&ComparedScene> {
         self.compared.as_ref()
     }
@@ -51,8 +43,6 @@ impl App {
     ) -> Result<(), String> {
         self.comparison = Comparison {
             compared: Some(ComparedScene::new(name, opened, &self.open_scene)?),
-            fitted: self.opened,
-            number: self.comparison.number + 1,
             last: Some(place),
         };
         self.scroll_by(0);
@@ -65,18 +55,14 @@ impl App {
         let Some(mut compared) = self.comparison.compared.take() else {
             return;
         };
-        if self.comparison.fitted == self.opened {
+        if compared.fits(&self.open_scene) {
             compared.follow(&self.open_scene);
             self.comparison.compared = Some(compared);
             return;
         }
-        self.comparison.fitted = self.opened;
         match compared.again(&self.open_scene) {
             Ok(compared) => self.comparison.compared = Some(compared),
-            Err(why) => {
-                self.comparison.number += 1;
-                self.message = Some(why);
-            }
+            Err(why) => self.message = Some(why),
         }
         self.scroll_by(0);
     }
@@ -84,7 +70,6 @@ impl App {
     /// Ends the comparison, if there is one.
     pub(super) fn end_comparison(&mut self) -> bool {
         let compared = self.comparison.compared.take().is_some();
-        self.comparison.number += usize::from(compared);
         self.scroll_by(0);
         compared
     }

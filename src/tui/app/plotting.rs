@@ -43,12 +43,11 @@ impl App {
         let needs = self.view.pane().needs();
         if needs == Need::Curves {
             self.follow();
-            let opened = [self.opened, self.comparison.number()];
             let compared = self.comparison.compared();
-            self.plots.sample(&self.open_scene, opened, compared);
+            self.plots.sample(&self.open_scene, compared);
         }
         if needs == Need::Motor {
-            self.motor.study(&self.open_scene, self.opened);
+            self.motor.study(&self.open_scene);
         }
     }
 

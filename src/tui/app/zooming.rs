@@ -48,7 +48,6 @@ impl App {
 
     /// Brings what the motion view shows of the whole motion up to date: after every key, and before a frame.
     pub(crate) fn focus(&mut self) {
-        self.viewport
-            .focus(&self.open_scene, &self.followed, self.opened);
+        self.viewport.focus(&self.open_scene, &self.followed);
     }
 }

@@ -8,6 +8,7 @@ use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::tui::Opened;
 use crate::tui::figures::format::short;
 use crate::tui::figures::sheet::Sheet;
+use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::{OpenScene, solved};
 use crate::{Ball, Input};
 
@@ -19,6 +20,9 @@ const SPEED: usize = 8;
 /// A scene that the open one is held against.
 #[derive(Debug)]
 pub(crate) struct ComparedScene {
+    edition: Edition,
+    /// What it is fitted to.
+    beside: Edition,
     /// As it is called.
     name: String,
     other: Other,
@@ -63,6 +67,8 @@ impl ComparedScene {
         let sheet = Sheet::of_differences(&samples(open_scene, &mut other, &pairing));
         let there = other.tables(open_scene.at());
         Ok(ComparedScene {
+            edition: Edition::default(),
+            beside: open_scene.edition().clone(),
             name,
             reach: open_scene.reach().beside(&own, other.scale),
             tables: pairing.difference(open_scene.tables(), &there, other.scale),
@@ -89,6 +95,16 @@ impl ComparedScene {
         self.tables = self
             .pairing
             .difference(open_scene.tables(), &there, self.other.scale);
+    }
+
+    /// Another one, another comparison.
+    pub(crate) fn edition(&self) -> &Edition {
+        &self.edition
+    }
+
+    /// Whether it is fitted to the scene in this form.
+    pub(crate) fn fits(&self, open_scene: &OpenScene) -> bool {
+        self.beside == *open_scene.edition()
     }
 
     pub(crate) fn name(&self) -> &str {

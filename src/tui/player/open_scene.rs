@@ -12,6 +12,7 @@ use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::assembly_list::AssemblyList;
 use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
+use crate::tui::player::edition::Edition;
 use crate::tui::views::forces::force_figures::ForceFigures;
 use crate::tui::views::working::explained::Explained;
 use crate::tui::{Opened, Origin};
@@ -25,6 +26,7 @@ const MOST_ROWS: usize = 20_000;
 /// An open scene at one coordinate of its driver.
 #[derive(Debug)]
 pub(crate) struct OpenScene {
+    edition: Edition,
     opened: Opened,
     driver_range: DriverRange,
     reach: Reach,
@@ -64,6 +66,7 @@ impl OpenScene {
         let at = driver_range.opening();
         let mut enclosure = opened.solver.enclosure();
         OpenScene {
+            edition: Edition::default(),
             sheet: Sheet::new(&samples),
             tables: solved(&opened, at, Order::Acceleration, &mut state, &mut enclosure),
             answers: None,
@@ -78,6 +81,11 @@ impl OpenScene {
             assembly_list: None,
             explained: None,
         }
+    }
+
+    /// Another one, another form of the scene: what is found of it once is kept by this.
+    pub(crate) fn edition(&self) -> &Edition {
+        &self.edition
     }
 
     /// The same scene in another assembly of a group, at the same coordinate; in words why it cannot be.

@@ -12,6 +12,7 @@ use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::commands::action::{Action, MotionAction};
 use crate::tui::player::comparison::ComparedScene;
+use crate::tui::player::edition::Edition;
 use crate::tui::views::motion::viewport::Setting;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -197,7 +198,7 @@ pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
     /// Which of the scenes that were opened the labels belong to, and what of it was shown.
-    drawn: Option<(usize, Setting)>,
+    drawn: Option<(Edition, Setting)>,
 }
 
 impl Sketch {
@@ -208,7 +209,7 @@ impl Sketch {
 
     /// Draws the linkage as it is now, for a drawing of this size.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
-        let drawn = Some((app.opened(), app.viewport().setting()));
+        let drawn = Some((app.open_scene().edition().clone(), app.viewport().setting()));
         if self.drawn != drawn {
             self.drawn = drawn;
             self.labels = Labels::default();

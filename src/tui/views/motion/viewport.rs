@@ -4,6 +4,7 @@
 //! What follows from the whole motion is found once for a scene and a choice, not for every frame.
 
 use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, View, Wanted};
+use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::motion::followed::FollowedPoints;
 use crate::{PointId, Vec2};
@@ -107,7 +108,7 @@ pub(crate) struct Viewport {
     /// The space that the linkage needs with its arrows, where there are any.
     reach: Option<Reach>,
     /// For which scene, and what, the overlay was made.
-    made: Option<(usize, Wanted)>,
+    made: Option<(Edition, Wanted)>,
     /// Which points leave traces, in words.
     traced: String,
 }
@@ -189,12 +190,7 @@ impl Viewport {
     }
 
     /// Need what is wanted of the motion, unless it is known already.
-    pub(crate) fn focus(
-        &mut self,
-        open_scene: &OpenScene,
-        followed: &FollowedPoints,
-        opened: usize,
-    ) {
+    pub(crate) fn focus(&mut self, open_scene: &OpenScene, followed: &FollowedPoints) {
         let wanted = self.wanted(open_scene, followed);
         if wanted.is_empty() && self.made.is_none() {
             return;
@@ -202,7 +198,7 @@ impl Viewport {
         if self
             .made
             .as_ref()
-            .is_some_and(|(scene, made)| *scene == opened && *made == wanted)
+            .is_some_and(|(scene, made)| scene == open_scene.edition() && *made == wanted)
         {
             return;
         }
@@ -215,7 +211,7 @@ impl Viewport {
             0..=MOST_NAMES => format!("trace {}", names.join(",")),
             more => format!("{more} traces"),
         };
-        self.made = (!wanted.is_empty()).then_some((opened, wanted));
+        self.made = (!wanted.is_empty()).then_some((open_scene.edition().clone(), wanted));
     }
 
     fn wanted(&self, open_scene: &OpenScene, followed: &FollowedPoints) -> Wanted {

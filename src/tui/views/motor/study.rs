@@ -6,6 +6,7 @@ use crate::drawing::effort;
 use crate::drawing::plot::Plot;
 use crate::quantity::{Catalogue, Here};
 use crate::report::{MotorLine, MotorReport, MotorWishes};
+use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 
 /// What was found of a scene, if it has been looked at.
@@ -17,7 +18,7 @@ pub(crate) struct MotorStudy {
 #[derive(Debug)]
 struct Studied {
     /// The number of the scene.
-    opened: usize,
+    of: Edition,
     report: MotorReport,
     lines: Vec<MotorLine>,
     /// `None` where nothing acts.
@@ -29,8 +30,12 @@ const PAPER: Vec2 = Vec2 { x: 800.0, y: 400.0 };
 
 impl MotorStudy {
     /// Studies the scene, if that was not done yet.
-    pub(crate) fn study(&mut self, open_scene: &OpenScene, opened: usize) {
-        if self.studied.as_ref().is_some_and(|s| s.opened == opened) {
+    pub(crate) fn study(&mut self, open_scene: &OpenScene) {
+        if self
+            .studied
+            .as_ref()
+            .is_some_and(|s| s.of == *open_scene.edition())
+        {
             return;
         }
         let scene = open_scene.scene();
@@ -49,7 +54,7 @@ impl MotorStudy {
             .ok()
             .map(|duty| effort(duty, names, what));
         self.studied = Some(Studied {
-            opened,
+            of: open_scene.edition().clone(),
             lines: report.lines(),
             report,
             plot,

@@ -9,6 +9,7 @@ use crate::report::curves_csv;
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
 use crate::tui::player::comparison::ComparedScene;
+use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 
 /// What stands along x, by name: another scene has other quantities.
@@ -39,8 +40,8 @@ pub(crate) struct Plots {
 /// What was sampled of a scene.
 #[derive(Debug)]
 struct Sampled {
-    /// The number of the scene, and of what it is held against.
-    opened: [usize; 2],
+    /// Of this scene, and what it is held against.
+    of: (Edition, Option<Edition>),
     /// What is plotted, in the order of the panels' figures.
     names: Vec<String>,
     outcome: Outcome,
@@ -67,13 +68,12 @@ impl Default for Plots {
 
 impl Plots {
     /// Samples what was chosen, if that was not done yet for this scene and what it is held against.
-    pub(crate) fn sample(
-        &mut self,
-        open_scene: &OpenScene,
-        opened: [usize; 2],
-        compared: Option<&ComparedScene>,
-    ) {
-        if self.sampled.as_ref().is_some_and(|s| s.opened == opened) {
+    pub(crate) fn sample(&mut self, open_scene: &OpenScene, compared: Option<&ComparedScene>) {
+        let of = (
+            open_scene.edition().clone(),
+            compared.map(|compared| compared.edition().clone()),
+        );
+        if self.sampled.as_ref().is_some_and(|s| s.of == of) {
             return;
         }
         let names = self.names(open_scene.scene());
@@ -84,11 +84,7 @@ impl Plots {
             }
             Err(why) => Outcome::Nothing(why),
         };
-        self.sampled = Some(Sampled {
-            opened,
-            names,
-            outcome,
-        });
+        self.sampled = Some(Sampled { of, names, outcome });
         if let Some(compared) = compared {
             self.compare(compared, open_scene.scene().unit.symbol());
         }
