@@ -1,6 +1,5 @@
 //! The state of the workbench and how actions change it. Views read it and change nothing.
 
-mod asking;
 mod changing;
 mod choosing;
 mod clock;
@@ -17,6 +16,7 @@ mod picking;
 mod plotting;
 mod recovering;
 mod searching;
+mod shell;
 mod storing;
 mod touring;
 mod typing;
@@ -25,7 +25,6 @@ mod zooming;
 
 use super::Opened;
 use super::config::Config;
-use super::player::edition::Edition;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::solver::Condition;
@@ -33,11 +32,11 @@ use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::Line;
+use crate::tui::document::Document;
 use crate::tui::document::clerk::Clerk;
-use crate::tui::document::disk::Disk;
 use crate::tui::document::editor::Editor;
-use crate::tui::document::recovery::Session;
 use crate::tui::figures::cursor::Cursor;
+use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::playback::Playback;
 use crate::tui::player::steps::Steps;
@@ -53,11 +52,9 @@ pub(crate) use leaving::Unsaved;
 pub(crate) use mode::Mode;
 pub use mode::View;
 use ratatui::layout::Size;
-use recovering::Kept;
+use shell::Shell;
 use std::os::fd::BorrowedFd;
-use std::path::PathBuf;
-use std::sync::Arc;
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 /// What the terminal has to do after an action.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,22 +76,12 @@ pub(crate) enum Effect {
 /// The workbench without its terminal.
 #[derive(Debug)]
 pub(crate) struct App {
-    // The open scene and where its driver is.
-    open_scene: OpenScene,
-    steps: Steps,
-    playback: Playback,
-    /// How many scenes have been shown, whatever was made of each: what was asked for of one is no answer to
-    /// another.
-    scenes: usize,
-
-    // What keys go to and what is looked at.
-    mode: Mode,
-    keymap: Keymap,
-    view: View,
-    /// Lines that each view is scrolled by.
-    scroll: [usize; View::ALL.len()],
-    /// Said in the last line until the next key.
-    message: Option<String>,
+    /// The open scene and where its driver is.
+    player: Player,
+    /// The scene as a text that is edited.
+    document: Document,
+    /// What keys go to and what is looked at, on what screen.
+    shell: Shell,
 
     // What the views show beside the scene itself.
     /// What the motion view shows beside the linkage, and how large.
@@ -116,59 +103,25 @@ pub(crate) struct App {
     /// What the open scene is held against.
     comparison: Comparison,
 
-    // The scene as a text that is edited.
-    /// The text of the scene as it was opened.
-    original: Arc<str>,
-    /// What is edited in the open scene.
-    editor: Editor,
-    /// Its file, if it has one.
-    disk: Option<Disk>,
-    /// Where unsaved edits are kept, if they are: the folder, this run of the program, and the place of this
-    /// scene.
-    folder: Option<PathBuf>,
-    session: Session,
-    recovery: Option<Kept>,
-    /// Whether edits were taken up that were made on an older text than the file has.
-    older: bool,
-    /// Whether a file is being written.
-    storing: bool,
     /// Does what is to be done to files.
     clerk: Clerk,
     /// What is to be done once nothing is unsaved.
     pending: Option<Pending>,
-    /// Since when a question is on the screen.
-    seen: Option<Duration>,
-
-    // The terminal.
-    capability: Capability,
-    theme: Theme,
-    size: Size,
-    /// The height of a cell for its width.
-    aspect: f64,
-
-    // Time.
+    /// How many scenes have been shown, whatever was made of each: what was asked for of one is no answer to
+    /// another.
+    scenes: usize,
     /// The time that was told last.
     now: Duration,
-    /// When the last frame was due.
-    frame: Duration,
-    /// When the last state was weighed, and where that was; `None` before the first one.
-    weighed: Option<(Duration, Edition, f64)>,
 }
 
 impl App {
     /// A workbench with an open scene, paused where it says, or at `at`.
     pub(crate) fn new(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
-        let original = opened.scene.text().into();
-        let open_scene = OpenScene::new(opened);
+        let document = Document::new(&opened.scene);
         let mut app = App {
-            steps: driving::steps_of(&open_scene),
-            playback: Playback::new(),
-            scenes: 1,
-            mode: Mode::Normal,
-            keymap: Keymap::default(),
-            view: View::default(),
-            scroll: [0; View::ALL.len()],
-            message: None,
+            player: Player::new(opened),
+            document,
+            shell: Shell::new(capability, size),
             viewport: Viewport::default(),
             followed: FollowedPoints::default(),
             cursor: Cursor::default(),
@@ -178,25 +131,10 @@ impl App {
             study_run: StudyRun::new(clock::wall_clock),
             previews: Previews::default(),
             comparison: Comparison::default(),
-            original,
-            editor: Editor::new(open_scene.scene()),
-            disk: None,
-            folder: None,
-            session: Session::begun(SystemTime::now()),
-            recovery: None,
-            older: false,
-            storing: false,
             clerk: Clerk::default(),
             pending: None,
-            seen: None,
-            open_scene,
-            capability,
-            theme: Theme::default(),
-            size,
-            aspect: looking::USUAL_ASPECT,
+            scenes: 1,
             now: Duration::ZERO,
-            frame: Duration::ZERO,
-            weighed: None,
         };
         if let Some(at) = at {
             app.jump(at, Duration::ZERO);
@@ -223,19 +161,19 @@ impl App {
 
     /// Takes what a person has configured.
     pub(crate) fn configure(&mut self, config: &Config) {
-        self.keymap = config.keymap.clone();
+        self.shell.keymap = config.keymap.clone();
     }
 
     pub(crate) fn open_scene(&self) -> &OpenScene {
-        &self.open_scene
+        &self.player.open_scene
     }
 
     pub(crate) fn steps(&self) -> &Steps {
-        &self.steps
+        &self.player.steps
     }
 
     pub(crate) fn playback(&self) -> &Playback {
-        &self.playback
+        &self.player.playback
     }
 
     pub(crate) fn study_run(&self) -> &StudyRun {
@@ -249,7 +187,7 @@ impl App {
 
     /// Which key asks for what.
     pub(crate) fn keymap(&self) -> &Keymap {
-        &self.keymap
+        &self.shell.keymap
     }
 
     /// What the motion view shows beside the linkage, and how large.
@@ -264,63 +202,65 @@ impl App {
 
     /// What is edited in the open scene.
     pub(crate) fn editor(&self) -> &Editor {
-        &self.editor
+        &self.document.editor
     }
 
     /// Whether the scene that is shown is not the one in its file.
     pub(crate) fn is_changed(&self) -> bool {
-        self.editor.is_changed(self.open_scene.scene())
+        self.document
+            .editor
+            .is_changed(self.player.open_scene.scene())
     }
 
     pub(crate) fn view(&self) -> View {
-        self.view
+        self.shell.view
     }
 
     pub(crate) fn mode(&self) -> &Mode {
-        &self.mode
+        &self.shell.mode
     }
 
     /// Lines that the view is scrolled by.
     pub(crate) fn scroll(&self) -> usize {
-        self.scroll[self.view as usize]
+        self.shell.scroll[self.shell.view as usize]
     }
 
     pub(crate) fn glyphs(&self) -> Glyphs {
-        self.capability.glyphs
+        self.shell.capability.glyphs
     }
 
     pub(crate) fn size(&self) -> Size {
-        self.size
+        self.shell.size
     }
 
     pub(crate) fn aspect(&self) -> f64 {
-        self.aspect
+        self.shell.aspect
     }
 
     pub(crate) fn colours(&self) -> Colours {
-        self.capability.colours
+        self.shell.capability.colours
     }
 
     /// How colours are sent.
     pub(crate) fn palette(&self) -> Palette {
         Palette {
-            colours: self.capability.colours,
-            theme: self.theme,
+            colours: self.shell.capability.colours,
+            theme: self.shell.theme,
         }
     }
 
     /// Names of colours stand for those of this theme.
     pub(crate) fn set_theme(&mut self, theme: Theme) {
-        self.theme = theme;
+        self.shell.theme = theme;
     }
 
     pub(crate) fn message(&self) -> Option<&str> {
-        self.message.as_deref()
+        self.shell.message.as_deref()
     }
 
     /// Does what was asked.
     pub(crate) fn update(&mut self, action: Action, now: Duration) -> Effect {
-        self.message = None;
+        self.shell.message = None;
         match action {
             Action::Quit => return self.quit(),
             Action::Leave => return Effect::Quit,
@@ -332,25 +272,35 @@ impl App {
             Action::LineDown => self.scroll_by(1),
             Action::PageUp => self.scroll_by(-self.page()),
             Action::PageDown => self.scroll_by(self.page()),
-            Action::Save if matches!(self.mode, Mode::Normal | Mode::Assemblies(_)) => {
+            Action::Save if matches!(self.shell.mode, Mode::Normal | Mode::Assemblies(_)) => {
                 self.save_own()
             }
-            Action::Search if let Mode::Help(help) = &mut self.mode => help.search(),
-            Action::Assemblies if matches!(self.mode, Mode::Assemblies(_)) => {
-                self.mode = Mode::Normal;
+            Action::Search if let Mode::Help(help) = &mut self.shell.mode => help.search(),
+            Action::Assemblies if matches!(self.shell.mode, Mode::Assemblies(_)) => {
+                self.shell.mode = Mode::Normal;
             }
             _ if !self.takes(action) => {}
             Action::Save => {}
             Action::Assemblies => self.list_assemblies(),
-            Action::Play | Action::Slower | Action::Faster | Action::Reverse => {
-                self.play(action, now);
-            }
-            Action::StepBack => self.step(-self.steps.size(), now),
-            Action::StepForward => self.step(self.steps.size(), now),
-            Action::SmallerStep => self.steps.smaller(),
-            Action::LargerStep => self.steps.larger(),
-            Action::GoTo => self.mode = Mode::GoTo(Line::for_number()),
-            Action::Opening => self.go_to_opening(now),
+            Action::Play => self.player.toggle(now),
+            Action::Slower => self
+                .player
+                .playback
+                .slower(now, self.player.open_scene.at()),
+            Action::Faster => self
+                .player
+                .playback
+                .faster(now, self.player.open_scene.at()),
+            Action::Reverse => self
+                .player
+                .playback
+                .reverse(now, self.player.open_scene.at()),
+            Action::StepBack => self.step(-self.player.steps.size(), now),
+            Action::StepForward => self.step(self.player.steps.size(), now),
+            Action::SmallerStep => self.player.steps.smaller(),
+            Action::LargerStep => self.player.steps.larger(),
+            Action::GoTo => self.shell.mode = Mode::GoTo(Line::for_number()),
+            Action::Opening => self.player.go_to_opening(now),
             Action::NextPreset => self.open(1),
             Action::PreviousPreset => self.open(-1),
             Action::Compare => self.compare(),
@@ -367,8 +317,11 @@ impl App {
             Action::Plots(action) => self.plot(action),
             Action::Scene(action) => self.edit(action, now),
             Action::Tour => self.tour(),
-            Action::Glyphs => self.next_glyphs(),
-            Action::Colours => self.next_colours(),
+            Action::Glyphs => {
+                self.shell.next_glyphs();
+                self.lay_out();
+            }
+            Action::Colours => self.shell.next_colours(),
             Action::NextView => self.next_view(),
             Action::Look(view) => self.look_at(view),
         }
@@ -377,6 +330,6 @@ impl App {
 
     /// Why figures are missing, if they are.
     pub(crate) fn condition(&self) -> Condition {
-        self.open_scene.condition()
+        self.player.open_scene.condition()
     }
 }

@@ -7,19 +7,20 @@ use std::time::Duration;
 impl App {
     /// Lists the assemblies beside the drawing, which stands still meanwhile.
     pub(super) fn list_assemblies(&mut self) {
-        self.playback.pause();
-        match self.open_scene.look_around() {
+        self.player.playback.pause();
+        match self.player.open_scene.look_around() {
             Some(assembly_list) => {
-                self.mode = Mode::Assemblies(assembly_list.first());
+                self.shell.mode = Mode::Assemblies(assembly_list.first());
                 self.look(View::Motion);
             }
-            None => self.message = Some("there is no other assembly here".into()),
+            None => self.shell.say("there is no other assembly here"),
         }
     }
 
     /// Takes the assembly under the cursor.
     pub(super) fn take_assembly(&mut self, cursor: usize, now: Duration) {
         let Some(row) = self
+            .player
             .open_scene
             .assembly_list()
             .and_then(|p| p.rows().get(cursor))
@@ -28,30 +29,31 @@ impl App {
         };
         let (group, choice, wish) = (row.group, &row.choice, row.wish());
         if choice.is_current {
-            self.mode = Mode::Normal;
+            self.shell.mode = Mode::Normal;
             return;
         }
         if !choice.closes {
-            self.message = Some(format!("the rest does not close with {wish}"));
+            self.shell
+                .say(format!("the rest does not close with {wish}"));
             return;
         }
-        match self.open_scene.switched(group, choice.pick) {
+        match self.player.open_scene.switched(group, choice.pick) {
             Ok(open_scene) => {
-                self.open_scene = open_scene;
+                self.player.open_scene = open_scene;
                 self.study_run.forget();
-                self.look(self.view);
-                self.mode = Mode::Normal;
-                let at = self.open_scene.at();
-                self.playback.rebase(now, at);
+                self.look(self.shell.view);
+                self.shell.mode = Mode::Normal;
+                let at = self.player.open_scene.at();
+                self.player.playback.rebase(now, at);
                 let mut message = format!("{wish} now");
                 if !self.record_assembly(&wish) {
                     message += "; no [start] can tell it, so that it cannot be saved";
-                } else if let Some(key) = self.keymap.key(Action::Save) {
+                } else if let Some(key) = self.shell.keymap.key(Action::Save) {
                     message += &format!("; {key} saves it");
                 }
-                self.message = Some(message);
+                self.shell.say(message);
             }
-            Err(why) => self.message = Some(format!("{wish}: {why}")),
+            Err(why) => self.shell.say(format!("{wish}: {why}")),
         }
     }
 }

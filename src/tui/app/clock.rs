@@ -2,13 +2,9 @@
 
 use super::super::views::Need;
 use super::{App, Mode};
-use crate::tui::player::cost;
 use crate::tui::views::accuracy::study_run::{Clock, Phase, StudyRun};
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
-
-/// Time between two frames while playing.
-const FRAME: Duration = Duration::from_millis(33);
 
 impl App {
     /// Time has passed: if a frame is due, what is played moves to where it is now. A study goes on.
@@ -20,46 +16,31 @@ impl App {
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }
-        if let Some(at) = self.playback.position(now, self.open_scene.driver_range()) {
-            self.frame = now;
-            let at = self.open_scene.driver_range().on_grid(at);
-            self.open_scene.go(at);
-        }
+        self.player.follow(now);
         self.look_at_file(now, false);
         self.take_in(now);
     }
 
-    /// Measures what a state costs, where that is worth it: of another scene at once, of another state
-    /// after a while.
+    /// Measures what a state costs, where that is worth it.
     pub(crate) fn weigh(&mut self) {
-        let (edition, at) = (self.open_scene.edition(), self.open_scene.at());
-        let is_due = self
-            .weighed
-            .as_ref()
-            .is_none_or(|&(then, ref scene, place)| {
-                scene != edition || (place != at && self.now >= then + cost::PAUSE)
-            });
-        if is_due {
-            self.weighed = Some((self.now, edition.clone(), at));
-            self.open_scene.weigh();
-        }
+        self.player.weigh(self.now);
     }
 
     /// When to call [`App::tick`]; never while paused.
     pub(crate) fn next_frame(&self) -> Option<Duration> {
         // While another scene is looked for, this one waits.
-        let plays = self.playback.is_playing() && !matches!(self.mode, Mode::Pick(_));
-        plays.then(|| self.frame + FRAME)
+        let next = self.player.next_frame()?;
+        (!matches!(self.shell.mode, Mode::Pick(_))).then_some(next)
     }
 
     /// The program was stopped meanwhile: playing goes on from where it was.
     pub(crate) fn wake(&mut self, now: Duration) {
-        self.playback.rebase(now, self.open_scene.at());
+        self.player.rebase(now);
     }
 
     /// Whether there is work to do between two frames, whoever waits: only in its view.
     pub(crate) fn is_working(&self) -> bool {
-        self.view.pane().needs() == Need::Study && self.study_run.phase() == Phase::Running
+        self.shell.view.pane().needs() == Need::Study && self.study_run.phase() == Phase::Running
     }
 
     /// Takes the time of studies from another clock.

@@ -26,7 +26,7 @@ impl App {
     pub(super) fn compare(&mut self) {
         if self.end_comparison() {
             self.sample();
-            self.message = Some("no longer compared".into());
+            self.shell.say("no longer compared");
             return;
         }
         let edited = self.is_edited().then_some(Place::Original);
@@ -42,7 +42,7 @@ impl App {
         opened: Opened,
     ) -> Result<(), String> {
         self.comparison = Comparison {
-            compared: Some(ComparedScene::new(name, opened, &self.open_scene)?),
+            compared: Some(ComparedScene::new(name, opened, &self.player.open_scene)?),
             last: Some(place),
         };
         self.scroll_by(0);
@@ -55,14 +55,14 @@ impl App {
         let Some(mut compared) = self.comparison.compared.take() else {
             return;
         };
-        if compared.fits(&self.open_scene) {
-            compared.follow(&self.open_scene);
+        if compared.fits(&self.player.open_scene) {
+            compared.follow(&self.player.open_scene);
             self.comparison.compared = Some(compared);
             return;
         }
-        match compared.again(&self.open_scene) {
+        match compared.again(&self.player.open_scene) {
             Ok(compared) => self.comparison.compared = Some(compared),
-            Err(why) => self.message = Some(why),
+            Err(why) => self.shell.say(why),
         }
         self.scroll_by(0);
     }
@@ -82,13 +82,13 @@ impl App {
     /// The columns of the tables: of figures, or while another scene is compared with, of differences.
     pub(crate) fn sheet(&self) -> &Sheet {
         self.compared()
-            .map_or(self.open_scene.sheet(), ComparedScene::sheet)
+            .map_or(self.player.open_scene.sheet(), ComparedScene::sheet)
     }
 
     /// The tables that are shown: figures, or differences.
     pub(crate) fn tables(&self) -> &Tables {
         self.compared()
-            .map_or(self.open_scene.tables(), ComparedScene::tables)
+            .map_or(self.player.open_scene.tables(), ComparedScene::tables)
     }
 
     /// What stands above tables of differences, as much of it as fits so many columns.
@@ -104,7 +104,7 @@ impl App {
             title = long;
         }
         let speeds = compared
-            .speeds(&self.open_scene)
+            .speeds(&self.player.open_scene)
             .map(|s| format!("driven at {s}"));
         let there = compared.pairing().only_there();
         let there = (!there.is_empty()).then(|| format!("only there: {}", there.join(" ")));

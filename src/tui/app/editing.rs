@@ -19,58 +19,58 @@ impl App {
             SceneAction::Edit => self.type_value(),
             SceneAction::NudgeDown => self.nudge(-1.0, now),
             SceneAction::NudgeUp => self.nudge(1.0, now),
-            SceneAction::FinerNudge => self.editor.finer(),
-            SceneAction::CoarserNudge => self.editor.coarser(),
+            SceneAction::FinerNudge => self.document.editor.finer(),
+            SceneAction::CoarserNudge => self.document.editor.coarser(),
         }
     }
 
     fn type_value(&mut self) {
-        if self.editor.value().is_some() {
-            self.mode = Mode::Value(Line::for_number());
+        if self.document.editor.value().is_some() {
+            self.shell.mode = Mode::Value(Line::for_number());
         }
     }
 
     /// Another value was typed: it is taken, or the line stays to be corrected.
     pub(super) fn take_value(&mut self, typed: &str, now: Duration) {
-        let Some(value) = self.editor.value().cloned() else {
+        let Some(value) = self.document.editor.value().cloned() else {
             return;
         };
         if typed.trim().is_empty() {
-            self.mode = Mode::Normal;
+            self.shell.mode = Mode::Normal;
             return;
         }
         match value.typed(typed) {
             Ok(text) => {
                 if self.put(&value, text, Deed::Other(value.name.clone()), now) {
-                    self.mode = Mode::Normal;
+                    self.shell.mode = Mode::Normal;
                 }
             }
-            Err(why) => self.message = Some(why.to_string()),
+            Err(why) => self.shell.say(why.to_string()),
         }
     }
 
     /// Moves the value under the cursor by a step.
     fn nudge(&mut self, steps: f64, now: Duration) {
-        if let Some(value) = self.editor.value().cloned() {
-            let text = value.moved(steps * self.editor.notch().size());
+        if let Some(value) = self.document.editor.value().cloned() {
+            let text = value.moved(steps * self.document.editor.notch().size());
             self.put(&value, text, Deed::Nudge(value.name.clone()), now);
         }
     }
 
     /// Puts another text in the place of a value; false, and said why, where the scene cannot be so.
     fn put(&mut self, value: &Value, text: String, deed: Deed, now: Duration) -> bool {
-        let text = self.editor.as_filed(value, text);
+        let text = self.document.editor.as_filed(value, text);
         if text == value.text() {
             return true;
         }
         self.say_what_is_shown();
-        let Some(value) = self.editor.value().cloned() else {
+        let Some(value) = self.document.editor.value().cloned() else {
             return false;
         };
-        let whole = self.open_scene.scene().with_value(&value, &text);
+        let whole = self.player.open_scene.scene().with_value(&value, &text);
         let edited = match value.measure {
             // Who moves a start means another assembly.
-            Measure::Start => edited::reopened(&self.open_scene, &whole),
+            Measure::Start => edited::reopened(&self.player.open_scene, &whole),
             Measure::Length
             | Measure::Coordinate
             | Measure::Angle
@@ -85,20 +85,19 @@ impl App {
             | Measure::Gravity
             | Measure::Stiffness
             | Measure::Damping
-            | Measure::Factor => edited::keeping(&self.open_scene, &whole),
+            | Measure::Factor => edited::keeping(&self.player.open_scene, &whole),
         };
         match edited {
             Ok(edited) => {
                 let opens = self.is_opening(&value);
                 self.change(edited, deed, now);
                 if opens {
-                    let driver_range = self.open_scene.driver_range();
-                    self.arrive(driver_range.clamp(driver_range.opening()), now);
+                    self.player.go_to_opening(now);
                 }
                 true
             }
             Err(why) => {
-                self.message = Some(format!("{} {text}: {why}", value.name));
+                self.shell.say(format!("{} {text}: {why}", value.name));
                 false
             }
         }
@@ -106,7 +105,7 @@ impl App {
 
     /// Whether a value is where the driver opens: then the linkage follows it there.
     fn is_opening(&self, value: &Value) -> bool {
-        let name = match self.open_scene.scene().mechanism.driver().input {
+        let name = match self.player.open_scene.scene().mechanism.driver().input {
             Input::Turn(_) => "driver angle",
             Input::Push(_) => "driver position",
         };
@@ -116,22 +115,27 @@ impl App {
     /// Before the first change: where the command line has chosen another assembly than the text says, the
     /// text is brought up to date first, as a step of its own.
     fn say_what_is_shown(&mut self) {
-        if self.editor.history.is_empty() && !edited::says_what_is_shown(&self.open_scene) {
+        if self.document.editor.history.is_empty()
+            && !edited::says_what_is_shown(&self.player.open_scene)
+        {
             self.record_assembly("assembly");
         }
     }
 
     /// The text says from now on which assembly is shown; false where no text can.
     pub(super) fn record_assembly(&mut self, name: &str) -> bool {
-        let before = self.open_scene.scene().text().to_owned();
-        let told = self.open_scene.saved_text();
-        let scene = told.and_then(|text| self.open_scene.scene().again(&text));
+        let before = self.player.open_scene.scene().text().to_owned();
+        let told = self.player.open_scene.saved_text();
+        let scene = told.and_then(|text| self.player.open_scene.scene().again(&text));
         let Some(scene) = scene else {
             return false;
         };
         let deed = Deed::Other(name.to_owned());
-        self.editor.history.record(&before, scene.text(), deed);
-        self.open_scene.retell(scene);
+        self.document
+            .editor
+            .history
+            .record(&before, scene.text(), deed);
+        self.player.open_scene.retell(scene);
         self.relist();
         self.keep();
         true
@@ -139,41 +143,42 @@ impl App {
 
     /// The scene is another one now, by a deed that can be taken back.
     pub(super) fn change(&mut self, edited: Edited, deed: Deed, now: Duration) {
-        let before = self.open_scene.scene().text();
+        let before = self.player.open_scene.scene().text();
         let after = edited.opened.scene.text();
-        self.editor.history.record(before, after, deed);
+        self.document.editor.history.record(before, after, deed);
         self.take_edit(edited, now);
     }
 
     /// Shows an edited scene where the driver stands, as far as it gets there.
     fn take_edit(&mut self, edited: Edited, now: Duration) {
-        let at = self.open_scene.at();
+        let at = self.player.open_scene.at();
         self.exchange(edited.opened, now);
-        let reached = self.open_scene.at();
+        let reached = self.player.open_scene.at();
         if reached != at {
             let (decimals, unit) = (
-                self.open_scene.driver_range().decimals(),
-                self.open_scene.unit(),
+                self.player.open_scene.driver_range().decimals(),
+                self.player.open_scene.unit(),
             );
             let at = coordinate(at, decimals);
-            self.message = Some(format!("{at} {unit} is out of reach now"));
+            self.shell.say(format!("{at} {unit} is out of reach now"));
         } else if edited.started {
-            self.message = Some("[start] follows, so that this assembly stays".into());
+            self.shell
+                .say("[start] follows, so that this assembly stays");
         }
         self.keep();
     }
 
     /// Lists the values again, while they are looked at.
     pub(super) fn relist(&mut self) {
-        if self.view.pane().needs() == Need::Values {
-            self.editor.list(self.open_scene.scene());
+        if self.shell.view.pane().needs() == Need::Values {
+            self.document.editor.list(self.player.open_scene.scene());
         }
     }
 
     /// Takes an edit back, or makes it again.
     pub(super) fn edit_history(&mut self, action: Action, now: Duration) {
-        let text = self.open_scene.scene().text();
-        let history = &self.editor.history;
+        let text = self.player.open_scene.scene().text();
+        let history = &self.document.editor.history;
         let is_undo = action == Action::Undo;
         let step = if is_undo {
             history.before(text)
@@ -186,13 +191,13 @@ impl App {
             } else {
                 "no edit to make again"
             };
-            self.message = Some(nothing.into());
+            self.shell.say(nothing);
             return;
         };
         let name = name.to_owned();
-        match edited::reopened(&self.open_scene, &text) {
+        match edited::reopened(&self.player.open_scene, &text) {
             Ok(edited) => {
-                let history = &mut self.editor.history;
+                let history = &mut self.document.editor.history;
                 if is_undo {
                     history.taken_back();
                 } else {
@@ -202,13 +207,14 @@ impl App {
                 let said = if is_undo { "taken back" } else { "made again" };
                 // That the driver could not stay is worth saying too.
                 let more = self
+                    .shell
                     .message
                     .take()
                     .map_or(String::new(), |m| format!("; {m}"));
-                self.message = Some(format!("{name} {said}{more}"));
+                self.shell.say(format!("{name} {said}{more}"));
             }
             // Every text of the history was opened before.
-            Err(why) => self.message = Some(format!("{name}: {why}")),
+            Err(why) => self.shell.say(format!("{name}: {why}")),
         }
     }
 }

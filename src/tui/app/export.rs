@@ -7,7 +7,7 @@ use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
 use crate::tui::Origin;
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
-use crate::tui::document::writing::{Document, Text};
+use crate::tui::document::writing::{Content, Text};
 use crate::tui::figures::copying::Shown;
 use crate::tui::figures::format::coordinate;
 use crate::tui::terminal::clipboard;
@@ -25,15 +25,16 @@ impl App {
 
     /// Copies what the view shows; of the tables it asks how much.
     fn copy(&mut self) -> Effect {
-        if !self.capability.modern {
-            self.message = Some(format!("this terminal has no clipboard{}", self.mend()));
+        if !self.shell.capability.modern {
+            self.shell
+                .say(format!("this terminal has no clipboard{}", self.mend()));
             return Effect::Show;
         }
-        match self.view.pane().copy(self) {
+        match self.shell.view.pane().copy(self) {
             Copied::Text(text) => return self.send(&text),
-            Copied::Asked => self.mode = Mode::Copy,
+            Copied::Asked => self.shell.mode = Mode::Copy,
             Copied::Nothing => {
-                self.message = Some("nothing to copy here; the tables have all".into());
+                self.shell.say("nothing to copy here; the tables have all");
             }
         }
         Effect::Show
@@ -48,11 +49,11 @@ impl App {
             Key::Ctrl(_) | Key::Escape => return None,
             _ => return Some(Effect::Show),
         };
-        self.mode = Mode::Normal;
+        self.shell.mode = Mode::Normal;
         if let Some(text) = text {
             return Some(self.send(&text));
         }
-        self.message = Some("there is no value to copy".into());
+        self.shell.say("there is no value to copy");
         Some(Effect::Show)
     }
 
@@ -70,11 +71,12 @@ impl App {
         match clipboard::sequence(text) {
             Ok(bytes) => {
                 let count = text.len();
-                self.message = Some(format!("sent to the terminal's clipboard: {count} B"));
+                self.shell
+                    .say(format!("sent to the terminal's clipboard: {count} B"));
                 Effect::Send(bytes)
             }
             Err(too_large) => {
-                self.message = Some(format!("{too_large}{}", self.mend()));
+                self.shell.say(format!("{too_large}{}", self.mend()));
                 Effect::Show
             }
         }
@@ -82,13 +84,13 @@ impl App {
 
     /// What to do where nothing can be copied: `: use Y`, which writes a file.
     fn mend(&self) -> String {
-        let key = self.keymap.key(Action::Csv);
+        let key = self.shell.keymap.key(Action::Csv);
         key.map_or_else(String::new, |key| format!(": use {key}"))
     }
 
     /// Asks where to write the figures as they are now, or what is plotted over the motion.
     fn ask_for_csv(&mut self) {
-        let text = self.view.pane().csv(self);
+        let text = self.shell.view.pane().csv(self);
         self.offer_file(text, "the figures", "csv");
     }
 
@@ -98,22 +100,22 @@ impl App {
             Ok(text) => {
                 let proposal = self.proposal(ending);
                 let what = what.into();
-                self.ask_for_file(Document::Text(Text { what, text }), &proposal);
+                self.ask_for_file(Content::Text(Text { what, text }), &proposal);
             }
-            Err(why) => self.message = Some(why),
+            Err(why) => self.shell.say(why),
         }
     }
 
     /// All figures here, as a sweep of one row has them.
     pub(crate) fn row_of_sweep(&self) -> Result<String, String> {
-        let (scene, at) = (self.open_scene.scene(), self.open_scene.at());
+        let (scene, at) = (self.player.open_scene.scene(), self.player.open_scene.at());
         let catalogue = Catalogue::new(scene);
         let broken = || "no figures can be written here".to_owned();
         let here = Decimal::of(at).ok_or_else(broken)?;
         let step = Decimal::of(1.0).ok_or_else(broken)?;
         let sweep = Sweep {
             scene,
-            solver: self.open_scene.solver(),
+            solver: self.player.open_scene.solver(),
             columns: &Columns::new(catalogue.driver(), catalogue.all(), true),
             steps: &Steps::new(here, here, step).map_err(|e| e.to_string())?,
             format: RowFormat::Csv,
@@ -131,23 +133,28 @@ impl App {
 
     /// Asks where to write the drawing, or the plot, as it is seen.
     fn ask_for_svg(&mut self) {
-        match self.view.pane().svg(self) {
+        match self.shell.view.pane().svg(self) {
             Ok((what, text)) => self.offer_file(Ok(text), what, "svg"),
-            Err(why) => self.message = Some(why),
+            Err(why) => self.shell.say(why),
         }
     }
 
     /// The name of a file for what is seen here: `four-bar-60.csv`, or for the whole motion
     /// `four-bar-plot.csv`.
     fn proposal(&self, ending: &str) -> String {
-        let stem = match self.open_scene.origin() {
+        let stem = match self.player.open_scene.origin() {
             Origin::Preset(name) => Some(name.clone()),
             Origin::File(path) => path.file_stem().map(|s| s.to_string_lossy().into_owned()),
             Origin::Stdin => None,
         };
         let stem = stem.unwrap_or_else(|| "scene".into());
-        let whole = self.view.pane().file_part().filter(|_| ending != "txt");
-        let place = whole.map_or_else(|| coordinate(self.open_scene.at(), 0), str::to_owned);
+        let whole = self
+            .shell
+            .view
+            .pane()
+            .file_part()
+            .filter(|_| ending != "txt");
+        let place = whole.map_or_else(|| coordinate(self.player.open_scene.at(), 0), str::to_owned);
         format!("{stem}-{place}.{ending}")
     }
 }

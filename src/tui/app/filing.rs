@@ -3,7 +3,7 @@
 use super::{App, Effect, Mode, Unsaved};
 use crate::scene::Scene;
 use crate::tui::commands::action::Action;
-use crate::tui::document::disk::{Disk, News, Seen, unmarked};
+use crate::tui::document::disk::{News, Seen, unmarked};
 use crate::tui::document::history::Deed;
 use crate::tui::document::opening;
 use crate::tui::{Opened, Origin};
@@ -27,27 +27,29 @@ impl App {
 
     /// Something that was to be done to a file ended as it never should.
     pub(crate) fn fail(&mut self, error: &io::Error) {
-        self.storing = false;
-        self.message = Some(error.to_string());
+        self.document.storing = false;
+        self.shell.say(error.to_string());
     }
 
     /// The file of the scene is watched from now on.
     pub(super) fn watch(&mut self) {
-        self.disk = match self.open_scene.origin() {
-            Origin::File(path) => Some(Disk::new(path)),
-            Origin::Preset(_) | Origin::Stdin => None,
-        };
+        let origin = self.player.open_scene.origin();
+        self.document.belong_to(origin);
         self.look_at_file(self.now, true);
     }
 
     /// The file to watch.
     pub(crate) fn watched(&self) -> Option<&Path> {
-        self.disk.as_ref().and_then(Disk::place)
+        self.document.watched()
     }
 
     /// Looks whether somebody else has written the file: at once where that was told, else after a while.
     pub(crate) fn look_at_file(&mut self, now: Duration, at_once: bool) {
-        let look = self.disk.as_mut().and_then(|disk| disk.look(now, at_once));
+        let look = self
+            .document
+            .disk
+            .as_mut()
+            .and_then(|disk| disk.look(now, at_once));
         if let Some(look) = look {
             self.clerk.give(move || {
                 let seen = look.run();
@@ -59,8 +61,13 @@ impl App {
     /// The file was looked at. Nothing follows while something is asked or typed: the next look after it
     /// will tell.
     fn see(&mut self, seen: Seen, now: Duration) {
-        let is_free = self.mode == Mode::Normal && !self.storing;
-        let Some(disk) = self.disk.as_mut().filter(|disk| disk.path() == seen.path) else {
+        let is_free = self.shell.mode == Mode::Normal && !self.document.storing;
+        let Some(disk) = self
+            .document
+            .disk
+            .as_mut()
+            .filter(|disk| disk.path() == seen.path)
+        else {
             return;
         };
         if disk.see(&seen, is_free || seen.news.is_none()) {
@@ -69,25 +76,29 @@ impl App {
         let Some(news) = seen.news.filter(|_| is_free) else {
             return;
         };
-        let Some(name) = self.file_name() else { return };
+        let Some(name) = self.document.file_name() else {
+            return;
+        };
         match news {
-            News::Written(bytes) if unmarked(&bytes) == self.editor.saved().as_bytes() => {}
+            News::Written(bytes) if unmarked(&bytes) == self.document.editor.saved().as_bytes() => {
+            }
             News::Written(_) if self.is_changed() => {
                 let ways = self.ways_out();
-                self.message = Some(format!("{name} has changed on disk: {ways}"));
+                self.shell
+                    .say(format!("{name} has changed on disk: {ways}"));
             }
             News::Written(bytes) => self.read_in(&bytes, &name, now),
             News::Gone => self.tell_gone(&name),
             News::Unreadable(error) => {
-                self.message = Some(format!("{name} cannot be read: {error}"));
+                self.shell.say(format!("{name} cannot be read: {error}"));
             }
         }
     }
 
     /// Reads the file again because that was asked for; over unsaved edits if they may go.
     pub(super) fn reload(&mut self, over: bool) {
-        let Origin::File(path) = self.open_scene.origin().clone() else {
-            self.message = Some("this scene has no file to read again".into());
+        let Origin::File(path) = self.player.open_scene.origin().clone() else {
+            self.shell.say("this scene has no file to read again");
             return;
         };
         self.clerk.give(move || {
@@ -97,7 +108,9 @@ impl App {
     }
 
     fn reread(&mut self, news: News, over: bool, now: Duration) {
-        let Some(name) = self.file_name() else { return };
+        let Some(name) = self.document.file_name() else {
+            return;
+        };
         match news {
             News::Written(_) if self.is_changed() && !over => {
                 self.ask_about_edits(Unsaved::Reload);
@@ -106,36 +119,40 @@ impl App {
             // A file that is gone is no danger to the edits.
             News::Gone => self.tell_gone(&name),
             News::Unreadable(error) => {
-                self.message = Some(format!("{name} cannot be read: {error}"));
+                self.shell.say(format!("{name} cannot be read: {error}"));
             }
         }
     }
 
     /// What to do where the file is another than was opened.
     fn ways_out(&self) -> String {
-        let key = |action| self.keymap.told(action);
+        let key = |action| self.shell.keymap.told(action);
         let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
         format!("{reload} reads it, {elsewhere} saves elsewhere")
     }
 
     fn tell_gone(&mut self, name: &str) {
-        let key = self.keymap.told(Action::Save);
-        self.message = Some(format!("{name} is gone: {key} writes it again"));
+        let key = self.shell.keymap.told(Action::Save);
+        self.shell
+            .say(format!("{name} is gone: {key} writes it again"));
     }
 
     /// Shows what the file holds now; what is broken leaves the last good state on the screen. The edits
     /// before it can be had back by taking this one back.
     fn read_in(&mut self, bytes: &[u8], name: &str, now: Duration) {
-        let origin = self.open_scene.scene().origin().to_owned();
+        let origin = self.player.open_scene.scene().origin().to_owned();
         let scene = Scene::read(bytes, &origin);
         let opened = scene.and_then(opening::assembled);
         match opened {
             Ok((scene, solver)) => {
-                let origin = self.open_scene.origin().clone();
-                let (before, after) = (self.open_scene.scene().text(), scene.text().to_owned());
+                let origin = self.player.open_scene.origin().clone();
+                let (before, after) = (
+                    self.player.open_scene.scene().text(),
+                    scene.text().to_owned(),
+                );
                 let deed = Deed::Other("reading the file".into());
-                self.editor.history.record(before, &after, deed);
-                self.editor.filed(&after);
+                self.document.editor.history.record(before, &after, deed);
+                self.document.editor.filed(&after);
                 let opened = Opened {
                     scene,
                     solver,
@@ -144,18 +161,13 @@ impl App {
                 self.exchange(opened, now);
                 self.keep();
                 self.watch();
-                self.message = Some(format!("{name} was read again"));
+                self.shell.say(format!("{name} was read again"));
             }
             Err(faults) => {
                 let fault = opening::first_words(&faults);
-                self.message = Some(format!("{name} is broken, not shown: {fault}"));
+                self.shell
+                    .say(format!("{name} is broken, not shown: {fault}"));
             }
         }
-    }
-
-    fn file_name(&self) -> Option<String> {
-        let path = self.disk.as_ref()?.path();
-        let name = path.file_name().unwrap_or(path.as_os_str());
-        Some(name.to_string_lossy().into_owned())
     }
 }

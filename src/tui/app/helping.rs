@@ -7,7 +7,7 @@ use crate::tui::views::help::text::Help;
 impl App {
     /// Shows the help, or takes it away.
     pub(super) fn toggle_help(&mut self) {
-        self.mode = match self.mode {
+        self.shell.mode = match self.shell.mode {
             Mode::Help(_) => Mode::Normal,
             _ => Mode::Help(Help::default()),
         };
@@ -15,7 +15,7 @@ impl App {
 
     /// Keys of the line in which words are typed; `None` for those that mean the same everywhere.
     pub(super) fn search_help(&mut self, key: Key) -> Option<Effect> {
-        let Mode::Help(help) = &mut self.mode else {
+        let Mode::Help(help) = &mut self.shell.mode else {
             return None;
         };
         let line = help.typed()?;

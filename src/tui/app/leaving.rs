@@ -31,7 +31,7 @@ impl App {
         if !self.is_changed() {
             return Effect::Quit;
         }
-        self.playback.pause();
+        self.player.playback.pause();
         self.pending = Some(Pending::Quit);
         self.ask_about_edits(Unsaved::Quit);
         Effect::Show
@@ -43,41 +43,40 @@ impl App {
             self.show_now(opened);
             return;
         }
-        self.playback.pause();
+        self.player.playback.pause();
         self.pending = Some(Pending::Show(Box::new(opened)));
         self.ask_about_edits(Unsaved::Open);
     }
 
     /// Asks what is to become of unsaved edits.
     pub(super) fn ask_about_edits(&mut self, question: Unsaved) {
-        self.seen = None;
-        self.mode = Mode::Unsaved(question);
+        self.shell.ask(Mode::Unsaved(question));
     }
 
     /// Keys of a question about unsaved edits; `None` for those that mean the same everywhere.
     pub(super) fn answer(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let Mode::Unsaved(question) = &self.mode else {
+        let Mode::Unsaved(question) = &self.shell.mode else {
             return None;
         };
         let question = question.clone();
         match key {
-            Key::Escape => self.mode = Mode::Normal,
+            Key::Escape => self.shell.mode = Mode::Normal,
             Key::Ctrl(_) => return None,
-            _ if !self.can_be_answered(now) => return Some(Effect::Show),
+            _ if !self.shell.can_be_answered(now) => return Some(Effect::Show),
             _ => {}
         }
         match (key, question) {
             (Key::Char('w'), Unsaved::Quit | Unsaved::Open) => {
-                self.mode = Mode::Normal;
+                self.shell.mode = Mode::Normal;
                 self.save_own();
             }
             (Key::Char('q'), Unsaved::Quit) | (Key::Char('d'), Unsaved::Open) => {
                 self.release();
-                self.mode = Mode::Normal;
+                self.shell.mode = Mode::Normal;
                 return Some(self.go_on());
             }
             (Key::Enter, Unsaved::Reload) => {
-                self.mode = Mode::Normal;
+                self.shell.mode = Mode::Normal;
                 self.reload(true);
             }
             _ => {}
@@ -88,7 +87,7 @@ impl App {
     /// After a key: what was to follow on saving is done once nothing is unsaved, and forgotten where the
     /// person has gone back.
     pub(super) fn settle(&mut self, effect: Effect) -> Effect {
-        if self.mode != Mode::Normal || self.pending.is_none() || self.storing {
+        if self.shell.mode != Mode::Normal || self.pending.is_none() || self.document.storing {
             return effect;
         }
         if self.is_changed() {

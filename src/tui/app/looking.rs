@@ -1,19 +1,15 @@
-//! What is seen: the view, how far it is scrolled, and with which characters and colours.
+//! What is seen: the view, how far it is scrolled.
 
 use super::super::views::{self, List, Need};
 use super::{App, Mode, View};
-use crate::capability::Colours;
-use crate::drawing::Glyphs;
 use crate::tui::views::accuracy::study_run::Phase;
 use ratatui::layout::Size;
-
-/// The height of a cell for its width in most fonts.
-pub(super) const USUAL_ASPECT: f64 = 2.0;
+use std::time::Duration;
 
 impl App {
     pub(super) fn next_view(&mut self) {
         let views = View::ALL.iter().cycle();
-        let next = views.skip_while(|view| **view != self.view).nth(1);
+        let next = views.skip_while(|view| **view != self.shell.view).nth(1);
         self.look(next.copied().unwrap_or_default());
     }
 
@@ -28,15 +24,15 @@ impl App {
     /// Looks at a view. What it needs is found while it is looked at, and only then; a study begins when it is
     /// looked at for the first time.
     pub(crate) fn look(&mut self, view: View) {
-        self.view = view;
-        self.open_scene.answer(false);
-        self.open_scene.balance_forces(false);
-        self.open_scene.explain(false);
+        self.shell.view = view;
+        self.player.open_scene.answer(false);
+        self.player.open_scene.balance_forces(false);
+        self.player.open_scene.explain(false);
         match view.pane().needs() {
             Need::Nothing => {}
-            Need::Lengths => self.open_scene.answer(true),
-            Need::Forces => self.open_scene.balance_forces(true),
-            Need::Working => self.open_scene.explain(true),
+            Need::Lengths => self.player.open_scene.answer(true),
+            Need::Forces => self.player.open_scene.balance_forces(true),
+            Need::Working => self.player.open_scene.explain(true),
             Need::Values => self.relist(),
             Need::Study if self.study_run.phase() == Phase::Idle => self.study(),
             Need::Study => {}
@@ -46,15 +42,24 @@ impl App {
 
     /// Begins a study, goes on with it or repeats it.
     pub(super) fn study(&mut self) {
-        self.study_run.go_on(self.open_scene.solver());
+        self.study_run.go_on(self.player.open_scene.solver());
     }
 
     /// The screen has another size.
     pub(crate) fn resize(&mut self, size: Size, aspect: Option<f64>) {
-        self.size = size;
-        self.aspect = aspect.unwrap_or(USUAL_ASPECT);
+        self.shell.resize(size, aspect);
+        self.lay_out();
+    }
+
+    /// What is shown takes another room: the cursor and what is scrolled stay within it.
+    pub(super) fn lay_out(&mut self) {
         self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
+    }
+
+    /// What is asked is on the screen, if anything is.
+    pub(crate) fn show_question(&mut self, now: Duration) {
+        self.shell.show_question(now);
     }
 
     pub(super) fn page(&self) -> isize {
@@ -63,47 +68,25 @@ impl App {
 
     /// Scrolls what is on top, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
-        let most = match self.mode {
+        let most = match self.shell.mode {
             Mode::Assemblies(_) => self
+                .player
                 .open_scene
                 .assembly_list()
                 .map_or(0, |p| p.rows().len() - 1),
             _ => views::most_scroll(self),
         };
-        let scroll = match &mut self.mode {
+        let scroll = match &mut self.shell.mode {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(scroll) => scroll,
-            _ => match self.view.pane().list() {
-                List::Lines => &mut self.scroll[self.view as usize],
+            _ => match self.shell.view.pane().list() {
+                List::Lines => &mut self.shell.scroll[self.shell.view as usize],
                 List::Figures => {
                     return self.place_cursor(|cursor, table| cursor.moved(table, lines));
                 }
-                List::Values => return self.editor.move_by(lines),
+                List::Values => return self.document.editor.move_by(lines),
             },
         };
         *scroll = scroll.saturating_add_signed(lines).min(most);
-    }
-
-    pub(super) fn next_glyphs(&mut self) {
-        let (glyphs, name) = match self.capability.glyphs {
-            Glyphs::Ascii => (Glyphs::Line, "lines"),
-            Glyphs::Line => (Glyphs::Braille, "Braille"),
-            Glyphs::Braille => (Glyphs::Ascii, "ASCII"),
-        };
-        self.capability.glyphs = glyphs;
-        self.message = Some(format!("drawn with {name}"));
-        self.place_cursor(|cursor, _| cursor);
-        self.scroll_by(0);
-    }
-
-    pub(super) fn next_colours(&mut self) {
-        let colours = self.capability.colours.next();
-        self.capability.colours = colours;
-        self.message = Some(match colours {
-            Colours::None => "no colours".into(),
-            Colours::Sixteen => "the 16 colours of the terminal's palette".into(),
-            Colours::Indexed => "colours of the 256".into(),
-            Colours::True => "colours of 24 bits".into(),
-        });
     }
 }

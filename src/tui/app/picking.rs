@@ -20,25 +20,25 @@ impl App {
 
     /// Lists what there is, with the cursor on `at`, or on the open scene.
     pub(super) fn list(&mut self, purpose: Purpose, at: Option<Place>) {
-        let folder = match self.open_scene.origin() {
+        let folder = match self.player.open_scene.origin() {
             Origin::File(path) => path.parent().map(Path::to_owned),
             Origin::Preset(_) | Origin::Stdin => None,
         };
         let original = purpose == Purpose::Compare && self.is_edited();
         let folder = folder.unwrap_or_default();
         self.previews.forget();
-        self.mode = Mode::Pick(Box::new(Picker::new(purpose, original)));
+        self.shell.mode = Mode::Pick(Box::new(Picker::new(purpose, original)));
         self.look_into(folder, at, true);
     }
 
     /// Lists a folder, once it was read, with the cursor on a place in it, or on the open scene.
     fn look_into(&mut self, folder: PathBuf, at: Option<Place>, or_here: bool) {
-        let origin = self.open_scene.origin().clone();
+        let origin = self.player.open_scene.origin().clone();
         self.clerk.give(move || {
             let read = Reading::of(&folder);
             let at = at.or_else(|| or_here.then(|| Place::of(&origin)).flatten());
             Box::new(move |app, _| {
-                if let Mode::Pick(picker) = &mut app.mode {
+                if let Mode::Pick(picker) = &mut app.shell.mode {
                     picker.list(read, at.as_ref());
                 }
             })
@@ -47,19 +47,19 @@ impl App {
 
     /// Whether the scene is no longer what was opened.
     pub(super) fn is_edited(&self) -> bool {
-        self.open_scene.scene().text() != &*self.original
+        self.player.open_scene.scene().text() != &*self.document.original
     }
 
     /// Brings what a frame shows beside the state itself up to date. It is done once for a frame, however
     /// many keys came before it.
     pub(crate) fn catch_up(&mut self) {
         self.follow();
-        let Mode::Pick(picker) = &self.mode else {
+        let Mode::Pick(picker) = &self.shell.mode else {
             return;
         };
         let chosen = picker.chosen().map(|item| item.place.clone());
         if let Some(place) = chosen.filter(|place| self.previews.expect(place)) {
-            let original = Arc::clone(&self.original);
+            let original = Arc::clone(&self.document.original);
             self.clerk.give(move || {
                 let preview = Preview::of(&place, &original);
                 Box::new(move |app, _| app.previews.put(&place, preview))
@@ -70,7 +70,7 @@ impl App {
 
     /// What is known of the entry under the cursor.
     pub(crate) fn preview(&self) -> Option<&Preview> {
-        let Mode::Pick(picker) = &self.mode else {
+        let Mode::Pick(picker) = &self.shell.mode else {
             return None;
         };
         self.previews.of(&picker.chosen()?.place)
@@ -79,7 +79,7 @@ impl App {
     /// Keys while something is chosen: letters search. `None` for those that mean the same everywhere.
     pub(super) fn pick_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let page = self.page();
-        let Mode::Pick(picker) = &mut self.mode else {
+        let Mode::Pick(picker) = &mut self.shell.mode else {
             return None;
         };
         match key {
@@ -103,20 +103,19 @@ impl App {
             Key::Tab | Key::BackTab | Key::Function(_) => {}
             Key::Ctrl(_) => return None,
         }
-        self.message = self.message.take().filter(|_| key == Key::Enter);
+        self.shell.message = self.shell.message.take().filter(|_| key == Key::Enter);
         Some(Effect::Show)
     }
 
     /// Back to the open scene, which goes on from where it was.
     fn leave_list(&mut self, now: Duration) {
-        self.mode = Mode::Normal;
+        self.shell.mode = Mode::Normal;
         self.previews.forget();
-        self.playback.rebase(now, self.open_scene.at());
-        self.frame = now;
+        self.player.resume(now);
     }
 
     fn look_into_chosen(&mut self) {
-        let Mode::Pick(picker) = &self.mode else {
+        let Mode::Pick(picker) = &self.shell.mode else {
             return;
         };
         if let Some(Place::Folder(path)) = picker.chosen().map(|item| item.place.clone()) {
@@ -127,8 +126,8 @@ impl App {
 
     /// Opens what is under the cursor, or looks into it.
     fn accept_pick(&mut self) {
-        self.message = None;
-        let Mode::Pick(picker) = &mut self.mode else {
+        self.shell.message = None;
+        let Mode::Pick(picker) = &mut self.shell.mode else {
             return;
         };
         let Some(place) = picker.chosen().map(|item| item.place.clone()) else {
@@ -142,8 +141,11 @@ impl App {
         let name = picker
             .chosen()
             .map_or(String::new(), |item| item.name.clone());
-        let (original, origin) = (Arc::clone(&self.original), self.open_scene.origin().clone());
-        self.message = Some(format!("reading {name}"));
+        let (original, origin) = (
+            Arc::clone(&self.document.original),
+            self.player.open_scene.origin().clone(),
+        );
+        self.shell.say(format!("reading {name}"));
         self.clerk.give(move || {
             let opened = opened(&place, &original, origin);
             Box::new(move |app, now| app.picked(purpose, place, name, opened, now))
@@ -159,9 +161,9 @@ impl App {
         opened: Result<Opened, String>,
         now: Duration,
     ) {
-        self.message = None;
+        self.shell.message = None;
         // Whoever has left the list meanwhile does not want it any more.
-        if !matches!(self.mode, Mode::Pick(_)) {
+        if !matches!(self.shell.mode, Mode::Pick(_)) {
             return;
         }
         let done = opened.and_then(|opened| match purpose {
@@ -177,7 +179,7 @@ impl App {
             }
         });
         if let Err(why) = done {
-            self.message = Some(why);
+            self.shell.say(why);
         }
     }
 }

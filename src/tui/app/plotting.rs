@@ -12,18 +12,19 @@ impl App {
     pub(super) fn plot(&mut self, action: PlotsAction) {
         match action {
             PlotsAction::Choose => {
-                let list =
-                    PlotList::new(self.open_scene.scene(), |name| self.plots.is_chosen(name));
-                self.mode = Mode::PlotList(list);
+                let list = PlotList::new(self.player.open_scene.scene(), |name| {
+                    self.plots.is_chosen(name)
+                });
+                self.shell.mode = Mode::PlotList(list);
             }
             PlotsAction::Abscissa => {
-                let along = self.plots.next_abscissa(self.open_scene.scene());
-                self.message = Some(along);
+                let along = self.plots.next_abscissa(self.player.open_scene.scene());
+                self.shell.say(along);
             }
             PlotsAction::Extrema => {
                 let marked = self.plots.toggle_extrema();
                 let what = if marked { "marked" } else { "not marked" };
-                self.message = Some(format!("maxima and minima are {what}"));
+                self.shell.say(format!("maxima and minima are {what}"));
             }
         }
         self.sample();
@@ -40,21 +41,21 @@ impl App {
 
     /// Samples what is plotted, and studies the motor, while it is looked at; what is up to date costs nothing.
     pub(super) fn sample(&mut self) {
-        let needs = self.view.pane().needs();
+        let needs = self.shell.view.pane().needs();
         if needs == Need::Curves {
             self.follow();
             let compared = self.comparison.compared();
-            self.plots.sample(&self.open_scene, compared);
+            self.plots.sample(&self.player.open_scene, compared);
         }
         if needs == Need::Motor {
-            self.motor.study(&self.open_scene);
+            self.motor.study(&self.player.open_scene);
         }
     }
 
     /// Keys of the list; `None` for those that mean the same everywhere.
     pub(super) fn list_key(&mut self, key: Key) -> Option<Effect> {
         let page = self.page();
-        let Mode::PlotList(list) = &mut self.mode else {
+        let Mode::PlotList(list) = &mut self.shell.mode else {
             return None;
         };
         let typing = list.is_typing();
@@ -65,7 +66,7 @@ impl App {
             Key::PageDown => list.move_by(page),
             Key::Escape => {
                 if !list.end_search() {
-                    self.mode = Mode::Normal;
+                    self.shell.mode = Mode::Normal;
                 }
             }
             Key::Enter if typing => list.set_typing(false),
@@ -75,12 +76,12 @@ impl App {
             Key::Char('j') => list.move_by(1),
             Key::Enter | Key::Char(' ') => self.toggle_plot(),
             Key::Char('c') => self.plots.clear(),
-            Key::Char('x') => self.mode = Mode::Normal,
+            Key::Char('x') => self.shell.mode = Mode::Normal,
             Key::Char('X') => self.plot(PlotsAction::Abscissa),
             _ => return None,
         }
         if !matches!(key, Key::Char('X')) {
-            self.message = None;
+            self.shell.message = None;
         }
         self.sample();
         Some(Effect::Show)
@@ -88,10 +89,10 @@ impl App {
 
     /// Plots what is under the cursor, or no longer.
     fn toggle_plot(&mut self) {
-        if let Mode::PlotList(list) = &self.mode
+        if let Mode::PlotList(list) = &self.shell.mode
             && let Some(name) = list.current()
         {
-            self.plots.toggle(name, self.open_scene.scene());
+            self.plots.toggle(name, self.player.open_scene.scene());
         }
     }
 }

@@ -4,6 +4,7 @@ use super::super::Origin;
 use super::{App, Effect, Mode};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
+use crate::tui::document::Kept;
 use crate::tui::document::edited;
 use crate::tui::document::history::Deed;
 use crate::tui::document::recovery::{self, Others, Recovery};
@@ -12,13 +13,10 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
-/// The edits of this session, which only the clerk looks at.
-pub(super) type Kept = Arc<Mutex<Recovery>>;
-
 impl Drop for App {
     /// What is kept is seen to apart from the screen: a disk that hangs keeps nobody from leaving.
     fn drop(&mut self) {
-        let kept = self.recovery.take();
+        let kept = self.document.recovery.take();
         self.clerk.give(move || {
             drop(kept);
             Box::new(|_, _| {})
@@ -33,26 +31,29 @@ fn locked(kept: &Kept) -> MutexGuard<'_, Recovery> {
 impl App {
     /// Keeps unsaved edits in a folder from now on, and offers those that are there.
     pub(crate) fn recover_in(&mut self, folder: &Path) {
-        self.folder = Some(folder.to_owned());
+        self.document.folder = Some(folder.to_owned());
         self.remember(true);
         self.attend(self.now);
     }
 
     /// A scene was opened: its file is watched, and edits of earlier sessions are offered.
     pub(super) fn meet(&mut self) {
-        self.older = false;
+        self.document.older = false;
         self.watch();
         self.remember(true);
     }
 
     /// Edits are kept for the scene that is open now, and those of others offered.
     pub(super) fn remember(&mut self, offers: bool) {
-        let before = self.recovery.take();
-        let Some(folder) = self.folder.clone() else {
+        let before = self.document.recovery.take();
+        let Some(folder) = self.document.folder.clone() else {
             return;
         };
-        let (session, origin) = (self.session.clone(), self.open_scene.origin().clone());
-        let text = self.editor.saved().to_owned();
+        let (session, origin) = (
+            self.document.session.clone(),
+            self.player.open_scene.origin().clone(),
+        );
+        let text = self.document.editor.saved().to_owned();
         self.clerk.give(move || {
             drop(before);
             let recovery = Recovery::new(&folder, &session, &origin, &text);
@@ -66,36 +67,36 @@ impl App {
 
     fn met(&mut self, origin: &Origin, recovery: Recovery, others: Others) {
         // Another scene may have been opened meanwhile.
-        if self.open_scene.origin() != origin {
+        if self.player.open_scene.origin() != origin {
             return;
         }
-        self.recovery = Some(Arc::new(Mutex::new(recovery)));
+        self.document.recovery = Some(Arc::new(Mutex::new(recovery)));
         if self.is_changed() {
             self.keep();
         }
         let Some(offer) = Offer::of(others) else {
             return;
         };
-        if matches!(self.mode, Mode::Normal | Mode::Tour(_)) {
-            self.playback.pause();
-            self.seen = None;
-            self.mode = Mode::Recovery(Box::new(offer));
+        if matches!(self.shell.mode, Mode::Normal | Mode::Tour(_)) {
+            self.player.playback.pause();
+            self.shell.ask(Mode::Recovery(Box::new(offer)));
         } else {
-            self.message = Some("others have edits of this scene: open it again to see".into());
+            self.shell
+                .say("others have edits of this scene: open it again to see");
         }
     }
 
     /// After an edit: it is kept, or what was kept is dropped where nothing is unsaved any more.
     pub(super) fn keep(&mut self) {
-        let Some(kept) = self.recovery.clone() else {
+        let Some(kept) = self.document.recovery.clone() else {
             return;
         };
-        let text = self.open_scene.scene().text().to_owned();
+        let text = self.player.open_scene.scene().text().to_owned();
         // Edits that were taken up are taken back.
-        self.older &= self.is_changed();
+        self.document.older &= self.is_changed();
         let edits = self
             .is_changed()
-            .then(|| (text, self.editor.saved().to_owned()));
+            .then(|| (text, self.document.editor.saved().to_owned()));
         self.clerk.give(move || {
             let mut kept = locked(&kept);
             let said = match &edits {
@@ -105,7 +106,7 @@ impl App {
                     None
                 }
             };
-            Box::new(move |app, _| app.message = said.or(app.message.take()))
+            Box::new(move |app, _| app.shell.message = said.or(app.shell.message.take()))
         });
     }
 
@@ -116,7 +117,7 @@ impl App {
             return;
         }
         self.keep();
-        if let Some(kept) = self.recovery.clone() {
+        if let Some(kept) = self.document.recovery.clone() {
             self.clerk.give(move || {
                 locked(&kept).drop_taken();
                 Box::new(|_, _| {})
@@ -126,7 +127,7 @@ impl App {
 
     /// What was kept is saved, or not wanted any more.
     pub(super) fn release(&mut self) {
-        if let Some(kept) = self.recovery.clone() {
+        if let Some(kept) = self.document.recovery.clone() {
             self.clerk.give(move || {
                 locked(&kept).release();
                 Box::new(|_, _| {})
@@ -137,8 +138,8 @@ impl App {
     /// Keys while edits are offered; `None` for those that mean the same everywhere. What was typed before
     /// the offer could be read was meant for something else, and answers nothing.
     pub(super) fn offer_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let (page, is_readable) = (self.page(), self.can_be_answered(now));
-        let Mode::Recovery(offer) = &mut self.mode else {
+        let (page, is_readable) = (self.page(), self.shell.can_be_answered(now));
+        let Mode::Recovery(offer) = &mut self.shell.mode else {
             return None;
         };
         if let Key::Ctrl(_) = key {
@@ -147,7 +148,7 @@ impl App {
         if !is_readable {
             return Some(Effect::Show);
         }
-        self.message = None;
+        self.shell.message = None;
         let is_asked = std::mem::take(&mut offer.asks);
         match key {
             Key::Up | Key::Char('k') => offer.move_by(-1),
@@ -157,10 +158,10 @@ impl App {
             Key::Home => offer.move_by(isize::MIN),
             Key::End => offer.move_by(isize::MAX),
             Key::Escape | Key::Backspace if offer.page.is_some() => offer.page = None,
-            Key::Escape => self.mode = Mode::Normal,
-            Key::Enter if offer.others.left.is_empty() => self.mode = Mode::Normal,
+            Key::Escape => self.shell.mode = Mode::Normal,
+            Key::Enter if offer.others.left.is_empty() => self.shell.mode = Mode::Normal,
             Key::Enter if offer.page.is_none() => offer.look(),
-            Key::Char('c') => offer.compare(self.open_scene.scene().text()),
+            Key::Char('c') => offer.compare(self.player.open_scene.scene().text()),
             Key::Char('t') => self.take_offered(now),
             Key::Char('d') if is_asked => self.drop_offered(),
             Key::Char('d') => offer.asks = offer.page.is_none() && offer.chosen().is_some(),
@@ -171,16 +172,16 @@ impl App {
 
     /// Edits of an earlier session come back, as a step that can be taken back.
     fn take_offered(&mut self, now: Duration) {
-        let Mode::Recovery(offer) = &self.mode else {
+        let Mode::Recovery(offer) = &self.shell.mode else {
             return;
         };
         let Some(found) = offer.chosen().cloned() else {
             return;
         };
-        match edited::reopened(&self.open_scene, &found.text) {
+        match edited::reopened(&self.player.open_scene, &found.text) {
             Ok(edited) => {
-                self.mode = Mode::Normal;
-                if let Some(kept) = self.recovery.clone() {
+                self.shell.mode = Mode::Normal;
+                if let Some(kept) = self.document.recovery.clone() {
                     // As the scene says them now, with its start positions.
                     let text = edited.opened.scene.text().to_owned();
                     self.clerk.give(move || {
@@ -189,28 +190,28 @@ impl App {
                     });
                 }
                 self.change(edited, Deed::Other("recovered edits".into()), now);
-                self.older |= found.is_stale;
-                let key = self.keymap.told(Action::Undo);
-                self.message = Some(match found.is_stale {
+                self.document.older |= found.is_stale;
+                let key = self.shell.keymap.told(Action::Undo);
+                self.shell.say(match found.is_stale {
                     true => format!("back, made on another text than the file has; {key} undoes"),
                     false => format!("the unsaved edits are back; {key} takes them away"),
                 });
             }
-            Err(why) => self.message = Some(format!("they cannot be shown: {why}")),
+            Err(why) => self.shell.say(format!("they cannot be shown: {why}")),
         }
     }
 
     fn drop_offered(&mut self) {
-        let Mode::Recovery(offer) = &mut self.mode else {
+        let Mode::Recovery(offer) = &mut self.shell.mode else {
             return;
         };
         let Some(file) = offer.chosen().map(|chosen| chosen.file.clone()) else {
             return;
         };
         if !offer.forget() {
-            self.mode = Mode::Normal;
+            self.shell.mode = Mode::Normal;
         }
-        self.message = Some("these edits are deleted".into());
+        self.shell.say("these edits are deleted");
         self.clerk.give(move || {
             recovery::delete(&file);
             Box::new(|_, _| {})

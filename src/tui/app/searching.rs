@@ -14,28 +14,28 @@ use crate::tui::views::motion::followed;
 impl App {
     /// Asks for a name, in the views that have rows.
     pub(super) fn search(&mut self) {
-        let from = match self.view.pane().list() {
+        let from = match self.shell.view.pane().list() {
             List::Figures => Whence::Tables(self.cursor),
-            List::Values => Whence::Scene(self.editor.cursor()),
+            List::Values => Whence::Scene(self.document.editor.cursor()),
             List::Lines => {
-                self.message = Some("there is nothing to search here".into());
+                self.shell.say("there is nothing to search here");
                 return;
             }
         };
         let name = Line::for_search();
-        self.mode = Mode::Search(Search { name, from });
+        self.shell.mode = Mode::Search(Search { name, from });
     }
 
     /// Keys of the line in which a name is typed; `None` for those that mean the same everywhere.
     pub(super) fn search_key(&mut self, key: Key) -> Option<Effect> {
-        let Mode::Search(search) = &mut self.mode else {
+        let Mode::Search(search) = &mut self.shell.mode else {
             return None;
         };
         match key {
             Key::Escape => {
                 let from = search.from;
-                self.mode = Mode::Normal;
-                self.message = None;
+                self.shell.mode = Mode::Normal;
+                self.shell.message = None;
                 self.go_back(from);
             }
             Key::Enter => self.accept_search(),
@@ -50,23 +50,23 @@ impl App {
     fn go_back(&mut self, from: Whence) {
         match from {
             Whence::Tables(cursor) => self.place_cursor(|_, _| cursor),
-            Whence::Scene(row) => self.editor.go_to(row),
+            Whence::Scene(row) => self.document.editor.go_to(row),
         }
     }
 
     /// Moves to the row that is meant by what is typed so far; says so where there is none.
     pub(super) fn find(&mut self) {
-        let Mode::Search(search) = &self.mode else {
+        let Mode::Search(search) = &self.shell.mode else {
             return;
         };
         let (typed, from) = (search.name.text().trim().to_owned(), search.from);
         if typed.is_empty() {
-            self.message = None;
+            self.shell.message = None;
             self.go_back(from);
             return;
         }
         let found = self.go_to_name(&typed, from);
-        self.message = (!found).then(|| nameless(&typed));
+        self.shell.message = (!found).then(|| nameless(&typed));
     }
 
     /// Moves to the row that a name means, of several to the first from a place on; back to that place
@@ -74,13 +74,13 @@ impl App {
     fn go_to_name(&mut self, typed: &str, from: Whence) -> bool {
         match from {
             Whence::Tables(from) => {
-                let found = search::best(self.open_scene.tables(), typed, from);
+                let found = search::best(self.player.open_scene.tables(), typed, from);
                 self.place_cursor(|_, _| found.unwrap_or(from));
                 found.is_some()
             }
             Whence::Scene(row) => {
-                self.editor.go_to(row);
-                self.editor.seek(typed, false)
+                self.document.editor.go_to(row);
+                self.document.editor.seek(typed, false)
             }
         }
     }
@@ -88,18 +88,18 @@ impl App {
     /// Stays where the name led. Nothing typed means the next row of the name that was sought last; a
     /// name that leads nowhere can be mended.
     fn accept_search(&mut self) {
-        let Mode::Search(search) = &self.mode else {
+        let Mode::Search(search) = &self.shell.mode else {
             return;
         };
         let (typed, from) = (search.name.text().trim().to_owned(), search.from);
         if typed.is_empty() {
-            self.mode = Mode::Normal;
+            self.shell.mode = Mode::Normal;
             self.find_next(from);
             return;
         }
         if self.go_to_name(&typed, from) {
             self.sought = typed;
-            self.mode = Mode::Normal;
+            self.shell.mode = Mode::Normal;
         }
     }
 
@@ -110,13 +110,13 @@ impl App {
         }
         let found = match from {
             Whence::Tables(_) => {
-                let next = search::next(self.open_scene.tables(), &self.sought, self.cursor);
+                let next = search::next(self.player.open_scene.tables(), &self.sought, self.cursor);
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
-            Whence::Scene(_) => self.editor.seek(&self.sought, true),
+            Whence::Scene(_) => self.document.editor.seek(&self.sought, true),
         };
         if !found {
-            self.message = Some(nameless(&self.sought));
+            self.shell.say(nameless(&self.sought));
         }
     }
 
@@ -132,7 +132,7 @@ impl App {
     pub(super) fn place_cursor(&mut self, there: impl FnOnce(Cursor, &[sheet::Line]) -> Cursor) {
         let (lines, height) = views::table_lines(self);
         self.cursor = there(self.cursor, &lines).settled(&lines);
-        let scroll = &mut self.scroll[View::Tables as usize];
+        let scroll = &mut self.shell.scroll[View::Tables as usize];
         *scroll = cursor::follow(&lines, self.cursor, *scroll, height);
     }
 
@@ -140,10 +140,11 @@ impl App {
     /// that move.
     fn choose(&mut self) {
         let Cursor { part, row, .. } = self.cursor;
-        let moving = followed::moving(self.open_scene.scene(), part, row);
+        let moving = followed::moving(self.player.open_scene.scene(), part, row);
         if moving.is_empty() {
-            let name = part.name(self.open_scene.tables(), row);
-            self.message = Some(format!("{name} never moves: nothing to follow"));
+            let name = part.name(self.player.open_scene.tables(), row);
+            self.shell
+                .say(format!("{name} never moves: nothing to follow"));
             return;
         }
         let all = moving
@@ -151,7 +152,7 @@ impl App {
             .all(|(point, _)| self.followed.contains(*point));
         let names = moving.iter().map(|(_, name)| *name).collect::<Vec<_>>();
         let names = names.join(" and ");
-        self.message = Some(if all {
+        self.shell.say(if all {
             format!("{names} no longer chosen")
         } else {
             format!("{names} chosen for the motion view")

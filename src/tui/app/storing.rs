@@ -8,20 +8,20 @@ use crate::tui::commands::action::Action;
 use crate::tui::document::disk::News;
 use crate::tui::document::edited;
 use crate::tui::document::saving::{Errand, Leave, refused, refused_there};
-use crate::tui::document::writing::{Document, Doubt, Question};
+use crate::tui::document::writing::{Content, Doubt, Question};
 use std::path::{Path, PathBuf};
 
 impl App {
     /// Writes the scene to its own file, or asks to which.
     pub(super) fn save_own(&mut self) {
-        self.playback.pause();
-        let Origin::File(path) = self.open_scene.origin() else {
+        self.player.playback.pause();
+        let Origin::File(path) = self.player.open_scene.origin() else {
             self.ask_where();
             return;
         };
         let path = path.clone();
-        if self.is_changed() || !edited::says_what_is_shown(&self.open_scene) {
-            self.store(Document::Scene, path, Leave::default());
+        if self.is_changed() || !edited::says_what_is_shown(&self.player.open_scene) {
+            self.store(Content::Scene, path, Leave::default());
             return;
         }
         // The file says what the screen says, if it is there.
@@ -30,55 +30,59 @@ impl App {
             let is_gone = matches!(News::of(&path), News::Gone);
             Box::new(move |app, _| match is_gone {
                 _ if app.scenes != scene => {}
-                true => app.store(Document::Scene, path, Leave::default()),
-                false => app.message = Some("nothing has changed since it was saved".into()),
+                true => app.store(Content::Scene, path, Leave::default()),
+                false => app.shell.say("nothing has changed since it was saved"),
             })
         });
     }
 
     /// Asks for the name of another file.
     pub(super) fn ask_where(&mut self) {
-        self.playback.pause();
-        let proposal = match self.open_scene.origin() {
+        self.player.playback.pause();
+        let proposal = match self.player.open_scene.origin() {
             Origin::File(path) => path.to_string_lossy().into_owned(),
             Origin::Preset(name) => format!("{name}.toml"),
             Origin::Stdin => "scene.toml".into(),
         };
-        self.ask_for_file(Document::Scene, &proposal);
+        self.ask_for_file(Content::Scene, &proposal);
     }
 
     /// Writes a document to a file, as far as that was granted; the scene's is then its own.
-    pub(super) fn store(&mut self, document: Document, to: PathBuf, leave: Leave) {
-        if self.storing {
-            self.message = Some("another file is still being written".into());
+    pub(super) fn store(&mut self, document: Content, to: PathBuf, leave: Leave) {
+        if self.document.storing {
+            self.shell.say("another file is still being written");
             return;
         }
         let text = match &document {
-            Document::Text(text) => text.text.clone(),
-            Document::Scene => {
-                let told = edited::says_what_is_shown(&self.open_scene);
+            Content::Text(text) => text.text.clone(),
+            Content::Scene => {
+                let told = edited::says_what_is_shown(&self.player.open_scene);
                 if !told && !self.record_assembly("assembly") {
                     let why = "not written: no start positions tell this assembly from the others";
-                    self.message = Some(why.into());
+                    self.shell.say(why);
                     return;
                 }
-                self.open_scene.scene().text().to_owned()
+                self.player.open_scene.scene().text().to_owned()
             }
         };
-        let is_own = document == Document::Scene && self.is_own(&to);
+        let is_own = document == Content::Scene && self.is_own(&to);
         let errand = Errand {
             text,
-            own: is_own.then(|| self.editor.saved().to_owned()),
+            own: is_own.then(|| self.document.editor.saved().to_owned()),
             leave,
-            records: self.folder.as_ref().map(|folder| folder.join("writing")),
+            records: self
+                .document
+                .folder
+                .as_ref()
+                .map(|folder| folder.join("writing")),
             to,
         };
-        if is_own && self.older && self.is_changed() && !leave.over {
+        if is_own && self.document.older && self.is_changed() && !leave.over {
             self.ask(document, errand, Doubt::Older);
             return;
         }
-        self.storing = true;
-        self.message = Some(format!("writing {}", errand.to.display()));
+        self.document.storing = true;
+        self.shell.say(format!("writing {}", errand.to.display()));
         let scene = self.scenes;
         self.clerk.give(move || {
             let done = errand.run();
@@ -87,64 +91,63 @@ impl App {
     }
 
     fn is_own(&self, file: &Path) -> bool {
-        matches!(self.open_scene.origin(), Origin::File(own) if own == file)
+        matches!(self.player.open_scene.origin(), Origin::File(own) if own == file)
     }
 
-    fn ask(&mut self, document: Document, errand: Errand, doubt: Doubt) {
-        self.message = None;
-        self.seen = None;
-        self.mode = Mode::Confirm(Question {
+    fn ask(&mut self, document: Content, errand: Errand, doubt: Doubt) {
+        self.shell.message = None;
+        self.shell.ask(Mode::Confirm(Question {
             document,
             to: errand.to,
             doubt,
             leave: errand.leave,
-        });
+        }));
     }
 
     /// A document of a scene was written, or not. Where another scene is shown meanwhile, that is told and
     /// nothing follows from it.
     fn stored(
         &mut self,
-        document: Document,
+        document: Content,
         errand: Errand,
         done: Result<(), Trouble>,
         scene: usize,
     ) {
-        self.storing = false;
+        self.document.storing = false;
         let is_shown = scene == self.scenes;
         let trouble = match done {
             Ok(()) => {
                 let to = errand.to.display();
-                self.message = Some(match &document {
-                    Document::Scene => format!("written to {to}"),
-                    Document::Text(text) => format!("{} written to {to}", text.what),
+                self.shell.say(match &document {
+                    Content::Scene => format!("written to {to}"),
+                    Content::Text(text) => format!("{} written to {to}", text.what),
                 });
-                if document == Document::Scene && is_shown {
+                if document == Content::Scene && is_shown {
                     self.filed(&errand);
                 }
                 return;
             }
             Err(trouble) => trouble,
         };
-        self.message = Some(match &document {
-            Document::Scene => refused(&trouble, &errand.to),
-            Document::Text(_) => refused_there(&trouble),
+        self.shell.say(match &document {
+            Content::Scene => refused(&trouble, &errand.to),
+            Content::Text(_) => refused_there(&trouble),
         });
         // A question that comes late would be answered by a key that was meant for something else.
-        if self.mode != Mode::Normal || !is_shown {
+        if self.shell.mode != Mode::Normal || !is_shown {
             return;
         }
         match Doubt::of(&trouble) {
             Some(doubt) => self.ask(document, errand, doubt),
             // A text is not lost, and a name is mended rather than typed again.
             None if errand.own.is_none() => {
-                let message = self.message.take();
+                let message = self.shell.message.take();
                 self.ask_for_file(document, &errand.to.to_string_lossy());
-                self.message = message;
+                self.shell.message = message;
             }
             None => {
-                let key = self.keymap.told(Action::SaveAs);
-                if let (Trouble::NoFile(_), Some(message)) = (&trouble, &mut self.message) {
+                let key = self.shell.keymap.told(Action::SaveAs);
+                if let (Trouble::NoFile(_), Some(message)) = (&trouble, &mut self.shell.message) {
                     *message += &format!("; {key} saves elsewhere");
                 }
             }
@@ -157,13 +160,13 @@ impl App {
         if !is_own {
             self.release();
             let name = errand.to.display().to_string();
-            if let Ok(scene) = Scene::parse(self.open_scene.scene().text(), &name) {
-                self.open_scene.rename(scene, errand.to.clone());
+            if let Ok(scene) = Scene::parse(self.player.open_scene.scene().text(), &name) {
+                self.player.open_scene.rename(scene, errand.to.clone());
             }
             self.remember(false);
         }
-        self.editor.filed(&errand.text);
-        self.older = false;
+        self.document.editor.filed(&errand.text);
+        self.document.older = false;
         // What was edited meanwhile is in the place of what was saved before anything else goes.
         self.keep_saved();
         self.relist();

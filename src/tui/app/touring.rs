@@ -8,7 +8,7 @@ use crate::tui::views::tour::screens::{SCREENS, is_first_start};
 impl App {
     /// Begins the tour.
     pub(super) fn tour(&mut self) {
-        self.mode = Mode::Tour(0);
+        self.shell.mode = Mode::Tour(0);
     }
 
     /// Begins it where krank was never started before, as far as its state tells.
@@ -16,7 +16,7 @@ impl App {
         self.clerk.give(|| {
             let is_first = is_first_start(places::environment);
             Box::new(move |app, _| {
-                if is_first && app.mode == Mode::Normal {
+                if is_first && app.shell.mode == Mode::Normal {
                     app.tour();
                 }
             })
@@ -26,10 +26,10 @@ impl App {
 
     /// Keys that lead through the tour; `None` for all others.
     pub(super) fn turn_page(&mut self, key: Key) -> Option<Effect> {
-        let Mode::Tour(number) = self.mode else {
+        let Mode::Tour(number) = self.shell.mode else {
             return None;
         };
-        self.mode = match key {
+        self.shell.mode = match key {
             Key::Enter | Key::Right | Key::Char(' ') if number + 1 < SCREENS => {
                 Mode::Tour(number + 1)
             }
@@ -37,7 +37,7 @@ impl App {
             Key::Left | Key::Backspace => Mode::Tour(number.saturating_sub(1)),
             _ => return None,
         };
-        self.message = None;
+        self.shell.message = None;
         Some(Effect::Show)
     }
 }

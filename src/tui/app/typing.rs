@@ -10,7 +10,7 @@ impl App {
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
         let effect = self.mode_key(key, now).unwrap_or_else(|| {
-            let action = self.keymap.action(key, self.view);
+            let action = self.shell.keymap.action(key, self.shell.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
         });
         self.look_at_file(now, false);
@@ -26,13 +26,13 @@ impl App {
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
     pub(crate) fn paste(&mut self, text: &str) {
-        if let Mode::Pick(picker) = &mut self.mode {
+        if let Mode::Pick(picker) = &mut self.shell.mode {
             text.chars().for_each(|c| picker.push(c));
-        } else if let Some(line) = self.mode.line() {
+        } else if let Some(line) = self.shell.mode.line() {
             text.chars().for_each(|c| line.push(c));
             self.find();
         }
-        if let Mode::PlotList(list) = &mut self.mode {
+        if let Mode::PlotList(list) = &mut self.shell.mode {
             list.narrow();
         }
         // What is found now may have fewer lines.
@@ -41,7 +41,7 @@ impl App {
 
     /// What a key means in a mode of its own; `None` for those that mean the same everywhere.
     fn mode_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        match self.mode {
+        match self.shell.mode {
             Mode::Normal => None,
             Mode::Help(_) => self.search_help(key),
             Mode::Tour(_) => self.turn_page(key),
@@ -62,25 +62,25 @@ impl App {
 
     /// Keys of a line that is typed to its end before anything follows from it.
     fn line_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let line = self.mode.line()?;
+        let line = self.shell.mode.line()?;
         match key {
             Key::Enter => {
-                self.message = None;
+                self.shell.message = None;
                 self.accept_line(now);
                 return Some(Effect::Show);
             }
-            Key::Escape => self.mode = Mode::Normal,
+            Key::Escape => self.shell.mode = Mode::Normal,
             _ if line.edit(key) => {}
             Key::Ctrl(_) => return None,
             _ => {}
         }
-        self.message = None;
+        self.shell.message = None;
         Some(Effect::Show)
     }
 
     /// The line was typed to its end.
     fn accept_line(&mut self, now: Duration) {
-        match &self.mode {
+        match &self.shell.mode {
             Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
             Mode::Value(line) => self.take_value(line.clone().text(), now),
             Mode::FileName(prompt) => self.accept_file(prompt.clone()),
@@ -90,21 +90,21 @@ impl App {
 
     /// Whether the mode lets an action through that is none of its own.
     pub(super) fn takes(&self, action: Action) -> bool {
-        match self.mode {
+        match self.shell.mode {
             Mode::Tour(_) => screens::allows(action),
-            _ => self.mode == Mode::Normal,
+            _ => self.shell.mode == Mode::Normal,
         }
     }
 
     /// One level back: out of a mode, or a study is stopped.
     pub(super) fn back(&mut self) {
-        if let Mode::Help(help) = &mut self.mode
+        if let Mode::Help(help) = &mut self.shell.mode
             && help.show_all()
         {
             return;
         }
-        if self.mode != Mode::Normal {
-            self.mode = Mode::Normal;
+        if self.shell.mode != Mode::Normal {
+            self.shell.mode = Mode::Normal;
         } else if self.is_working() {
             self.study_run.stop();
         }

@@ -5,23 +5,23 @@ use crate::files::{from_home, places};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::Line;
 use crate::tui::document::saving::Leave;
-use crate::tui::document::writing::{Document, Prompt};
+use crate::tui::document::writing::{Content, Prompt};
 use std::time::Duration;
 
 impl App {
     /// Keys that answer whether to write over a file; `None` for those that mean the same everywhere.
     pub(super) fn confirm_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
-        let Mode::Confirm(question) = &self.mode else {
+        let Mode::Confirm(question) = &self.shell.mode else {
             return None;
         };
         if key != Key::Enter {
             return None;
         }
         let question = question.clone();
-        if !self.can_be_answered(now) {
+        if !self.shell.can_be_answered(now) {
             return Some(Effect::Show);
         }
-        self.mode = Mode::Normal;
+        self.shell.mode = Mode::Normal;
         let leave = question.granted();
         self.store(question.document, question.to, leave);
         Some(Effect::Show)
@@ -30,7 +30,7 @@ impl App {
     /// The name of a file was typed; an old one is not written over unasked.
     pub(super) fn accept_file(&mut self, prompt: Prompt) {
         let typed = prompt.name.text().trim();
-        self.mode = Mode::Normal;
+        self.shell.mode = Mode::Normal;
         if !typed.is_empty() {
             let to = from_home(typed, places::environment);
             self.store(prompt.document, to, Leave::default());
@@ -38,8 +38,8 @@ impl App {
     }
 
     /// Asks for the name of a file, with a proposal.
-    pub(super) fn ask_for_file(&mut self, document: Document, proposal: &str) {
+    pub(super) fn ask_for_file(&mut self, document: Content, proposal: &str) {
         let name = Line::for_file(proposal);
-        self.mode = Mode::FileName(Prompt { document, name });
+        self.shell.mode = Mode::FileName(Prompt { document, name });
     }
 }

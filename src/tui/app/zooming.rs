@@ -8,7 +8,7 @@ impl App {
     pub(super) fn move_lens(&mut self, action: MotionAction) {
         use MotionAction as M;
         match action {
-            M::Names => self.message = Some(self.viewport.next_names().text().into()),
+            M::Names => self.shell.say(self.viewport.next_names().text()),
             M::Velocities => self.switch(Layer::Velocities, "arrows of velocity"),
             M::Accelerations => self.switch(Layer::Accelerations, "arrows of acceleration"),
             M::Traces => self.switch(Layer::Traces, "traces"),
@@ -31,23 +31,23 @@ impl App {
         } else {
             "off"
         };
-        self.message = Some(format!("{name} {on}"));
+        self.shell.say(format!("{name} {on}"));
     }
 
     fn zoom(&mut self, steps: i8) {
         if !self.viewport.enlarge(steps) {
-            self.message = Some("there is no more to zoom".into());
+            self.shell.say("there is no more to zoom");
         }
     }
 
     fn pan(&mut self, right: f64, up: f64) {
-        if !self.viewport.pan(&self.open_scene, right, up) {
-            self.message = Some("the motion ends here".into());
+        if !self.viewport.pan(&self.player.open_scene, right, up) {
+            self.shell.say("the motion ends here");
         }
     }
 
     /// Brings what the motion view shows of the whole motion up to date: after every key, and before a frame.
     pub(crate) fn focus(&mut self) {
-        self.viewport.focus(&self.open_scene, &self.followed);
+        self.viewport.focus(&self.player.open_scene, &self.followed);
     }
 }

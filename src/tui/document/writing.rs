@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 /// What is to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Document {
+pub(crate) enum Content {
     /// The scene, with the start positions of the assembly that is shown.
     Scene,
     /// A text as it was when it was asked for.
@@ -25,14 +25,14 @@ pub(crate) struct Text {
 /// The line in which the name of a file is typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Prompt {
-    pub(crate) document: Document,
+    pub(crate) document: Content,
     pub(crate) name: Line,
 }
 
 /// The question whether to write to a file nevertheless.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Question {
-    pub(crate) document: Document,
+    pub(crate) document: Content,
     pub(crate) to: PathBuf,
     pub(crate) doubt: Doubt,
     /// What was said before.

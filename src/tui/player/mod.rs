@@ -9,3 +9,147 @@ pub(crate) mod next_singularity;
 pub(crate) mod open_scene;
 pub(crate) mod playback;
 pub(crate) mod steps;
+
+use super::Opened;
+use driver_range::{OutOfRange, rounded};
+use edition::Edition;
+use open_scene::OpenScene;
+use playback::Playback;
+use std::time::Duration;
+use steps::Steps;
+
+/// Time between two frames while playing.
+const FRAME: Duration = Duration::from_millis(33);
+/// Decimals to which a step is exact.
+const STEP_DECIMALS: usize = 9;
+
+/// The open scene, where its driver is, and how it goes on from there.
+#[derive(Debug)]
+pub(crate) struct Player {
+    pub(crate) open_scene: OpenScene,
+    pub(crate) steps: Steps,
+    pub(crate) playback: Playback,
+    /// When the last frame was due.
+    frame: Duration,
+    /// When the last state was weighed, and where that was; `None` before the first one.
+    weighed: Option<(Duration, Edition, f64)>,
+}
+
+impl Player {
+    /// A scene, paused where it opens.
+    pub(crate) fn new(opened: Opened) -> Self {
+        let open_scene = OpenScene::new(opened);
+        Player {
+            steps: steps_of(&open_scene),
+            playback: Playback::new(),
+            open_scene,
+            frame: Duration::ZERO,
+            weighed: None,
+        }
+    }
+
+    /// The same scene in another form: the driver stands where it stood, as far as it can be there.
+    pub(crate) fn exchange(&mut self, open_scene: OpenScene, now: Duration) {
+        let (at, turned) = (self.open_scene.at(), self.turns());
+        self.open_scene = open_scene;
+        // A file that was read again may have a slide for a driver where it had a link.
+        if turned != self.turns() {
+            self.steps = steps_of(&self.open_scene);
+        }
+        self.arrive(self.open_scene.driver_range().clamp(at), now);
+    }
+
+    fn turns(&self) -> bool {
+        self.open_scene.driver_range().turns()
+    }
+
+    // ---- where the driver is
+
+    /// The driver is here now, and goes on from here if it is playing.
+    pub(crate) fn arrive(&mut self, at: f64, now: Duration) {
+        self.open_scene.go(at);
+        self.playback.rebase(now, at);
+    }
+
+    /// Goes to a coordinate, or to the place that is meant by it; that place.
+    pub(crate) fn jump(&mut self, at: f64, now: Duration) -> Result<f64, OutOfRange> {
+        let reached = self.open_scene.driver_range().reach(at)?;
+        self.arrive(reached, now);
+        Ok(reached)
+    }
+
+    /// Goes to where the scene opens.
+    pub(crate) fn go_to_opening(&mut self, now: Duration) {
+        let driver_range = self.open_scene.driver_range();
+        self.arrive(driver_range.clamp(driver_range.opening()), now);
+    }
+
+    /// Moves on by a step, as far as the motion goes; whether it goes so far.
+    pub(crate) fn step(&mut self, by: f64, now: Duration) -> bool {
+        let wanted = rounded(self.open_scene.at() + by, STEP_DECIMALS);
+        let reached = self.open_scene.driver_range().clamp(wanted);
+        self.arrive(reached, now);
+        reached == wanted
+    }
+
+    // ---- playing
+
+    /// Plays, or pauses. Pausing leaves the driver where the last frame showed it.
+    pub(crate) fn toggle(&mut self, now: Duration) {
+        if self.playback.is_playing() {
+            self.playback.pause();
+        } else {
+            self.playback.play(now, self.open_scene.at());
+            self.frame = now;
+        }
+    }
+
+    /// What is played goes on from here: time has passed that nobody has seen.
+    pub(crate) fn rebase(&mut self, now: Duration) {
+        self.playback.rebase(now, self.open_scene.at());
+    }
+
+    /// The same where frames were not looked for either.
+    pub(crate) fn resume(&mut self, now: Duration) {
+        self.rebase(now);
+        self.frame = now;
+    }
+
+    /// Moves to where what is played is now.
+    pub(crate) fn follow(&mut self, now: Duration) {
+        let driver_range = self.open_scene.driver_range();
+        if let Some(at) = self.playback.position(now, driver_range) {
+            self.frame = now;
+            let at = driver_range.on_grid(at);
+            self.open_scene.go(at);
+        }
+    }
+
+    /// When the next frame is due; never while paused.
+    pub(crate) fn next_frame(&self) -> Option<Duration> {
+        self.playback.is_playing().then(|| self.frame + FRAME)
+    }
+
+    /// Measures what a state costs, where that is worth it: of another scene at once, of another state
+    /// after a while.
+    pub(crate) fn weigh(&mut self, now: Duration) {
+        let (edition, at) = (self.open_scene.edition(), self.open_scene.at());
+        let weighed = self.weighed.as_ref();
+        let is_due = weighed.is_none_or(|&(then, ref scene, place)| {
+            scene != edition || (place != at && now >= then + cost::PAUSE)
+        });
+        if is_due {
+            self.weighed = Some((now, edition.clone(), at));
+            self.open_scene.weigh();
+        }
+    }
+}
+
+/// The steps that fit the driver.
+fn steps_of(open_scene: &OpenScene) -> Steps {
+    if open_scene.driver_range().turns() {
+        Steps::of_angle()
+    } else {
+        Steps::of_length(open_scene.driver_range().span())
+    }
+}

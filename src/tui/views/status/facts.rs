@@ -4,7 +4,7 @@ use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::Part;
-use crate::tui::document::writing::{Document, Prompt, Question};
+use crate::tui::document::writing::{Content, Prompt, Question};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::next_singularity::ahead;
 use crate::tui::player::open_scene::{OpenScene, shown};
@@ -21,8 +21,8 @@ pub(super) fn mode(app: &App) -> &'static str {
         Mode::Assemblies(_) | Mode::PlotList(_) => "choose",
         Mode::FileName(Prompt { document, .. }) | Mode::Confirm(Question { document, .. }) => {
             match document {
-                Document::Scene => "save",
-                Document::Text(_) => "write",
+                Content::Scene => "save",
+                Content::Text(_) => "write",
             }
         }
         Mode::Pick(picker) => match picker.purpose() {

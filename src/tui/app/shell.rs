@@ -1,0 +1,107 @@
+//! What keys go to, what is looked at, and on what screen.
+
+use super::{Mode, View};
+use crate::capability::{Capability, Colours};
+use crate::drawing::Glyphs;
+use crate::tui::appearance::palette::Theme;
+use crate::tui::commands::keymap::Keymap;
+use ratatui::layout::Size;
+use std::time::Duration;
+
+/// The height of a cell for its width in most fonts.
+const USUAL_ASPECT: f64 = 2.0;
+/// Who has not seen a question for so long has typed for something else.
+const REACTION: Duration = Duration::from_millis(300);
+
+/// The workbench around the scene.
+#[derive(Debug)]
+pub(super) struct Shell {
+    pub mode: Mode,
+    pub keymap: Keymap,
+    pub view: View,
+    /// Lines that each view is scrolled by.
+    pub scroll: [usize; View::ALL.len()],
+    /// Said in the last line until the next key.
+    pub message: Option<String>,
+    /// Since when a question is on the screen.
+    seen: Option<Duration>,
+
+    // The terminal.
+    pub capability: Capability,
+    pub theme: Theme,
+    pub size: Size,
+    /// The height of a cell for its width.
+    pub aspect: f64,
+}
+
+impl Shell {
+    pub(super) fn new(capability: Capability, size: Size) -> Self {
+        Shell {
+            mode: Mode::Normal,
+            keymap: Keymap::default(),
+            view: View::default(),
+            scroll: [0; View::ALL.len()],
+            message: None,
+            seen: None,
+            capability,
+            theme: Theme::default(),
+            size,
+            aspect: USUAL_ASPECT,
+        }
+    }
+
+    pub(super) fn say(&mut self, message: impl Into<String>) {
+        self.message = Some(message.into());
+    }
+
+    pub(super) fn resize(&mut self, size: Size, aspect: Option<f64>) {
+        self.size = size;
+        self.aspect = aspect.unwrap_or(USUAL_ASPECT);
+    }
+
+    pub(super) fn next_glyphs(&mut self) {
+        let (glyphs, name) = match self.capability.glyphs {
+            Glyphs::Ascii => (Glyphs::Line, "lines"),
+            Glyphs::Line => (Glyphs::Braille, "Braille"),
+            Glyphs::Braille => (Glyphs::Ascii, "ASCII"),
+        };
+        self.capability.glyphs = glyphs;
+        self.say(format!("drawn with {name}"));
+    }
+
+    pub(super) fn next_colours(&mut self) {
+        let colours = self.capability.colours.next();
+        self.capability.colours = colours;
+        self.say(match colours {
+            Colours::None => "no colours",
+            Colours::Sixteen => "the 16 colours of the terminal's palette",
+            Colours::Indexed => "colours of the 256",
+            Colours::True => "colours of 24 bits",
+        });
+    }
+
+    // ---- questions whose answer can lose something: no key answers one that was typed before it could be read
+
+    /// Asks; nobody has seen it yet.
+    pub(super) fn ask(&mut self, question: Mode) {
+        self.seen = None;
+        self.mode = question;
+    }
+
+    /// What is asked is on the screen, if anything is.
+    pub(super) fn show_question(&mut self, now: Duration) {
+        if let Mode::Recovery(_) | Mode::Confirm(_) | Mode::Unsaved(_) = self.mode {
+            self.seen.get_or_insert(now);
+        }
+    }
+
+    /// Whether a key that comes now can be meant for what is asked. Who leaves knows what is asked then, and
+    /// need not read it.
+    pub(super) fn can_be_answered(&self, now: Duration) -> bool {
+        let reading = match self.mode {
+            Mode::Unsaved(_) => Duration::ZERO,
+            _ => REACTION,
+        };
+        self.seen.is_some_and(|seen| now >= seen + reading)
+    }
+}
