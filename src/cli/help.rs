@@ -6,6 +6,8 @@ use super::pager;
 use super::screen::{Screen, size};
 use crate::manual::{self, Kind, TOPICS, Topic};
 use crate::nearest::nearest;
+#[cfg(feature = "tui")]
+use crate::tui::key_rows;
 use clap::{Command, CommandFactory};
 
 /// Columns where nobody tells how many there are.
@@ -19,7 +21,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
     let text = match args.topic.as_deref() {
         None => laid_out(&contents(), screen),
         Some(word) => match manual::find(word) {
-            Some(topic) => laid_out(&topic.text(&keys()), screen),
+            Some(topic) => laid_out(&topic.text(&key_rows()), screen),
             None => of_command(word)?,
         },
     };
@@ -88,24 +90,8 @@ fn unknown(word: &str, krank: &Command) -> Failure {
     ))
 }
 
-/// The rows of the workbench's keys.
-#[cfg(feature = "tui")]
-fn keys() -> String {
-    let mut rows = String::new();
-    let mut group = "";
-    for (title, keys, help) in crate::tui::key_list() {
-        if title != group {
-            rows += &format!("| **{title}** | |\n");
-            group = title;
-        }
-        let keys: Vec<_> = keys.split(' ').map(|key| format!("`{key}`")).collect();
-        rows += &format!("| {} | {help} |\n", keys.join(" "));
-    }
-    rows
-}
-
-/// Without the workbench there are none.
+/// Without the workbench there are no keys.
 #[cfg(not(feature = "tui"))]
-fn keys() -> String {
+fn key_rows() -> String {
     String::new()
 }

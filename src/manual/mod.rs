@@ -7,6 +7,8 @@ mod layout;
 mod markdown;
 mod table;
 
+#[cfg(feature = "tui")]
+pub(crate) use layout::Line;
 pub(crate) use layout::{Kind, lines};
 
 /// Something to read.

@@ -276,6 +276,12 @@ impl App {
                 self.save_own()
             }
             Action::Search if let Mode::Help(help) = &mut self.shell.mode => help.search(),
+            Action::NextView | Action::StepForward
+                if let Mode::Help(help) = &mut self.shell.mode =>
+            {
+                help.turn(false);
+            }
+            Action::StepBack if let Mode::Help(help) = &mut self.shell.mode => help.turn(true),
             Action::Assemblies if matches!(self.shell.mode, Mode::Assemblies(_)) => {
                 self.shell.mode = Mode::Normal;
             }

@@ -38,6 +38,7 @@ pub use config::{Config, template};
 pub use picture::picture;
 pub use terminal::Terminal;
 pub use views::help::text::key_list;
+pub(crate) use views::help::text::key_rows;
 pub use workbench::Workbench;
 
 use crate::capability::Judgement;

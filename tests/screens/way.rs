@@ -1,8 +1,9 @@
 //! Finding one's way in the workbench, as a terminal shows it: the help and searching it.
 
-use crate::screen::{Session, made_up, masked, preset};
+use crate::screen::{Session, emulator, made_up, masked, preset};
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Config, Workbench};
+use std::collections::{BTreeSet, HashSet};
 
 fn four_bar(cols: u16, rows: u16) -> Session {
     Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
@@ -29,6 +30,112 @@ fn the_help_is_searched_by_words() {
     let screen = session.press("Esc").look();
     assert!(screen.contains("play or pause"), "{screen}");
     assert!(!session.press("Esc").look().contains("Help"));
+}
+
+/// The topics of `krank help`, as the command has them on a terminal of 80 columns.
+fn topics() -> Vec<(String, String)> {
+    let help = |topic: &[&str]| {
+        let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_krank"));
+        let output = program.arg("help").args(topic).output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let contents = help(&[]);
+    let named = contents.lines().skip(2).take_while(|line| !line.is_empty());
+    let names = named.map(|line| line.split(' ').next().unwrap());
+    names.map(|name| (name.to_owned(), help(&[name]))).collect()
+}
+
+/// Page by page they are in the help what the command shows, whose first page are the keys.
+#[test]
+fn the_topics_of_the_manual_stand_behind_the_keys() {
+    let mut session = four_bar(80, 24);
+    let keys = session.press("?").look();
+    assert!(session.last_line().contains("Tab manual"), "{keys}");
+    for (name, text) in topics() {
+        let mut seen = session.press("Tab").look();
+        assert!(seen.contains(&format!(" Help: {name} ")), "{seen}");
+        for _ in 0..20 {
+            seen += &session.press("PgDn").look();
+        }
+        let seen: HashSet<&str> = seen.lines().collect();
+        for line in text.lines() {
+            // A fault may be wider than the screen.
+            let line: String = line.chars().take(80).collect();
+            assert!(seen.contains(line.trim_end()), "{name}: {line}");
+        }
+    }
+    assert_eq!(session.press("Tab").look(), keys);
+    let screen = session.press("Left").look();
+    assert!(screen.contains("Help: limits"), "{screen}");
+    assert!(!session.press("Esc").look().contains("Help"));
+}
+
+#[test]
+fn the_manual_is_searched_through_all_its_topics() {
+    let mut session = four_bar(80, 24);
+    let screen = session.press("? Tab /").type_in("SECOND dyad").look();
+    assert!(
+        screen.contains("Help: tutorial  1/11 /SECOND dyad"),
+        "{screen}"
+    );
+    assert!(
+        screen.lines().nth(2).unwrap().starts_with("A second dyad"),
+        "{screen}"
+    );
+    let line = session.last_line();
+    assert!(line.ends_with("Esc done  Enter next"), "{line}");
+    // Found nowhere in this topic, but in others, one after the other and round.
+    let screen = session.press("Ctrl-U").type_in("fluctuation").look();
+    assert!(screen.contains("Help: scene"), "{screen}");
+    let first = screen;
+    let mut places = 0;
+    let mut topics = BTreeSet::new();
+    loop {
+        let screen = session.press("Enter").look();
+        assert!(
+            screen
+                .lines()
+                .skip(2)
+                .any(|line| line.contains("fluctuation"))
+        );
+        topics.insert(screen.lines().nth(1).unwrap().to_owned());
+        places += 1;
+        if screen == first {
+            break;
+        }
+    }
+    assert!(places > 1 && topics.len() > 1, "{topics:?}");
+    // Nothing that is typed is taken for a key, and what is nowhere is said to be.
+    let screen = session.type_in("q?").look();
+    assert!(
+        screen.lines().nth(1).unwrap().ends_with("nowhere"),
+        "{screen}"
+    );
+    // The search ends where it is, then the help.
+    let screen = session.press("Esc").look();
+    assert!(screen.contains("Help: scene"), "{screen}");
+    assert!(!session.press("Esc").look().contains("Help"));
+}
+
+/// What was found is marked in the lines of its width, and a narrow screen has other lines.
+#[test]
+fn a_topic_is_read_on_every_screen() {
+    for (cols, rows) in [(40, 12), (80, 24), (200, 60)] {
+        let mut session = four_bar(80, 24);
+        session.press("? Tab Tab /").type_in("stiffness");
+        session.workbench.resize(cols, rows);
+        session.terminal = emulator(cols, rows);
+        let screen = session.look();
+        assert!(screen.contains("Help: scene"), "{screen}");
+        let screen = session.press("Enter").look();
+        assert!(
+            screen
+                .lines()
+                .skip(2)
+                .any(|line| line.contains("stiffness")),
+            "{screen}"
+        );
+    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The help, and searching it.
+//! The help, turning its pages, and searching it.
 
 use super::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
@@ -15,22 +15,24 @@ impl App {
 
     /// Keys of the line in which words are typed; `None` for those that mean the same everywhere.
     pub(super) fn search_help(&mut self, key: Key) -> Option<Effect> {
+        let columns = self.shell.size.width;
         let Mode::Help(help) = &mut self.shell.mode else {
             return None;
         };
+        let is_topic = help.topic().is_some();
         let line = help.typed()?;
         match key {
-            Key::Backspace if line.text().is_empty() => {
-                help.show_all();
+            Key::Backspace if line.text().is_empty() => help.leave_search(),
+            Key::Escape => help.leave_search(),
+            Key::Enter if is_topic => help.seek(true, columns),
+            Key::Enter => {
+                help.accept();
+                help.scroll = 0;
             }
-            Key::Enter => help.accept(),
-            Key::Escape => {
-                help.show_all();
-            }
-            _ if line.edit(key) => {}
-            _ => return None,
+            _ if !line.edit(key) => return None,
+            _ if is_topic => help.seek(false, columns),
+            _ => help.scroll = 0,
         }
-        help.scroll = 0;
         Some(Effect::Show)
     }
 }

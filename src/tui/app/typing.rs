@@ -32,8 +32,10 @@ impl App {
             text.chars().for_each(|c| line.push(c));
             self.find();
         }
-        if let Mode::PlotList(list) = &mut self.shell.mode {
-            list.narrow();
+        match &mut self.shell.mode {
+            Mode::PlotList(list) => list.narrow(),
+            Mode::Help(help) if help.is_typing() => help.seek(false, self.shell.size.width),
+            _ => {}
         }
         // What is found now may have fewer lines.
         self.scroll_by(0);

@@ -336,8 +336,8 @@ fn check(app: &App) {
             assert!(*cursor < rows, "assembly {cursor} of {rows}");
         }
         Mode::Help(help) => {
-            let lines = help.lines(app.view(), app.keymap()).len();
-            assert!(help.scroll <= lines, "line {} of {lines}", help.scroll);
+            let most = views::most_scroll(app);
+            assert!(help.scroll <= most, "line {} of {most}", help.scroll);
         }
         Mode::Pick(picker) => {
             let (matching, all) = picker.count();

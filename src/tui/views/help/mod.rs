@@ -1,4 +1,4 @@
-//! The help overlay: the keys by what they are for, over the middle of the view.
+//! The help: the keys by what they are for, over the middle of the view, and behind them the topics of the manual.
 //!
 //! ```text
 //! +- Help ------------------------+
@@ -6,6 +6,7 @@
 //! | space        play or pause    |
 //! ```
 
+mod page;
 pub(crate) mod text;
 
 use super::popup::{self, BORDER};
@@ -32,6 +33,9 @@ const MOST_COLUMNS: u16 = 3;
 const NOTHING: [&str; 2] = ["no key does that", "Esc shows all keys"];
 
 pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
+    if let Some(topic) = help.topic() {
+        return page::render(help, topic, area, buffer);
+    }
     let lines = help.lines(app.view(), app.keymap());
     let place = popup::centred(area, width(area), height(area, lines.len()));
     let end = popup::frame(app.glyphs(), place, "Help", buffer);
@@ -115,12 +119,18 @@ fn legend(colours: Colours, wide: bool) -> String {
 
 /// Where the box is.
 pub(super) fn placed(app: &App, help: &Help, area: Rect) -> Rect {
+    if help.topic().is_some() {
+        return area;
+    }
     let lines = help.lines(app.view(), app.keymap()).len();
     popup::centred(area, width(area), height(area, lines))
 }
 
 /// Lines of the help, and how many are seen.
 pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
+    if let Some(topic) = help.topic() {
+        return page::extent(topic, area);
+    }
     let lines = help.lines(app.view(), app.keymap()).len();
     let rows = popup::within(placed(app, help, area)).height;
     (lines, usize::from(rows) * usize::from(count(area)))

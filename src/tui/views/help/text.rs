@@ -1,6 +1,8 @@
 //! What the help shows: the table of actions by what they are for, the present view first, and of that what
-//! a person searches for.
+//! a person searches for; and which topic of the manual in its place.
 
+use super::page;
+use crate::manual::{TOPICS, Topic};
 use crate::tui::app::View;
 use crate::tui::commands::action::{self, Entry, Place};
 use crate::tui::commands::keymap::Keymap;
@@ -11,7 +13,13 @@ use crate::tui::commands::line::Line;
 pub(crate) struct Help {
     /// Lines that it is scrolled by.
     pub(crate) scroll: usize,
+    /// 0 for the keys; else a topic, by its place in the manual from 1 on.
+    page: usize,
     search: Option<Search>,
+    /// The line of the topic that was found, on a screen of so many columns.
+    found: Option<(u16, usize)>,
+    /// Whether no topic has the words that are typed.
+    nowhere: bool,
 }
 
 /// What is searched for.
@@ -34,6 +42,63 @@ pub(crate) enum HelpLine {
 }
 
 impl Help {
+    /// The place of the topic in the manual from 1 on; 0 for the keys.
+    pub(crate) fn page(&self) -> usize {
+        self.page
+    }
+
+    /// The topic that is shown in the place of the keys.
+    pub(crate) fn topic(&self) -> Option<&'static Topic> {
+        TOPICS.get(self.page.checked_sub(1)?)
+    }
+
+    /// Turns to the topic that follows, or to the one before: from the last to the keys.
+    pub(crate) fn turn(&mut self, back: bool) {
+        let pages = TOPICS.len() + 1;
+        let by = if back { pages - 1 } else { 1 };
+        self.page = (self.page + by) % pages;
+        self.show_all();
+    }
+
+    /// The line of the topic that was found, on a screen of so many columns.
+    pub(crate) fn found(&self, columns: u16) -> Option<usize> {
+        let (of, line) = self.found?;
+        (of == columns).then_some(line)
+    }
+
+    /// Goes to the first line of the topic with the words that are typed, or to the next one, and where there is none
+    /// to the topics that follow.
+    pub(crate) fn seek(&mut self, is_next: bool, columns: u16) {
+        let from = self.found(columns).filter(|_| is_next);
+        let words = self.words().unwrap_or_default();
+        let topic = self
+            .page
+            .checked_sub(1)
+            .filter(|_| !words.trim().is_empty());
+        let found = topic.and_then(|topic| page::next(words, (topic, from), columns));
+        if let Some((topic, line)) = found {
+            self.page = topic + 1;
+            self.scroll = line;
+        }
+        self.found = found.map(|(_, line)| (columns, line));
+        self.nowhere = topic.is_some() && found.is_none();
+    }
+
+    /// Whether no topic has the words that are typed.
+    pub(crate) fn is_nowhere(&self) -> bool {
+        self.nowhere
+    }
+
+    /// Ends the search: all keys are shown again, a topic stays where it is.
+    pub(crate) fn leave_search(&mut self) {
+        match self.topic() {
+            Some(_) => (self.search, self.nowhere) = (None, false),
+            None => {
+                self.show_all();
+            }
+        }
+    }
+
     /// Begins to search, or goes on with it.
     pub(crate) fn search(&mut self) {
         let line = match self.search.take() {
@@ -65,6 +130,7 @@ impl Help {
     /// Shows all keys again. False if it did before.
     pub(crate) fn show_all(&mut self) -> bool {
         self.scroll = 0;
+        (self.found, self.nowhere) = (None, false);
         self.search.take().is_some()
     }
 
@@ -99,7 +165,7 @@ impl Help {
 }
 
 /// Whether each of the words is in one of the texts.
-fn finds(words: &str, texts: &[&str]) -> bool {
+pub(super) fn finds(words: &str, texts: &[&str]) -> bool {
     let texts: Vec<String> = texts.iter().map(|text| text.to_ascii_lowercase()).collect();
     let mut words = words.split_whitespace();
     words.all(|word| texts.iter().any(|text| text.contains(word)))
@@ -134,6 +200,21 @@ pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> 
         let row = move |entry: &Entry| (title, action::listed(entry.keys), entry.help);
         entries.into_iter().map(row)
     })
+}
+
+/// The same as rows of a table in Markdown.
+pub(crate) fn key_rows() -> String {
+    let mut rows = String::new();
+    let mut group = "";
+    for (title, keys, help) in key_list() {
+        if title != group {
+            rows += &format!("| **{title}** | |\n");
+            group = title;
+        }
+        let keys: Vec<_> = keys.split(' ').map(|key| format!("`{key}`")).collect();
+        rows += &format!("| {} | {help} |\n", keys.join(" "));
+    }
+    rows
 }
 
 #[cfg(test)]

@@ -18,9 +18,15 @@ pub(super) fn first(app: &App) -> (String, &'static str) {
 
 /// Offers keys as far as there is room.
 pub(super) fn render(app: &App, line: &mut Writer<'_>) {
-    if matches!(app.mode(), Mode::Help(help) if help.is_typing()) {
-        line.hint(&Key::Escape.to_string(), "all keys");
-        line.hint(&Key::Enter.to_string(), "keep");
+    if let Mode::Help(help) = app.mode()
+        && help.is_typing()
+    {
+        let (back, on) = match help.topic() {
+            None => ("all keys", "keep"),
+            Some(_) => ("done", "next"),
+        };
+        line.hint(&Key::Escape.to_string(), back);
+        line.hint(&Key::Enter.to_string(), on);
         return;
     }
     if let Mode::PlotList(list) = app.mode() {
@@ -56,7 +62,13 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
 /// What to offer now, the most important first: the last ones are dropped where there is no room.
 fn offered(app: &App) -> &'static [Action] {
     match app.mode() {
-        Mode::Help(_) => &[Action::Back, Action::Search, Action::LineDown, Action::Quit],
+        Mode::Help(_) => &[
+            Action::Back,
+            Action::Search,
+            Action::NextView,
+            Action::LineDown,
+            Action::Quit,
+        ],
         Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
         Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
         Mode::Pick(_) => &[Action::Back],
@@ -75,6 +87,10 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Back if matches!(app.mode(), Mode::Tour(_)) => "end",
         Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
+        Action::NextView if let Mode::Help(help) = app.mode() => match help.topic() {
+            None => "manual",
+            Some(_) => "next topic",
+        },
         Action::Plots(PlotsAction::Choose) => "choose",
         Action::Plots(PlotsAction::Abscissa) => "along x",
         Action::Look(_) if app.study_run().phase() == Phase::Stopped && is_looked_at => "go on",
