@@ -2,6 +2,7 @@
 
 use super::args::{Cli, HelpArgs};
 use super::failure::Failure;
+use super::output::write_text;
 use super::pager;
 use super::screen::{Screen, size};
 use crate::manual::{self, Kind, TOPICS, Topic};
@@ -26,7 +27,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
         },
     };
     match args.no_pager {
-        true => super::output::write_text(None, &text),
+        true => write_text(None, &text),
         false => pager::show(&text, screen),
     }
 }
