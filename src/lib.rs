@@ -70,6 +70,9 @@
 #![doc = include_str!("notation.md")]
 #![cfg_attr(test, allow(clippy::unwrap_used, reason = "a test fails by panicking"))]
 
+#[cfg(all(feature = "tui", not(unix)))]
+compile_error!("the workbench needs the terminal of a Unix: build with --no-default-features");
+
 mod arithmetic;
 pub mod assembly;
 #[cfg_attr(

@@ -34,8 +34,9 @@ const PLACES: [(&str, u8); 19] = [
 ];
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 18] = [
+const FOREIGN: [(&str, &[&str]); 19] = [
     ("ratatui", &["tui"]),
+    ("crossterm", &["tui"]),
     ("rustix", &["cli", "tui", "files"]),
     ("signal_hook", &["cli", "tui"]),
     ("clap", &["cli"]),

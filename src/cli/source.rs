@@ -4,14 +4,13 @@ use super::args::{Cli, OutputArgs, SceneArgs};
 use super::failure::Failure;
 use super::output;
 use crate::assembly::Wish;
-use crate::files::{limited, read_any};
+use crate::files::{is_same_file, limited, read_any};
 use crate::nearest::nearest;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::{Fault, Plan, Solver};
 use clap::{Command, CommandFactory};
-use rustix::fs::{FileType, Stat, fstat, stat};
-use std::io::{self, stdin, stdout};
+use std::io::{self, stdin};
 use std::path::{Path, PathBuf, is_separator};
 
 /// A scene and its solver.
@@ -105,18 +104,11 @@ fn read(source: &Source) -> Result<Scene, Failure> {
 /// Refuses to write to the file that is read, whatever it is called there: the scene would be lost.
 fn keep_apart(source: &Source, output: Option<&Path>) -> Result<(), Failure> {
     let read = match source {
-        Source::Preset(_) => None,
-        Source::Stdin => fstat(stdin()).ok(),
-        Source::File(path) => stat(path).ok(),
+        Source::Preset(_) => return Ok(()),
+        Source::Stdin => None,
+        Source::File(path) => Some(path.as_path()),
     };
-    let written = match output::file(output) {
-        Some(path) => stat(path).ok(),
-        None => fstat(stdout()).ok(),
-    };
-    let is_same = |(a, b): (Stat, Stat)| {
-        FileType::from_raw_mode(a.st_mode).is_file() && (a.st_dev, a.st_ino) == (b.st_dev, b.st_ino)
-    };
-    match read.zip(written).is_some_and(is_same) {
+    match is_same_file(read, output::file(output)) {
         false => Ok(()),
         true => Err(Failure::Usage(
             "the output is the scene that is read: it would be lost; write to another file".into(),

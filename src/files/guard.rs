@@ -2,7 +2,7 @@
 
 use rustix::fs::{Mode, OFlags, open};
 use std::fs::{self, File, FileType};
-use std::io::{self, Read};
+use std::io;
 use std::os::unix::fs::FileTypeExt;
 use std::path::Path;
 #[cfg(feature = "tui")]
@@ -15,7 +15,7 @@ use std::path::PathBuf;
 /// What the system says, or in words of what kind it is.
 #[cfg(feature = "tui")]
 pub(crate) fn read_file(path: &Path, most: usize) -> io::Result<Vec<u8>> {
-    limited(open_to_read(path)?, most)
+    super::limited(open_to_read(path)?, most)
 }
 
 /// A regular file, to be read.
@@ -25,26 +25,6 @@ pub(crate) fn read_file(path: &Path, most: usize) -> io::Result<Vec<u8>> {
 #[cfg(feature = "tui")]
 pub(crate) fn open_to_read(path: &Path) -> io::Result<File> {
     open_file(path, OFlags::RDONLY)
-}
-
-/// What a name leads to holds, up to one byte more than `most`: pipes and devices too, which a person has
-/// named on the command line and can leave by Ctrl-C.
-///
-/// # Errors
-/// What the system says.
-pub(crate) fn read_any(path: &Path, most: usize) -> io::Result<Vec<u8>> {
-    limited(File::open(path)?, most)
-}
-
-/// Everything up to one byte more than `most`, so that endless input ends.
-///
-/// # Errors
-/// What the system says.
-pub(crate) fn limited(from: impl Read, most: usize) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let most = u64::try_from(most).unwrap_or(u64::MAX);
-    from.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }
 
 /// Opens a regular file, and nothing else. It is looked at before, since opening alone makes some devices

@@ -13,8 +13,7 @@
 use super::draft::Draft;
 use super::guard::open_file;
 use super::lock::{self, Locked};
-use rustix::fs::{FallocateFlags, OFlags, fallocate};
-use rustix::io::Errno;
+use rustix::fs::OFlags;
 use std::ffi::OsString;
 use std::fmt::Write as _;
 use std::fs::{self, DirBuilder, File};
@@ -155,10 +154,7 @@ impl Record {
     /// Makes one of the texts what a file holds.
     fn put(&self, text: Span, file: &File) -> io::Result<()> {
         // What finds no room finds that out before anything is changed.
-        match fallocate(file, FallocateFlags::KEEP_SIZE, 0, text.length.max(1)) {
-            Ok(()) | Err(Errno::OPNOTSUPP | Errno::NOSYS) => {}
-            Err(error) => return Err(error.into()),
-        }
+        reserve(file, text.length.max(1))?;
         let mut block = vec![0; BLOCK];
         let mut at = 0;
         while at < text.length {
@@ -230,4 +226,22 @@ fn name_of_digits(digits: &str) -> Option<PathBuf> {
 /// Makes a folder that others cannot look into.
 pub(crate) fn make_private(folder: &Path) -> io::Result<()> {
     DirBuilder::new().recursive(true).mode(0o700).create(folder)
+}
+
+/// What finds no room finds that out before anything is changed.
+#[cfg(any(target_os = "linux", target_os = "android"))]
+fn reserve(file: &File, length: u64) -> io::Result<()> {
+    use rustix::fs::{FallocateFlags, fallocate};
+    use rustix::io::Errno;
+
+    match fallocate(file, FallocateFlags::KEEP_SIZE, 0, length) {
+        Ok(()) | Err(Errno::OPNOTSUPP | Errno::NOSYS) => Ok(()),
+        Err(error) => Err(error.into()),
+    }
+}
+
+/// Elsewhere nothing reserves room without changing the length; the record has both texts.
+#[cfg(not(any(target_os = "linux", target_os = "android")))]
+fn reserve(_file: &File, _length: u64) -> io::Result<()> {
+    Ok(())
 }

@@ -2,6 +2,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
+//! | `reading`, `same` | what the command line has named |
 //! | `guard` | opening what is there: of what kind it may be, and how much of it is read |
 //! | `target` | where a name leads that is to be written: links followed, descriptors told from files |
 //! | `draft` | a file that is written beside the one whose place it takes, with its rights from the first byte on |
@@ -9,26 +10,41 @@
 //! | `in_place` | writing into a file that no other may replace, and completing that after a kill |
 //! | `lock` | comparing and replacing without somebody else in between |
 //! | `output` | all of these together: a file that is whole, or what it was |
+//! | `elsewhere` | the little of it that there is where there is no Unix |
 //! | `places` | folders that belong to krank |
 
+#[cfg(unix)]
 mod draft;
+#[cfg(not(unix))]
+mod elsewhere;
+#[cfg(unix)]
 mod guard;
+#[cfg(unix)]
 mod in_place;
+#[cfg(unix)]
 mod lock;
+#[cfg(unix)]
 mod output;
 pub(crate) mod places;
+mod reading;
+#[cfg(unix)]
 mod rights;
+mod same;
+#[cfg(unix)]
 mod target;
 
+#[cfg(not(unix))]
+pub(crate) use elsewhere::{Output, mend};
 #[cfg(feature = "tui")]
 pub(crate) use guard::{from_home, open_to_read, read_file};
-pub(crate) use guard::{limited, read_any};
-pub(crate) use in_place::mend;
-pub(crate) use output::Output;
+pub(crate) use reading::{limited, read_any};
+pub(crate) use same::is_same_file;
 #[cfg(feature = "tui")]
 pub(crate) use {
     draft::Draft, in_place::make_private, lock::is_held, output::Saving, output::save,
 };
+#[cfg(unix)]
+pub(crate) use {in_place::mend, output::Output};
 
 use std::io;
 use thiserror::Error;
@@ -56,6 +72,7 @@ pub(crate) enum Trouble {
     #[cfg(feature = "tui")]
     Busy,
     /// A rename would lose what the file is, and there is no folder to keep its old text in meanwhile.
+    #[cfg(unix)]
     #[error("it cannot be replaced, and no state folder keeps its old text while it is written")]
     NoJournal,
     /// What the system says.
@@ -63,6 +80,7 @@ pub(crate) enum Trouble {
     Io(#[from] io::Error),
 }
 
+#[cfg(unix)]
 impl From<rustix::io::Errno> for Trouble {
     fn from(error: rustix::io::Errno) -> Trouble {
         Trouble::Io(error.into())
@@ -78,5 +96,5 @@ impl From<Trouble> for io::Error {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, unix))]
 mod tests;

@@ -1,17 +1,18 @@
 //! What a file is beside its text: owner, group, mode and extended attributes, among them access lists.
 
 use rustix::fs::{
-    Gid, Mode, Uid, XattrFlags, fchmod, fchown, fgetxattr, flistxattr, fremovexattr, fsetxattr,
+    Gid, Mode, RawMode, Uid, XattrFlags, fchmod, fchown, fgetxattr, flistxattr, fremovexattr,
+    fsetxattr, fstat,
 };
 use rustix::io::Errno;
 use std::ffi::{CStr, CString};
 use std::fs::{File, Metadata};
-use std::os::unix::fs::{MetadataExt, PermissionsExt};
+use std::os::unix::fs::MetadataExt;
 
 /// The longest list of names, and the longest attribute, that Linux has.
 const LONGEST: usize = 1 << 16;
 /// Bits of a mode: who may do what, and the three above.
-const MODE: u32 = 0o7777;
+const MODE: RawMode = 0o7777;
 
 /// Gives a new file what another has.
 ///
@@ -25,7 +26,7 @@ pub(super) fn carry_over(old: &File, has: &Metadata, new: &File) -> Result<(), E
     }
     carry_attributes(old, new)?;
     // Last, since another owner takes bits away.
-    fchmod(new, Mode::from_raw_mode(has.permissions().mode() & MODE))
+    fchmod(new, Mode::from_raw_mode(fstat(old)?.st_mode & MODE))
 }
 
 fn carry_attributes(old: &File, new: &File) -> Result<(), Errno> {

@@ -13,6 +13,7 @@ mod rate_limit;
 mod sgr;
 mod signals;
 mod tty;
+#[cfg_attr(not(target_os = "linux"), path = "no_watch.rs")]
 mod watch;
 
 pub use about::Terminal;
@@ -21,3 +22,11 @@ pub(crate) use keyboard::{Input, Keyboard};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};
 pub(crate) use tty::{Tty, Wake};
+
+use crossterm::QueueableCommand as _;
+
+/// Appends a command of crossterm.
+fn queue(bytes: &mut Vec<u8>, command: impl crossterm::Command) {
+    // Writing into memory cannot fail.
+    let _ = bytes.queue(command);
+}

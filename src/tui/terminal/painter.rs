@@ -9,19 +9,22 @@
 //! shows is known cell by cell, so that the next frame simply has these changes left. What is urgent
 //! comes first, the rest from the top, or from where the last frame was cut.
 
-use super::sgr::{Look, Sgr, escape, identical};
+use super::queue;
+use super::sgr::{Look, Sgr, identical};
 use crate::capability::Capability;
 use crate::tui::Frames;
 use crate::tui::appearance::palette::{Palette, Theme};
+use crossterm::cursor::{MoveRight, MoveTo};
+use crossterm::style::ResetColor;
+use crossterm::terminal::{BeginSynchronizedUpdate, Clear, ClearType, EndSynchronizedUpdate};
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::layout::Rect;
 use std::ops::Range;
 
-const SYNC_ON: &[u8] = b"\x1b[?2026h";
-const SYNC_OFF: &[u8] = b"\x1b[?2026l";
-/// Whatever was in force, and whatever is on the screen.
-const CLEAR: &[u8] = b"\x1b[m\x1b[2J";
-const ERASE_TO_END: &[u8] = b"\x1b[K";
+/// What a frame begins with at the most: synchronised, and the screen cleared.
+const BEGINNING: usize = 16;
+/// What erasing to the end of a row costs.
+const ERASING: usize = 3;
 
 /// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
 const REWRITE: u16 = 4;
@@ -121,19 +124,22 @@ impl Painter {
         self.bytes.clear();
         (self.cursor, self.sgr) = (None, Sgr::PLAIN);
         self.stale |= self.shown.area != self.wanted.area;
-        let prologue = if self.synchronised { SYNC_ON } else { &[] };
-        self.bytes.extend_from_slice(prologue);
+        if self.synchronised {
+            queue(&mut self.bytes, BeginSynchronizedUpdate);
+        }
+        let prologue = self.bytes.len();
         let clear = std::mem::take(&mut self.stale);
         if clear {
             empty(&mut self.shown, self.wanted.area);
-            self.bytes.extend_from_slice(CLEAR);
+            queue(&mut self.bytes, ResetColor);
+            queue(&mut self.bytes, Clear(ClearType::All));
         }
         self.room = room.saturating_sub(ENDING);
         let wanted = std::mem::replace(&mut self.wanted, Buffer::empty(Rect::ZERO));
         let from = self.cut.take().unwrap_or(0);
         self.cut = self.rows(&wanted, urgent, from).err();
         self.wanted = wanted;
-        if self.bytes.len() == prologue.len() {
+        if self.bytes.len() == prologue {
             // If the screens differ, then in what this terminal cannot show, a colour for instance.
             self.bytes.clear();
             return &self.bytes;
@@ -141,9 +147,9 @@ impl Painter {
         Sgr::PLAIN.take_up(self.sgr, &mut self.bytes);
         if self.is_cut() {
             // Half a picture need not appear at once, and the brackets cost as much as a figure.
-            self.bytes.drain(..prologue.len());
+            self.bytes.drain(..prologue);
         } else if self.synchronised {
-            self.bytes.extend_from_slice(SYNC_OFF);
+            queue(&mut self.bytes, EndSynchronizedUpdate);
         }
         self.frames.count += 1;
         self.frames.bytes += self.bytes.len() as u64;
@@ -208,7 +214,7 @@ impl Painter {
             self.has_room()?;
             self.go_to(end, y, next);
             self.set_pen(Sgr::PLAIN);
-            self.bytes.extend_from_slice(ERASE_TO_END);
+            queue(&mut self.bytes, Clear(ClearType::UntilNewLine));
             self.shown.content[start + usize::from(end)..start + usize::from(width)]
                 .fill(Cell::EMPTY);
         }
@@ -240,14 +246,14 @@ impl Painter {
         self.has_room()?;
         self.go_to(columns.start, y, next);
         self.set_pen(Sgr::PLAIN);
-        self.bytes.extend_from_slice(ERASE_TO_END);
+        queue(&mut self.bytes, Clear(ClearType::UntilNewLine));
         self.shown.content[start + from..start + next.len()].fill(Cell::EMPTY);
         Ok(true)
     }
 
     /// However little room there is, a frame brings something.
     fn has_room(&self) -> Result<(), Full> {
-        let begun = self.bytes.len() > SYNC_ON.len() + CLEAR.len();
+        let begun = self.bytes.len() > BEGINNING;
         if begun && self.bytes.len() >= self.room {
             return Err(Full);
         }
@@ -259,7 +265,7 @@ impl Painter {
         let is_ink = |cell: &Cell| !self.look.is_blank(cell);
         let end = next.iter().rposition(is_ink).map_or(0, |i| i + 1);
         let to_erase = previous[end..].iter().filter(|c| is_ink(c)).count();
-        if to_erase > ERASE_TO_END.len() {
+        if to_erase > ERASING {
             (to_u16(end), true)
         } else {
             (to_u16(next.len()), false)
@@ -287,15 +293,12 @@ impl Painter {
                     for cell in &row[between] {
                         self.bytes.extend_from_slice(cell.symbol().as_bytes());
                     }
-                } else if x - cx == 1 {
-                    self.bytes.extend_from_slice(b"\x1b[C");
                 } else {
-                    escape(&mut self.bytes, format_args!("\x1b[{}C", x - cx));
+                    queue(&mut self.bytes, MoveRight(x - cx));
                 }
             }
             Some((_, cy)) if x == 0 && y == cy + 1 => self.bytes.extend_from_slice(b"\r\n"),
-            _ if x == 0 => escape(&mut self.bytes, format_args!("\x1b[{}H", y + 1)),
-            _ => escape(&mut self.bytes, format_args!("\x1b[{};{}H", y + 1, x + 1)),
+            _ => queue(&mut self.bytes, MoveTo(x, y)),
         }
         self.cursor = Some((x, y));
     }
@@ -360,6 +363,8 @@ mod tests {
 
     const WIDTH: u16 = 12;
     const HEIGHT: u16 = 4;
+    const SYNC_ON: &[u8] = b"\x1b[?2026h";
+    const SYNC_OFF: &[u8] = b"\x1b[?2026l";
 
     fn painter(colours: Colours, modern: bool) -> Painter {
         Painter::new(Capability {
@@ -430,7 +435,7 @@ mod tests {
         let frame = painter.whole(text(&["omega 1.235", "Alpha"])).to_vec();
         assert_eq!(frame.escape_ascii().to_string(), r"\x1b[1;11H5\r\nA");
         let erased = painter.whole(text(&["", "Alpha"])).to_vec();
-        assert_eq!(erased.escape_ascii().to_string(), r"\x1b[1H\x1b[K");
+        assert_eq!(erased.escape_ascii().to_string(), r"\x1b[1;1H\x1b[K");
     }
 
     #[test]
@@ -443,7 +448,7 @@ mod tests {
         let frame = painter.whole(wanted).to_vec();
         assert_eq!(
             frame.escape_ascii().to_string(),
-            r"\x1b[1H\x1b[1;31ma\x1b[mb"
+            r"\x1b[1;1H\x1b[1;31ma\x1b[mb"
         );
     }
 
@@ -515,7 +520,7 @@ mod tests {
             let mut painter = painter(Colours::Sixteen, modern);
             let mut shown = terminal();
             let urgent = [Rect::new(0, HEIGHT - 1, WIDTH, 1), Rect::new(3, 1, 4, 2)];
-            let most = room.max(SYNC_ON.len() + CLEAR.len() + SYNC_OFF.len() + 1) + ENDING;
+            let most = room.max(BEGINNING + SYNC_OFF.len() + 1) + ENDING;
             let last = screens.last().unwrap().0.clone();
             for (screen, frames) in screens {
                 painter.wanted = screen.clone();

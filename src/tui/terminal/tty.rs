@@ -2,12 +2,18 @@
 
 use super::keyboard::{Input, Keyboard};
 use super::line::Line;
+use super::queue;
 use super::rate_limit::{QUESTION, RateLimit};
 use super::signals::{self, Notice, Signals};
 use super::watch::Watch;
 use crate::capability::Capability;
 use crate::tui::Error;
 use crate::tui::commands::key::Key;
+use crossterm::cursor::{Hide, MoveTo, Show};
+use crossterm::style::ResetColor;
+use crossterm::terminal::{
+    Clear, ClearType, EndSynchronizedUpdate, EnterAlternateScreen, LeaveAlternateScreen,
+};
 use ratatui::layout::Size;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::fs::{Mode, OFlags, open};
@@ -18,16 +24,11 @@ use std::os::fd::{AsFd, BorrowedFd, OwnedFd};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Alternate screen, cursor hidden; the painter clears.
-const ENTER: &[u8] = b"\x1b[?1049h\x1b[?25l";
-/// Undoes it. The screen is cleared for terminals that have no alternate one.
-const LEAVE: &[u8] = b"\x1b[0m\x1b[2J\x1b[H\x1b[?25h\x1b[?1049l";
 /// Text that is pasted comes marked as such.
-const ENTER_MODERN: &[u8] = b"\x1b[?2004h";
-const LEAVE_MODERN: &[u8] = b"\x1b[?2004l";
+const PASTE_ON: &[u8] = b"\x1b[?2004h";
+const PASTE_OFF: &[u8] = b"\x1b[?2004l";
 /// Ends a frame that was cut short: CAN aborts half a sequence, and the frame is shown as it is.
 const CUT: &[u8] = b"\x18";
-const CUT_MODERN: &[u8] = b"\x1b[?2026l";
 
 /// How long a stalled line may hold up leaving.
 const FAREWELL: Duration = Duration::from_millis(500);
@@ -115,8 +116,14 @@ impl Tty {
         let mut raw = self.found.clone();
         raw.make_raw();
         tcsetattr(&self.keys, OptionalActions::Now, &raw)?;
-        let modern = if self.modern { ENTER_MODERN } else { &[] };
-        self.write_all(&[ENTER, modern].concat())
+        // The painter clears.
+        let mut bytes = Vec::new();
+        queue(&mut bytes, EnterAlternateScreen);
+        queue(&mut bytes, Hide);
+        if self.modern {
+            bytes.extend_from_slice(PASTE_ON);
+        }
+        self.write_all(&bytes)
     }
 
     /// Puts the terminal back as it was found. Does what it can: there is nobody to tell.
@@ -125,14 +132,22 @@ impl Tty {
             return;
         }
         self.await_answer();
-        let parts = [
-            (CUT, self.cut),
-            (CUT_MODERN, self.cut && self.modern),
-            (LEAVE_MODERN, self.modern),
-            (LEAVE, true),
-        ];
-        let said = parts.iter().filter(|(_, said)| *said);
-        let bytes: Vec<u8> = said.flat_map(|(part, _)| part.iter().copied()).collect();
+        let mut bytes = Vec::new();
+        if self.cut {
+            bytes.extend_from_slice(CUT);
+        }
+        if self.cut && self.modern {
+            queue(&mut bytes, EndSynchronizedUpdate);
+        }
+        if self.modern {
+            bytes.extend_from_slice(PASTE_OFF);
+        }
+        // The screen is cleared for terminals that have no alternate one.
+        queue(&mut bytes, ResetColor);
+        queue(&mut bytes, Clear(ClearType::All));
+        queue(&mut bytes, MoveTo(0, 0));
+        queue(&mut bytes, Show);
+        queue(&mut bytes, LeaveAlternateScreen);
         let _ = self.write_until(&bytes, Some(Instant::now() + FAREWELL));
         let _ = tcsetattr(&self.keys, OptionalActions::Now, &self.found);
     }
