@@ -32,7 +32,7 @@ use crate::drawing::Raster;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::figures::sheet::Line;
 use ratatui::buffer::Buffer;
-use ratatui::layout::{Position, Rect, Size};
+use ratatui::layout::{Margin, Position, Rect, Size};
 use ratatui::style::Style;
 
 /// Columns at the right of what can be scrolled that are kept free: one blank, and one for a mark where
@@ -172,11 +172,7 @@ pub(crate) fn has_room(size: Size) -> bool {
 
 /// Between the title and the last line.
 fn body(area: Rect) -> Rect {
-    Rect {
-        y: area.y + 1,
-        height: area.height.saturating_sub(2),
-        ..area
-    }
+    area.inner(Margin::new(0, 1))
 }
 
 /// Where tables stand in an area: a blank to their left, their margin to their right.

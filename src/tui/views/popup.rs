@@ -4,7 +4,9 @@ use super::print;
 use crate::drawing::Glyphs;
 use crate::tui::appearance::theme::{self, Part};
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Margin, Rect};
+use ratatui::symbols::border::{self, Set};
+use ratatui::widgets::{Block, Clear, Widget};
 
 /// Columns and rows that the border takes: a line and a blank at both sides, a line above and below.
 pub(super) const BORDER: (u16, u16) = (4, 2);
@@ -23,39 +25,29 @@ pub(super) fn centred(area: Rect, columns: u16, rows: u16) -> Rect {
 
 /// What is within a box.
 pub(super) fn within(frame: Rect) -> Rect {
-    Rect {
-        x: frame.x + BORDER.0 / 2,
-        y: frame.y + BORDER.1 / 2,
-        width: frame.width.saturating_sub(BORDER.0),
-        height: frame.height.saturating_sub(BORDER.1),
-    }
+    frame.inner(Margin::new(BORDER.0 / 2, BORDER.1 / 2))
 }
+
+/// Lines in 7 bits.
+const ASCII: Set<'static> = Set {
+    top_left: "+",
+    top_right: "+",
+    bottom_left: "+",
+    bottom_right: "+",
+    vertical_left: "|",
+    vertical_right: "|",
+    horizontal_top: "-",
+    horizontal_bottom: "-",
+};
 
 /// Clears a box and draws its border with a title. Says where the title ends.
 pub(super) fn frame(glyphs: Glyphs, frame: Rect, title: &str, buffer: &mut Buffer) -> u16 {
-    let [level, upright, corners @ ..] = match glyphs {
-        Glyphs::Ascii => ['-', '|', '+', '+', '+', '+'],
-        Glyphs::Line | Glyphs::Braille => [
-            '\u{2500}', '\u{2502}', '\u{250c}', '\u{2510}', '\u{2514}', '\u{2518}',
-        ],
+    let lines = match glyphs {
+        Glyphs::Ascii => ASCII,
+        Glyphs::Line | Glyphs::Braille => border::PLAIN,
     };
-    let (right, bottom) = (frame.right() - 1, frame.bottom() - 1);
-    for position in frame.positions() {
-        let at_side = position.x == frame.x || position.x == right;
-        let at_end = position.y == frame.y || position.y == bottom;
-        let glyph = match (at_side, at_end) {
-            (true, true) => {
-                let corner =
-                    usize::from(position.x == right) + 2 * usize::from(position.y == bottom);
-                corners[corner]
-            }
-            (true, false) => upright,
-            (false, true) => level,
-            (false, false) => ' ',
-        };
-        buffer[position].reset();
-        buffer[position].set_char(glyph);
-    }
+    Clear.render(frame, buffer);
+    Block::bordered().border_set(lines).render(frame, buffer);
     let style = theme::part(Part::Title);
     let room = frame.width.saturating_sub(BORDER.0);
     print(
