@@ -10,7 +10,7 @@ use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::workspace::Workspace;
 use super::{Demand, Order};
-use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle};
+use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle, vectorized};
 use std::sync::Arc;
 
 /// A rate may have been given in rpm or degrees and converted: reading, two operations and the constant
@@ -148,10 +148,10 @@ impl Engine {
     }
 
     /// Runs every step; a coupled group starts from the z that is in the scratch.
+    #[inline(always)]
     pub(super) fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        let steps = 0..self.program.steps.len();
         work.state.begin(at, order);
-        work.state.condition = self.run_steps(steps, at, order, work);
+        work.state.condition = self.run_all(&self.program.steps, at, order, work);
         work.condition
     }
 
@@ -162,7 +162,11 @@ impl Engine {
         order: Order,
         work: &mut Workspace,
     ) -> Condition {
-        let steps = &self.program.steps[steps];
+        self.run_all(&self.program.steps[steps], at, order, work)
+    }
+
+    #[inline(always)]
+    fn run_all(&self, steps: &[Step], at: f64, order: Order, work: &mut Workspace) -> Condition {
         match order {
             Order::Position => self.run_to::<POSITION>(steps, at, work),
             Order::Velocity => self.run_to::<VELOCITY>(steps, at, work),
@@ -170,7 +174,22 @@ impl Engine {
         }
     }
 
+    /// With the machine's vector instructions.
+    #[inline(never)]
     fn run_to<const ORDER: u8>(&self, steps: &[Step], at: f64, work: &mut Workspace) -> Condition {
+        vectorized(
+            #[inline(always)]
+            || self.run_here::<ORDER>(steps, at, work),
+        )
+    }
+
+    #[inline(always)]
+    fn run_here<const ORDER: u8>(
+        &self,
+        steps: &[Step],
+        at: f64,
+        work: &mut Workspace,
+    ) -> Condition {
         let Workspace { state, scratch, .. } = work;
         let (q, direction) = self.coordinate(at);
         let mut condition = Condition::Ok;
@@ -189,6 +208,7 @@ impl Engine {
     }
 
     /// As [`Engine::run`] close to a change point: there a dyad is placed by its passage.
+    #[inline(never)]
     pub(super) fn run_near(
         &self,
         at: f64,
@@ -347,15 +367,44 @@ impl Engine {
     }
 }
 
-/// Runs a step of a single state: where rounding decides, a dyad looks closer.
+/// Runs a step of a single state: those that most mechanisms are made of in place, so that what else there
+/// is takes no registers from them.
 #[inline(always)]
 fn run_step<const ORDER: u8>(step: &Step, q: f64, direction: Vec2, state: &mut State) -> Outcome {
+    match step {
+        Step::Crank { .. }
+        | Step::Spin { .. }
+        | Step::Ride { .. }
+        | Step::Circles(_)
+        | Step::CircleRail(_) => match step.run::<f64, ORDER>(q, direction, state) {
+            Outcome::Unclear => look_closer(step, q, state),
+            outcome => outcome,
+        },
+        Step::Push { .. }
+        | Step::Aim { .. }
+        | Step::Lock { .. }
+        | Step::CircleLine(_)
+        | Step::Swing(_)
+        | Step::Cylinder(_)
+        | Step::Lines { .. }
+        | Step::Coupled { .. }
+        | Step::Travel { .. } => run_seldom::<ORDER>(step, q, direction, state),
+    }
+}
+
+#[inline(never)]
+fn run_seldom<const ORDER: u8>(step: &Step, q: f64, direction: Vec2, state: &mut State) -> Outcome {
     match step.run::<f64, ORDER>(q, direction, state) {
-        Outcome::Unclear => step
-            .dyad()
-            .map_or(Outcome::Open, |dyad| dyad.stretch(q, state)),
+        Outcome::Unclear => look_closer(step, q, state),
         outcome => outcome,
     }
+}
+
+/// Where rounding decides, a dyad looks closer.
+#[cold]
+fn look_closer(step: &Step, q: f64, state: &mut State) -> Outcome {
+    let dyad = step.dyad();
+    dyad.map_or(Outcome::Open, |dyad| dyad.stretch(q, state))
 }
 
 /// A rate of the driver: given in any unit, and converted.

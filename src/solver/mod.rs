@@ -342,13 +342,20 @@ impl Solver {
     }
 
     /// The same between the ends of the range, where no group folds.
-    #[inline]
+    #[inline(always)]
     fn run_between(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
-        let passages = &self.motion.passages;
         self.motion.anchors.aim(&self.engine, at, work);
-        if passages.is_empty() {
-            return self.engine.run(at, order, work);
+        if self.motion.passages.is_empty() {
+            self.engine.run(at, order, work)
+        } else {
+            self.run_past(at, order, work)
         }
+    }
+
+    /// The same of a motion with change points.
+    #[inline(never)]
+    fn run_past(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
+        let passages = &self.motion.passages;
         passages.choose(&self.engine, at, &mut work.state.signs);
         if passages.is_near(&self.engine, at) {
             self.engine.run_near(at, order, passages, work)

@@ -78,7 +78,7 @@ impl CircleRail {
         let root = Ball::new(0.0, most((b - h0) * (b + h0)));
         let e = t * root - t.perp() * h0;
         let s = t.dot(from) + root;
-        self.place::<Ball, POSITION>(s, e, [h0, root], enclosure);
+        self.place::<Ball, POSITION>(s, self.arm.direction(e), [h0, root], enclosure);
         stop(Some(self.point), &[self.arm.link], enclosure);
         s.radius < f64::INFINITY
     }

@@ -25,10 +25,15 @@ impl Anchors {
     }
 
     /// Puts into the scratch what the nearest anchor predicts for `at`.
+    #[inline(always)]
     pub(in crate::solver) fn aim(&self, engine: &Engine, at: f64, work: &mut Workspace) {
-        if self.at.is_empty() {
-            return;
+        if !self.at.is_empty() {
+            self.aim_from_nearest(engine, at, work);
         }
+    }
+
+    #[inline(never)]
+    fn aim_from_nearest(&self, engine: &Engine, at: f64, work: &mut Workspace) {
         let reduced = if self.period > 0.0 {
             positive_remainder(at, self.period)
         } else {

@@ -11,22 +11,17 @@ pub(in crate::solver) struct Circles {
     pub point: PointId,
     pub near: Arm,
     pub far: Arm,
-    /// far - near and near + far, to twice the precision: the factors of Kahan's product for a
-    /// triangle keep their digits without sorting.
-    difference: Constant,
-    sum: Constant,
+    /// The squares of far - near and near + far, of which the square of the pivots' distance keeps its digits.
+    least: Constant,
+    most: Constant,
     /// (near - far)(near + far).
     squares: Constant,
-    /// 1 / (2 near far)^2, which makes the product of the factors the square of a sine.
+    /// 1 / (2 near far)^2, which makes the product of the reaches the square of a sine.
     inverse_square: f64,
+    /// Twice the distances of least and most, and how far they count as reached.
+    ends: [f64; 2],
     slack: f64,
     pub group: usize,
-}
-
-/// value + constant, without rounding the constant first.
-#[inline(always)]
-fn plus<T: Number>(value: T, constant: Constant) -> T {
-    (value + T::exactly(constant.hi)) + T::exactly(constant.lo)
 }
 
 impl Circles {
@@ -53,40 +48,51 @@ impl Circles {
             point,
             near,
             far,
-            difference: c - b,
-            sum: c + b,
+            least: (c - b) * (c - b),
+            most: (c + b) * (c + b),
             squares: (b - c) * (b + c),
             inverse_square: (2.0 * b.hi * c.hi).powi(-2),
+            ends: [2.0 * (c - b).hi.abs(), 2.0 * (c + b).hi],
             slack: REACH_SLACK * (b.hi + c.hi),
             group,
         }
     }
 
     /// X = P + (x u + s h k x u) / u.u with u = Q - P, x = (u.u + b^2 - c^2) / 2 and h twice the area
-    /// of the triangle of sides b, c, |u|: 16 A^2 = (d-m)(d+m)(M-d)(M+d), m = c - b, M = b + c
-    /// (Kahan, Miscalculating Area and Angles of a Needle-like Triangle; here m and M carry their
-    /// rounding errors, so that no sorting is needed).
+    /// of the triangle of sides b, c, |u|: 16 A^2 = (d^2 - m^2)(M^2 - d^2), m = c - b, M = b + c.
+    ///
+    /// These are the factors of Kahan's product (Miscalculating Area and Angles of a Needle-like Triangle) two
+    /// by two: d is found by its square, whose digits its root would only round once more.
     #[inline(always)]
     pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
-        let p = state.points[self.near.pivot.index()];
-        let q = state.points[self.far.pivot.index()];
-        let u = q.p - p.p;
+        let u = self.between(state);
         let d2 = u.norm2();
-        let d = d2.sqrt();
-        let inner = plus(d, -self.difference);
-        let outer = -plus(d, -self.sum);
-        let product = (inner * plus(d, self.difference)) * (outer * plus(d, self.sum));
+        let (inner, outer) = self.reaches(d2);
+        let product = inner * outer;
         state.measures[self.group] = product * T::exactly(self.inverse_square);
-        let x = (d2 + T::of(self.squares)).scaled(0.5);
-        let inverse = T::exactly(1.0) / d2;
-        let reach = inner.min(outer);
-        if !reach.exceeds(T::exactly(self.slack * T::GRAIN)) {
+        let [least, most] = self.slacks();
+        if !(inner.exceeds(least) && outer.exceeds(most)) {
             return Outcome::Unclear;
         }
-        let sh = state.signs[self.group] * product.sqrt().scaled(0.5);
+        let x = (d2 + T::of(self.squares)).scaled(0.5);
+        let inverse = T::exactly(1.0) / d2;
+        let sh = state.signs[self.group].scaled(0.5) * product.sqrt();
         let e = (u * x + u.perp() * sh) * inverse;
         self.place::<T, ORDER>(e, e - u, sh, state);
         Outcome::Done
+    }
+
+    /// How far the square of the pivots' distance is above the least and below the most that the arms reach.
+    #[inline(always)]
+    fn reaches<T: Number>(&self, d2: T) -> (T, T) {
+        (d2 - T::of(self.least), T::of(self.most) - d2)
+    }
+
+    /// What rounding leaves of the reaches: (d + slack)^2 - d^2.
+    #[inline(always)]
+    fn slacks<T: Number>(&self) -> [T; 2] {
+        let slack = self.slack * T::GRAIN;
+        self.ends.map(|d| T::exactly(slack * (d + slack)))
     }
 
     /// Writes the dyad where X = P + e = Q + f. V_P + w1 k x e = V_Q + w2 k x f, and e x f = s h.
@@ -124,11 +130,13 @@ impl Circles {
     /// Whether the arms reach each other within rounding, and say a direction.
     pub(super) fn is_in_reach<T: Number>(&self, state: &State<T>) -> bool {
         let u = self.between(state);
-        let d = u.norm2().sqrt();
-        let reach = plus(d, -self.difference).min(-plus(d, -self.sum));
+        let d2 = u.norm2();
+        let (inner, outer) = self.reaches(d2);
+        let [least, most] = self.slacks::<T>();
+        let is_open = (-least).exceeds(inner) || (-most).exceeds(outer);
         let slack = T::exactly(self.slack * T::GRAIN);
         // Equal arms about one pivot: the point could be anywhere around it.
-        d.is_finite() && T::norm(u).exceeds(slack) && !(-slack).exceeds(reach)
+        d2.is_finite() && T::norm(u).exceeds(slack) && !is_open
     }
 
     /// The arms in line: positions alone. The nearer arm keeps its length also where the pivots all but
@@ -143,6 +151,7 @@ impl Circles {
     }
 
     /// From pivot to pivot.
+    #[inline(always)]
     fn between<T: Number>(&self, state: &State<T>) -> Vec2<T> {
         let at = |pivot: PointId| state.points[pivot.index()].p;
         at(self.far.pivot) - at(self.near.pivot)

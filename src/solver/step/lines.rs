@@ -71,8 +71,8 @@ impl<T: Number> Guide<T> {
 /// (b - h0)(b + h0).
 struct Chord<T> {
     product: T,
-    /// How far the line is from just touching the circle, and the rounding of that.
-    reach: T,
+    /// How far the line is from just touching the circle on either side, and the rounding of that.
+    reaches: [T; 2],
     slack: T,
 }
 
@@ -82,19 +82,21 @@ impl<T: Number> Chord<T> {
         let (left, right) = (length - h0, length + h0);
         Chord {
             product: left * right,
-            reach: left.min(right),
+            reaches: [left, right],
             slack: (length + from.x.abs() + from.y.abs()).scaled(REACH_SLACK * T::GRAIN),
         }
     }
 
     #[inline(always)]
     fn is_clear(&self) -> bool {
-        self.reach.exceeds(self.slack)
+        let [left, right] = self.reaches;
+        left.exceeds(self.slack) && right.exceeds(self.slack)
     }
 
     /// Whether within rounding the line touches the circle.
     fn touches(&self) -> bool {
-        self.reach.is_finite() && !(-self.slack).exceeds(self.reach)
+        let touches = |reach: T| reach.is_finite() && !(-self.slack).exceeds(reach);
+        self.reaches.into_iter().all(touches)
     }
 }
 
@@ -196,6 +198,8 @@ pub(in crate::solver) struct CircleRail {
     /// A point of the rail and its direction, a unit vector.
     pub through: Vec2<Constant>,
     pub along: Vec2<Constant>,
+    /// The direction of the arm's link where the arm lies along the rail.
+    aligned: Vec2<Constant>,
     inverse_square: f64,
     pub group: usize,
 }
@@ -212,56 +216,62 @@ impl CircleRail {
             arm,
             through,
             along,
+            aligned: along.turned(arm.factor),
             inverse_square: arm.length.hi.powi(-2),
             group,
         }
     }
 
+    /// t.v and n.v.
     #[inline(always)]
-    fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, T, Chord<T>) {
-        let n = Vec2::of(self.along).perp();
-        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
-        let h0 = n.dot(from);
-        (from, h0, Chord::new(T::of(self.arm.length), h0, from))
+    fn seen<T: Number>(&self, v: Vec2<T>) -> Vec2<T> {
+        v.turned(Vec2::of(self.along).conj())
     }
 
-    /// As [`CircleLine`], with a line whose velocity and acceleration are zero.
+    /// Where the pivot is along the rail and beside it, and what the rail cuts off.
+    #[inline(always)]
+    fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, Chord<T>) {
+        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
+        let seen = self.seen(from);
+        (seen, Chord::new(T::of(self.arm.length), seen.y, from))
+    }
+
+    /// As [`CircleLine`], with a line whose velocity and acceleration are zero: e = t (root - i h0).
     #[inline(always)]
     pub(super) fn run<T: Number, const ORDER: u8>(&self, state: &mut State<T>) -> Outcome {
-        let (from, h0, chord) = self.chord(state);
+        let (Vec2 { x: along, y: h0 }, chord) = self.chord(state);
         state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
         if !chord.is_clear() {
             return Outcome::Unclear;
         }
         let root = state.signs[self.group] * chord.product.sqrt();
-        let t = Vec2::of(self.along);
-        let e = t * root - t.perp() * h0;
-        self.place::<T, ORDER>(t.dot(from) + root, e, [h0, root], state);
+        let d = Vec2::of(self.aligned).turned(Vec2::new(root, -h0));
+        self.place::<T, ORDER>(along + root, d, [h0, root], state);
         Outcome::Done
     }
 
-    /// Writes the dyad with X = P + e at s along the rail.
+    /// Writes the dyad with X at s along the rail, the link in the direction d.
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
         s: T,
-        e: Vec2<T>,
+        d: Vec2<T>,
         [h0, root]: [T; 2],
         state: &mut State<T>,
     ) {
         let t = Vec2::of(self.along);
-        let n = t.perp();
-        let mut link = LinkState::fixed(self.arm.direction(e));
+        let mut link = LinkState::fixed(d);
         let mut point = PointState::fixed(Vec2::of(self.through) + t * s);
         if ORDER >= VELOCITY {
             let p = state.points[self.arm.pivot.index()];
             let scale = T::exactly(1.0) / root;
-            link.w = -n.dot(p.v) * scale;
-            point.v = t * (link.w * h0 + t.dot(p.v));
+            let v = self.seen(p.v);
+            link.w = -v.y * scale;
+            point.v = t * (link.w * h0 + v.x);
             if ORDER >= ACCELERATION {
-                let w2 = link.w * link.w;
-                link.a = -(n.dot(p.a) + w2 * h0) * scale;
-                point.a = t * (link.a * h0 - w2 * root + t.dot(p.a));
+                let (a, w2) = (self.seen(p.a), link.w * link.w);
+                link.a = -(a.y + w2 * h0) * scale;
+                point.a = t * (link.a * h0 - w2 * root + a.x);
             }
         }
         state.points[self.point.index()] = point;
@@ -270,15 +280,14 @@ impl CircleRail {
 
     /// As [`CircleLine::is_in_reach`].
     pub(super) fn is_in_reach<T: Number>(&self, state: &State<T>) -> bool {
-        self.chord(state).2.touches()
+        self.chord(state).1.touches()
     }
 
     /// As [`CircleLine::align`].
     pub(super) fn align<T: Number>(&self, state: &mut State<T>) {
-        let (from, h0, _) = self.chord(state);
-        let t = Vec2::of(self.along);
-        let (e, s) = (-t.perp() * h0, t.dot(from));
-        self.place::<T, { super::POSITION }>(s, e, [h0, T::default()], state);
+        let (Vec2 { x: along, y: h0 }, _) = self.chord(state);
+        let d = self.arm.direction(-Vec2::of(self.along).perp() * h0);
+        self.place::<T, { super::POSITION }>(along, d, [h0, T::default()], state);
     }
 }
 

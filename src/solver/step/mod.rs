@@ -71,7 +71,7 @@ impl Arm {
 
     /// The direction of the link whose arm stands so.
     #[inline(always)]
-    fn direction<T: Number>(&self, arm: Vec2<T>) -> Vec2<T> {
+    pub(super) fn direction<T: Number>(&self, arm: Vec2<T>) -> Vec2<T> {
         // Most arms lie along the x axis of their link.
         if !T::IS_CHEAP && self.factor.y == Constant::default() {
             arm * T::of(self.factor.x)

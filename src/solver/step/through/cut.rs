@@ -75,7 +75,7 @@ impl CircleRail {
         let n = t.perp();
         let e = t * root - n * cut.h0;
         let s = cut.along + root;
-        self.place::<Series, POSITION>(s, e, [cut.h0, root], state);
+        self.place::<Series, POSITION>(s, self.arm.direction(e), [cut.h0, root], state);
         let pivot = state.points[self.arm.pivot.index()].p;
         state.points[self.point.index()].p = pivot + e;
     }
