@@ -22,7 +22,11 @@ pub enum Condition {
 }
 
 /// A point's position and its first two derivatives by the driver's coordinate.
+///
+/// Aligned, so that no vector instruction reads or writes across the end of a page of memory: some processors
+/// take as long for that as for a whole state.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(align(64))]
 pub(super) struct PointState<T = f64> {
     pub p: Vec2<T>,
     pub v: Vec2<T>,
@@ -31,6 +35,7 @@ pub(super) struct PointState<T = f64> {
 
 /// A link's direction (a unit vector) and the first two derivatives of its angle.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(align(32))]
 pub(super) struct LinkState<T = f64> {
     pub d: Vec2<T>,
     pub w: T,
