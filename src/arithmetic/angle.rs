@@ -66,15 +66,15 @@ pub(super) fn components(degrees: f64) -> (f64, f64) {
 
 /// The unit vector at `degrees` as a sum of two vectors, and how far each component can be from that: below
 /// an eighth of what [`unit`] rounds.
-#[inline]
-pub(crate) fn unit_closely(degrees: f64) -> (Vec2<Double>, Vec2) {
+#[inline(always)]
+pub(crate) fn unit_closely<const FUSED: bool>(degrees: f64) -> (Vec2<Double>, Vec2) {
     let reduced = if is_reduced(degrees) {
         degrees
     } else {
         degrees % TURN
     };
     let counter = reduced * (1.0 / 90.0) + ROUNDER;
-    let (sin, cos, square) = sin_cos_closely(reduced - 90.0 * (counter - ROUNDER));
+    let (sin, cos, square) = sin_cos_closely::<FUSED>(reduced - 90.0 * (counter - ROUNDER));
     // What the series round, each in parts of the square of z: see there.
     let off = [U * 0.06, U * 0.3].map(|part| part * square);
     let minus = |v: Double| -v;
@@ -88,8 +88,12 @@ pub(crate) fn unit_closely(degrees: f64) -> (Vec2<Double>, Vec2) {
 
 /// The angle in radians as a sum.
 #[inline(always)]
-fn in_radians(degrees: f64) -> (f64, f64) {
+fn in_radians<const FUSED: bool>(degrees: f64) -> (f64, f64) {
     let x = degrees * RADIAN;
+    if FUSED {
+        let lost = degrees.mul_add(RADIAN, -x);
+        return (x, lost + degrees * RADIAN_REST);
+    }
     // Dekker's product: what the multiplication above rounded away.
     let t = SPLITTER * degrees;
     let top = t - (t - degrees);
@@ -105,14 +109,14 @@ fn in_radians(degrees: f64) -> (f64, f64) {
 /// brackets is carried in twice the digits, and these round their own: x z^2 / 120 six times by u, z^2 / 24 five
 /// times. The terms that are left out are below 2e-19 and 6e-18 z^2.
 #[inline(always)]
-fn sin_cos_closely(degrees: f64) -> (Double, Double, f64) {
+fn sin_cos_closely<const FUSED: bool>(degrees: f64) -> (Double, Double, f64) {
     const SIXTH: f64 = 1.0 / 6.0;
     const SIXTH_REST: f64 = 9.251_858_538_542_97e-18;
-    let (x, rest) = in_radians(degrees);
-    let halves = Halves::of(x);
+    let (x, rest) = in_radians::<FUSED>(degrees);
+    let halves = Halves::<f64, FUSED>::of(x);
     let z = halves.square();
     let cube = halves.times(Halves::of(z.hi));
-    let sixth = Halves::of(cube.hi).times(Halves::of(SIXTH));
+    let sixth = Halves::<f64, FUSED>::of(cube.hi).times(Halves::of(SIXTH));
     let low = SIXTH * (cube.lo + x * z.lo) + cube.hi * SIXTH_REST;
     let z1 = z.hi;
     let z2 = z1 * z1;
@@ -143,7 +147,7 @@ fn sin_cos_closely(degrees: f64) -> (Double, Double, f64) {
 /// the sine, 2e-18 absolute in the cosine.
 #[inline(always)]
 fn sin_cos(degrees: f64) -> (f64, f64) {
-    let (x, rest) = in_radians(degrees);
+    let (x, rest) = in_radians::<false>(degrees);
     let z = x * x;
     let z2 = z * z;
     let s = (-0.166_666_666_666_666_66 + z * 0.008_333_333_333_330_7)
@@ -215,7 +219,7 @@ mod tests {
     fn a_close_unit_is_within_its_bound() {
         for k in -40_000..40_000_i32 {
             let angle = f64::from(k) * 0.017_1;
-            let (close, off) = unit_closely(angle);
+            let (close, off) = unit_closely::<false>(angle);
             let miss = (close - Double::unit(angle)).map(|v| v.hi.abs());
             let most = off.map(|v| v + 1e-19);
             assert!(

@@ -26,6 +26,12 @@ impl Both {
         self.0[0] + self.0[1]
     }
 
+    /// The larger of each two.
+    #[inline(always)]
+    pub(crate) fn max(self, o: Both) -> Both {
+        self.with(o, |a, b| if a > b { a } else { b })
+    }
+
     /// The other one first.
     #[inline(always)]
     pub(crate) fn swapped(self) -> Both {
@@ -120,6 +126,12 @@ impl Number for Both {
     #[inline(always)]
     fn scaled(self, power_of_two: f64) -> Both {
         self.each(|a| a * power_of_two)
+    }
+
+    #[inline(always)]
+    fn fused(self, factor: Both, term: Both) -> Both {
+        let at = |i: usize| self.0[i].mul_add(factor.0[i], term.0[i]);
+        Both([at(0), at(1)])
     }
 
     #[inline(always)]

@@ -41,6 +41,31 @@ pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
     f()
 }
 
+/// Runs the first with the machine's fused multiplication and addition, as far as what it calls is inlined into
+/// it, or the second where there is none.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(always)]
+pub(crate) fn fused<A, R>(with: A, fused: impl FnOnce(A) -> R, plain: impl FnOnce(A) -> R) -> R {
+    match Level::new().as_avx2() {
+        Some(avx2) => avx2.vectorize(
+            #[inline(always)]
+            || fused(with),
+        ),
+        None => plain(with),
+    }
+}
+
+/// Runs the first, if every machine of this kind fuses multiplication and addition.
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+#[inline(always)]
+pub(crate) fn fused<A, R>(with: A, fused: impl FnOnce(A) -> R, plain: impl FnOnce(A) -> R) -> R {
+    if cfg!(target_arch = "aarch64") {
+        fused(with)
+    } else {
+        plain(with)
+    }
+}
+
 impl Lanes {
     #[inline(always)]
     fn each(self, f: impl Fn(f64) -> f64) -> Lanes {

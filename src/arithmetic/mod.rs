@@ -26,6 +26,7 @@ pub(crate) use constant::typed_radius;
 pub use double::Double;
 pub(crate) use double::{two_product, two_sum};
 pub(crate) use halves::Halves;
+pub(crate) use lanes::fused;
 pub use lanes::{LANES, Lanes, vectorized};
 pub use number::Number;
 pub(crate) use series::{Series, TERMS};

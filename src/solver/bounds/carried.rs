@@ -1,7 +1,7 @@
 //! Bounds of what follows from points and links without a constraint to solve.
 
 use super::errors::{Errors, LinkError, PointError, size};
-use super::limb::{Limb, SUM, Shape, difference, swing_rest, turned_closely};
+use super::limb::{Limb, SUM, Shape, across, difference, swing_rest, turned_closely};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::demand::Part;
 use crate::solver::state::State;
@@ -12,11 +12,11 @@ impl Errors {
     /// A link by two of its points: `along` bounds e . of the rests of the way between them and of its
     /// rate.
     #[inline(always)]
-    pub(super) fn aim<const ORDER: u8>(
+    pub(super) fn aim<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
         &mut self,
         arm: &Arm,
         end: PointId,
-        (limb, shape): (&Limb, &Shape),
+        (limb, shape): (&Limb<f64, FUSED>, &Shape),
         along: [f64; 2],
         state: &State,
         enclosure: &mut State<Ball>,
@@ -24,7 +24,7 @@ impl Errors {
         let link = &state.links[arm.link.index()];
         let (x, p) = (self.point(end), self.point(arm.pivot));
         let (mut error, gain) = limb.link_error::<ORDER>(shape, link, [x, p], along);
-        if self.influences.has_link(arm.link) {
+        if ROWS && self.influences.has_link(arm.link) {
             error.rest = self.turn_by_rows(arm, (end, limb.e), error.rest, gain);
         } else {
             let lefts = x.left.iter().zip(&p.left);
@@ -51,8 +51,7 @@ impl Errors {
                 *new += gain * left;
             }
         }
-        self.influences
-            .between(arm.link, new, Limb::across(e), ends)
+        self.influences.between(arm.link, new, across(e), ends)
     }
 
     /// What is left of a point that has no row to say it.
@@ -65,7 +64,8 @@ impl Errors {
     }
 
     /// A link both of whose ends are known.
-    pub(super) fn aim_at<const ORDER: u8>(
+    #[inline(always)]
+    pub(super) fn aim_at<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
         &mut self,
         arm: &Arm,
         end: PointId,
@@ -74,19 +74,19 @@ impl Errors {
     ) {
         let points = [end, arm.pivot];
         let [x, p] = points.map(|point| &state.points[point.index()]);
-        let limb = Limb::new::<ORDER>(x, p, &state.links[arm.link.index()]);
+        let limb = Limb::<f64, FUSED>::new::<ORDER>(x, p, &state.links[arm.link.index()]);
         let rest = |order: usize| -> f64 {
             let [x, p] = points.map(|point| self.point(point).left[order]);
             limb.sizes[0] * (x + p)
         };
         let along = [rest(0), rest(1)];
         let shape = Shape::of(arm);
-        self.aim::<ORDER>(arm, end, (&limb, &shape), along, state, enclosure);
+        self.aim::<ORDER, FUSED, ROWS>(arm, end, (&limb, &shape), along, state, enclosure);
     }
 
     /// A point that rides on a link.
     #[inline(always)]
-    pub(super) fn ride<const ORDER: u8>(
+    pub(super) fn ride<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
         &mut self,
         [point, base]: [PointId; 2],
         link: LinkId,
@@ -96,12 +96,12 @@ impl Errors {
     ) {
         let [x, p] = [point, base].map(|point| &state.points[point.index()]);
         let body = &state.links[link.index()];
-        let limb = Limb::new::<ORDER>(x, p, body);
+        let limb = Limb::<f64, FUSED>::new::<ORDER>(x, p, body);
         let (from, turned) = (self.point(base), self.link(link));
         let mut error = limb.point_error::<ORDER>(local, body, from, turned);
         let length = limb.sizes[0];
         let mut left = error.left;
-        if self.influences.has_point(point) {
+        if ROWS && self.influences.has_point(point) {
             let base_left = self.left_without_row(base);
             let is_rowed = self.influences.has_link(link);
             let turn_left = if is_rowed { [0.0; 3] } else { turned.rest };
@@ -125,7 +125,7 @@ impl Errors {
     /// A point of the driven link, whose angle is the coordinate: with r the arm, V - V_P = k x r and
     /// A - A_P = -r.
     #[inline(always)]
-    pub(super) fn spin<const ORDER: u8>(
+    pub(super) fn spin<const ORDER: u8, const FUSED: bool>(
         &mut self,
         [point, pivot]: [PointId; 2],
         (d, turned): (Vec2, &LinkError),
@@ -135,23 +135,24 @@ impl Errors {
     ) {
         let [x, p] = [point, pivot].map(|point| &state.points[point.index()]);
         let from = self.point(pivot);
-        let [arm, low] = turned_closely(local, d);
+        let [arm, low] = turned_closely::<FUSED>(local, d);
         let swing = low + local.map(|v| v.hi).turned(turned.direction);
         let rest = size(local.map(|v| v.hi)) * turned.along + swing_rest(local, turned);
         let mut error = PointError::none();
-        let mut see = |k: usize, [way, lost]: [Vec2; 2], arm: Vec2, swing: Vec2| {
-            let miss = arm - way;
-            let step = (miss - lost) + swing;
-            error.shift[k] = from.shift[k] + step;
-            let rounding = SUM * (size(miss) + size(swing) + from.most[k]);
-            error.settle(k, from.left[k] + rest + rounding);
+        error.shift[0] = from.shift[0];
+        let mut see = |k: usize, miss: Vec2, swing: Vec2, from: f64| {
+            error.shift[k] += miss + swing;
+            let rounding = SUM * (size(miss) + size(swing) + from);
+            error.settle(k, rest + rounding);
         };
-        see(0, difference(x.p, p.p), arm, swing);
+        let [way, lost] = difference(x.p, p.p);
+        see(0, (arm - way) - lost, swing, from.most[0]);
+        // The pivot stands on the ground.
         if ORDER >= VELOCITY {
-            see(1, difference(x.v, p.v), arm.perp(), swing.perp());
+            see(1, arm.perp() - x.v, swing.perp(), 0.0);
         }
         if ORDER >= ACCELERATION {
-            see(2, difference(x.a, p.a), -arm, -swing);
+            see(2, -arm - x.a, -swing, 0.0);
         }
         self.set_point(point, &error, state, enclosure);
     }
@@ -248,6 +249,6 @@ impl Errors {
 
 /// d - R(turn) d0, to twice the digits.
 fn missed(d: Vec2, from: Vec2, turn: Vec2<Constant>) -> Vec2 {
-    let [turned, low] = turned_closely(turn, from);
+    let [turned, low] = turned_closely::<false>(turn, from);
     (d - turned) - low
 }

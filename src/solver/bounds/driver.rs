@@ -7,8 +7,11 @@ use crate::{Ball, Double, Vec2, angle};
 /// Decimals of 15 digits are whole numbers from the one to below the other, in some unit;
 const LEAST_DIGITS: f64 = 1e14;
 const MOST_DIGITS: f64 = 1e15;
-/// and this is the largest power of ten whose inverse such a unit can be: it is the last that a double holds.
-const LARGEST_UNIT: f64 = 1e22;
+/// and these are the inverses of the units: a double holds no larger power of ten.
+const UNITS: [f64; 23] = [
+    1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
+    1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
+];
 /// What a direction in twice the digits rounds, and the way to it.
 const UNIT: f64 = 64.0 * U * U;
 /// pi / 180, rounded up.
@@ -16,21 +19,18 @@ const RADIAN: f64 = 0.017_453_292_519_943_3;
 
 /// How far the driver's coordinate that was meant can be from the double that it was read as: one of more
 /// than 15 digits is that double, one of fewer is the decimal that it reads back as.
+#[inline(always)]
 pub(super) fn asked_radius(at: f64) -> f64 {
     // A whole number is itself.
     if at.abs() < MOST_DIGITS && at == at.trunc() {
         return 0.0;
     }
-    let mut unit = 1.0;
-    while (at * unit).abs() < LEAST_DIGITS {
-        unit *= 10.0;
-        if unit > LARGEST_UNIT {
-            return typed_radius(at);
-        }
-    }
+    let Some(unit) = unit_of(at.abs()) else {
+        return typed_radius(at);
+    };
     // Both are whole and below 2^53: their quotient is what the decimal is read as.
     let (product, lost) = two_product(at, unit);
-    let whole = product.round();
+    let whole = product.round_ties_even();
     if whole.abs() < MOST_DIGITS && whole / unit == at {
         ((whole - product) - lost).abs() / unit * (1.0 + 4.0 * U)
     } else {
@@ -38,24 +38,34 @@ pub(super) fn asked_radius(at: f64) -> f64 {
     }
 }
 
-/// The error of a crank's computed direction at an angle in degrees. A long chain makes much of little: there the
+/// The least power of ten that makes a size one of 15 digits before the point.
+#[inline(always)]
+fn unit_of(size: f64) -> Option<f64> {
+    // 2^e <= size: its decimal exponent is at least that of 2^e, and at most one more.
+    let e = (size.to_bits() >> 52) as i32 - 1023;
+    let most = (14 - ((e * 1233) >> 12)).max(0) as usize;
+    let less = most.saturating_sub(1);
+    let is_enough = size * UNITS.get(less)? >= LEAST_DIGITS;
+    UNITS.get(if is_enough { less } else { most }).copied()
+}
+
+/// A crank's direction at an angle in degrees, and the error of that. A long chain makes much of little: there the
 /// direction is found to twice the digits.
-pub(super) fn crank_error(d: Vec2, at: Ball, is_long: bool) -> LinkError {
+#[inline(always)]
+pub(super) fn crank_error<const FUSED: bool>(at: Ball, is_long: bool) -> (Vec2, LinkError) {
     let (close, off) = if is_long {
         (Double::unit(at.mid), Vec2::ZERO)
     } else {
-        angle::unit_closely(at.mid)
+        angle::unit_closely::<FUSED>(at.mid)
     };
     let off = off.x + off.y + UNIT + at.radius * RADIAN;
-    LinkError {
-        direction: Vec2::new(
-            (close.x.hi - d.x) + close.x.lo,
-            (close.y.hi - d.y) + close.y.lo,
-        ),
+    let error = LinkError {
+        direction: close.map(|v| v.lo),
         rest: [off, 0.0, 0.0],
         along: off,
         ..LinkError::none()
-    }
+    };
+    (close.map(|v| v.hi), error)
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! as what a typed coordinate of the driver is off by, and what is of the second order.
 
 use super::influence::Influences;
-use crate::arithmetic::{Both, INFLATION, Sharp, U, two_sum};
+use crate::arithmetic::{Both, INFLATION, Sharp, U};
 use crate::solver::Workspace;
 use crate::solver::engine::Engine;
 use crate::solver::state::{LinkState, PointState, State};
@@ -16,7 +16,10 @@ use crate::{Ball, Constant, Double, LinkId, Number, PointId, Vec2};
 const TWICE: f64 = 1e-31;
 
 /// The errors of a point's position, velocity and acceleration.
+///
+/// Aligned as states are, see [`PointState`].
 #[derive(Clone, Copy, Debug)]
+#[repr(align(128))]
 pub(super) struct PointError<T = f64> {
     pub shift: [Vec2<T>; 3],
     /// Bounds of the rest in each component, and of how far the true figure is from the computed one.
@@ -26,6 +29,7 @@ pub(super) struct PointError<T = f64> {
 
 /// The errors of a link's direction, angular velocity and acceleration.
 #[derive(Clone, Copy, Debug)]
+#[repr(align(128))]
 pub(super) struct LinkError<T = f64> {
     pub direction: Vec2<T>,
     /// Of the velocity and of the acceleration.
@@ -77,10 +81,12 @@ pub(super) fn larger(v: Vec2) -> f64 {
 }
 
 /// Here a rest becomes a bound: it is a sum of positive terms, each rounded to nearest, and is widened by
-/// more than these can have lost.
+/// more than these can have lost. What the middle rounds is told by Dekker's short sum, or, where the shift is the
+/// larger one, is below 4 u of the shift: every rest is more.
 #[inline(always)]
 fn ball<T: Number>(value: T, shift: T, rest: T) -> (T, T) {
-    let (mid, lost) = two_sum(value, shift);
+    let mid = value + shift;
+    let lost = shift - (mid - value);
     (mid, rest * T::exactly(INFLATION) + lost.abs())
 }
 
@@ -100,10 +106,10 @@ fn sharp(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Sharp> {
 }
 
 /// From a computed value to one in twice the digits, and a bound of what is left: with what the way rounds,
-/// which is two sums.
+/// which is two sums, and as much again.
 fn way(sharp: Sharp, value: f64) -> (f64, f64) {
     let way = sharp.way_from(value);
-    (way, sharp.radius + 2.0 * U * way.abs())
+    (way, sharp.radius + 4.0 * U * way.abs())
 }
 
 /// The same of a vector, and a bound in each component.
@@ -296,14 +302,25 @@ impl Errors {
         enclosure: &mut State<Ball>,
     ) {
         let i = point.index();
-        let value = &state.points[i];
-        enclosure.points[i] = error.balls(value);
-        if self.feeds_sharp
-            && let Some(sharp) = &mut self.sharp
-        {
-            sharp.state.points[i] = error.sharp(value);
-        }
         self.points[i] = *error;
+        enclosure.points[i] = error.balls(&state.points[i]);
+        if self.feeds_sharp {
+            self.sharpen_point(i, state);
+        }
+    }
+
+    #[cold]
+    fn sharpen_point(&mut self, i: usize, state: &State) {
+        if let Some(sharp) = &mut self.sharp {
+            sharp.state.points[i] = self.points[i].sharp(&state.points[i]);
+        }
+    }
+
+    #[cold]
+    fn sharpen_link(&mut self, i: usize, value: &LinkState) {
+        if let Some(sharp) = &mut self.sharp {
+            sharp.state.links[i] = self.links[i].sharp(value);
+        }
     }
 
     /// Notes the errors of two links, and encloses them.
@@ -335,17 +352,15 @@ impl Errors {
                 w: at(2),
                 a: at(3),
             };
-            if self.feeds_sharp
-                && let Some(sharp) = &mut self.sharp
-            {
+            self.links[link.index()] = error;
+            if self.feeds_sharp {
                 let value = LinkState {
                     d: value.d.one(i),
                     w: value.w.0[i],
                     a: value.a.0[i],
                 };
-                sharp.state.links[link.index()] = error.sharp(&value);
+                self.sharpen_link(link.index(), &value);
             }
-            self.links[link.index()] = error;
         }
     }
 
@@ -359,12 +374,10 @@ impl Errors {
         enclosure: &mut State<Ball>,
     ) {
         let i = link.index();
-        enclosure.links[i] = error.balls(value);
-        if self.feeds_sharp
-            && let Some(sharp) = &mut self.sharp
-        {
-            sharp.state.links[i] = error.sharp(value);
-        }
         self.links[i] = *error;
+        enclosure.links[i] = error.balls(value);
+        if self.feeds_sharp {
+            self.sharpen_link(i, value);
+        }
     }
 }

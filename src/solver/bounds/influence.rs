@@ -5,15 +5,15 @@
 //! them: rows of the inverse of the whole matrix, which is block triangular, found forwards. Summed in the end over
 //! sources by size, they give bounds that do not widen from group to group.
 //!
-//! Where all lengths are known exactly, rests are of the second order: through a few groups they can widen as they
-//! like, and nobody has a row. A row is kept only as long as a later step reads it.
+//! Rests are of the second order, but for digits that nobody typed: through a few groups they can widen as they like,
+//! and nobody has a row. A row is kept only as long as a later step reads it.
 
 use super::limb::SUM;
 use crate::solver::coupled::Coupled;
 use crate::solver::demand::{Part, inputs, outputs};
 use crate::solver::plan::Program;
-use crate::solver::step::{Arm, Step};
-use crate::{Constant, LinkId, PointId, Vec2};
+use crate::solver::step::Step;
+use crate::{LinkId, PointId, Vec2};
 
 /// By how much each of the first sources moves a point, or in x a link's angle.
 #[derive(Clone, Debug, Default)]
@@ -52,28 +52,6 @@ fn sources(step: &Step, coupled: &[Coupled]) -> usize {
         }
     });
     count
-}
-
-/// Whether a number of a step is meant to be somewhere within half an ulp.
-fn is_rounded(step: &Step) -> bool {
-    let is_off = |v: Vec2<Constant>| v.x.radius + v.y.radius > 0.0;
-    let is_arm = |arm: &Arm| arm.square.radius > 0.0 || is_off(arm.factor);
-    match step {
-        Step::Circles(c) => is_arm(&c.near) || is_arm(&c.far),
-        Step::CircleRail(c) => is_arm(&c.arm) || is_off(c.through) || is_off(c.along),
-        Step::Aim { arm, .. } => is_arm(arm),
-        Step::Spin { local, .. } | Step::Ride { local, .. } => is_off(*local),
-        Step::Lock { turn, .. } => is_off(*turn),
-        // These are run closely: what they place is a source.
-        Step::CircleLine(_)
-        | Step::Cylinder(_)
-        | Step::Swing(_)
-        | Step::Coupled { .. }
-        | Step::Push { .. }
-        | Step::Lines { .. }
-        | Step::Crank { .. }
-        | Step::Travel { .. } => false,
-    }
 }
 
 /// Whether a step makes rows of rows.
@@ -203,7 +181,7 @@ impl Influences {
             points: vec![0; program.points.len()],
             links: vec![0; program.links.len()],
         };
-        if is_long || program.steps.iter().any(is_rounded) {
+        if is_long {
             influences.share_rows(program, sources);
         }
         influences

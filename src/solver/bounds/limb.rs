@@ -21,7 +21,7 @@ pub(super) const RESIDUAL: f64 = 32.0 * U * U;
 pub(super) const SUM: f64 = 8.0 * U;
 
 /// A way between two points of a link, with its rates, and what they leave over; or two such at once.
-pub(super) struct Limb<T = f64> {
+pub(super) struct Limb<T, const FUSED: bool> {
     pub e: Vec2<T>,
     /// What e leaves out of the way.
     pub lost: Vec2<T>,
@@ -33,7 +33,7 @@ pub(super) struct Limb<T = f64> {
     pub sizes: [T; 3],
     /// How far rho and sigma can be from what they say.
     pub fuzz: [T; 2],
-    halves: Vec2<Halves<T>>,
+    halves: Vec2<Halves<T, FUSED>>,
 }
 
 /// What an arm is given by: the square of its length and its factor, each with the digits that a double leaves
@@ -85,14 +85,14 @@ pub(super) fn difference<T: Number>(x: Vec2<T>, p: Vec2<T>) -> [Vec2<T>; 2] {
     [Vec2::new(dx, dy), Vec2::new(lost_x, lost_y)]
 }
 
-impl<T: Number> Limb<T> {
+impl<T: Number, const FUSED: bool> Limb<T, FUSED> {
     /// From `p` to `x`.
     #[inline(always)]
     pub(super) fn new<const ORDER: u8>(
         x: &PointState<T>,
         p: &PointState<T>,
         link: &LinkState<T>,
-    ) -> Limb<T> {
+    ) -> Self {
         let [e, lost] = difference(x.p, p.p);
         let none = T::default();
         let nowhere = Vec2::new(none, none);
@@ -120,7 +120,7 @@ impl<T: Number> Limb<T> {
     }
 
     #[inline(always)]
-    fn see_velocity(&mut self, [w, low]: [Vec2<T>; 2], spin: T, omega: Halves<T>) {
+    fn see_velocity(&mut self, [w, low]: [Vec2<T>; 2], spin: T, omega: Halves<T, FUSED>) {
         // w + omega (e.y, -e.x), the products largest and almost opposite.
         let (y, x) = (omega.times(self.halves.y), omega.times(self.halves.x));
         self.w = w;
@@ -139,11 +139,11 @@ impl<T: Number> Limb<T> {
         [a, low]: [Vec2<T>; 2],
         [w, w_low]: [Vec2<T>; 2],
         link: &LinkState<T>,
-        omega: Halves<T>,
+        omega: Halves<T, FUSED>,
     ) {
         let alpha = Halves::of(link.a);
         // alpha e + omega w, of one component.
-        let part = |e: Halves<T>, lost: T, w: T, low: T| {
+        let part = |e: Halves<T, FUSED>, lost: T, w: T, low: T| {
             let (turning, driven) = (alpha.times(e), omega.times(Halves::of(w)));
             let (sum, rest) = two_sum(turning.hi, driven.hi);
             let small = rest + (turning.lo + driven.lo) + (link.a * lost + link.w * low);
@@ -164,12 +164,13 @@ impl<T: Number> Limb<T> {
     pub(super) fn stretch(&self, shape: &Shape<T>) -> [T; 2] {
         let [square, low, radius] = shape.square;
         let (xx, yy) = (self.halves.x.square(), self.halves.y.square());
-        // Largest terms first; what each sum loses joins the small ones.
+        // Largest terms first; what their sum loses joins the small ones. The difference loses nothing, or less than
+        // a rounding of the stretch.
         let (sum, lost) = two_sum(xx.hi, yy.hi);
-        let (rest, lost_too) = two_sum(sum, -square);
-        let small = (lost + lost_too) + (xx.lo + yy.lo) - low;
+        let rest = sum - square;
+        let small = lost + (xx.lo + yy.lo) - low;
         let stretch = (rest + (small + self.e.dot(self.lost).scaled(2.0))).scaled(0.5);
-        let fuzz = radius.scaled(0.5) + square.scaled(RESIDUAL) + stretch.abs().scaled(2.0 * U);
+        let fuzz = radius.scaled(0.5) + square.scaled(RESIDUAL) + stretch.abs().scaled(4.0 * U);
         [stretch, fuzz]
     }
 
@@ -264,16 +265,16 @@ impl<T: Number> Limb<T> {
     }
 }
 
-impl Limb {
-    /// The derivative of the link's angle by the way.
-    pub(super) fn across(e: Vec2) -> Vec2 {
-        e.perp() * (1.0 / e.norm2())
-    }
+/// The derivative of a link's angle by a way on it.
+pub(super) fn across(e: Vec2) -> Vec2 {
+    e.perp() * (1.0 / e.norm2())
+}
 
+impl<const FUSED: bool> Limb<f64, FUSED> {
     /// e - R(d) local: from where the link carries the point to where it was put.
     #[inline(always)]
     fn miss(&self, local: Vec2<Constant>, d: Vec2) -> Vec2 {
-        let [carried, low] = turned_closely(local, d);
+        let [carried, low] = turned_closely::<FUSED>(local, d);
         (self.e - carried) + (self.lost - low)
     }
 
@@ -341,8 +342,8 @@ impl Limb {
 
 /// R(d) v to twice the digits, as two vectors.
 #[inline(always)]
-pub(super) fn turned_closely(v: Vec2<Constant>, d: Vec2) -> [Vec2; 2] {
-    let (lx, ly) = (Halves::of(v.x.hi), Halves::of(v.y.hi));
+pub(super) fn turned_closely<const FUSED: bool>(v: Vec2<Constant>, d: Vec2) -> [Vec2; 2] {
+    let (lx, ly) = (Halves::<f64, FUSED>::of(v.x.hi), Halves::of(v.y.hi));
     let (dx, dy) = (Halves::of(d.x), Halves::of(d.y));
     let (a, p) = (lx.times(dx), lx.times(dy));
     let low = v.map(|v| v.lo).turned(d);

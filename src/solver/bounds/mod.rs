@@ -4,10 +4,10 @@
 //! from the outside. The residuals of its constraints and of their rates at the computed state, to twice
 //! the precision, go through the inverse of its own matrix: that shifts what was computed to where it
 //! should be, to the first order and with its sign, and goes on to the groups behind. What is left, which is of
-//! the second order but for digits that nobody typed, is bounded by a few numbers a group; in long chains, and
-//! where there are such digits, it is carried by the influences of each constraint on what stands on it, so that
-//! it does not widen. Both are one pass in the order of the plan. That a
-//! solution lies there is proved group by group. It does not matter how the figure was come by.
+//! the second order but for digits that nobody typed, is bounded by a few numbers a group; in long chains it is
+//! carried by the influences of each constraint on what stands on it, so that it does not widen. Both are one pass
+//! in the order of the plan. That a solution lies there is proved group by group. It does not matter how the figure
+//! was come by.
 //!
 //! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits,
 //! and so are the forces, which are one pass backwards.
@@ -35,7 +35,7 @@ use super::forces::Balance;
 use super::state::{Condition, LinkState, PointState, State};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver, Workspace};
-use crate::arithmetic::Sharp;
+use crate::arithmetic::{Sharp, fused};
 use crate::{Ball, Double, Number, Vec2};
 use driver::{asked_radius, crank_error};
 use errors::LinkError;
@@ -139,37 +139,55 @@ impl Engine {
         state: &State,
         work: &mut Workspace<Ball>,
     ) -> bool {
-        let enclosure = &mut work.state;
-        enclosure.begin(Ball::new(state.at, asked_radius(state.at)), order);
-        enclosure.condition = state.condition;
-        work.errors.begin(order == Order::Force);
+        work.state.condition = state.condition;
         if state.condition == Condition::NoAssembly {
+            let at = Ball::new(state.at, asked_radius(state.at));
+            work.state.begin(at, order);
             return true;
         }
+        let how = (is_edge, order);
         match order {
-            Order::Position => self.enclose::<POSITION>(is_edge, state, work),
-            Order::Velocity => self.enclose::<VELOCITY>(is_edge, state, work),
-            Order::Acceleration | Order::Force => {
-                self.enclose::<ACCELERATION>(is_edge, state, work)
-            }
+            Order::Position => self.enclose::<POSITION>(how, state, work),
+            Order::Velocity => self.enclose::<VELOCITY>(how, state, work),
+            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(how, state, work),
         }
     }
 
+    /// By fused multiplication and addition where the machine has it, to the same bits. Long chains are another
+    /// matter: what they need besides would only stand in the way.
     fn enclose<const ORDER: u8>(
         &self,
-        is_edge: bool,
+        how: (bool, Order),
+        state: &State,
+        work: &mut Workspace<Ball>,
+    ) -> bool {
+        if work.errors.influences.is_long() {
+            return self.enclose_here::<ORDER, false, true>(how, state, work);
+        }
+        fused(
+            work,
+            #[inline(always)]
+            |work| self.enclose_here::<ORDER, true, false>(how, state, work),
+            |work| self.enclose_here::<ORDER, false, false>(how, state, work),
+        )
+    }
+
+    #[inline(always)]
+    fn enclose_here<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
+        &self,
+        (is_edge, order): (bool, Order),
         state: &State,
         work: &mut Workspace<Ball>,
     ) -> bool {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
-        let at = enclosure.at;
-        let (_, d) = self.coordinate(at.mid);
-        let crank = LinkState { d, w: 1.0, a: 0.0 };
-        let turned = if self.turns {
-            crank_error(d, at, errors.influences.is_long())
+        let at = Ball::new(state.at, asked_radius(state.at));
+        enclosure.begin(at, order);
+        errors.begin(order == Order::Force);
+        let (d, turned) = if self.turns {
+            crank_error::<FUSED>(at, ROWS)
         } else {
-            LinkError::none()
+            (Vec2::X, LinkError::none())
         };
         let mut all = true;
         for step in &self.program.steps {
@@ -180,10 +198,15 @@ impl Engine {
                 continue;
             }
             let proved = match *step {
-                Step::Circles(ref c) => c.enclose::<ORDER>(state, errors, enclosure),
-                Step::CircleRail(ref c) => c.enclose::<ORDER>(state, errors, enclosure),
+                Step::Circles(ref c) => c.enclose::<ORDER, FUSED, ROWS>(state, errors, enclosure),
+                Step::CircleRail(ref c) => {
+                    c.enclose::<ORDER, FUSED, ROWS>(state, errors, enclosure)
+                }
                 Step::Crank { link } => {
-                    errors.set_link(link, &turned, &crank, enclosure);
+                    let crank = &state.links[link.index()];
+                    let mut error = turned;
+                    error.direction += d - crank.d;
+                    errors.set_link(link, &error, crank, enclosure);
                     true
                 }
                 Step::Spin {
@@ -192,7 +215,7 @@ impl Engine {
                     local,
                 } => {
                     let points = [point, pivot];
-                    errors.spin::<ORDER>(points, (d, &turned), local, state, enclosure);
+                    errors.spin::<ORDER, FUSED>(points, (d, &turned), local, state, enclosure);
                     true
                 }
                 Step::Ride {
@@ -201,11 +224,11 @@ impl Engine {
                     link,
                     local,
                 } => {
-                    errors.ride::<ORDER>([point, base], link, local, state, enclosure);
+                    errors.ride::<ORDER, FUSED, ROWS>([point, base], link, local, state, enclosure);
                     true
                 }
                 Step::Aim { ref arm, end } => {
-                    errors.aim_at::<ORDER>(arm, end, state, enclosure);
+                    errors.aim_at::<ORDER, FUSED, ROWS>(arm, end, state, enclosure);
                     true
                 }
                 Step::Lock { link, to, turn } => {

@@ -31,17 +31,17 @@ const INVERSE: f64 = 16.0 * U;
 
 /// Two constraints on a point, and their inverse.
 ///
-/// With C_i the size of a column, L_i, S_i and A_i those of a gradient and its rates: what moves row i by r moves
-/// the point by C_i r at most; and as C_1 = L_2 / |det| and C_2 = L_1 / |det|, what moves one of the other
-/// points by r moves it by K r at most, K = L_1 L_2 / |det|.
+/// Points are told in each component. With C_i the larger part of a column, L_i, S_i and A_i the sums of those of a
+/// gradient and its rates: what moves row i by r moves the point by C_i r at most, and what moves the other point of
+/// that row by r moves it by K_i r, K_i = C_i L_i. Each K_i is at least the condition number of the two rows.
 struct Pair<'a> {
     /// The other points.
     from: &'a PointError<Both>,
     columns: Vec2<Both>,
-    /// L_i, C_i, and K.
+    /// L_i, C_i, and K_i.
     lengths: Both,
     sizes: Both,
-    gain: f64,
+    gains: Both,
     /// What the columns miss of being the inverse, in parts of what they move.
     skew: f64,
     /// By how much more the true inverse can make of a step.
@@ -60,13 +60,13 @@ impl<'a> Pair<'a> {
         let inverse = Both([1.0 / det, -1.0 / det]);
         let columns = Vec2::new(y * inverse, -(x * inverse));
         let lengths = rows.sizes[0];
-        let sizes = lengths.swapped() * inverse.abs();
-        let [gain, _] = (lengths * sizes).0;
+        let sizes = x.abs().max(y.abs()) * inverse.abs();
+        let gains = lengths * sizes;
         let norm = sizes.sum();
         let wobble = from.most[0].sum();
         let off = (sizes * (values.abs() + rows.fuzz[0])).sum();
-        let carried = from.left[0].sum() + 2.0 * SUM * wobble;
-        let reach = off + gain * carried + norm * wobble * wobble;
+        let carried = from.left[0] + Both::exactly(2.0 * SUM * wobble);
+        let reach = off + (gains * carried).sum() + norm * wobble * wobble;
         let curvature = rows.curvature.0[0].max(rows.curvature.0[1]);
         let rounding = (INVERSE + U) * lengths.sum();
         let change = norm * (rounding + 2.0 * wobble + 4.0 * curvature * reach);
@@ -81,8 +81,8 @@ impl<'a> Pair<'a> {
             columns,
             lengths,
             sizes,
-            gain,
-            skew: 2.0 * INVERSE * gain,
+            gains,
+            skew: 2.0 * INVERSE * gains.0[0],
             growth,
             reach: reach * growth + wobble,
         })
@@ -100,22 +100,26 @@ impl<'a> Pair<'a> {
         (self.sizes * rows).sum()
     }
 
+    /// How far what moves the other points moves the point.
+    #[inline(always)]
+    fn carried(&self, others: Both) -> f64 {
+        (self.gains * others).sum()
+    }
+
     /// What the columns leave of the values of an order, missing the inverse, and what rounding does to these.
     #[inline(always)]
     fn missed(&self, order: usize, values: Both) -> f64 {
-        let others = self.from.most[order].sum();
-        self.skew * (self.moved(values.abs()) + self.gain * others)
+        self.skew * (self.moved(values.abs()) + self.carried(self.from.most[order]))
     }
 }
 
 /// How the rests of the two points that a joint stands on come to it: by rows of influences, or at once.
-struct Standing {
+struct Standing<const ROWS: bool> {
     point: PointId,
     from: [Option<PointId>; 2],
-    has_row: bool,
 }
 
-impl Standing {
+impl<const ROWS: bool> Standing<ROWS> {
     /// What is left of an order: of what the rows miss by and what moves the point besides, and of what the other
     /// points move.
     #[inline(always)]
@@ -126,10 +130,10 @@ impl Standing {
         pair: &Pair<'_>,
         influences: &mut Influences,
     ) -> f64 {
-        if self.has_row {
+        if ROWS {
             return self.left_by_rows(order, (rows, besides), pair, influences);
         }
-        let moved = pair.moved(rows) + pair.gain * pair.from.left[order].sum();
+        let moved = pair.moved(rows) + pair.carried(pair.from.left[order]);
         pair.growth * (moved + besides)
     }
 
@@ -162,16 +166,16 @@ struct Found {
 
 /// The error of a joint that two constraints place, each towards another point if there is one.
 #[inline(always)]
-fn solve<const ORDER: u8>(
+fn solve<const ORDER: u8, const ROWS: bool>(
     rows: &Row<Both>,
     from: &PointError<Both>,
-    standing: &Standing,
+    standing: &Standing<ROWS>,
     influences: &mut Influences,
 ) -> Option<Found> {
     let Row { gradient, w, a, .. } = *rows;
     let values = rows.values[0] - gradient.dot(from.shift[0]);
     let pair = Pair::proved(rows, values, from)?;
-    if standing.has_row {
+    if ROWS {
         let gradients = [rows.gradient.one(0), rows.gradient.one(1)];
         let columns = [pair.columns.one(0), pair.columns.one(1)];
         influences.pair(standing.point, gradients, columns, standing.from);
@@ -197,7 +201,7 @@ fn solve<const ORDER: u8>(
         let values = rows.values[1] + w.dot(way) - gradient.dot(from.shift[1]);
         x.shift[1] = pair.step(values);
         let coupled = rows.sizes[1] * (left + most.scaled(2.0 * SUM));
-        let moving = pair.gain * from.left[1].sum();
+        let moving = pair.carried(from.left[1]);
         let turned = 2.0 * near * (larger(x.shift[1]) + moving + from.most[1].sum());
         let besides = pair.missed(1, values) + curvature * turned;
         let new = (rows.fuzz[1] + coupled, besides);
@@ -213,7 +217,7 @@ fn solve<const ORDER: u8>(
             let left_rate = twice.left[1] + from.left[1];
             let coupled = rows.sizes[2] * (left + most.scaled(2.0 * SUM))
                 + rows.sizes[1] * (left_rate + rate.scaled(2.0 * SUM)).scaled(2.0);
-            let moving = pair.gain * from.left[2].sum();
+            let moving = pair.carried(from.left[2]);
             let turned = 2.0 * near * (larger(x.shift[2]) + moving + from.most[2].sum());
             let bent = rows.curvature * (rate * rate).scaled(2.0);
             let besides = pair.missed(2, values) + curvature * turned;
@@ -271,7 +275,7 @@ impl PointError<Both> {
 
 impl Circles {
     #[inline(always)]
-    pub(super) fn enclose<const ORDER: u8>(
+    pub(super) fn enclose<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
         &self,
         state: &State,
         errors: &mut Errors,
@@ -283,16 +287,15 @@ impl Circles {
         let x = point(self.point);
         let ends = PointState::both(point(near.pivot), point(far.pivot));
         let links = LinkState::both(link(near), link(far));
-        let limbs = Limb::new::<ORDER>(&PointState::both(x, x), &ends, &links);
+        let limbs = Limb::<Both, FUSED>::new::<ORDER>(&PointState::both(x, x), &ends, &links);
         let shapes = Shape::of_both(near, far);
-        let rows = Row::circle::<ORDER>(&limbs, &shapes);
+        let rows = Row::circle::<ORDER, FUSED>(&limbs, &shapes);
         let from = PointError::both(errors.point(near.pivot), errors.point(far.pivot));
-        let standing = Standing {
+        let standing = Standing::<ROWS> {
             point: self.point,
             from: [Some(near.pivot), Some(far.pivot)],
-            has_row: errors.influences.has_point(self.point),
         };
-        let found = solve::<ORDER>(&rows, &from, &standing, &mut errors.influences);
+        let found = solve::<ORDER, ROWS>(&rows, &from, &standing, &mut errors.influences);
         let Some(Found { x, twice, along }) = found else {
             return false;
         };
@@ -303,7 +306,7 @@ impl Circles {
             error.rest[k] += gain * (twice.left[k] + from.left[k]);
         }
         for (i, arm) in [near, far].into_iter().enumerate() {
-            if errors.influences.has_link(arm.link) {
+            if ROWS && errors.influences.has_link(arm.link) {
                 let new = [0, 1, 2].map(|k| new[k].0[i]);
                 let ends = (self.point, limbs.e.one(i));
                 let rest = errors.turn_by_rows(arm, ends, new, gain.0[i]);
@@ -317,7 +320,7 @@ impl Circles {
 
 impl CircleRail {
     #[inline(always)]
-    pub(super) fn enclose<const ORDER: u8>(
+    pub(super) fn enclose<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
         &self,
         state: &State,
         errors: &mut Errors,
@@ -326,24 +329,23 @@ impl CircleRail {
         let x = &state.points[self.point.index()];
         let arm = &self.arm;
         let link = &state.links[arm.link.index()];
-        let limb = Limb::new::<ORDER>(x, &state.points[arm.pivot.index()], link);
+        let limb = Limb::<f64, FUSED>::new::<ORDER>(x, &state.points[arm.pivot.index()], link);
         let shape = Shape::of(arm);
-        let circle = Row::circle::<ORDER>(&limb, &shape);
-        let rail = Row::rail::<ORDER>(x, [self.through, self.along]);
+        let circle = Row::circle::<ORDER, FUSED>(&limb, &shape);
+        let rail = Row::rail::<ORDER, FUSED>(x, [self.through, self.along]);
         let from = PointError::both(errors.point(arm.pivot), &PointError::none());
-        let standing = Standing {
+        let standing = Standing::<ROWS> {
             point: self.point,
             from: [Some(arm.pivot), None],
-            has_row: errors.influences.has_point(self.point),
         };
         let rows = Row::both(&circle, &rail);
-        let found = solve::<ORDER>(&rows, &from, &standing, &mut errors.influences);
+        let found = solve::<ORDER, ROWS>(&rows, &from, &standing, &mut errors.influences);
         let Some(Found { x, along, .. }) = found else {
             return false;
         };
         errors.set_point(self.point, &x, state, enclosure);
         let along = [along[0].0[0], along[1].0[0]];
-        errors.aim::<ORDER>(arm, self.point, (&limb, &shape), along, state, enclosure);
+        errors.aim::<ORDER, FUSED, ROWS>(arm, self.point, (&limb, &shape), along, state, enclosure);
         true
     }
 }

@@ -25,7 +25,10 @@ pub(super) struct Row<T = f64> {
 impl<T: Number> Row<T> {
     /// (|X - P|^2 - b^2) / 2.
     #[inline(always)]
-    pub(super) fn circle<const ORDER: u8>(limb: &Limb<T>, shape: &Shape<T>) -> Row<T> {
+    pub(super) fn circle<const ORDER: u8, const FUSED: bool>(
+        limb: &Limb<T, FUSED>,
+        shape: &Shape<T>,
+    ) -> Row<T> {
         let Limb { e, w, a, .. } = *limb;
         let [length, speed, _] = limb.sizes;
         let [stretch, off] = limb.stretch(shape);
@@ -55,13 +58,13 @@ impl<T: Number> Row<T> {
 impl Row {
     /// n.(X - C) of a rail through C along t, and its rates.
     #[inline(always)]
-    pub(super) fn rail<const ORDER: u8>(
+    pub(super) fn rail<const ORDER: u8, const FUSED: bool>(
         x: &PointState,
         [through, along]: [Vec2<Constant>; 2],
     ) -> Row {
         let n = along.perp();
         let normal = Vec2::new(n.x.hi, n.y.hi);
-        let halves = Vec2::new(Halves::of(normal.x), Halves::of(normal.y));
+        let halves = Vec2::new(Halves::<f64, FUSED>::of(normal.x), Halves::of(normal.y));
         let across = |v: Vec2| {
             let (p, q) = (
                 halves.x.times(Halves::of(v.x)),
