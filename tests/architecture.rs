@@ -33,6 +33,23 @@ const PLACES: [(&str, u8); 19] = [
     ("main", 10),
 ];
 
+/// The rooms of the workbench in the same way. Those of the last place but one know each other: an action
+/// changes what views read, and asks a view what it needs.
+const ROOMS: [(&str, u8); 11] = [
+    ("appearance", 0),
+    ("commands", 0),
+    ("figures", 1),
+    ("terminal", 1),
+    ("player", 2),
+    ("document", 3),
+    ("app", LEADING),
+    ("config", LEADING),
+    ("views", LEADING),
+    ("workbench", 5),
+    ("picture", 6),
+];
+const LEADING: u8 = 4;
+
 /// Crates, and parts of the standard library, that belong to some modules alone.
 const FOREIGN: [(&str, &[&str]); 19] = [
     ("ratatui", &["tui"]),
@@ -212,6 +229,11 @@ impl Source {
 
     /// The names at the crate's root that the file refers to, by `crate::`, `krank::` or `super::`.
     fn root_names(&self) -> BTreeSet<String> {
+        self.names_in(&[])
+    }
+
+    /// The names in a module that the file refers to.
+    fn names_in(&self, module: &[&str]) -> BTreeSet<String> {
         let mut names = BTreeSet::new();
         let at = |i: usize| self.tokens.get(i).map_or("", String::as_str);
         for i in 0..self.tokens.len() {
@@ -228,11 +250,39 @@ impl Source {
                 depth -= 1;
                 behind += 2;
             }
-            if depth == 0 {
+            let mut at_module = self.path[..depth]
+                .iter()
+                .map(String::as_str)
+                .eq(module.iter().copied());
+            if depth == 0 && !module.is_empty() {
+                at_module = module
+                    .iter()
+                    .enumerate()
+                    .all(|(k, part)| at(behind + 2 * k) == *part && at(behind + 2 * k + 1) == "::");
+                behind += 2 * module.len();
+            }
+            if at_module {
                 names.extend(heads(&self.tokens, behind));
             }
         }
         names
+    }
+
+    /// What a file of the workbench imports of rooms that stand no lower.
+    fn faults_of_rooms(&self) -> Vec<String> {
+        let place = |room: &str| ROOMS.iter().find(|(r, _)| *r == room).map(|(_, p)| *p);
+        let Some(room) = self.path.get(1).filter(|_| self.path[0] == "tui") else {
+            return Vec::new();
+        };
+        let own = place(room).unwrap_or_else(|| panic!("`tui::{room}` has no place in ROOMS"));
+        let named = self.names_in(&["tui"]).into_iter();
+        let wrong = named.filter(|name| {
+            let place = place(name).filter(|_| *name != self.path[1]);
+            place.is_some_and(|place| place >= own && (place, own) != (LEADING, LEADING))
+        });
+        wrong
+            .map(|name| format!("{} imports `{name}`", self.path.join("::")))
+            .collect()
     }
 
     /// Whether the file names a foreign crate, or a part of the standard library.
@@ -333,6 +383,7 @@ fn nobody_imports_against_the_way_of_the_data() {
         seen.insert(path[0].clone());
         let source = Source::new(path, &fs::read_to_string(&file).unwrap());
         faults.extend(source.faults(&exports));
+        faults.extend(source.faults_of_rooms());
     }
     assert!(seen.contains("solver") && seen.contains("cli"), "{seen:?}");
     assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
@@ -351,6 +402,32 @@ mod checker {
         let exports = exports.map(|(name, module)| (name.to_owned(), module.to_owned()));
         let path = path.iter().map(|&part| part.to_owned()).collect();
         Source::new(path, text).faults(&exports.into())
+    }
+
+    #[test]
+    fn finds_rooms_that_are_imported_from_below() {
+        let faults = |path: &[&str], text: &str| {
+            let path = path.iter().map(|&part| part.to_owned()).collect();
+            Source::new(path, text).faults_of_rooms()
+        };
+        let player = ["tui", "player", "steps"];
+        for bad in [
+            "use crate::tui::views::help;",
+            "use super::super::document::disk;",
+            "use crate::tui::{Opened, app::App};",
+        ] {
+            assert_eq!(faults(&player, bad).len(), 1, "{bad}");
+        }
+        for good in [
+            "use crate::tui::figures::format;",
+            "use super::playback;",
+            "use crate::tui::Opened;",
+            "#[cfg(test)]\nmod tests { use crate::tui::views; }",
+        ] {
+            assert_eq!(faults(&player, good), [""; 0], "{good}");
+        }
+        assert_eq!(faults(&["tui", "app"], "use super::views;"), [""; 0]);
+        assert_eq!(faults(&["solver"], "use crate::tui::views;"), [""; 0]);
     }
 
     #[test]

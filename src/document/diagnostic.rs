@@ -92,6 +92,12 @@ pub struct Diagnostics {
 }
 
 impl Diagnostics {
+    /// What is wrong first, in one line; nothing where nothing is.
+    #[must_use]
+    pub fn first_words(&self) -> &str {
+        self.items.first().map_or("", |item| &item.message)
+    }
+
     /// The line and the column of a fault, both from 1; columns count characters.
     #[must_use]
     pub fn position(&self, item: &Diagnostic) -> Option<(usize, usize)> {

@@ -32,6 +32,7 @@ use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::Line;
+pub(crate) use crate::tui::commands::view::View;
 use crate::tui::document::Document;
 use crate::tui::document::clerk::Clerk;
 use crate::tui::document::editor::Editor;
@@ -50,7 +51,6 @@ use comparing::Comparison;
 use leaving::Pending;
 pub(crate) use leaving::Unsaved;
 pub(crate) use mode::Mode;
-pub use mode::View;
 use ratatui::layout::Size;
 use shell::Shell;
 use std::os::fd::BorrowedFd;
@@ -104,7 +104,7 @@ pub(crate) struct App {
     comparison: Comparison,
 
     /// Does what is to be done to files.
-    clerk: Clerk,
+    clerk: Clerk<App>,
     /// What is to be done once nothing is unsaved.
     pending: Option<Pending>,
     /// How many scenes have been shown, whatever was made of each: what was asked for of one is no answer to

@@ -32,8 +32,8 @@ mod views;
 mod workbench;
 
 pub use crate::capability::Colours;
-pub use app::View;
 pub use appearance::palette::Theme;
+pub use commands::view::View;
 pub use config::{Config, template};
 pub use picture::picture;
 pub use terminal::Terminal;

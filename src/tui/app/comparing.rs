@@ -4,7 +4,7 @@ use super::super::Opened;
 use super::App;
 use crate::report::Tables;
 use crate::tui::figures::sheet::Sheet;
-use crate::tui::player::comparison::ComparedScene;
+use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::views::picker::list::{Place, Purpose};
 
 /// What the open scene is held against.

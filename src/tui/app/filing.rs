@@ -3,6 +3,7 @@
 use super::{App, Effect, Mode, Unsaved};
 use crate::scene::Scene;
 use crate::tui::commands::action::Action;
+use crate::tui::document::clerk::Client;
 use crate::tui::document::disk::{News, Seen, unmarked};
 use crate::tui::document::history::Deed;
 use crate::tui::document::opening;
@@ -10,6 +11,13 @@ use crate::tui::{Opened, Origin};
 use std::io;
 use std::path::Path;
 use std::time::Duration;
+
+impl Client for App {
+    fn fail(&mut self, error: &io::Error) {
+        self.document.storing = false;
+        self.shell.say(error.to_string());
+    }
+}
 
 impl App {
     /// Does what follows from what was done to files meanwhile.
@@ -23,12 +31,6 @@ impl App {
         while let Some(then) = self.clerk.next() {
             then(self, now);
         }
-    }
-
-    /// Something that was to be done to a file ended as it never should.
-    pub(crate) fn fail(&mut self, error: &io::Error) {
-        self.document.storing = false;
-        self.shell.say(error.to_string());
     }
 
     /// The file of the scene is watched from now on.
@@ -164,7 +166,7 @@ impl App {
                 self.shell.say(format!("{name} was read again"));
             }
             Err(faults) => {
-                let fault = opening::first_words(&faults);
+                let fault = faults.first_words();
                 self.shell
                     .say(format!("{name} is broken, not shown: {fault}"));
             }

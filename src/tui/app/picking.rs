@@ -194,7 +194,7 @@ fn opened(place: &Place, original: &str, origin: Origin) -> Result<Opened, Strin
             Some(preset) => opening::preset(preset),
             None => Err(format!("there is no preset {name}")),
         },
-        Place::Original => opening::text(original, origin).map_err(|d| opening::first_words(&d)),
+        Place::Original => opening::text(original, origin).map_err(|d| d.first_words().to_owned()),
     }
 }
 

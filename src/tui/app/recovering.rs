@@ -38,7 +38,6 @@ impl App {
 
     /// A scene was opened: its file is watched, and edits of earlier sessions are offered.
     pub(super) fn meet(&mut self) {
-        self.document.older = false;
         self.watch();
         self.remember(true);
     }

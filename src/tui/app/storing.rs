@@ -47,13 +47,13 @@ impl App {
         self.ask_for_file(Content::Scene, &proposal);
     }
 
-    /// Writes a document to a file, as far as that was granted; the scene's is then its own.
-    pub(super) fn store(&mut self, document: Content, to: PathBuf, leave: Leave) {
+    /// Writes to a file, as far as that was granted; the scene's is then its own.
+    pub(super) fn store(&mut self, content: Content, to: PathBuf, leave: Leave) {
         if self.document.storing {
             self.shell.say("another file is still being written");
             return;
         }
-        let text = match &document {
+        let text = match &content {
             Content::Text(text) => text.text.clone(),
             Content::Scene => {
                 let told = edited::says_what_is_shown(&self.player.open_scene);
@@ -65,7 +65,7 @@ impl App {
                 self.player.open_scene.scene().text().to_owned()
             }
         };
-        let is_own = document == Content::Scene && self.is_own(&to);
+        let is_own = content == Content::Scene && self.is_own(&to);
         let errand = Errand {
             text,
             own: is_own.then(|| self.document.editor.saved().to_owned()),
@@ -78,7 +78,7 @@ impl App {
             to,
         };
         if is_own && self.document.older && self.is_changed() && !leave.over {
-            self.ask(document, errand, Doubt::Older);
+            self.ask(content, errand, Doubt::Older);
             return;
         }
         self.document.storing = true;
@@ -86,7 +86,7 @@ impl App {
         let scene = self.scenes;
         self.clerk.give(move || {
             let done = errand.run();
-            Box::new(move |app, _| app.stored(document, errand, done, scene))
+            Box::new(move |app, _| app.stored(content, errand, done, scene))
         });
     }
 
@@ -94,21 +94,21 @@ impl App {
         matches!(self.player.open_scene.origin(), Origin::File(own) if own == file)
     }
 
-    fn ask(&mut self, document: Content, errand: Errand, doubt: Doubt) {
+    fn ask(&mut self, content: Content, errand: Errand, doubt: Doubt) {
         self.shell.message = None;
         self.shell.ask(Mode::Confirm(Question {
-            document,
+            content,
             to: errand.to,
             doubt,
             leave: errand.leave,
         }));
     }
 
-    /// A document of a scene was written, or not. Where another scene is shown meanwhile, that is told and
+    /// What belongs to a scene was written, or not. Where another scene is shown meanwhile, that is told and
     /// nothing follows from it.
     fn stored(
         &mut self,
-        document: Content,
+        content: Content,
         errand: Errand,
         done: Result<(), Trouble>,
         scene: usize,
@@ -118,18 +118,18 @@ impl App {
         let trouble = match done {
             Ok(()) => {
                 let to = errand.to.display();
-                self.shell.say(match &document {
+                self.shell.say(match &content {
                     Content::Scene => format!("written to {to}"),
                     Content::Text(text) => format!("{} written to {to}", text.what),
                 });
-                if document == Content::Scene && is_shown {
+                if content == Content::Scene && is_shown {
                     self.filed(&errand);
                 }
                 return;
             }
             Err(trouble) => trouble,
         };
-        self.shell.say(match &document {
+        self.shell.say(match &content {
             Content::Scene => refused(&trouble, &errand.to),
             Content::Text(_) => refused_there(&trouble),
         });
@@ -138,11 +138,11 @@ impl App {
             return;
         }
         match Doubt::of(&trouble) {
-            Some(doubt) => self.ask(document, errand, doubt),
+            Some(doubt) => self.ask(content, errand, doubt),
             // A text is not lost, and a name is mended rather than typed again.
             None if errand.own.is_none() => {
                 let message = self.shell.message.take();
-                self.ask_for_file(document, &errand.to.to_string_lossy());
+                self.ask_for_file(content, &errand.to.to_string_lossy());
                 self.shell.message = message;
             }
             None => {

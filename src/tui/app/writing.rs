@@ -23,7 +23,7 @@ impl App {
         }
         self.shell.mode = Mode::Normal;
         let leave = question.granted();
-        self.store(question.document, question.to, leave);
+        self.store(question.content, question.to, leave);
         Some(Effect::Show)
     }
 
@@ -33,13 +33,13 @@ impl App {
         self.shell.mode = Mode::Normal;
         if !typed.is_empty() {
             let to = from_home(typed, places::environment);
-            self.store(prompt.document, to, Leave::default());
+            self.store(prompt.content, to, Leave::default());
         }
     }
 
     /// Asks for the name of a file, with a proposal.
-    pub(super) fn ask_for_file(&mut self, document: Content, proposal: &str) {
+    pub(super) fn ask_for_file(&mut self, content: Content, proposal: &str) {
         let name = Line::for_file(proposal);
-        self.shell.mode = Mode::FileName(Prompt { document, name });
+        self.shell.mode = Mode::FileName(Prompt { content, name });
     }
 }

@@ -1,8 +1,8 @@
 //! Everything that can be asked of the workbench, in one table: the keys, the help overlay, the hints of
 //! the last line and the list of keys in the manual all come from it.
 
-use crate::tui::app::View;
 use crate::tui::commands::key::Key;
+use crate::tui::commands::view::View;
 
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

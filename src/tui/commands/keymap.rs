@@ -1,9 +1,9 @@
 //! Which key asks for what: the table of actions, with the keys that a person has chosen in place of those
 //! that are built in.
 
-use crate::tui::app::View;
 use crate::tui::commands::action::{self, Action, Entry, Place};
 use crate::tui::commands::key::Key;
+use crate::tui::commands::view::View;
 
 /// The keys of every action.
 #[derive(Clone, Debug, PartialEq, Eq)]

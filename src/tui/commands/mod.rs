@@ -4,3 +4,4 @@ pub(crate) mod action;
 pub(crate) mod key;
 pub(crate) mod keymap;
 pub(crate) mod line;
+pub(crate) mod view;

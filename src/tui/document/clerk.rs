@@ -5,7 +5,6 @@
 //! done between two keys; on one that hangs everything else goes on. Without a thread, as tests have it, a
 //! job is done where it is given.
 
-use crate::tui::app::App;
 use rustix::io::{Errno, read, write};
 use std::collections::VecDeque;
 use std::fmt;
@@ -17,10 +16,16 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What follows from a job.
-pub(crate) type Then = Box<dyn FnOnce(&mut App, Duration) + Send>;
+/// Whoever gives jobs.
+pub(crate) trait Client {
+    /// A job ended as it never should.
+    fn fail(&mut self, error: &Error);
+}
+
+/// What follows from a job, for whoever gave it.
+pub(crate) type Then<T> = Box<dyn FnOnce(&mut T, Duration) + Send>;
 /// What is done apart from the screen.
-type Job = Box<dyn FnOnce() -> Then + Send>;
+type Job<T> = Box<dyn FnOnce() -> Then<T> + Send>;
 
 /// How long a job is waited for: too short to be felt, and long enough for a disk that does not hang.
 const GRACE: Duration = Duration::from_millis(60);
@@ -28,17 +33,26 @@ const GRACE: Duration = Duration::from_millis(60);
 const FAREWELL: Duration = Duration::from_secs(1);
 
 /// Does jobs, here or apart.
-#[derive(Default)]
-pub(crate) struct Clerk {
-    desk: Option<Desk>,
+pub(crate) struct Clerk<T> {
+    desk: Option<Desk<T>>,
     /// What was done here.
-    done: VecDeque<Then>,
+    done: VecDeque<Then<T>>,
+}
+
+impl<T> Default for Clerk<T> {
+    /// Jobs are done where they are given.
+    fn default() -> Self {
+        Clerk {
+            desk: None,
+            done: VecDeque::new(),
+        }
+    }
 }
 
 /// Where jobs are done apart.
-struct Desk {
-    jobs: Sender<Job>,
-    done: Receiver<Then>,
+struct Desk<T> {
+    jobs: Sender<Job<T>>,
+    done: Receiver<Then<T>>,
     /// Rings when a job is done.
     bell: UnixStream,
     /// Jobs that are not done yet, and until when they are waited for.
@@ -46,16 +60,16 @@ struct Desk {
     patience: Instant,
 }
 
-impl Clerk {
+impl<T: Client + 'static> Clerk<T> {
     /// With a thread of its own.
     ///
     /// # Errors
     /// What the system says.
-    pub(crate) fn apart() -> io::Result<Clerk> {
+    pub(crate) fn apart() -> io::Result<Clerk<T>> {
         let (bell, rope) = UnixStream::pair()?;
         bell.set_nonblocking(true)?;
         rope.set_nonblocking(true)?;
-        let (jobs, given) = channel::<Job>();
+        let (jobs, given) = channel::<Job<T>>();
         let (finished, done) = channel();
         let work = move || {
             for job in given {
@@ -81,7 +95,7 @@ impl Clerk {
     }
 
     /// Gives a job.
-    pub(crate) fn give(&mut self, job: impl FnOnce() -> Then + Send + 'static) {
+    pub(crate) fn give(&mut self, job: impl FnOnce() -> Then<T> + Send + 'static) {
         let Some(desk) = &mut self.desk else {
             self.done.push_back(job());
             return;
@@ -97,7 +111,7 @@ impl Clerk {
     }
 
     /// What follows from the next job that was done, waited for a moment.
-    pub(crate) fn next(&mut self) -> Option<Then> {
+    pub(crate) fn next(&mut self) -> Option<Then<T>> {
         if let Some(then) = self.done.pop_front() {
             return Some(then);
         }
@@ -119,15 +133,15 @@ impl Clerk {
     }
 }
 
-impl Desk {
-    fn take(&mut self, patience: Duration) -> Option<Then> {
+impl<T> Desk<T> {
+    fn take(&mut self, patience: Duration) -> Option<Then<T>> {
         let then = self.done.recv_timeout(patience).ok()?;
         self.open -= 1;
         Some(then)
     }
 }
 
-impl Drop for Clerk {
+impl<T> Drop for Clerk<T> {
     /// What was asked for before leaving is done, if that is not for ever.
     fn drop(&mut self) {
         let end = Instant::now() + FAREWELL;
@@ -142,7 +156,7 @@ impl Drop for Clerk {
     }
 }
 
-impl fmt::Debug for Clerk {
+impl<T> fmt::Debug for Clerk<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let open = self.desk.as_ref().map(|desk| desk.open);
         f.debug_struct("Clerk").field("open", &open).finish()
@@ -154,8 +168,8 @@ fn rings(written: Result<usize, Errno>) -> bool {
 }
 
 /// What follows from a job that panicked: the rest goes on.
-fn broken() -> Then {
-    Box::new(|app, _| app.fail(&Error::other("krank is broken there")))
+fn broken<T: Client>() -> Then<T> {
+    Box::new(|client: &mut T, _| client.fail(&Error::other("krank is broken there")))
 }
 
 #[cfg(test)]
@@ -164,12 +178,20 @@ mod tests {
     use std::sync::Arc;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
+    struct Nobody;
+
+    impl Client for Nobody {
+        fn fail(&mut self, error: &Error) {
+            panic!("{error}");
+        }
+    }
+
     /// The bell takes some hundred rings before it is full; nobody hears it while a line is stalled.
     #[test]
     fn jobs_are_done_whether_or_not_somebody_hears_the_bell() {
         const JOBS: usize = 2000;
         let done = Arc::new(AtomicUsize::new(0));
-        let mut clerk = Clerk::apart().unwrap();
+        let mut clerk = Clerk::<Nobody>::apart().unwrap();
         for _ in 0..JOBS {
             let done = Arc::clone(&done);
             clerk.give(move || {

@@ -7,7 +7,6 @@
 use crate::scene::{Scene, figure};
 use crate::solver::{Condition, Fault, Order, Solver};
 use crate::tui::Opened;
-use crate::tui::document::opening::first_words;
 use crate::tui::player::open_scene::OpenScene;
 
 /// The scene after a change.
@@ -76,7 +75,8 @@ fn edited(open_scene: &OpenScene, scene: Scene, solver: Solver, started: bool) -
 }
 
 fn parsed(open_scene: &OpenScene, text: &str) -> Result<Scene, String> {
-    Scene::parse(text, open_scene.scene().origin()).map_err(|faults| first_words(&faults))
+    Scene::parse(text, open_scene.scene().origin())
+        .map_err(|faults| faults.first_words().to_owned())
 }
 
 /// Where to look for the assembly that is shown: where the changed scene opens, if it gets there, else
@@ -117,7 +117,7 @@ fn words(scene: &Scene, fault: &Fault) -> String {
         | Fault::ChangePoint { .. }
         | Fault::NoChoice { .. }
         | Fault::NotAssembled { .. }
-        | Fault::Singular { .. } => first_words(&scene.explain(fault)),
+        | Fault::Singular { .. } => scene.explain(fault).first_words().to_owned(),
     }
 }
 

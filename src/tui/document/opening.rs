@@ -21,7 +21,7 @@ impl Unopened {
     pub(crate) fn first_words(self) -> String {
         match self {
             Unopened::Unread(why) => format!("cannot be read: {why}"),
-            Unopened::Wrong(diagnostics) => first_words(&diagnostics),
+            Unopened::Wrong(diagnostics) => diagnostics.first_words().to_owned(),
         }
     }
 }
@@ -29,11 +29,11 @@ impl Unopened {
 /// Opens a preset; in words what is wrong with it, which a test keeps from happening.
 pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
     let origin = Origin::Preset(preset.name.to_owned());
-    let fault = |d| {
+    let fault = |d: Diagnostics| {
         format!(
             "the preset {} cannot be opened: {}",
             preset.name,
-            first_words(&d)
+            d.first_words()
         )
     };
     text(preset.text, origin).map_err(fault)
@@ -73,10 +73,4 @@ pub(crate) fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
         Ok(solver) => Ok((scene, solver)),
         Err(fault) => Err(scene.explain(&fault)),
     }
-}
-
-/// What a message begins with.
-pub(crate) fn first_words(diagnostics: &Diagnostics) -> String {
-    let first = diagnostics.items.first();
-    first.map_or_else(String::new, |item| item.message.clone())
 }

@@ -25,14 +25,14 @@ pub(crate) struct Text {
 /// The line in which the name of a file is typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Prompt {
-    pub(crate) document: Content,
+    pub(crate) content: Content,
     pub(crate) name: Line,
 }
 
 /// The question whether to write to a file nevertheless.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Question {
-    pub(crate) document: Content,
+    pub(crate) content: Content,
     pub(crate) to: PathBuf,
     pub(crate) doubt: Doubt,
     /// What was said before.

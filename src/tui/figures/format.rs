@@ -217,9 +217,19 @@ fn exponent(size: f64) -> i32 {
 
 /// A coordinate as short as it can be said: at least `decimals` places, at most six more.
 pub(crate) fn coordinate(value: f64, decimals: usize) -> String {
-    let exact = (decimals..decimals + 6)
-        .find(|&d| crate::tui::player::driver_range::rounded(value, d) == value);
+    let exact = (decimals..decimals + 6).find(|&d| rounded(value, d) == value);
     plain(value, exact.unwrap_or(decimals + 6))
+}
+
+/// The finest decimal that is told of a coordinate.
+pub(crate) const FINEST: usize = 9;
+
+/// The double nearest to the decimal with so many places.
+pub(crate) fn rounded(value: f64, decimals: usize) -> f64 {
+    let scale = 10.0_f64.powi(i32::try_from(decimals.min(FINEST)).unwrap_or(0));
+    let rounded = (value * scale).round() / scale;
+    // Where the product has left the integers, the value has no such places anyway.
+    if rounded.is_finite() { rounded } else { value }
 }
 
 #[cfg(test)]

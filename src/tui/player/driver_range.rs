@@ -3,6 +3,7 @@
 use crate::angle::TURN;
 use crate::scene::Scene;
 use crate::solver::{Range, Solver};
+use crate::tui::figures::format::{FINEST, rounded};
 use crate::{Driver, Input};
 
 /// The driver's coordinate as the workbench moves it: in degrees, or in the scene's length unit.
@@ -29,9 +30,6 @@ pub(crate) struct OutOfRange {
     /// The upper limit.
     pub(crate) high: f64,
 }
-
-/// Rounding to more decimals than this would not be exact.
-const FINEST: usize = 9;
 
 impl DriverRange {
     pub(crate) fn new(scene: &Scene, solver: &Solver) -> Self {
@@ -116,18 +114,10 @@ impl DriverRange {
         }
     }
 
-    /// `at` as playing shows it: on the grid of [`Course::decimals`], within the range.
+    /// `at` as playing shows it: on the grid of [[`DriverRange::decimals`]], within the range.
     pub(crate) fn on_grid(&self, at: f64) -> f64 {
         self.clamp(rounded(at, self.decimals))
     }
-}
-
-/// The double nearest to the decimal with so many places.
-pub(crate) fn rounded(value: f64, decimals: usize) -> f64 {
-    let scale = 10.0_f64.powi(i32::try_from(decimals.min(FINEST)).unwrap_or(0));
-    let rounded = (value * scale).round() / scale;
-    // Where the product has left the integers, the value has no such places anyway.
-    if rounded.is_finite() { rounded } else { value }
 }
 
 fn speed(driver: &Driver, turns: bool) -> f64 {

@@ -1,17 +1,19 @@
 //! The open scene solved where its driver stands, and how that moves.
 
 pub(crate) mod assembly_list;
-pub(crate) mod comparison;
+pub(crate) mod compared_scene;
 pub(crate) mod cost;
 pub(crate) mod driver_range;
 pub(crate) mod edition;
+pub(crate) mod explained;
 pub(crate) mod next_singularity;
 pub(crate) mod open_scene;
 pub(crate) mod playback;
 pub(crate) mod steps;
 
 use super::Opened;
-use driver_range::{OutOfRange, rounded};
+use crate::tui::figures::format::rounded;
+use driver_range::OutOfRange;
 use edition::Edition;
 use open_scene::OpenScene;
 use playback::Playback;

@@ -7,14 +7,13 @@ use crate::report::{Answers, Forces, Tables};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, harmless};
 use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
-use crate::tui::document::opening::first_words;
+use crate::tui::figures::force_figures::ForceFigures;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::assembly_list::AssemblyList;
 use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::player::edition::Edition;
-use crate::tui::views::forces::force_figures::ForceFigures;
-use crate::tui::views::working::explained::Explained;
+use crate::tui::player::explained::Explained;
 use crate::tui::{Opened, Origin};
 use std::path::PathBuf;
 
@@ -96,7 +95,7 @@ impl OpenScene {
             origin,
         } = &self.opened;
         let switched = solver.switched(self.at, group, pick);
-        let solver = switched.map_err(|fault| first_words(&scene.explain(&fault)))?;
+        let solver = switched.map_err(|fault| scene.explain(&fault).first_words().to_owned())?;
         let (scene, origin) = (scene.clone(), origin.clone());
         let mut open_scene = OpenScene::new(Opened {
             scene,

@@ -11,7 +11,7 @@ use crate::report::upwards;
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::commands::action::{Action, MotionAction};
-use crate::tui::player::comparison::ComparedScene;
+use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::player::edition::Edition;
 use crate::tui::views::motion::viewport::Setting;
 use ratatui::buffer::Buffer;
@@ -197,7 +197,7 @@ fn scale(app: &App, area: Rect) -> f64 {
 pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
-    /// Which of the scenes that were opened the labels belong to, and what of it was shown.
+    /// Which scene the labels belong to, in which form, and what of it was shown.
     drawn: Option<(Edition, Setting)>,
 }
 

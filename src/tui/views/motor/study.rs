@@ -17,7 +17,7 @@ pub(crate) struct MotorStudy {
 
 #[derive(Debug)]
 struct Studied {
-    /// The number of the scene.
+    /// Which scene, in which form.
     of: Edition,
     report: MotorReport,
     lines: Vec<MotorLine>,

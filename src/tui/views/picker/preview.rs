@@ -168,7 +168,7 @@ impl Fault {
     fn first_of(diagnostics: &Diagnostics) -> Fault {
         let first = diagnostics.items.first();
         Fault {
-            what: opening::first_words(diagnostics),
+            what: diagnostics.first_words().to_owned(),
             at: first.and_then(|item| diagnostics.position(item)),
             mend: first.and_then(|item| item.helps.first().cloned()),
             more: diagnostics.items.len().saturating_sub(1),

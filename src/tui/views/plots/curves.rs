@@ -8,7 +8,7 @@ use crate::quantity::{Abscissa, Catalogue, Clock, Curves, Here, Quantity};
 use crate::report::curves_csv;
 use crate::scene::Scene;
 use crate::solver::{Solver, State};
-use crate::tui::player::comparison::ComparedScene;
+use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 

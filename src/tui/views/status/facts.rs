@@ -19,8 +19,8 @@ pub(super) fn mode(app: &App) -> &'static str {
         Mode::Tour(_) => "tour",
         Mode::GoTo(_) => "go to",
         Mode::Assemblies(_) | Mode::PlotList(_) => "choose",
-        Mode::FileName(Prompt { document, .. }) | Mode::Confirm(Question { document, .. }) => {
-            match document {
+        Mode::FileName(Prompt { content, .. }) | Mode::Confirm(Question { content, .. }) => {
+            match content {
                 Content::Scene => "save",
                 Content::Text(_) => "write",
             }
@@ -65,7 +65,7 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
     }
     let turns = (at / crate::angle::TURN).floor();
     // Subtracting whole turns from a decimal leaves digits that nobody asked for.
-    let within = crate::tui::player::driver_range::rounded(at - turns * crate::angle::TURN, 9);
+    let within = crate::tui::figures::format::rounded(at - turns * crate::angle::TURN, 9);
     let text = coordinate(within, driver_range.decimals());
     if turns == 0.0 {
         format!("{text:>6} {unit}")

@@ -11,8 +11,6 @@
 //! r2 at A by ground   110.758    87.4215    141.103     38.284
 //! ```
 
-pub(crate) mod force_figures;
-
 use super::pane::{Copied, Need, Pane};
 use super::table::{columns_of, doubt};
 use super::{Sketch, columns, cut, first_seen, inset, print, print_right};
@@ -22,10 +20,10 @@ use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::figures::copying;
 use crate::tui::figures::flow_table::{Block, Columns, Line, Row};
+use crate::tui::figures::force_figures::{ForceFigures, Formats};
 use crate::tui::figures::format::{Format, Written};
 use crate::tui::figures::sheet::Shown;
 use crate::tui::player::open_scene::shown;
-use crate::tui::views::forces::force_figures::{ForceFigures, Formats};
 use crate::{Mechanism, Vec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

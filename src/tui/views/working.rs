@@ -6,8 +6,6 @@
 //!   m = sqrt(mx^2 + my^2) = 360.555 mm
 //! ```
 
-pub(crate) mod explained;
-
 use super::pane::{Need, Pane};
 use super::{Sketch, first_seen, inset, print};
 use crate::drawing::Glyphs;
