@@ -10,7 +10,7 @@ use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Sensitivity};
 use crate::report::{
     Answers, Check, Forces, NO_ANSWER, TableStyle, Tables, limits_text, near_misses,
 };
-use crate::scene::{Scene, harmless, presets};
+use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
@@ -22,7 +22,7 @@ pub(super) fn list(screen: Screen) -> Result<(), Failure> {
     let mut text = String::new();
     for preset in presets {
         let scene = Scene::parse(preset.text, preset.name).map_err(Failure::Scene)?;
-        let title = harmless(&scene.name, screen.ascii);
+        let title = sanitized(&scene.name, screen.ascii);
         text.push_str(&format!("{:width$}  {title}\n", preset.name));
     }
     write_text(None, &text)

@@ -8,7 +8,7 @@ use super::screen::judgement;
 use super::workbench::options;
 use crate::capability::{Colours, Found, Judgement};
 use crate::drawing::Glyphs;
-use crate::scene::harmless;
+use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
 use std::env;
 use std::io::{IsTerminal, stderr, stdin, stdout};
@@ -34,7 +34,7 @@ pub(super) fn diagnose(args: &WorkbenchArgs) -> Result<(), Failure> {
     rows.push(("state", place("XDG_STATE_HOME", ".local/state", "")));
     let mut text = format!("krank {}\n", env!("CARGO_PKG_VERSION"));
     for (name, what) in rows {
-        text += &format!("{name:NAMES$}{}\n", harmless(&what, true));
+        text += &format!("{name:NAMES$}{}\n", sanitized(&what, true));
     }
     write_text(None, &text)
 }

@@ -1,7 +1,7 @@
 //! How a command fails, and the exit code that says so.
 
 use super::screen::Screen;
-use crate::scene::{Diagnostics, harmless};
+use crate::scene::{Diagnostics, sanitized};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -48,12 +48,12 @@ impl Failure {
 }
 
 fn error(message: &str, screen: Screen) -> String {
-    format!("error: {}\n", harmless(message, screen.ascii))
+    format!("error: {}\n", sanitized(message, screen.ascii))
 }
 
 /// A note on standard error: something the reader of the results should know.
 pub(super) fn note(message: &str, screen: Screen) {
-    say(&format!("note: {}\n", harmless(message, screen.ascii)));
+    say(&format!("note: {}\n", sanitized(message, screen.ascii)));
 }
 
 /// Text for standard error.

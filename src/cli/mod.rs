@@ -32,7 +32,7 @@ mod workbench;
 mod workbench;
 
 use crate::files::mend;
-use crate::scene::harmless;
+use crate::scene::sanitized;
 use args::{Cli, Command};
 use clap::Parser;
 use failure::Failure;
@@ -91,7 +91,9 @@ fn refuse(error: &clap::Error, screen: Screen) -> ExitCode {
 
 /// An error quotes what was typed, or pasted.
 fn lines_made_harmless(text: &str, screen: Screen) -> String {
-    let lines = text.lines().map(|line| harmless(line, screen.ascii) + "\n");
+    let lines = text
+        .lines()
+        .map(|line| sanitized(line, screen.ascii) + "\n");
     lines.collect()
 }
 

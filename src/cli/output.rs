@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use crate::files::{Output, places};
-use crate::scene::harmless;
+use crate::scene::sanitized;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write, stdout};
 use std::path::{Path, PathBuf};
 
@@ -64,7 +64,7 @@ fn to_file<T>(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<T>) 
 
 /// A text of somebody else's for the eyes of a reader: what could act on a terminal is replaced.
 fn shown(text: &str) -> String {
-    let lines = text.split('\n').map(|line| harmless(line, false));
+    let lines = text.split('\n').map(|line| sanitized(line, false));
     lines.collect::<Vec<_>>().join("\n")
 }
 

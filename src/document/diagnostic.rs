@@ -1,6 +1,6 @@
 //! What is wrong with a document, and where.
 
-use super::harmless::{escaped, replacement};
+use super::sanitize::{escaped, replacement};
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use std::fmt;

@@ -5,12 +5,12 @@
 //! nothing that is done here.
 
 mod diagnostic;
-mod harmless;
 mod reader;
+mod sanitize;
 mod syntax;
 
 pub(crate) use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub use harmless::{harmless, is_harmful};
 pub(crate) use reader::{Name, Reader, Span, Value, meant, quoted};
+pub use sanitize::{is_harmful, sanitized};
 pub(crate) use syntax::parse;

@@ -1,7 +1,7 @@
 //! Typed access to the parsed TOML; everything that does not fit becomes a diagnostic.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::harmless::escaped;
+use super::sanitize::escaped;
 use crate::nearest::{did_you_mean, nearest};
 use std::fmt;
 use std::ops::Range;

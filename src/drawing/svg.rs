@@ -5,7 +5,7 @@
 //! any ground. Text loses its control characters and is escaped: no scene can write markup.
 
 use crate::Vec2;
-use crate::scene::harmless;
+use crate::scene::sanitized;
 use std::fmt::Write as _;
 
 /// Where a text stands against its place.
@@ -147,7 +147,7 @@ fn number(value: f64) -> String {
 
 fn escaped(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
-    for c in harmless(text, false).chars() {
+    for c in sanitized(text, false).chars() {
         match c {
             '&' => escaped.push_str("&amp;"),
             '<' => escaped.push_str("&lt;"),

@@ -14,7 +14,7 @@
 
 use super::{Aspect, Quantity};
 use crate::scene::Scene;
-use crate::solver::{Condition, Neighbour, Order, Solver, Workspace};
+use crate::solver::{Condition, Order, Perturbed, Solver, Workspace};
 use crate::{Axis, Length, Mechanism, angle};
 
 /// The steps to try, in parts of the longest length: 2 to these powers. The first leaves about 3e-13 of
@@ -49,7 +49,7 @@ pub struct Sensitivity {
 /// More derivatives than this, of all figures by all lengths, are more than anybody reads.
 pub const MOST_DERIVATIVES: usize = 1 << 22;
 
-type Beside = [(Neighbour, Workspace); PLACES.len()];
+type Beside = [(Perturbed, Workspace); PLACES.len()];
 
 /// The derivatives of all figures at one coordinate.
 #[derive(Clone, Debug, PartialEq)]
@@ -130,7 +130,7 @@ impl Sensitivity {
         (0..STEPS.len()).find_map(|step| self.by_step(step))
     }
 
-    /// By one step; `None` where a neighbour does not exist, or where the differences do not agree.
+    /// By one step; `None` where a changed mechanism does not exist, or where the differences do not agree.
     fn by_step(&mut self, step: usize) -> Option<Derivatives> {
         let h = self.solver.scale() * f64::from(STEPS[step]).exp2();
         let count = self.lengths.len();
@@ -170,9 +170,9 @@ impl Sensitivity {
     fn made(&self, length: usize, h: f64) -> Option<Beside> {
         let make = |place: f64| {
             let changed = self.mechanism.changed(self.lengths[length], place * h);
-            let neighbour = self.solver.neighbour(&changed)?;
-            let state = neighbour.state();
-            Some((neighbour, state))
+            let perturbed = self.solver.perturbed(&changed)?;
+            let state = perturbed.state();
+            Some((perturbed, state))
         };
         let [a, b, c, d] = PLACES.map(make);
         Some([a?, b?, c?, d?])
@@ -181,8 +181,8 @@ impl Sensitivity {
     /// All four solved beside the base.
     fn solved(&self, mut beside: Beside) -> Option<Beside> {
         let mut all = beside.iter_mut();
-        let solved = all.all(|(neighbour, state)| {
-            neighbour.solve(&self.base, self.order, state) == Condition::Ok
+        let solved = all.all(|(perturbed, state)| {
+            perturbed.solve(&self.base, self.order, state) == Condition::Ok
         });
         solved.then_some(beside)
     }

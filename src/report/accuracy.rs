@@ -4,7 +4,7 @@ use super::number::{concise, significant};
 use super::rows::plain;
 use super::text::{WIDTH, wrapped};
 use crate::PointId;
-use crate::scene::{Scene, harmless};
+use crate::scene::{Scene, sanitized};
 use crate::solver::{Method, Start, Unfit};
 use crate::study::{Errors, Figures, Finding, Findings, Spread, Verdict};
 use serde_json::{Map, Value, json};
@@ -122,7 +122,7 @@ impl Accuracy<'_> {
         let longest = concise(*longest, LENGTH_DIGITS);
         let mut text = format!(
             "{}\n{positions} positions over the cycle; the longest length is {longest} {}\n\n{}",
-            harmless(&self.scene.name, ascii),
+            sanitized(&self.scene.name, ascii),
             self.scene.unit.symbol(),
             heading(),
         );

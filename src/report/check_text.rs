@@ -6,7 +6,7 @@ use super::check::{
 };
 use super::number::concise;
 use super::text::{WIDTH, wrapped};
-use crate::scene::harmless;
+use crate::scene::sanitized;
 use crate::solver::GroupKind;
 
 /// The column in which the facts begin.
@@ -29,12 +29,12 @@ impl Check {
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
         let mut out = Out::default();
-        out.line(&harmless(&self.scene, ascii));
+        out.line(&sanitized(&self.scene, ascii));
         if let Some(source) = &self.source {
-            out.facts("source", [harmless(source, ascii)]);
+            out.facts("source", [sanitized(source, ascii)]);
         }
         if let Some(note) = &self.note {
-            out.facts("note", [harmless(note, ascii)]);
+            out.facts("note", [sanitized(note, ascii)]);
         }
         out.facts("unit", [self.unit.to_owned()]);
         out.facts("parts", [self.counts()]);

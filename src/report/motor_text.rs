@@ -3,7 +3,7 @@
 use super::motor::{MotorReport, NOTHING, RamReport, end_word};
 use super::number::{concise, significant};
 use super::text::{WIDTH, wrapped};
-use crate::scene::harmless;
+use crate::scene::sanitized;
 use crate::study::motor::{Asked, Cycle, Duty, Effect, NoDuty, Peak, Rule, SMALL_FLUCTUATION};
 
 /// Digits of a figure, and decimals of where it is in degrees.
@@ -38,7 +38,7 @@ impl MotorReport {
     /// As text for a person; the title in ASCII alone if asked, everything else always is.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
-        let mut text = harmless(&self.scene, ascii) + "\n";
+        let mut text = sanitized(&self.scene, ascii) + "\n";
         for line in self.lines() {
             for line in line.at_width(WIDTH) {
                 text.push_str(line.trim_end());

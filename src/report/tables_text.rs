@@ -4,7 +4,7 @@ use super::number::{concise, direction, significant, upwards};
 use super::tables::{Entry, ORDERS, Tables, VectorColumn};
 use super::text::Grid;
 use crate::quantity::{Aspect, state_word};
-use crate::scene::harmless;
+use crate::scene::sanitized;
 use crate::solver::Order;
 
 /// How tables are written.
@@ -74,7 +74,7 @@ impl Writer<'_> {
         });
         format!(
             "{}\ndriver {} at {at}, {speed}, {acceleration}\nstate {}\n",
-            harmless(&self.tables.scene, self.style.ascii),
+            sanitized(&self.tables.scene, self.style.ascii),
             driver.name,
             state_word(self.tables.condition),
         )

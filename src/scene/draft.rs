@@ -258,7 +258,7 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> Draft<
 fn line<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>, key: &str) -> Option<String> {
     let text = reader.string(&format!("`{key}`"), root.get(key)?)?.text;
     let words: Vec<&str> = text.split_whitespace().collect();
-    let shown = super::harmless(&words.join(" "), false);
+    let shown = super::sanitized(&words.join(" "), false);
     (!shown.is_empty()).then_some(shown)
 }
 

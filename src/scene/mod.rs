@@ -39,12 +39,12 @@
 //! is wrong and what would mend it: [`Diagnostics`]. What is wrong with the mechanism as a whole the
 //! solver finds, and [`Scene::explain`] says it in the same way.
 
-mod acting;
 mod defect;
 mod draft;
 mod elements;
 mod guide;
 mod input;
+mod load_names;
 mod loads;
 mod motor;
 mod names;
@@ -60,7 +60,7 @@ mod typed;
 mod unit;
 mod values;
 
-pub use crate::document::{Diagnostic, Diagnostics, Label, harmless, is_harmful};
+pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
 pub use motor::Motor;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
@@ -252,7 +252,7 @@ fn too_large(origin: &str) -> Diagnostics {
 fn stem(origin: &str) -> String {
     let stem = Path::new(origin).file_stem();
     let stem = stem.map(|s| s.to_string_lossy().into_owned());
-    harmless(&stem.unwrap_or_else(|| origin.to_owned()), false)
+    sanitized(&stem.unwrap_or_else(|| origin.to_owned()), false)
 }
 
 #[cfg(test)]

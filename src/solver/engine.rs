@@ -1,10 +1,10 @@
 //! Runs a program at one coordinate of the driver.
 
+use super::change_point::Passages;
 use super::coupled::Scratch;
 use super::demand::{Marks, prune};
 use super::frame::Frame;
 use super::motion::Folded;
-use super::passage::Passages;
 use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};

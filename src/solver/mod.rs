@@ -18,7 +18,7 @@
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
 //!            forces    the steps backwards: what joints carry and the driver must do
-//! besides    transmission, dead_centres (of slides), classify, neighbour (other lengths), methods (other
+//! besides    transmission, dead_centres (of slides), classify, perturbed (other lengths), methods (other
 //!            ways to solve, to compare)
 //! ```
 //!
@@ -27,6 +27,7 @@
 mod assemble;
 mod bounds;
 mod chain;
+mod change_point;
 mod choices;
 mod classify;
 mod coupled;
@@ -43,10 +44,9 @@ mod lanes;
 mod lu;
 mod methods;
 mod motion;
-mod neighbour;
 mod network;
 mod order;
-mod passage;
+mod perturbed;
 mod plan;
 mod rank;
 mod speed;
@@ -69,7 +69,7 @@ pub(crate) use known::Known;
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
-pub use neighbour::Neighbour;
+pub use perturbed::Perturbed;
 pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
 pub use rank::{Rank, Redundancy};
 pub(crate) use state::Sliding;

@@ -20,7 +20,7 @@ pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
     };
     let acted = context.solver.acted(&context.state);
     loads(context, page, &acted);
-    super::acting::laws(context, page, &acted);
+    super::loads::laws(context, page, &acted);
     if context.state.residual().is_none() {
         page.document.text(
             "The reactions need not exist at this place; the driver's torque follows from the virtual work.",
@@ -150,7 +150,7 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
         page.document.text(format!(
             "{way}. Each share is the power of its forces, with the other sign, divided by the driver's speed."
         ));
-        super::acting::shares(context, page, acted, parts);
+        super::loads::shares(context, page, acted, parts);
         page.document.equation([
             format!("driver.{what}"),
             "load + gravity + inertia".into(),

@@ -1,7 +1,7 @@
 //! The working as Markdown: headings, tables and formulas between fences.
 
 use super::document::{Block, Document, Table, spelled};
-use crate::scene::harmless;
+use crate::scene::sanitized;
 
 impl Document {
     /// The text as Markdown; with `ascii` Greek letters are spelled.
@@ -17,7 +17,7 @@ impl Document {
         let mut parts = Vec::new();
         for block in &self.blocks {
             parts.push(match block {
-                Block::Title(title) => format!("# {}\n", escaped(&harmless(title, ascii))),
+                Block::Title(title) => format!("# {}\n", escaped(&sanitized(title, ascii))),
                 Block::Heading(level, text) => {
                     let marks = "#".repeat(usize::from(*level) + 1);
                     format!("{marks} {}\n", escaped(&shown(text)))

@@ -5,7 +5,6 @@
 //! points by their parts, and the check. What is known at a step is read from the solver's state; what is
 //! worked out is worked out by the formula that is printed, and noted beside the solver's figure.
 
-mod acting;
 mod check;
 mod coupled;
 mod document;
@@ -14,6 +13,8 @@ mod figures;
 mod forces;
 mod free_body;
 mod guided;
+mod loads;
+mod loop_finder;
 mod markdown;
 mod opening;
 mod page;
@@ -25,7 +26,6 @@ mod rates;
 mod sides;
 mod solution;
 mod stages;
-mod surveyor;
 mod symbols;
 mod text;
 mod triangle;

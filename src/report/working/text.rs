@@ -1,7 +1,7 @@
 //! The working as plain text of any width.
 
 use super::document::{Block, Document, Equation, Table, spelled};
-use crate::scene::harmless;
+use crate::scene::sanitized;
 
 /// What a line of the text is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +69,7 @@ impl Document {
             let of_kind = |line| (kind, line);
             match block {
                 Block::Title(title) => {
-                    let title = harmless(title, style.ascii);
+                    let title = sanitized(title, style.ascii);
                     lines.extend(broken(&title, style.width).into_iter().map(of_kind));
                 }
                 Block::Heading(_, text) | Block::Text(text) => {

@@ -5,29 +5,29 @@
 //! derivatives are exact. With J the matrix of the equations' rates: J z' = -(rates with z' = 0),
 //! J z'' = -(second rates with z'' = 0).
 
-mod approach;
-mod backwards;
+mod build;
+mod comparison;
+mod curve_tracing;
 mod enclose;
 mod equations;
-mod maker;
-mod relatives;
+mod levenberg_marquardt;
+mod reactions;
+mod readout;
 mod series;
-mod shown;
 mod singular;
-mod textbook;
 mod twice;
 
+pub(super) use comparison::Closing;
+pub(super) use curve_tracing::is_same;
 pub(super) use enclose::Views;
-pub(super) use relatives::is_same;
-pub use shown::{Newton, NewtonRow, NewtonUnknown};
-pub(super) use textbook::Closing;
+pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
 use super::frame::Frame;
 use super::lu;
 use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
-use maker::Maker;
+use build::Maker;
 pub(super) use singular::Correction;
 
 /// More corrections than quadratic convergence needs from anywhere near.

@@ -12,7 +12,7 @@
 //! and guides besides those that act. Where bounds are known they say what rounding may leave of it;
 //! where they are not, a part of its terms, and not of its result: terms that cancel hide nothing.
 
-use super::acting::Bears;
+use super::applied::Bears;
 use super::slots::Slot;
 use super::{Balance, Extent, Forces, Part, Residual};
 use crate::solver::state::{PointState, State};

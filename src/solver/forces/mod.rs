@@ -12,8 +12,7 @@
 //!
 //! Friction is not modelled. A force at a joint acts on its pin.
 
-mod acting;
-mod backwards;
+mod applied;
 mod checks;
 mod frame;
 mod least;
@@ -21,6 +20,7 @@ mod locked;
 mod open;
 mod pass;
 mod profile;
+mod reactions;
 mod read;
 mod slots;
 mod stroke;
@@ -30,7 +30,7 @@ mod tests;
 #[cfg(test)]
 pub(crate) use tests::falsified;
 
-pub use acting::Acted;
+pub use applied::Acted;
 pub use checks::{Check, Withheld};
 pub use least::LeastNorm;
 pub use open::Indeterminate;
@@ -44,7 +44,7 @@ use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
 use crate::{Ball, Constant, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
-use acting::{Acting, Bears};
+use applied::{Acting, Bears};
 use frame::Framed;
 use locked::Locked;
 use open::Open;

@@ -5,7 +5,7 @@ use super::NearMiss;
 use super::junction::Junction;
 use super::walk::Walker;
 use crate::solver::Order;
-use crate::solver::passage::Passage;
+use crate::solver::change_point::Passage;
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 use crate::solver::step::{Dyad, Outcome, REACH_SLACK};

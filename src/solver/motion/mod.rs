@@ -17,10 +17,10 @@ mod walk;
 pub(super) use anchors::{Anchors, positive_remainder};
 
 use super::angle_turn;
+use super::change_point::Passages;
 use super::engine::Engine;
 use super::exact::Exact;
 use super::fault::Fault;
-use super::passage::Passages;
 use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;

@@ -3,10 +3,10 @@
 use super::anchors::Anchors;
 use super::{Folded, NearMiss, Stretched};
 use crate::Double;
+use crate::solver::change_point::Passage;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
 use crate::solver::fault::Fault;
-use crate::solver::passage::Passage;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 use crate::solver::{Order, angle_turn};

@@ -2,7 +2,7 @@
 
 use super::course::Course;
 use super::cycle::{Cycle, Effect, Shaking};
-use super::fitting::Fit;
+use super::flywheel::Fit;
 use super::source::{Source, Step};
 use super::{Measure, marks};
 use crate::quantity::Hidden;

@@ -21,7 +21,7 @@
 mod course;
 mod cycle;
 mod duty;
-mod fitting;
+mod flywheel;
 mod guide;
 mod marks;
 mod periodic;
@@ -32,7 +32,7 @@ mod source;
 pub use course::Course;
 pub use cycle::{Cycle, Effect, Fluctuation, Peak, Rule, Shaking};
 pub use duty::{Duty, NoDuty, is_within};
-pub use fitting::{Asked, Fit, Geared, SMALL_FLUCTUATION, fluctuation_with, flywheel_for};
+pub use flywheel::{Asked, Fit, Geared, SMALL_FLUCTUATION, fluctuation_with, flywheel_for};
 pub use guide::Passing;
 pub use marks::repeats;
 pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};

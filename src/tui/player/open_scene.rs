@@ -5,7 +5,7 @@ use crate::drawing::Reach;
 use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{Answers, Forces, Tables};
 use crate::scene::presets::{self, Preset};
-use crate::scene::{Scene, harmless};
+use crate::scene::{Scene, sanitized};
 use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
 use crate::tui::figures::force_figures::ForceFigures;
 use crate::tui::figures::sheet::Sheet;
@@ -369,7 +369,7 @@ fn places(scene: &Scene, driver_range: &DriverRange) -> Vec<f64> {
 pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
     use crate::drawing::Glyphs;
     let ascii = glyphs == Glyphs::Ascii;
-    let text = harmless(text, ascii);
+    let text = sanitized(text, ascii);
     let fits = |c: char| match glyphs {
         Glyphs::Ascii => c.is_ascii(),
         // Console fonts have Latin-1.

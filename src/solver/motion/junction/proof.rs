@@ -2,9 +2,9 @@
 
 use super::Junction;
 use crate::arithmetic::Series;
+use crate::solver::change_point::Passage;
 use crate::solver::exact::Exact;
 use crate::solver::motion::walk::Walker;
-use crate::solver::passage::Passage;
 use crate::solver::step::root;
 use crate::{Double, Number, Vec2};
 

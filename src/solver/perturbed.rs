@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 /// A solver beside another one: for a mechanism of the same structure, with other lengths.
 #[derive(Clone, Debug)]
-pub struct Neighbour {
+pub struct Perturbed {
     engine: Engine,
     slides: usize,
     /// For every group 1, or -1 where the same assembly has the other sign here.
@@ -24,7 +24,7 @@ impl Solver {
     /// Makes a mechanism ready that differs from this solver's in its lengths alone; `None` where it
     /// falls into other groups.
     #[must_use]
-    pub fn neighbour(&self, mechanism: &Mechanism) -> Option<Neighbour> {
+    pub fn perturbed(&self, mechanism: &Mechanism) -> Option<Perturbed> {
         let network = Network::new(mechanism);
         let (_, program) = {
             let dyads = chain::Dyads::Closed;
@@ -42,7 +42,7 @@ impl Solver {
             });
         let turned = turned(&self.engine.program, &engine.program);
         let balance = self.balance.as_ref();
-        alike.then(|| Neighbour {
+        alike.then(|| Perturbed {
             balance: balance.and_then(|b| b.beside(&network, &engine)),
             engine,
             slides: self.slides,
@@ -59,7 +59,7 @@ impl Solver {
 }
 
 /// Which groups see the same assembly from the other side: two circles are taken from the shorter arm,
-/// and of two equal arms either may be the shorter one in a neighbour.
+/// and of two equal arms either may be the shorter one in a perturbed.
 fn turned(ours: &Program, theirs: &Program) -> Vec<f64> {
     let nearer = |program: &Program| {
         let mut pivots = vec![None; program.group_starts.len()];
@@ -76,7 +76,7 @@ fn turned(ours: &Program, theirs: &Program) -> Vec<f64> {
         .collect()
 }
 
-impl Neighbour {
+impl Perturbed {
     /// Room for a state: all that solving needs.
     #[must_use]
     pub fn state(&self) -> Workspace {

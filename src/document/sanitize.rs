@@ -28,7 +28,7 @@ pub fn is_harmful(c: char) -> bool {
 ///
 /// Line feeds and tabs become spaces: this is for text of one line.
 #[must_use]
-pub fn harmless(text: &str, ascii: bool) -> String {
+pub fn sanitized(text: &str, ascii: bool) -> String {
     text.chars().map(|c| replacement(c, ascii)).collect()
 }
 
@@ -67,10 +67,10 @@ mod tests {
     #[test]
     fn escape_sequences_and_marks_of_direction_are_replaced_one_by_one() {
         let hostile = "a\u{1b}[2J\u{202e}b\u{200b}\r\u{9b}\u{e0041}c";
-        let shown = harmless(hostile, false);
+        let shown = sanitized(hostile, false);
         assert_eq!(shown.chars().count(), hostile.chars().count());
         assert!(!shown.chars().any(is_harmful), "{shown:?}");
-        assert_eq!(harmless(hostile, true), "a?[2J?b????c");
+        assert_eq!(sanitized(hostile, true), "a?[2J?b????c");
     }
 
     #[test]
@@ -82,7 +82,10 @@ mod tests {
     #[test]
     fn ordinary_text_of_any_script_stays() {
         let turkish = "Krank-biyel mekanizması, θ3 = 29°";
-        assert_eq!(harmless(turkish, false), turkish);
-        assert_eq!(harmless(turkish, true), "Krank-biyel mekanizmas?, ?3 = 29?");
+        assert_eq!(sanitized(turkish, false), turkish);
+        assert_eq!(
+            sanitized(turkish, true),
+            "Krank-biyel mekanizmas?, ?3 = 29?"
+        );
     }
 }
