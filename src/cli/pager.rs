@@ -13,25 +13,37 @@ pub(super) fn show(text: &str, screen: Screen) -> Result<(), Failure> {
     write_text(None, text)
 }
 
-/// krank becomes the pager, so that nobody else hears Ctrl-C; comes back where none could be started.
+/// The shell that POSIX systems have here.
+#[cfg(unix)]
+const SHELL: &str = "/bin/sh";
+/// Starts one pager after the other until one is there; without any the shell itself writes the text. Ctrl-C is the
+/// pager's affair: no shell may end before it, and leave it with a terminal that somebody else reads.
+#[cfg(unix)]
+const SCRIPT: &str = r#"
+trap : INT
+for pager in "$@"; do
+    "$0" -c "trap : INT
+$pager"
+    case $? in 126 | 127) ;; *) exit 0 ;; esac
+done
+while IFS= read -r line; do printf '%s\n' "$line"; done
+"#;
+/// What shows a text where nobody has chosen.
+#[cfg(unix)]
+const USUAL: &str = "if command -v less >/dev/null; then less; else more; fi";
+
+/// krank becomes a shell that shows the text in a pager; comes back where none is wished, or there is no shell.
 #[cfg(unix)]
 fn become_pager(text: &str) -> std::io::Result<()> {
     use std::os::unix::process::CommandExt;
-    use std::process::Command;
-    let input = unnamed(text)?;
-    for pager in pagers(std::env::var("PAGER").ok()) {
-        let mut words = pager.split_whitespace();
-        let Some(program) = words.next() else {
-            return Ok(());
-        };
-        let mut command = Command::new(program);
-        if std::env::var_os("LESS").is_none() {
-            // What fits the screen is not paged and stays there, and bold is bold.
-            command.env("LESS", "FRX");
-        }
-        let _ = command.args(words).stdin(input.try_clone()?).exec();
+    let chosen = std::env::var_os("PAGER");
+    if chosen.as_ref().is_some_and(|pager| is_blank(pager)) {
+        return Ok(());
     }
-    Ok(())
+    let mut shell = std::process::Command::new(SHELL);
+    shell.args(["-c", SCRIPT, SHELL]).args(chosen).arg(USUAL);
+    shell.env("LESS", options_of_less(std::env::var_os("LESS")));
+    Err(shell.stdin(unnamed(&std::env::temp_dir(), text)?).exec())
 }
 
 #[cfg(not(unix))]
@@ -39,28 +51,43 @@ fn become_pager(_: &str) -> std::io::Result<()> {
     Ok(())
 }
 
-/// What is tried, one after the other: an empty `PAGER` asks for none.
+/// An empty `PAGER` asks for none.
 #[cfg(unix)]
-fn pagers(chosen: Option<String>) -> Vec<String> {
-    let usual = ["less -R", "more"].map(str::to_owned);
-    match chosen {
-        Some(chosen) if chosen.trim().is_empty() => Vec::new(),
-        chosen => chosen.into_iter().chain(usual).collect(),
-    }
+fn is_blank(pager: &std::ffi::OsStr) -> bool {
+    pager.to_string_lossy().trim().is_empty()
 }
 
-/// The text in a file without a name, read from its beginning: a pipe would hold only so much of it before
-/// somebody reads.
+/// Bold is bold, whatever else a person has chosen; without a choice what fits the screen is not paged and stays
+/// there.
 #[cfg(unix)]
-fn unnamed(text: &str) -> std::io::Result<std::fs::File> {
-    use std::io::{Seek, Write};
-    let path = std::env::temp_dir().join(format!("krank-help-{}", std::process::id()));
+fn options_of_less(chosen: Option<std::ffi::OsString>) -> std::ffi::OsString {
+    let Some(chosen) = chosen else {
+        return "FRX".into();
+    };
+    let mut options = std::ffi::OsString::from("-R ");
+    options.push(chosen);
+    options
+}
+
+/// Names that are tried for the file: one may be left of a process of the same number.
+#[cfg(unix)]
+const NAMES: u32 = 100;
+
+/// The text in a file of this folder that has no name any more, read from its beginning: a pipe would hold only so
+/// much of it before somebody reads.
+#[cfg(unix)]
+fn unnamed(folder: &std::path::Path, text: &str) -> std::io::Result<std::fs::File> {
+    use std::io::{Error, ErrorKind, Seek, Write};
     let mut options = std::fs::OpenOptions::new();
-    let mut file = options
-        .read(true)
-        .write(true)
-        .create_new(true)
-        .open(&path)?;
+    options.read(true).write(true).create_new(true);
+    let opened = (0..NAMES).find_map(|number| {
+        let path = folder.join(format!("krank-help-{}-{number}", std::process::id()));
+        match options.open(&path) {
+            Err(taken) if taken.kind() == ErrorKind::AlreadyExists => None,
+            opened => Some(opened.map(|file| (file, path))),
+        }
+    });
+    let (mut file, path) = opened.unwrap_or_else(|| Err(Error::from(ErrorKind::AlreadyExists)))?;
     std::fs::remove_file(&path)?;
     file.write_all(text.as_bytes())?;
     file.rewind()?;
@@ -72,18 +99,37 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_chosen_pager_comes_first_and_an_empty_one_is_none() {
-        assert_eq!(pagers(None), ["less -R", "more"]);
-        assert_eq!(pagers(Some("most".into())), ["most", "less -R", "more"]);
-        assert!(pagers(Some(" ".into())).is_empty());
+    fn an_empty_pager_is_none() {
+        assert!(is_blank(" ".as_ref()) && is_blank("".as_ref()));
+        assert!(!is_blank("most".as_ref()));
     }
 
     #[test]
-    fn a_text_is_read_back_whole() {
+    fn less_shows_bold_and_what_else_was_chosen() {
+        assert_eq!(options_of_less(None), "FRX");
+        assert_eq!(options_of_less(Some("-i".into())), "-R -i");
+        assert_eq!(
+            options_of_less(Some("-Pq to leave".into())),
+            "-R -Pq to leave"
+        );
+    }
+
+    /// A file that somebody has left used to end paging for good.
+    #[test]
+    fn a_text_is_read_back_whole_whatever_names_are_taken() {
         use std::io::Read;
+        let id = std::process::id();
+        let folder = std::env::temp_dir().join(format!("krank-pager-{id}"));
+        std::fs::create_dir_all(&folder).unwrap();
+        for number in 0..2 {
+            std::fs::write(folder.join(format!("krank-help-{id}-{number}")), "left").unwrap();
+        }
         let text = "a line\n".repeat(100_000);
         let mut back = String::new();
-        unnamed(&text).unwrap().read_to_string(&mut back).unwrap();
+        let mut file = unnamed(&folder, &text).unwrap();
+        file.read_to_string(&mut back).unwrap();
         assert_eq!(back, text);
+        assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 2);
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 }

@@ -14,17 +14,43 @@ fn topic(name: &str) -> Setup {
     Setup::krank(&["help", name])
 }
 
-/// krank has become the pager: there is nobody else that a key could end.
+/// Ctrl-C is the pager's affair: nobody else ends by it, and leaves the pager to a terminal that another reads.
 #[test]
 fn the_pager_of_the_person_shows_it() {
-    let mut session = topic("scene").env("PAGER", "more").start();
-    session.wait_for("The scene file").wait_for("ore");
-    let pid = session.pid().as_raw_nonzero();
-    let name = std::fs::read_to_string(format!("/proc/{pid}/comm")).unwrap();
-    assert_eq!(name, "more\n");
-    session.send(" ");
-    session.wait_for("[slides]").send("q");
-    assert!(session.ended_as_found().success());
+    for pager in ["less", "more", "\"less\" -R", "FROM=krank less"] {
+        let mut session = topic("scene").env("PAGER", pager).without("LESS").start();
+        session.wait_for("The scene file");
+        if pager != "more" {
+            session.send("\x03");
+            session.settle();
+        }
+        session.send(" ");
+        session.wait_for("[slides]").send("q");
+        assert!(session.ended_as_found().success(), "{pager}");
+    }
+}
+
+/// It is a command for the shell, as for others that ask for it.
+#[test]
+fn the_pager_may_be_a_pipe() {
+    let all = sent(topic("limits").env("PAGER", "less | sed 's/^/> /'"));
+    assert!(all.contains("> - A scene file has"), "{all}");
+    assert!(all.contains("10,000 links"), "{all}");
+}
+
+/// Options that a person has chosen used to show the escapes of what is bold.
+#[test]
+fn no_escape_is_read_whatever_less_is_told() {
+    for options in ["-i", "i", "", "-Pso far"] {
+        let mut session = topic("scene")
+            .env("PAGER", "less")
+            .env("LESS", options)
+            .start();
+        session.wait_for("The scene file").wait_for("[ground]");
+        assert!(!session.screen().contains("ESC"), "{}", session.screen());
+        session.send("q");
+        assert!(session.ended_as_found().success(), "{options}");
+    }
 }
 
 #[test]
