@@ -13,8 +13,6 @@ use clap::{Command, CommandFactory};
 
 /// Columns where nobody tells how many there are.
 const USUAL_WIDTH: usize = 80;
-/// Lines longer than this are no pleasure to read.
-const WIDEST: usize = 100;
 
 /// Shows a topic or the help of a command; without a word what there is.
 pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
@@ -22,7 +20,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
     let text = match args.topic.as_deref() {
         None => laid_out(&contents(), screen),
         Some(word) => match manual::find(word) {
-            Some(topic) => laid_out(&topic.text(&key_rows()), screen),
+            Some(topic) => laid_out(&topic.text(key_rows), screen),
             None => of_command(word)?,
         },
     };
@@ -35,7 +33,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
 /// The text as wide as the terminal; there its headings are bold.
 fn laid_out(text: &str, screen: Screen) -> String {
     let width = size().map_or(USUAL_WIDTH, |(columns, _)| columns.into());
-    let lines = manual::lines(text, width.min(WIDEST)).into_iter();
+    let lines = manual::lines(text, width).into_iter();
     let shown = lines.map(|line| match line.kind {
         Kind::Title if screen.colour => format!("\x1b[1m{}\x1b[0m\n", line.text),
         Kind::Title | Kind::Words | Kind::Code => line.text + "\n",

@@ -20,8 +20,13 @@ pub(crate) enum Kind {
 pub(crate) struct Line {
     pub(crate) kind: Kind,
     pub(crate) text: String,
+    /// Whether it goes on with the line before: with its next word, or as code right behind it. What begins is a
+    /// paragraph, a row of a table or a line of code.
+    pub(crate) goes_on: bool,
 }
 
+/// Longer lines of words are no pleasure to read.
+const WIDEST: usize = 100;
 /// Narrower than this no table and no word has room.
 const NARROWEST: usize = 30;
 /// Blanks before what is shown as it stands, where there is room for them.
@@ -31,14 +36,14 @@ const TOGETHER: usize = 22;
 /// Stands for a blank at which no line is broken.
 const TIED: char = '\u{1}';
 
-/// The text in lines of at most so many characters.
+/// The text in lines of at most so many characters, however wide the screen is.
 pub(crate) fn lines(text: &str, width: usize) -> Vec<Line> {
     let mut lines: Vec<Line> = Vec::new();
     for block in blocks(text) {
         if block.apart && !lines.is_empty() {
             lines.push(line(Kind::Words, ""));
         }
-        lines.extend(laid_out(&block, width.max(NARROWEST)));
+        lines.extend(laid_out(&block, width.clamp(NARROWEST, WIDEST)));
     }
     lines
 }
@@ -46,15 +51,18 @@ pub(crate) fn lines(text: &str, width: usize) -> Vec<Line> {
 fn laid_out(block: &Block<'_>, width: usize) -> Vec<Line> {
     let room = width - block.indent;
     let inner = match &block.content {
-        Content::Heading(text) => kind(Kind::Title, broken(&plain(text), room)),
-        Content::Paragraph(text) => kind(Kind::Words, broken(&plain(text), room)),
-        Content::Item(text) => kind(Kind::Words, item(text, room)),
-        Content::Code(code) => kind(Kind::Code, as_it_stands(code, room)),
+        Content::Heading(text) => passage(Kind::Title, broken(&plain(text), room)),
+        Content::Paragraph(text) => passage(Kind::Words, broken(&plain(text), room)),
+        Content::Item(text) => passage(Kind::Words, item(text, room)),
+        Content::Code(code) => as_it_stands(code, room),
         Content::Table(table) => table::lines(table, room),
     };
     let indented = inner.into_iter().map(|inner| match inner.text.as_str() {
         "" => inner,
-        text => line(inner.kind, &format!("{:1$}{text}", "", block.indent)),
+        text => Line {
+            text: format!("{:1$}{text}", "", block.indent),
+            ..inner
+        },
     });
     indented.collect()
 }
@@ -69,11 +77,11 @@ fn item(text: &str, width: usize) -> Vec<String> {
         .collect()
 }
 
-fn as_it_stands(code: &[&str], width: usize) -> Vec<String> {
+fn as_it_stands(code: &[&str], width: usize) -> Vec<Line> {
     let widest = code.iter().map(|line| line.chars().count()).max();
     let indent = CODE.min(width.saturating_sub(widest.unwrap_or(0)));
-    let indented = code.iter().map(|line| format!("{:indent$}{line}", ""));
-    indented.map(|line| line.trim_end().to_owned()).collect()
+    let indented = code.iter().map(|code| format!("{:indent$}{code}", ""));
+    indented.map(|code| line(Kind::Code, &code)).collect()
 }
 
 /// Words in lines of at most so many characters; short code stays together.
@@ -88,20 +96,28 @@ pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
     lines.map(|line| line.replace(TIED, " ")).collect()
 }
 
-/// Without the marks of what is to be bold; those of code stay, for a terminal has no other.
+/// Without the marks of what is to be bold, and of a bar within a table; those of code stay, for a terminal has no
+/// other.
 pub(super) fn plain(text: &str) -> String {
-    text.replace("**", "")
+    text.replace("**", "").replace(r"\|", "|")
 }
 
+/// A line that goes on with nothing.
 pub(super) fn line(kind: Kind, text: &str) -> Line {
     Line {
         kind,
         text: text.trim_end().to_owned(),
+        goes_on: false,
     }
 }
 
-fn kind(kind: Kind, lines: Vec<String>) -> Vec<Line> {
-    lines.iter().map(|text| line(kind, text)).collect()
+/// Lines of which each goes on with the one before.
+fn passage(kind: Kind, lines: Vec<String>) -> Vec<Line> {
+    let lines = lines.iter().enumerate().map(|(number, text)| Line {
+        goes_on: number > 0,
+        ..line(kind, text)
+    });
+    lines.collect()
 }
 
 #[cfg(test)]

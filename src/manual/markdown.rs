@@ -128,8 +128,7 @@ impl<'t> Reader<'t> {
             self.begin(Content::Table(Table::default()));
         }
         let cells = line.trim().trim_start_matches('|');
-        let cells = cells.strip_suffix('|').unwrap_or(cells).split('|');
-        let cells: Vec<&str> = cells.map(str::trim).collect();
+        let cells = split(cells.strip_suffix('|').unwrap_or(cells));
         let Some(Content::Table(table)) = self.last() else {
             return;
         };
@@ -139,6 +138,19 @@ impl<'t> Reader<'t> {
             table.rows.push(cells);
         }
     }
+}
+
+/// The cells of a row: a bar behind a backslash belongs to the text.
+fn split(row: &str) -> Vec<&str> {
+    let bars = row.match_indices('|').map(|(bar, _)| bar);
+    let bars = bars.filter(|&bar| !row[..bar].ends_with('\\'));
+    let mut from = 0;
+    let mut cells = Vec::new();
+    for bar in bars.chain([row.len()]) {
+        cells.push(row[from..bar].trim());
+        from = bar + 1;
+    }
+    cells
 }
 
 #[cfg(test)]
@@ -177,6 +189,11 @@ mod tests {
         assert_eq!(found[0], (0, false, Content::Table(table)));
         let code = Content::Code(vec!["krank list", "krank"]);
         assert_eq!(found[1], (0, true, code));
+    }
+
+    #[test]
+    fn a_bar_behind_a_backslash_parts_no_cells() {
+        assert_eq!(split(r"`\|` | a ||"), [r"`\|`", "a", "", ""]);
     }
 
     #[test]

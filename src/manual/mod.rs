@@ -3,10 +3,14 @@
 //! A topic is a text in Markdown that is compiled in. `krank help TOPIC` and the workbench show the same; what
 //! stands elsewhere too, as the keys of a scene and the notation, is included from there.
 
+#[cfg(feature = "tui")]
+mod fold;
 mod layout;
 mod markdown;
 mod table;
 
+#[cfg(feature = "tui")]
+pub(crate) use fold::{folded, joined};
 #[cfg(feature = "tui")]
 pub(crate) use layout::Line;
 pub(crate) use layout::{Kind, lines};
@@ -25,9 +29,13 @@ pub(crate) struct Topic {
 const KEYS: &str = "{keys}\n";
 
 impl Topic {
-    /// The text in Markdown; `keys` are the rows of the workbench's keys.
-    pub(crate) fn text(&self, keys: &str) -> String {
-        self.parts.concat().replace(KEYS, keys)
+    /// The text in Markdown; `keys` makes the rows of the workbench's keys, where they are shown.
+    pub(crate) fn text(&self, keys: impl FnOnce() -> String) -> String {
+        let text = self.parts.concat();
+        match text.split_once(KEYS) {
+            Some((before, behind)) => before.to_owned() + &keys() + behind,
+            None => text,
+        }
     }
 }
 
@@ -113,7 +121,7 @@ mod tests {
     #[test]
     fn topics_are_plain() {
         for topic in TOPICS {
-            let text = topic.text("");
+            let text = topic.text(String::new);
             assert!(text.is_ascii(), "{}", topic.name);
             assert!(text.starts_with("# "), "{}", topic.name);
             assert!(!text.contains(KEYS), "{}", topic.name);
@@ -145,7 +153,7 @@ mod tests {
     #[test]
     fn no_word_is_lost() {
         for topic in TOPICS {
-            let text = topic.text("");
+            let text = topic.text(String::new);
             for width in WIDTHS {
                 let shown: Vec<String> = lines(&text, width).into_iter().map(|l| l.text).collect();
                 let mut shown = words(&shown.join("\n"));
@@ -170,7 +178,7 @@ mod tests {
     fn lines_keep_to_the_width() {
         for topic in TOPICS {
             for width in WIDTHS {
-                for line in lines(&topic.text(""), width) {
+                for line in lines(&topic.text(String::new), width) {
                     let length = line.text.chars().count();
                     let fits = length <= width || line.kind == Kind::Code;
                     assert!(fits, "{} at {width}: {}", topic.name, line.text);

@@ -107,7 +107,10 @@ fn in_columns(rows: &[Row], right: &[bool], widths: &[usize]) -> Vec<Line> {
                 };
                 text += &" ".repeat(GAP);
             }
-            lines.push(line(row.kind(), &text));
+            lines.push(Line {
+                goes_on: depth > 0,
+                ..line(row.kind(), &text)
+            });
         }
     }
     lines
@@ -131,7 +134,10 @@ fn by_entry(rows: &[Row], widest: usize, width: usize) -> Vec<Line> {
                 _ => (Kind::Words, INDENT, format!("{head}: {cell}")),
             };
             let told = broken(&told, width - indent).into_iter();
-            lines.extend(told.map(|text| line(kind, &format!("{:indent$}{text}", ""))));
+            lines.extend(told.enumerate().map(|(number, text)| Line {
+                goes_on: column > 0 || number > 0,
+                ..line(kind, &format!("{:indent$}{text}", ""))
+            }));
         }
     }
     lines

@@ -13,9 +13,16 @@ impl App {
         };
     }
 
+    /// The topic that is shown has the width of the screen.
+    pub(super) fn lay_out_help(&mut self) {
+        if let Mode::Help(help) = &mut self.shell.mode {
+            help.lay_out(self.shell.size.width, &self.shell.keymap);
+        }
+    }
+
     /// Keys of the line in which words are typed; `None` for those that mean the same everywhere.
     pub(super) fn search_help(&mut self, key: Key) -> Option<Effect> {
-        let columns = self.shell.size.width;
+        let (columns, keymap) = (self.shell.size.width, &self.shell.keymap);
         let Mode::Help(help) = &mut self.shell.mode else {
             return None;
         };
@@ -24,13 +31,17 @@ impl App {
         match key {
             Key::Backspace if line.text().is_empty() => help.leave_search(),
             Key::Escape => help.leave_search(),
-            Key::Enter if is_topic => help.seek(true, columns),
+            Key::Enter if is_topic && line.text().trim().is_empty() => help.leave_search(),
+            Key::Enter if is_topic => help.seek(true, columns, keymap),
             Key::Enter => {
                 help.accept();
                 help.scroll = 0;
             }
-            _ if !line.edit(key) => return None,
-            _ if is_topic => help.seek(false, columns),
+            _ if !line.edit(key) => {
+                help.stay();
+                return None;
+            }
+            _ if is_topic => help.seek(false, columns, keymap),
             _ => help.scroll = 0,
         }
         Some(Effect::Show)

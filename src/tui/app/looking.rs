@@ -68,6 +68,7 @@ impl App {
 
     /// Scrolls what is on top, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
+        self.lay_out_help();
         let most = match self.shell.mode {
             Mode::Assemblies(_) => self
                 .player

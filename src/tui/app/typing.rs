@@ -34,7 +34,9 @@ impl App {
         }
         match &mut self.shell.mode {
             Mode::PlotList(list) => list.narrow(),
-            Mode::Help(help) if help.is_typing() => help.seek(false, self.shell.size.width),
+            Mode::Help(help) if help.is_typing() => {
+                help.seek(false, self.shell.size.width, &self.shell.keymap);
+            }
             _ => {}
         }
         // What is found now may have fewer lines.

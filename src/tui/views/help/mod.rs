@@ -6,6 +6,7 @@
 //! | space        play or pause    |
 //! ```
 
+mod finding;
 mod page;
 pub(crate) mod text;
 
@@ -39,8 +40,9 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     let lines = help.lines(app.view(), app.keymap());
     let place = popup::centred(area, width(area), height(area, lines.len()));
     let end = popup::frame(app.glyphs(), place, "Help", buffer);
-    if let Some(words) = help.words() {
-        searched(words, help.is_typing(), end, place, buffer);
+    match help.words() {
+        Some(words) => searched(words, help.is_typing(), end, place, buffer),
+        None => manual_behind(app, place, buffer),
     }
     footer(app, help, lines.len(), place, buffer);
     let inner = popup::within(place);
@@ -92,6 +94,17 @@ fn searched(words: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer)
     print(buffer, x, place.y, 1, " ", theme::part(caret));
 }
 
+/// How to turn to the manual, in the upper border where the last line has no room for it.
+fn manual_behind(app: &App, place: Rect, buffer: &mut Buffer) {
+    if count(place) == 1
+        && let Some(key) = app.keymap().key(Action::NextView)
+    {
+        let style = theme::part(Part::Quiet);
+        let manual = format!(" {key} manual ");
+        print_right(buffer, place.right() - 2, place.y, &manual, style);
+    }
+}
+
 /// In the lower border what marks mean, and how to see more.
 fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer) {
     let (y, style) = (place.bottom() - 1, theme::part(Part::Quiet));
@@ -128,8 +141,8 @@ pub(super) fn placed(app: &App, help: &Help, area: Rect) -> Rect {
 
 /// Lines of the help, and how many are seen.
 pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
-    if let Some(topic) = help.topic() {
-        return page::extent(topic, area);
+    if help.topic().is_some() {
+        return page::extent(help, area);
     }
     let lines = help.lines(app.view(), app.keymap()).len();
     let rows = popup::within(placed(app, help, area)).height;

@@ -1,41 +1,33 @@
 //! A topic of the manual, in the place of the view.
 //!
 //! ```text
-//!  Help: scene  2/11  /slot        what is shown, and what is searched for
+//!  Help: scene  2/11  /slot     ^v what is shown, what is searched for, where there is more
 //!  The scene file
 //!  ...
 //! ```
 
-use super::text::{Help, finds, key_rows};
+use super::text::{Help, rows_of};
 use super::{print, print_right, searched};
-use crate::manual::{Kind, Line, TOPICS, Topic, lines};
+use crate::manual::{Kind, Line, TOPICS, Topic, folded, lines};
 use crate::tui::appearance::theme::{self, Part};
+use crate::tui::commands::keymap::Keymap;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Lines longer than this are no pleasure to read.
-const WIDEST: u16 = 100;
 /// What is said where no topic has the words.
 const NOWHERE: &str = " nowhere ";
 /// Rows of the heading.
 const HEADING: u16 = 1;
+/// Columns of the marks that there is more above and below. They stand in the heading: code may take whole lines.
+const MARKS: u16 = 2;
 
 pub(super) fn render(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
     for position in area.positions() {
         buffer[position].reset();
     }
-    let heading = format!(" Help: {}  {}/{} ", topic.name, help.page(), TOPICS.len());
-    let style = theme::part(Part::Title);
-    let end = print(buffer, area.x, area.y, area.width, &heading, style);
-    if let Some(words) = help.words() {
-        searched(words, help.is_typing(), end, area, buffer);
-    }
+    heading(help, topic, area, buffer);
     let found = help.found(area.width);
-    if help.is_nowhere() {
-        let style = theme::part(Part::Warning);
-        print_right(buffer, area.right(), area.y, NOWHERE, style);
-    }
-    let seen = shown(topic, area.width).into_iter().enumerate();
+    let seen = help.reading().iter().enumerate();
     let rows = (area.y + HEADING)..area.bottom();
     for (y, (number, line)) in rows.zip(seen.skip(help.scroll)) {
         let part = match line.kind {
@@ -47,32 +39,39 @@ pub(super) fn render(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer
     }
 }
 
-/// Lines of a topic, and how many are seen.
-pub(super) fn extent(topic: &Topic, area: Rect) -> (usize, usize) {
+fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
+    let text = format!(" Help: {}  {}/{} ", topic.name, help.page(), TOPICS.len());
+    let style = theme::part(Part::Title);
+    let end = print(buffer, area.x, area.y, area.width, &text, style);
+    let place = Rect {
+        width: area.width.saturating_sub(MARKS),
+        ..area
+    };
+    if let Some(words) = help.words() {
+        searched(words, help.is_typing(), end, place, buffer);
+    }
+    if help.is_nowhere() {
+        let style = theme::part(Part::Warning);
+        print_right(buffer, place.right(), area.y, NOWHERE, style);
+    }
+    let (lines, rows) = extent(help, area);
+    let marks = [("^", help.scroll > 0), ("v", help.scroll + rows < lines)];
+    for (x, (mark, is_more)) in (place.right()..).zip(marks) {
+        let mark = if is_more { mark } else { " " };
+        print(buffer, x, area.y, 1, mark, theme::part(Part::Key));
+    }
+}
+
+/// Lines of the topic, and how many are seen.
+pub(super) fn extent(help: &Help, area: Rect) -> (usize, usize) {
     let rows = area.height.saturating_sub(HEADING);
-    (shown(topic, area.width).len(), rows.into())
+    (help.reading().len(), rows.into())
 }
 
-/// The next line with these words, as its topic's number in the manual and its own: behind a line of a topic, then
-/// in the topics that follow, round to the line itself.
-pub(super) fn next(
-    words: &str,
-    from: (usize, Option<usize>),
-    width: u16,
-) -> Option<(usize, usize)> {
-    let (page, line) = from;
-    let wanted = words.to_ascii_lowercase();
-    let first = line.map_or(0, |line| line + 1);
-    (0..=TOPICS.len()).find_map(|step| {
-        let page = (page + step) % TOPICS.len();
-        let skipped = if step == 0 { first } else { 0 };
-        let lines = shown(&TOPICS[page], width).into_iter().enumerate();
-        let mut behind = lines.skip(skipped);
-        let found = behind.find(|(_, line)| finds(&wanted, &[&line.text]));
-        found.map(|(number, _)| (page, number))
-    })
-}
-
-fn shown(topic: &Topic, width: u16) -> Vec<Line> {
-    lines(&topic.text(&key_rows()), width.min(WIDEST).into())
+/// A topic on a screen of so many columns.
+pub(super) fn lines_of(topic: &Topic, columns: u16, keymap: &Keymap) -> Vec<Line> {
+    let lines = lines(&topic.text(|| rows_of(keymap)), columns.into()).into_iter();
+    lines
+        .flat_map(|line| folded(line, columns.into()))
+        .collect()
 }

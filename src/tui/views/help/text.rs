@@ -1,8 +1,8 @@
 //! What the help shows: the table of actions by what they are for, the present view first, and of that what
 //! a person searches for; and which topic of the manual in its place.
 
-use super::page;
-use crate::manual::{TOPICS, Topic};
+use super::{finding, page};
+use crate::manual::{self, TOPICS, Topic};
 use crate::tui::app::View;
 use crate::tui::commands::action::{self, Entry, Place};
 use crate::tui::commands::keymap::Keymap;
@@ -20,6 +20,9 @@ pub(crate) struct Help {
     found: Option<(u16, usize)>,
     /// Whether no topic has the words that are typed.
     nowhere: bool,
+    /// The topic in lines, and of which page and how many columns they are.
+    reading: Vec<manual::Line>,
+    laid_out: (usize, u16),
 }
 
 /// What is searched for.
@@ -28,6 +31,9 @@ struct Search {
     line: Line,
     /// Whether keys are typed into the line.
     typing: bool,
+    /// The page and line where one read when the search began, to go back to; `None` once one has read on from what
+    /// was found.
+    from: Option<(usize, usize)>,
 }
 
 /// A line of the help.
@@ -66,22 +72,49 @@ impl Help {
         (of == columns).then_some(line)
     }
 
-    /// Goes to the first line of the topic with the words that are typed, or to the next one, and where there is none
-    /// to the topics that follow.
-    pub(crate) fn seek(&mut self, is_next: bool, columns: u16) {
-        let from = self.found(columns).filter(|_| is_next);
-        let words = self.words().unwrap_or_default();
-        let topic = self
-            .page
-            .checked_sub(1)
-            .filter(|_| !words.trim().is_empty());
-        let found = topic.and_then(|topic| page::next(words, (topic, from), columns));
-        if let Some((topic, line)) = found {
-            self.page = topic + 1;
-            self.scroll = line;
+    /// Lays out the topic on a screen of so many columns, unless that is done.
+    pub(crate) fn lay_out(&mut self, columns: u16, keymap: &Keymap) {
+        if self.laid_out != (self.page, columns) {
+            let lines = |topic| page::lines_of(topic, columns, keymap);
+            self.reading = self.topic().map(lines).unwrap_or_default();
+            self.laid_out = (self.page, columns);
         }
+    }
+
+    /// The topic as it was laid out.
+    pub(super) fn reading(&self) -> &[manual::Line] {
+        &self.reading
+    }
+
+    /// Goes to the words that are typed: to the first place from where one read, or to the next one and stays there;
+    /// back to where one read if there is none.
+    pub(crate) fn seek(&mut self, is_next: bool, columns: u16, keymap: &Keymap) {
+        let here = (self.page, self.scroll);
+        let found = self.found(columns).filter(|_| is_next);
+        let behind = found.map(|line| (self.page, line + 1));
+        let Some(search) = self.search.as_mut().filter(|_| self.page > 0) else {
+            return;
+        };
+        let from = *search.from.get_or_insert(here);
+        let words = search.line.text().to_ascii_lowercase();
+        let is_asked = !words.trim().is_empty();
+        let found = match is_asked {
+            true => finding::next(&words, behind.unwrap_or(from), columns, keymap),
+            false => None,
+        };
+        if is_next && found.is_some() {
+            search.from = None;
+        }
+        (self.page, self.scroll) = found.unwrap_or(from);
         self.found = found.map(|(_, line)| (columns, line));
-        self.nowhere = topic.is_some() && found.is_none();
+        self.nowhere = is_asked && found.is_none();
+    }
+
+    /// What is found is read on: the way back is forgotten.
+    pub(crate) fn stay(&mut self) {
+        if let Some(search) = &mut self.search {
+            search.from = None;
+        }
     }
 
     /// Whether no topic has the words that are typed.
@@ -89,13 +122,13 @@ impl Help {
         self.nowhere
     }
 
-    /// Ends the search: all keys are shown again, a topic stays where it is.
+    /// Ends the search: all keys are shown again, and of a topic what one read before.
     pub(crate) fn leave_search(&mut self) {
-        match self.topic() {
-            Some(_) => (self.search, self.nowhere) = (None, false),
-            None => {
-                self.show_all();
-            }
+        let here = (self.page, self.scroll);
+        let from = self.search.as_ref().and_then(|search| search.from);
+        self.show_all();
+        if self.page > 0 {
+            (self.page, self.scroll) = from.unwrap_or(here);
         }
     }
 
@@ -105,7 +138,11 @@ impl Help {
             Some(search) => search.line,
             None => Line::for_words(),
         };
-        self.search = Some(Search { line, typing: true });
+        self.search = Some(Search {
+            line,
+            typing: true,
+            from: Some((self.page, self.scroll)),
+        });
     }
 
     /// The line that is typed into.
@@ -204,15 +241,24 @@ pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> 
 
 /// The same as rows of a table in Markdown.
 pub(crate) fn key_rows() -> String {
+    rows_of(&Keymap::default())
+}
+
+/// The keys of a keymap and what they do, as rows of a table in Markdown.
+pub(super) fn rows_of(keymap: &Keymap) -> String {
     let mut rows = String::new();
-    let mut group = "";
-    for (title, keys, help) in key_list() {
-        if title != group {
-            rows += &format!("| **{title}** | |\n");
-            group = title;
+    for (title, entries) in groups(None) {
+        let told = entries.into_iter().filter_map(|entry| {
+            let keys = keymap.keys(entry.action).iter();
+            let keys: Vec<_> = keys.map(|key| format!("`{key}`")).collect();
+            // A bar would part the cells.
+            let keys = keys.join(" ").replace('|', r"\|");
+            (!keys.is_empty()).then(|| format!("| {keys} | {} |\n", entry.help))
+        });
+        let told: String = told.collect();
+        if !told.is_empty() {
+            rows += &format!("| **{title}** | |\n{told}");
         }
-        let keys: Vec<_> = keys.split(' ').map(|key| format!("`{key}`")).collect();
-        rows += &format!("| {} | {help} |\n", keys.join(" "));
     }
     rows
 }
@@ -220,6 +266,7 @@ pub(crate) fn key_rows() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::tui::commands::key::Key;
 
     fn searched(words: &str) -> Vec<HelpLine> {
         let mut help = Help::default();
@@ -260,6 +307,16 @@ mod tests {
         assert_eq!(keys(searched("f2")), ["I F2"]);
         assert!(keys(searched("scene")).len() > 3, "the group counts too");
         assert_eq!(searched("coffee"), []);
+    }
+
+    #[test]
+    fn the_table_has_the_keys_of_the_keymap() {
+        let mut keymap = Keymap::default();
+        keymap.set(action::Action::Reverse, vec![Key::Char('|')]);
+        keymap.set(action::Action::Play, Vec::new());
+        let rows = rows_of(&keymap);
+        assert_eq!(rows.lines().count(), key_rows().lines().count() - 1);
+        assert!(rows.contains("| `\\|` | "), "{rows}");
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     {
         let (back, on) = match help.topic() {
             None => ("all keys", "keep"),
-            Some(_) => ("done", "next"),
+            Some(_) => ("back", "next"),
         };
         line.hint(&Key::Escape.to_string(), back);
         line.hint(&Key::Enter.to_string(), on);

@@ -1,0 +1,83 @@
+//! What stands as it is on a screen that is narrower, and what was broken as one text again.
+
+use super::layout::{Kind, Line};
+
+/// Blanks before what goes on with a line.
+const INDENT: usize = 2;
+
+/// The line in pieces of at most so many characters: behind a blank, where one is in the second half of a piece.
+/// Only the last piece is without blanks at its end, so that the pieces in a row are the line.
+pub(crate) fn folded(line: Line, width: usize) -> Vec<Line> {
+    if line.kind != Kind::Code {
+        return vec![line];
+    }
+    let mut rest: Vec<char> = line.text.chars().collect();
+    let mut pieces = Vec::new();
+    let mut indent = 0;
+    let room = |indent| width.saturating_sub(indent).max(1);
+    while rest.len() > room(indent) {
+        let room = room(indent);
+        let blank = rest[..room].iter().rposition(|c| *c == ' ');
+        let end = blank.map_or(room, |blank| blank + 1);
+        let end = if end > room / 2 { end } else { room };
+        let behind = rest.split_off(end);
+        pieces.push(piece(&rest, indent));
+        rest = behind;
+        indent = INDENT;
+    }
+    pieces.push(piece(&rest, indent));
+    pieces
+}
+
+/// The lines of a paragraph as it was before it was broken.
+pub(crate) fn joined(lines: &[Line]) -> String {
+    let mut text = String::new();
+    for line in lines {
+        match line.kind {
+            Kind::Code if line.goes_on => text += line.text.get(INDENT..).unwrap_or_default(),
+            Kind::Code => text += &line.text,
+            Kind::Title | Kind::Words => {
+                text.push(' ');
+                text += line.text.trim_start();
+            }
+        }
+    }
+    text
+}
+
+fn piece(text: &[char], indent: usize) -> Line {
+    let text: String = text.iter().collect();
+    Line {
+        kind: Kind::Code,
+        text: format!("{:indent$}{text}", ""),
+        goes_on: indent > 0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::manual::{TOPICS, lines};
+
+    #[test]
+    fn code_that_is_too_wide_is_folded_and_nothing_lost() {
+        let mut folds = 0;
+        for topic in TOPICS {
+            for line in lines(&topic.text(String::new), 40) {
+                let pieces = folded(line.clone(), 40);
+                folds += pieces.len() - 1;
+                assert!(pieces.iter().all(|piece| piece.text.chars().count() <= 40));
+                assert!(pieces.iter().skip(1).all(|piece| piece.goes_on));
+                assert_eq!(joined(&pieces).trim_start(), line.text.trim_start());
+            }
+        }
+        assert!(folds > 10, "{folds}");
+    }
+
+    #[test]
+    fn no_width_is_too_small() {
+        let line = piece(&['a', ' ', 'b'], 0);
+        assert_eq!(folded(line.clone(), 0).len(), 3);
+        assert_eq!(folded(line.clone(), 3), [line]);
+    }
+}

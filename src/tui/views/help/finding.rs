@@ -1,0 +1,80 @@
+//! Where words stand in the manual, however wide the screen is that it is laid out for.
+
+use super::page::lines_of;
+use super::text::finds;
+use crate::manual::{Line, TOPICS, joined};
+use crate::tui::commands::keymap::Keymap;
+
+/// The next page and line where a passage with these words begins: from a line of a page on, in the pages that follow,
+/// and round to the beginning of the first.
+pub(super) fn next(
+    wanted: &str,
+    (page, line): (usize, usize),
+    columns: u16,
+    keymap: &Keymap,
+) -> Option<(usize, usize)> {
+    (0..=TOPICS.len()).find_map(|step| {
+        let topic = (page - 1 + step) % TOPICS.len();
+        let lines = lines_of(&TOPICS[topic], columns, keymap);
+        let from = if step == 0 { line } else { 0 };
+        let found = (from..lines.len()).find(|&line| begins(wanted, &lines[line..]));
+        found.map(|line| (topic + 1, line))
+    })
+}
+
+/// Whether a passage with all words begins in the first of these lines, and not only in one of those behind it.
+fn begins(wanted: &str, lines: &[Line]) -> bool {
+    let going_on = lines.iter().skip(1).take_while(|line| line.goes_on);
+    let has_all = |lines: &[Line]| finds(wanted, &[&joined(lines)]);
+    let passages = (1..=going_on.count() + 1).map(|length| &lines[..length]);
+    let shortest = passages.into_iter().find(|passage| has_all(passage));
+    shortest.is_some_and(|passage| !has_all(&passage[1..]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::manual::{folded, lines};
+
+    /// Every line where a passage with the words begins.
+    fn found(wanted: &str, text: &str, width: usize) -> Vec<usize> {
+        let lines = lines(text, width).into_iter();
+        let lines: Vec<_> = lines.flat_map(|line| folded(line, width)).collect();
+        (0..lines.len())
+            .filter(|&line| begins(wanted, &lines[line..]))
+            .collect()
+    }
+
+    /// A search used to look at single lines: what was found depended on where they were broken.
+    #[test]
+    fn words_are_found_across_the_lines_of_a_paragraph() {
+        let text = "one two three four five six seven eight\nnine ten one\n\neleven\n";
+        assert_eq!(found("six seven", text, 30), [0]);
+        assert_eq!(found("seven six", text, 30), [0]);
+        assert_eq!(found("one", text, 30), [0, 1]);
+        assert_eq!(found("one nine", text, 30), [1]);
+        assert!(found("ten eleven", text, 30).is_empty());
+    }
+
+    #[test]
+    fn a_word_of_code_is_found_where_it_is_folded() {
+        let long = format!("```\n{}needle{}\n```\n", "a".repeat(27), "b".repeat(20));
+        assert_eq!(found("needle", &long, 30), [0]);
+        let blank = format!("```\n{} needle\n```\n", "a".repeat(27));
+        assert_eq!(found("needle", &blank, 30), [1]);
+        assert!(found("aneedle", &blank, 30).is_empty());
+    }
+
+    /// Whatever stands in a paragraph is found at every width, in the same topic.
+    #[test]
+    fn the_width_does_not_decide_what_is_found() {
+        let keymap = Keymap::default();
+        for words in ["structure alone decides", "closed pipe ends quietly"] {
+            let topic = |columns| next(words, (1, 0), columns, &keymap).map(|(page, _)| page);
+            assert!(topic(200).is_some(), "{words}");
+            for columns in 40..110 {
+                assert_eq!(topic(columns), topic(200), "{words} at {columns}");
+            }
+        }
+    }
+}
