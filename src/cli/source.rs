@@ -65,7 +65,7 @@ fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
         }
         let wishes: Vec<String> = wishes.iter().map(ToString::to_string).collect();
         let fault = scene.explain(&fault);
-        let why = fault.items.first().map_or("", |item| item.message.as_str());
+        let why = fault.first_words();
         Failure::Cannot(format!("--assembly {}: {why}", wishes.join(",")))
     })
 }

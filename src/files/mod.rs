@@ -7,6 +7,7 @@
 //! | `target` | where a name leads that is to be written: links followed, descriptors told from files |
 //! | `draft` | a file that is written beside the one whose place it takes, with its rights from the first byte on |
 //! | `rights` | owner, group, mode and extended attributes of a file, carried over to its draft |
+//! | `stamp` | telling one state of a file from another without reading it |
 //! | `in_place` | writing into a file that no other may replace, and completing that after a kill |
 //! | `lock` | comparing and replacing without somebody else in between |
 //! | `output` | all of these together: a file that is whole, or what it was |
@@ -30,6 +31,8 @@ mod reading;
 #[cfg(unix)]
 mod rights;
 mod same;
+#[cfg(feature = "tui")]
+mod stamp;
 #[cfg(unix)]
 mod target;
 
@@ -39,6 +42,8 @@ pub(crate) use elsewhere::{Output, mend};
 pub(crate) use guard::{from_home, open_to_read, read_file};
 pub(crate) use reading::{limited, read_any};
 pub(crate) use same::is_same_file;
+#[cfg(feature = "tui")]
+pub(crate) use stamp::Stamp;
 #[cfg(feature = "tui")]
 pub(crate) use {
     draft::Draft, in_place::make_private, lock::is_held, output::Saving, output::save,

@@ -6,7 +6,7 @@ use super::guard::open_file;
 use super::in_place::{make_private, write_into};
 use super::target::Target;
 #[cfg(feature = "tui")]
-use super::{guard, lock};
+use super::{Stamp, guard, lock};
 use rustix::fs::OFlags;
 use std::fs::{File, Metadata};
 use std::io::{self, ErrorKind, Write};
@@ -195,7 +195,7 @@ pub(crate) fn save(
     let _lock = lock::of_folder(folder_of(&path))?;
     // Whoever had the lock before may have changed what is there.
     let target = Target::find(&path)?;
-    let before = stamp(&path);
+    let before = Stamp::of(&path);
     let old = match &target {
         Target::File(path, _) => Some(guard::read_file(path, saving.most)?),
         Target::New(_) => None,
@@ -209,23 +209,8 @@ pub(crate) fn save(
     output.write_all(&bytes)?;
     // What takes long is behind us when we look whether somebody who knows no lock has come in between.
     output.sync()?;
-    if stamp(&path) != before {
+    if Stamp::of(&path) != before {
         return Err(Trouble::Changed);
     }
     output.take_place(saving.records)
-}
-
-/// Tells a file that was written from one that was not; `None` where there is none.
-#[cfg(feature = "tui")]
-fn stamp(path: &Path) -> Option<[i64; 6]> {
-    let found = std::fs::metadata(path).ok()?;
-    let [device, inode, size] = [found.dev(), found.ino(), found.size()].map(u64::cast_signed);
-    Some([
-        device,
-        inode,
-        size,
-        found.mtime(),
-        found.mtime_nsec(),
-        found.ctime_nsec(),
-    ])
 }

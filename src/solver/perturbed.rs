@@ -59,7 +59,7 @@ impl Solver {
 }
 
 /// Which groups see the same assembly from the other side: two circles are taken from the shorter arm,
-/// and of two equal arms either may be the shorter one in a perturbed.
+/// and of two equal arms either may be the shorter one with other lengths.
 fn turned(ours: &Program, theirs: &Program) -> Vec<f64> {
     let nearer = |program: &Program| {
         let mut pivots = vec![None; program.group_starts.len()];

@@ -37,8 +37,8 @@ pub use commands::view::View;
 pub use config::{Config, template};
 pub use picture::picture;
 pub use terminal::Terminal;
-pub use views::help::text::key_list;
-pub(crate) use views::help::text::key_rows;
+pub use views::help::keys::key_list;
+pub(crate) use views::help::keys::key_rows;
 pub use workbench::Workbench;
 
 use crate::capability::Judgement;

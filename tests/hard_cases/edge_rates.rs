@@ -5,7 +5,7 @@
 //! one coordinate after the other, doubles inside an end of their motion and places before it, the place, velocity
 //! and acceleration of the joint C at 2 rad/s.
 
-use crate::rig::{U, exact, note};
+use crate::rig::{U, exact, note, point};
 use krank::quantity::{self, Aspect, Subject};
 use krank::scene::Scene;
 use krank::solver::{Condition, Order, Solver, Workspace};
@@ -46,10 +46,8 @@ fn open(words: &[&str]) -> Opened {
     );
     let scene = Scene::parse(&text, "four-bar").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
-    let mut points = scene.mechanism.point_ids();
-    let joint = points.find(|&p| scene.point_name(p) == Some("C")).unwrap();
     Opened {
-        joint,
+        joint: point(&scene, "C"),
         state: solver.state(),
         balls: solver.enclosure(),
         solver,

@@ -6,11 +6,11 @@
 //! `rrp o b`, by b onto the line y = o, and about where its joint is at the start.
 
 use crate::exact::DoubleDouble;
-use crate::rig::{U, exact, note};
+use crate::rig::{U, exact, note, point};
+use krank::LANES;
 use krank::quantity::{self, Aspect, Subject};
 use krank::scene::Scene;
 use krank::solver::{Condition, Order, Range, Solver};
-use krank::{LANES, PointId};
 use std::fmt::Write as _;
 
 const CASES: &str = include_str!("edges.txt");
@@ -195,9 +195,4 @@ fn every_double_beside_an_end_is_decided_and_right() {
     ));
     assert_eq!((right, unproved), (figures, 0));
     assert!(sides >= 900, "{sides}");
-}
-
-fn point(scene: &Scene, name: &str) -> PointId {
-    let mut points = scene.mechanism.point_ids();
-    points.find(|&p| scene.point_name(p) == Some(name)).unwrap()
 }

@@ -1,6 +1,7 @@
 //! The four-bar that most cases are about, and how a figure is held against its exact value.
 
 use crate::exact::DoubleDouble;
+use krank::scene::Scene;
 use krank::solver::{Condition, Fault, Order, Solver, State};
 use krank::{Body, Driver, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
@@ -25,6 +26,12 @@ pub(crate) fn assert_near(what: &str, found: f64, decimal: &str, tolerance: f64)
 #[expect(clippy::print_stdout, reason = "the measured figures are to be read")]
 pub(crate) fn note(text: &str) {
     println!("{text}");
+}
+
+/// A point by its name in the scene.
+pub(crate) fn point(scene: &Scene, name: &str) -> PointId {
+    let mut points = scene.mechanism.point_ids();
+    points.find(|&p| scene.point_name(p) == Some(name)).unwrap()
 }
 
 /// A four-bar AB, BC, CD on a ground AD along x, driven at the crank AB.

@@ -1,7 +1,7 @@
 //! Bounds of what follows from points and links without a constraint to solve.
 
 use super::errors::{Errors, LinkError, PointError, size};
-use super::limb::{Limb, SUM, Shape, across, difference, swing_rest, turned_closely};
+use super::limb::{Limb, SUM, Shape, across, swing_rest, turned_closely};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::demand::Part;
 use crate::solver::state::State;
@@ -122,37 +122,32 @@ impl Errors {
         self.set_point(point, &error, state, enclosure);
     }
 
-    /// A point of the driven link, whose angle is the coordinate: with r the arm, V - V_P = k x r and
-    /// A - A_P = -r.
+    /// A point of the driven link, whose angle is the coordinate: X = r, V = k x r and A = -r. The link's pivot
+    /// is the origin of the solver's frame: whatever was typed for it, it is there, and at rest.
     #[inline(always)]
     pub(super) fn spin<const ORDER: u8, const FUSED: bool>(
         &mut self,
-        [point, pivot]: [PointId; 2],
+        point: PointId,
         (d, turned): (Vec2, &LinkError),
         local: Vec2<Constant>,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
-        let [x, p] = [point, pivot].map(|point| &state.points[point.index()]);
-        let from = self.point(pivot);
+        let x = &state.points[point.index()];
         let [arm, low] = turned_closely::<FUSED>(local, d);
         let swing = low + local.map(|v| v.hi).turned(turned.direction);
         let rest = size(local.map(|v| v.hi)) * turned.along + swing_rest(local, turned);
         let mut error = PointError::none();
-        error.shift[0] = from.shift[0];
-        let mut see = |k: usize, miss: Vec2, swing: Vec2, from: f64| {
-            error.shift[k] += miss + swing;
-            let rounding = SUM * (size(miss) + size(swing) + from);
-            error.settle(k, rest + rounding);
+        let mut see = |k: usize, miss: Vec2, swing: Vec2| {
+            error.shift[k] = miss + swing;
+            error.settle(k, rest + SUM * (size(miss) + size(swing)));
         };
-        let [way, lost] = difference(x.p, p.p);
-        see(0, (arm - way) - lost, swing, from.most[0]);
-        // The pivot stands on the ground.
+        see(0, arm - x.p, swing);
         if ORDER >= VELOCITY {
-            see(1, arm.perp() - x.v, swing.perp(), 0.0);
+            see(1, arm.perp() - x.v, swing.perp());
         }
         if ORDER >= ACCELERATION {
-            see(2, -arm - x.a, -swing, 0.0);
+            see(2, -arm - x.a, -swing);
         }
         self.set_point(point, &error, state, enclosure);
     }

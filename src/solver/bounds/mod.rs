@@ -209,13 +209,8 @@ impl Engine {
                     errors.set_link(link, &error, crank, enclosure);
                     true
                 }
-                Step::Spin {
-                    point,
-                    pivot,
-                    local,
-                } => {
-                    let points = [point, pivot];
-                    errors.spin::<ORDER, FUSED>(points, (d, &turned), local, state, enclosure);
+                Step::Spin { point, local, .. } => {
+                    errors.spin::<ORDER, FUSED>(point, (d, &turned), local, state, enclosure);
                     true
                 }
                 Step::Ride {

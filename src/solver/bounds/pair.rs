@@ -33,7 +33,8 @@ const INVERSE: f64 = 16.0 * U;
 ///
 /// Points are told in each component. With C_i the larger part of a column, L_i, S_i and A_i the sums of those of a
 /// gradient and its rates: what moves row i by r moves the point by C_i r at most, and what moves the other point of
-/// that row by r moves it by K_i r, K_i = C_i L_i. Each K_i is at least the condition number of the two rows.
+/// that row by r moves it by K_i r, K_i = C_i L_i. No K_i is below (|x1 y2| + |y1 x2|) / |det|, by which the
+/// determinant makes more of what its products round.
 struct Pair<'a> {
     /// The other points.
     from: &'a PointError<Both>,

@@ -4,7 +4,7 @@ use super::{
     COLOUR_KEY, COLOURS, GLYPHS, GLYPHS_KEY, KEYS_KEY, Named, THEME_KEY, THEMES, TOUR_KEY, keys,
 };
 use crate::tui::commands::key::Key;
-use crate::tui::views::help::text::groups;
+use crate::tui::views::help::keys::groups;
 
 /// Column in which comments begin.
 const COMMENT: usize = 36;

@@ -1,39 +1,15 @@
 //! The scene's file on the disk: whether somebody else has written it since.
 
-use crate::files::read_file;
+use crate::files::{Stamp, read_file};
 use crate::scene::LARGEST_FILE;
 use std::io;
-use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
 /// What some editors put in front of a text.
 pub(crate) const BYTE_ORDER_MARK: &str = "\u{feff}";
 /// While frames follow each other the file is looked at no more often.
 const PAUSE: Duration = Duration::from_secs(1);
-
-/// Tells one state of a file from another without reading it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Stamp {
-    modified: Option<SystemTime>,
-    size: u64,
-    inode: u64,
-    /// When anything of it was changed last.
-    changed: (i64, i64),
-}
-
-impl Stamp {
-    /// `None` where there is no file.
-    fn of(path: &Path) -> Option<Stamp> {
-        let data = std::fs::metadata(path).ok()?;
-        Some(Stamp {
-            modified: data.modified().ok(),
-            size: data.len(),
-            inode: data.ino(),
-            changed: (data.ctime(), data.ctime_nsec()),
-        })
-    }
-}
 
 /// What has become of the file.
 #[derive(Debug)]

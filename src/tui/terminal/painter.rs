@@ -28,7 +28,7 @@ const ERASING: usize = 3;
 
 /// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
 const REWRITE: u16 = 4;
-/// What a frame may end with beyond its room: a cell with its way and its pen, and the pen put down.
+/// What a frame may end with beyond its room: a cell with its way and its attributes, and these taken back.
 const ENDING: usize = 32;
 
 /// Blanks that are saved by erasing a row: fewer are as soon written.
@@ -144,7 +144,7 @@ impl Painter {
             self.bytes.clear();
             return &self.bytes;
         }
-        Sgr::PLAIN.take_up(self.sgr, &mut self.bytes);
+        Sgr::PLAIN.put_in_force(self.sgr, &mut self.bytes);
         if self.is_cut() {
             // Half a picture need not appear at once, and the brackets cost as much as a figure.
             self.bytes.drain(..prologue);
@@ -213,7 +213,7 @@ impl Painter {
         if erase {
             self.has_room()?;
             self.go_to(end, y, next);
-            self.set_pen(Sgr::PLAIN);
+            self.set_sgr(Sgr::PLAIN);
             queue(&mut self.bytes, Clear(ClearType::UntilNewLine));
             self.shown.content[start + usize::from(end)..start + usize::from(width)]
                 .fill(Cell::EMPTY);
@@ -245,7 +245,7 @@ impl Painter {
         }
         self.has_room()?;
         self.go_to(columns.start, y, next);
-        self.set_pen(Sgr::PLAIN);
+        self.set_sgr(Sgr::PLAIN);
         queue(&mut self.bytes, Clear(ClearType::UntilNewLine));
         self.shown.content[start + from..start + next.len()].fill(Cell::EMPTY);
         Ok(true)
@@ -303,15 +303,15 @@ impl Painter {
         self.cursor = Some((x, y));
     }
 
-    /// Whether a cell can be written with the pen in force. A blank shows nothing of most pens.
+    /// Whether a cell can be written with what is in force. A blank shows little of it.
     fn suits(&self, cell: &Cell) -> bool {
-        let sgr = self.look.pen_of(cell);
+        let sgr = self.look.sgr_of(cell);
         sgr == self.sgr || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.leaves_blanks())
     }
 
     fn put(&mut self, cell: &Cell, width: u16) {
         if !self.suits(cell) {
-            self.set_pen(self.look.pen_of(cell));
+            self.set_sgr(self.look.sgr_of(cell));
         }
         self.bytes.extend_from_slice(cell.symbol().as_bytes());
         // Behind the last column terminals differ.
@@ -321,8 +321,8 @@ impl Painter {
             .filter(|&(x, _)| x < width);
     }
 
-    fn set_pen(&mut self, sgr: Sgr) {
-        sgr.take_up(self.sgr, &mut self.bytes);
+    fn set_sgr(&mut self, sgr: Sgr) {
+        sgr.put_in_force(self.sgr, &mut self.bytes);
         self.sgr = sgr;
     }
 }

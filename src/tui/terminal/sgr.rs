@@ -35,7 +35,7 @@ pub(super) struct Look {
 
 impl Look {
     /// A cell's colours and attributes, as far as the terminal has them and they can be seen.
-    pub(super) fn pen_of(&self, cell: &Cell) -> Sgr {
+    pub(super) fn sgr_of(&self, cell: &Cell) -> Sgr {
         let mut sgr = Sgr {
             fg: cell.fg,
             bg: cell.bg,
@@ -63,12 +63,12 @@ impl Look {
 
     /// Whether two cells look alike.
     pub(super) fn same(&self, a: &Cell, b: &Cell) -> bool {
-        same_symbol(a, b) && (same_style(a, b) || self.pen_of(a) == self.pen_of(b))
+        same_symbol(a, b) && (same_style(a, b) || self.sgr_of(a) == self.sgr_of(b))
     }
 
     /// Whether a cell is nothing but ground.
     pub(super) fn is_blank(&self, cell: &Cell) -> bool {
-        cell.symbol().as_bytes() == b" " && self.pen_of(cell) == Sgr::PLAIN
+        cell.symbol().as_bytes() == b" " && self.sgr_of(cell) == Sgr::PLAIN
     }
 }
 
@@ -97,13 +97,13 @@ impl Sgr {
         modifier: Modifier::empty(),
     };
 
-    /// Whether a blank drawn with this pen is plain ground.
+    /// Whether a blank drawn so is plain ground.
     pub(super) fn leaves_blanks(self) -> bool {
         self.bg == Color::Reset && !self.modifier.intersects(OF_BLANKS)
     }
 
-    /// Takes up this pen where `has` was in force.
-    pub(super) fn take_up(self, has: Sgr, bytes: &mut Vec<u8>) {
+    /// Puts this in force where `has` was.
+    pub(super) fn put_in_force(self, has: Sgr, bytes: &mut Vec<u8>) {
         if self == has {
             return;
         }

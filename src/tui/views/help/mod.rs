@@ -7,6 +7,7 @@
 //! ```
 
 mod finding;
+pub(crate) mod keys;
 mod page;
 pub(crate) mod text;
 

@@ -6,7 +6,8 @@
 //!  ...
 //! ```
 
-use super::text::{Help, rows_of};
+use super::keys::rows_of;
+use super::text::Help;
 use super::{print, print_right, searched};
 use crate::manual::{Kind, Line, TOPICS, Topic, folded, lines};
 use crate::tui::appearance::theme::{self, Part};

@@ -1,10 +1,11 @@
-//! What the help shows: the table of actions by what they are for, the present view first, and of that what
-//! a person searches for; and which topic of the manual in its place.
+//! What the help shows: the keys, and of these what a person searches for; or a topic of the manual, and where in
+//! it one reads.
 
+use super::keys::groups;
 use super::{finding, page};
 use crate::manual::{self, TOPICS, Topic};
 use crate::tui::app::View;
-use crate::tui::commands::action::{self, Entry, Place};
+use crate::tui::commands::action;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::Line;
 
@@ -208,65 +209,9 @@ pub(super) fn finds(words: &str, texts: &[&str]) -> bool {
     words.all(|word| texts.iter().any(|text| text.contains(word)))
 }
 
-/// The rows of the table by what they are for: those of a view alone first, what all views have in common, then
-/// those of the other views.
-pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Entry>)> {
-    let of = |view: View| {
-        let here = move |entry: &&Entry| entry.place == Place::In(view);
-        (
-            view.pane().help_title(),
-            action::entries().filter(here).collect(),
-        )
-    };
-    let common = action::SECTIONS.iter().map(|section| {
-        let everywhere = |entry: &&Entry| entry.place == Place::Everywhere;
-        let entries: Vec<_> = section.entries.iter().filter(everywhere).collect();
-        (section.title, entries)
-    });
-    let others = View::ALL.into_iter().filter(|view| Some(*view) != first);
-    let all = first.into_iter().map(of).chain(common);
-    all.chain(others.map(of))
-        .filter(|(_, entries): &(_, Vec<_>)| !entries.is_empty())
-        .collect()
-}
-
-/// The keys that are built in and what they do, one row each, for a manual: the group, the keys, the
-/// purpose.
-pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> {
-    groups(None).into_iter().flat_map(|(title, entries)| {
-        let row = move |entry: &Entry| (title, action::listed(entry.keys), entry.help);
-        entries.into_iter().map(row)
-    })
-}
-
-/// The same as rows of a table in Markdown.
-pub(crate) fn key_rows() -> String {
-    rows_of(&Keymap::default())
-}
-
-/// The keys of a keymap and what they do, as rows of a table in Markdown.
-pub(super) fn rows_of(keymap: &Keymap) -> String {
-    let mut rows = String::new();
-    for (title, entries) in groups(None) {
-        let told = entries.into_iter().filter_map(|entry| {
-            let keys = keymap.keys(entry.action).iter();
-            let keys: Vec<_> = keys.map(|key| format!("`{key}`")).collect();
-            // A bar would part the cells.
-            let keys = keys.join(" ").replace('|', r"\|");
-            (!keys.is_empty()).then(|| format!("| {keys} | {} |\n", entry.help))
-        });
-        let told: String = told.collect();
-        if !told.is_empty() {
-            rows += &format!("| **{title}** | |\n{told}");
-        }
-    }
-    rows
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::commands::key::Key;
 
     fn searched(words: &str) -> Vec<HelpLine> {
         let mut help = Help::default();
@@ -274,16 +219,6 @@ mod tests {
         let line = help.typed().unwrap();
         words.chars().for_each(|c| line.push(c));
         help.lines(View::Motion, &Keymap::default())
-    }
-
-    #[test]
-    fn every_action_stands_in_one_group() {
-        for first in View::ALL.map(Some).into_iter().chain([None]) {
-            let all = groups(first).into_iter().flat_map(|(_, entries)| entries);
-            let all: Vec<&str> = all.map(|entry| entry.name).collect();
-            assert_eq!(all.len(), action::entries().count());
-            assert!(action::entries().all(|entry| all.contains(&entry.name)));
-        }
     }
 
     #[test]
@@ -307,16 +242,6 @@ mod tests {
         assert_eq!(keys(searched("f2")), ["I F2"]);
         assert!(keys(searched("scene")).len() > 3, "the group counts too");
         assert_eq!(searched("coffee"), []);
-    }
-
-    #[test]
-    fn the_table_has_the_keys_of_the_keymap() {
-        let mut keymap = Keymap::default();
-        keymap.set(action::Action::Reverse, vec![Key::Char('|')]);
-        keymap.set(action::Action::Play, Vec::new());
-        let rows = rows_of(&keymap);
-        assert_eq!(rows.lines().count(), key_rows().lines().count() - 1);
-        assert!(rows.contains("| `\\|` | "), "{rows}");
     }
 
     #[test]
