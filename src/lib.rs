@@ -103,7 +103,7 @@ mod tests;
 #[cfg(feature = "tui")]
 pub mod tui;
 
-pub use arithmetic::{Ball, Constant, Double, LANES, Lanes, Number, Vec2, angle, vectorized};
+pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
     Axis, Body, Builder, Defect, Defects, Driver, Element, Input, Length, Link, LinkId, Load,
     Mechanism, Member, Point, PointId, Profile, Slide, SlideId, Slider, StrokeEnd,

@@ -34,6 +34,8 @@ pub struct Constant {
     pub lo: f64,
     /// How far the meant value can be from the stored one.
     pub radius: f64,
+    /// Its derivative by the length of the mechanism that is asked about, if one is: see [`Dual`](crate::Dual).
+    pub slope: f64,
 }
 
 /// How far what a person typed can be from the double that it was read as.
@@ -54,7 +56,14 @@ impl Constant {
             hi: value,
             lo: 0.0,
             radius: typed_radius(value),
+            slope: 0.0,
         }
+    }
+
+    /// The same with another derivative.
+    #[must_use]
+    pub(crate) const fn with_slope(self, slope: f64) -> Constant {
+        Constant { slope, ..self }
     }
 
     /// A place by which lengths are compared: as the decimals that were typed, or as the doubles that they
@@ -124,10 +133,15 @@ impl Constant {
         self.lo == 0.0
     }
 
-    /// Stored and meant.
+    /// Stored and meant, the same whatever the lengths are.
     const fn new(value: Double, radius: f64) -> Constant {
         let Double { hi, lo } = value;
-        Constant { hi, lo, radius }
+        Constant {
+            hi,
+            lo,
+            radius,
+            slope: 0.0,
+        }
     }
 
     /// The stored value.
@@ -152,7 +166,8 @@ impl Add for Constant {
     type Output = Constant;
     fn add(self, o: Constant) -> Constant {
         let is_exact = self.is_double() && o.is_double();
-        Constant::rounded(self.value() + o.value(), self.radius + o.radius, is_exact)
+        let sum = Constant::rounded(self.value() + o.value(), self.radius + o.radius, is_exact);
+        sum.with_slope(self.slope + o.slope)
     }
 }
 
@@ -172,7 +187,7 @@ impl Sub for Constant {
 impl Neg for Constant {
     type Output = Constant;
     fn neg(self) -> Constant {
-        Constant::new(-self.value(), self.radius)
+        Constant::new(-self.value(), self.radius).with_slope(-self.slope)
     }
 }
 
@@ -181,7 +196,9 @@ impl Mul for Constant {
     fn mul(self, o: Constant) -> Constant {
         let radius = self.hi.abs() * o.radius + self.radius * (o.hi.abs() + o.radius);
         let is_exact = self.is_double() && o.is_double();
-        Constant::rounded(self.value() * o.value(), radius * (1.0 + 4.0 * U), is_exact)
+        let value = self.value() * o.value();
+        let product = Constant::rounded(value, radius * (1.0 + 4.0 * U), is_exact);
+        product.with_slope(self.hi * o.slope + self.slope * o.hi)
     }
 }
 
@@ -191,7 +208,8 @@ impl Div for Constant {
         let value = self.value() / o.value();
         let least = o.hi.abs() * (1.0 - 4.0 * U) - o.radius;
         let radius = (self.radius + value.hi.abs() * o.radius) / least;
-        Constant::rounded(value, radius * (1.0 + 8.0 * U), false)
+        let quotient = Constant::rounded(value, radius * (1.0 + 8.0 * U), false);
+        quotient.with_slope((self.slope - value.hi * o.slope) / o.hi)
     }
 }
 
@@ -213,6 +231,7 @@ impl Number for Constant {
             self.value().scaled(power_of_two),
             self.radius * power_of_two,
         )
+        .with_slope(self.slope * power_of_two)
     }
 
     fn sqrt(self) -> Constant {
@@ -223,11 +242,21 @@ impl Number for Constant {
             self.radius / root.hi * (1.0 + 4.0 * U)
         };
         let is_exact = root.lo == 0.0 && root * root == self.value();
-        Constant::rounded(root, radius, is_exact)
+        let slope = if self.slope == 0.0 {
+            0.0
+        } else {
+            self.slope / (2.0 * root.hi)
+        };
+        Constant::rounded(root, radius, is_exact).with_slope(slope)
     }
 
     fn abs(self) -> Constant {
-        Constant::new(self.value().abs(), self.radius)
+        let slope = if self.hi < 0.0 {
+            -self.slope
+        } else {
+            self.slope
+        };
+        Constant::new(self.value().abs(), self.radius).with_slope(slope)
     }
 
     fn min(self, other: Constant) -> Constant {

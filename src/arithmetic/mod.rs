@@ -2,8 +2,8 @@
 //! solver's formulas are written over.
 //!
 //! A formula over [`Number`] gives with doubles the figures; with [`Lanes`] several at once, to the same
-//! bits; with [`Ball`]s what they enclose; with [`Double`]s twice the digits; with series their way
-//! through a change point. A [`Constant`] is a given number with what its rounding has cost.
+//! bits; with [`Ball`]s what they enclose; with [`Double`]s twice the digits; with [`Dual`]s their
+//! derivatives by a length; with series their way through a change point. A [`Constant`] is a given number with what its rounding has cost.
 
 pub mod angle;
 mod ball;
@@ -11,6 +11,7 @@ mod both;
 mod constant;
 mod decimal;
 mod double;
+mod dual;
 mod halves;
 mod lanes;
 mod number;
@@ -25,6 +26,7 @@ pub use constant::Constant;
 pub(crate) use constant::typed_radius;
 pub use double::Double;
 pub(crate) use double::{two_product, two_sum};
+pub use dual::Dual;
 pub(crate) use halves::Halves;
 pub(crate) use lanes::fused;
 pub use lanes::{LANES, Lanes, vectorized};

@@ -137,6 +137,24 @@ impl Mechanism {
     }
 }
 
+impl Mechanism {
+    /// What one length does to every given coordinate: the same mechanism with the derivatives by it in the
+    /// place of the coordinates.
+    pub(crate) fn slopes(&self, length: Length) -> Mechanism {
+        let mut flat = Parts::clone(&self.parts);
+        let grounds = flat.points.iter_mut().filter_map(|p| p.ground.as_mut());
+        grounds.for_each(|place| *place = Vec2::ZERO);
+        let members = flat.links.iter_mut().flat_map(|l| &mut l.members);
+        members.for_each(|member| member.local = Vec2::ZERO);
+        let guides = flat.slides.iter_mut();
+        guides.for_each(|slide| slide.through = Vec2::ZERO);
+        let flat = Mechanism {
+            parts: Arc::new(flat),
+        };
+        flat.changed(length, 1.0)
+    }
+}
+
 impl Parts {
     fn move_member(&mut self, link: LinkId, point: PointId, by: Vec2) {
         let mut members = self.links[link.index()].members.iter_mut();

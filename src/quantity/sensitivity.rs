@@ -2,54 +2,38 @@
 //! the driver and on the same assembly.
 //!
 //! This says what an input that is good to 0.1 mm does to a figure, which mostly is far more than any
-//! rounding; the two are never mixed. One length at a time is changed a little, to both sides and by two
-//! steps, in a mechanism that is made ready again; from the two central differences
-//!
-//! ```text
-//! D(h) = (f(l + h) - f(l - h)) / 2h = f' + h^2 f'''/6 + ...        D = (4 D(h/2) - D(h)) / 3
-//! ```
-//!
-//! Richardson's extrapolation D is right to the fourth order. Where the motion ends near by, as at a dead
-//! point, f''' is large: then smaller steps are taken until the two differences agree.
+//! rounding; the two are never mixed. The derivatives are those of the solver's own formulas, see
+//! [`ByLength`](crate::solver::ByLength): nothing is changed by a finite amount.
 
 use super::{Aspect, Quantity};
 use crate::scene::Scene;
-use crate::solver::{Condition, Order, Perturbed, Solver, Workspace};
-use crate::{Axis, Length, Mechanism, angle};
+use crate::solver::{ByLength, Condition, Demand, Order, Solver, State, Workspace};
+use crate::{Axis, Dual, Length};
 
-/// The steps to try, in parts of the longest length: 2 to these powers. The first leaves about 3e-13 of
-/// a figure to rounding and less to the fourth order; the last still tells four digits.
-const STEPS: [i32; 7] = [-11, -15, -19, -23, -27, -31, -35];
-/// The two differences agree when they differ by less than this part of the largest derivative of the
-/// kind. What is left behind the extrapolation is about the square of it.
-const AGREED: f64 = 1.0 / 16384.0;
-/// What a difference of two figures has of their rounding, in parts of the largest figure of the kind: 32
-/// units of 2^-53. Derivatives that are no larger than what this makes of them are 0.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// Mechanisms beside the first are kept from one coordinate to the next as long as they are no more than
+/// What sums of many terms leave of a derivative that is nothing, in parts of the largest term.
+const ROUNDING: f64 = 128.0 * f64::EPSILON;
+/// Derivatives are kept ready from one coordinate to the next as long as their mechanisms are no more than
 /// this many points and links; others are made again each time.
-const MOST_KEPT: usize = 1 << 17;
-/// Where the figures of one length are read: at these multiples of the step.
-const PLACES: [f64; 4] = [1.0, -1.0, 0.5, -0.5];
+const MOST_KEPT: usize = 1 << 18;
 
 /// Finds the derivatives of figures by the given lengths, at one coordinate after the other.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
-    mechanism: Mechanism,
     solver: Solver,
     figures: Vec<Quantity>,
     lengths: Vec<Length>,
     names: Vec<String>,
+    demand: Demand,
     order: Order,
     base: Workspace,
-    /// For every step, once it was taken: for every length the mechanisms at [`PLACES`].
-    kept: Vec<Vec<Option<Beside>>>,
+    /// For every length, once it was asked about and where all of them have room.
+    ready: Vec<Option<Ready>>,
 }
+
+type Ready = (ByLength, Workspace<Dual>);
 
 /// More derivatives than this, of all figures by all lengths, are more than anybody reads.
 pub const MOST_DERIVATIVES: usize = 1 << 22;
-
-type Beside = [(Perturbed, Workspace); PLACES.len()];
 
 /// The derivatives of all figures at one coordinate.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,15 +80,16 @@ impl Sensitivity {
     pub fn new(scene: &Scene, solver: &Solver, figures: &[Quantity]) -> Self {
         let lengths = scene.mechanism.lengths();
         let names = lengths.iter().map(|&l| name(scene, l)).collect();
+        let (demand, order) = super::demand(figures);
         Sensitivity {
-            mechanism: scene.mechanism.clone(),
             solver: solver.clone(),
             figures: figures.to_vec(),
+            ready: vec![None; lengths.len()],
             lengths,
             names,
-            order: super::demand(figures).1,
+            demand,
+            order,
             base: solver.state(),
-            kept: STEPS.map(|_| Vec::new()).into(),
         }
     }
 
@@ -120,115 +105,77 @@ impl Sensitivity {
         &self.names
     }
 
-    /// The derivatives at a coordinate of the driver. `None` where they do not exist, or cannot be had:
-    /// outside the motion, at a dead point or a change point and too close to one, and where a length
-    /// that is off would jam a redundant linkage.
+    /// The derivatives at a coordinate of the driver. `None` where they do not exist, or would not be right to
+    /// four digits: outside the motion, at a dead point or a change point and too close to one, and where a
+    /// length that is off would jam a redundant linkage.
     pub fn at(&mut self, at: f64) -> Option<Derivatives> {
         if self.solver.solve(at, self.order, &mut self.base) != Condition::Ok {
             return None;
         }
-        (0..STEPS.len()).find_map(|step| self.by_step(step))
-    }
-
-    /// By one step; `None` where a changed mechanism does not exist, or where the differences do not agree.
-    fn by_step(&mut self, step: usize) -> Option<Derivatives> {
-        let h = self.solver.scale() * f64::from(STEPS[step]).exp2();
         let count = self.lengths.len();
         let mut numbers = vec![0.0; self.figures.len() * count];
-        let mut kinds = [Kind::default(); Kind::COUNT];
-        for length in 0..count {
-            let beside = match self.take(step, length) {
-                Some(beside) => beside,
-                None => self.made(length, h)?,
+        for number in 0..count {
+            let (by_length, mut work) = match self.ready[number].take() {
+                Some(ready) => ready,
+                None => self.made(number)?,
             };
-            let solved = self.solved(beside)?;
-            for (i, figure) in self.figures.iter().enumerate() {
-                let [over, under, half_over, half_under] = read(figure, &solved)?;
-                let wide = apart(figure, over, under) / (2.0 * h);
-                let narrow = apart(figure, half_over, half_under) / h;
-                kinds[Kind::of(figure)].note(wide, narrow, over);
-                numbers[i * count + length] = narrow + (narrow - wide) / 3.0;
+            let solved = by_length.solve(&self.base, self.order, &mut work);
+            if solved {
+                for (i, figure) in self.figures.iter().enumerate() {
+                    numbers[i * count + number] = slope(figure, &work)?;
+                }
             }
-            self.keep(step, length, solved);
+            self.keep(number, (by_length, work));
+            if !solved {
+                return None;
+            }
         }
-        let agreed = kinds.iter().all(|kind| kind.agrees(h));
-        agreed.then(|| {
-            for (all, figure) in numbers.chunks_mut(count.max(1)).zip(&self.figures) {
-                let least = kinds[Kind::of(figure)].noise(h);
-                all.iter_mut()
-                    .filter(|d| d.abs() <= least)
-                    .for_each(|d| *d = 0.0);
-            }
-            Derivatives {
-                lengths: count,
-                numbers,
-            }
+        self.round(&mut numbers);
+        Some(Derivatives {
+            lengths: count,
+            numbers,
         })
     }
 
-    /// The mechanisms with one length changed.
-    fn made(&self, length: usize, h: f64) -> Option<Beside> {
-        let make = |place: f64| {
-            let changed = self.mechanism.changed(self.lengths[length], place * h);
-            let perturbed = self.solver.perturbed(&changed)?;
-            let state = perturbed.state();
-            Some((perturbed, state))
-        };
-        let [a, b, c, d] = PLACES.map(make);
-        Some([a?, b?, c?, d?])
+    fn made(&self, number: usize) -> Option<Ready> {
+        let made = self.solver.by_length(self.lengths[number], &self.demand)?;
+        let work = made.state();
+        Some((made, work))
     }
 
-    /// All four solved beside the base.
-    fn solved(&self, mut beside: Beside) -> Option<Beside> {
-        let mut all = beside.iter_mut();
-        let solved = all.all(|(perturbed, state)| {
-            perturbed.solve(&self.base, self.order, state) == Condition::Ok
-        });
-        solved.then_some(beside)
-    }
-
-    fn take(&mut self, step: usize, length: usize) -> Option<Beside> {
-        self.kept[step].get_mut(length)?.take()
-    }
-
-    fn keep(&mut self, step: usize, length: usize, beside: Beside) {
-        let mechanism = &self.mechanism;
+    fn keep(&mut self, number: usize, ready: Ready) {
+        let mechanism = self.solver.mechanism();
         let size = mechanism.points().len() + mechanism.links().len();
-        if size * self.lengths.len() > MOST_KEPT {
-            return;
+        if size * self.lengths.len() <= MOST_KEPT {
+            self.ready[number] = Some(ready);
         }
-        let kept = &mut self.kept[step];
-        if kept.len() <= length {
-            kept.resize_with(self.lengths.len(), || None);
+    }
+
+    /// What rounding has left of derivatives that are nothing is nothing.
+    fn round(&self, numbers: &mut [f64]) {
+        let count = self.lengths.len().max(1);
+        let mut sizes = [0.0_f64; Kind::COUNT];
+        for (figure, all) in self.figures.iter().zip(numbers.chunks(count)) {
+            let value = figure.value(self.base.state()).map_or(0.0, f64::abs);
+            let size = &mut sizes[Kind::of(figure)];
+            *size = size.max(value / self.solver.scale());
+            *size = all.iter().fold(*size, |size, d| size.max(d.abs()));
         }
-        kept[length] = Some(beside);
+        for (figure, all) in self.figures.iter().zip(numbers.chunks_mut(count)) {
+            let nothing = ROUNDING * sizes[Kind::of(figure)];
+            let small = all.iter_mut().filter(|d| d.abs() <= nothing);
+            small.for_each(|d| *d = 0.0);
+        }
     }
 }
 
-/// A figure in four states.
-fn read(figure: &Quantity, beside: &Beside) -> Option<[f64; PLACES.len()]> {
-    let [a, b, c, d] = beside.each_ref().map(|(_, state)| figure.value(state));
-    Some([a?, b?, c?, d?])
+/// The derivative of a figure.
+fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
+    super::value(figure.subject, figure.aspect, state).map(|dual| dual.slope)
 }
 
-/// The difference of two values of a figure; of directions, the shorter way.
-fn apart(figure: &Quantity, over: f64, under: f64) -> f64 {
-    let apart = over - under;
-    if figure.aspect == Aspect::Angle {
-        apart - angle::TURN * (apart / angle::TURN).round()
-    } else {
-        apart
-    }
-}
-
-/// What is known of all figures of one unit by all lengths: derivatives of one kind are measured by the
-/// largest.
-#[derive(Clone, Copy, Debug, Default)]
-struct Kind {
-    largest: f64,
-    disagreement: f64,
-    value: f64,
-}
+/// Figures of one unit: their derivatives are measured by the largest.
+struct Kind;
 
 impl Kind {
     const COUNT: usize = 9;
@@ -247,21 +194,6 @@ impl Kind {
             Aspect::Force | Aspect::Fx | Aspect::Fy | Aspect::Normal => 7,
             Aspect::Power => 8,
         }
-    }
-
-    fn note(&mut self, wide: f64, narrow: f64, value: f64) {
-        self.largest = self.largest.max(narrow.abs());
-        self.disagreement = self.disagreement.max((narrow - wide).abs());
-        self.value = self.value.max(value.abs());
-    }
-
-    /// What rounding makes of a difference.
-    fn noise(&self, h: f64) -> f64 {
-        ROUNDING * self.value / h
-    }
-
-    fn agrees(&self, h: f64) -> bool {
-        self.disagreement <= AGREED * self.largest + self.noise(h)
     }
 }
 

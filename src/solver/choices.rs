@@ -56,7 +56,7 @@ impl Solver {
             return Vec::new();
         };
         let group = group.index();
-        let network = Network::new(&self.mechanism);
+        let network = Network::new(&self.mechanism, self.engine.frame);
         let request = present.request(at);
         let assembler = Assembler {
             network: &network,
@@ -98,7 +98,7 @@ impl Solver {
         let Some(present) = self.present(at) else {
             return found;
         };
-        let network = Network::new(&self.mechanism);
+        let network = Network::new(&self.mechanism, self.engine.frame);
         let request = present.request(at);
         let assembler = Assembler {
             network: &network,

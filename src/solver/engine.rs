@@ -334,7 +334,10 @@ impl Engine {
     }
 
     /// By how much each watched constraint misses, and how far out: rounding grows with the distance.
-    pub(super) fn misses(&self, state: &State) -> impl Iterator<Item = (Watch, f64, f64)> {
+    pub(super) fn misses<T: Number>(
+        &self,
+        state: &State<T>,
+    ) -> impl Iterator<Item = (Watch, T, f64)> {
         let watches = self.program.watches.iter();
         watches.map(|watch| {
             let (miss, reach) = watch.gauge.misfit(state);
@@ -416,14 +419,14 @@ fn converted(rate: f64) -> Constant {
 
 impl Gauge {
     /// By how much the constraint misses, and how far out: the rounding grows with the distance.
-    fn misfit(&self, state: &State) -> (f64, f64) {
+    fn misfit<T: Number>(&self, state: &State<T>) -> (T, f64) {
         let at = |p: crate::PointId| state.points[p.index()].p;
         let turned = |link: LinkId, along: Vec2<Constant>| {
-            along.nearest().turned(state.links[link.index()].d)
+            Vec2::of(along).turned(state.links[link.index()].d)
         };
         let (miss, place) = match *self {
             Gauge::Distance { from, to, length } => {
-                ((at(to) - at(from)).norm() - length.hi, at(to))
+                ((at(to) - at(from)).norm() - T::of(length), at(to))
             }
             Gauge::Direction {
                 from,
@@ -433,7 +436,7 @@ impl Gauge {
             } if along.nearest().is_finite() => {
                 (turned(link, along).cross(at(to) - at(from)), at(to))
             }
-            Gauge::Direction { .. } => (0.0, Vec2::ZERO),
+            Gauge::Direction { .. } => (T::default(), Vec2::default()),
             Gauge::OnLine { point, line } => {
                 let t = turned(line.link, line.along);
                 (t.cross(at(point) - at(line.through)), at(point))
@@ -441,9 +444,10 @@ impl Gauge {
             Gauge::Pushed { point, line } => {
                 let t = turned(line.link, line.along);
                 let travel = t.dot(at(point) - at(line.through));
-                (travel - state.frame.length(state.at), at(point))
+                let pushed = state.at / T::exactly(state.frame.scale);
+                (travel - pushed, at(point))
             }
         };
-        (miss, place.norm().max(1.0))
+        (miss, place.nearest().norm().max(1.0))
     }
 }

@@ -34,8 +34,8 @@ impl Exact {
     ) -> Option<Exact> {
         let mechanism = network.mechanism;
         let frame = engine.frame.meant(mechanism);
-        let network = Network::meant(mechanism);
-        let (_, program) = chain::build(&network, frame, ordering, chain::Dyads::Closed).ok()?;
+        let network = Network::new(mechanism, frame);
+        let (_, program) = chain::build(&network, ordering, chain::Dyads::Closed).ok()?;
         let rounding = frame.rounding(mechanism);
         let mut exact = Engine::new(mechanism, frame, program);
         let steps = &mut exact.program.steps;

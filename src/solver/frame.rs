@@ -94,6 +94,14 @@ impl Frame {
         self.origin
     }
 
+    /// The unit vector at an angle in degrees.
+    pub(super) fn unit(&self, degrees: f64) -> Vec2<Constant> {
+        match self.reading {
+            Reading::Given => Constant::given_unit(degrees),
+            Reading::Meant { decimals } => Constant::meant_unit(degrees, decimals),
+        }
+    }
+
     /// A length of the scene in the solver's unit; exact.
     pub(super) fn length(&self, length: f64) -> f64 {
         length / self.scale
@@ -116,8 +124,13 @@ impl Frame {
 
     /// A length in the solver's unit; exact.
     fn inwards(&self, length: Constant) -> Constant {
-        let [hi, lo, radius] = [length.hi, length.lo, length.radius].map(|v| v / self.scale);
-        Constant { hi, lo, radius }
+        let inwards = |v: f64| v / self.scale;
+        Constant {
+            hi: inwards(length.hi),
+            lo: inwards(length.lo),
+            radius: inwards(length.radius),
+            slope: inwards(length.slope),
+        }
     }
 
     /// A place of the solver in the scene's frame.

@@ -18,7 +18,7 @@
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
 //!            forces    the steps backwards: what joints carry and the driver must do
-//! besides    transmission, dead_centres (of slides), classify, perturbed (other lengths), methods (other
+//! besides    transmission, dead_centres (of slides), classify, by_length (derivatives), methods (other
 //!            ways to solve, to compare)
 //! ```
 //!
@@ -26,6 +26,7 @@
 
 mod assemble;
 mod bounds;
+mod by_length;
 mod chain;
 mod change_point;
 mod choices;
@@ -46,7 +47,6 @@ mod methods;
 mod motion;
 mod network;
 mod order;
-mod perturbed;
 mod plan;
 mod rank;
 mod speed;
@@ -57,6 +57,7 @@ mod twice;
 mod workspace;
 mod zero;
 
+pub use by_length::ByLength;
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
 pub use classify::{Grashof, Inversion, Loop};
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
@@ -69,7 +70,6 @@ pub(crate) use known::Known;
 pub(crate) use methods::{Deviation, Drift, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
-pub use perturbed::Perturbed;
 pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
 pub use rank::{Rank, Redundancy};
 pub(crate) use state::Sliding;
@@ -163,10 +163,10 @@ impl Solver {
         near: &[(PointId, Vec2)],
         picks: &[(Element, Pick)],
     ) -> Result<Solver, Fault> {
-        let network = Network::new(mechanism);
+        let frame = Frame::of(mechanism);
+        let network = Network::new(mechanism, frame);
         if let Some(clash) = network.clash {
             let element = Element::Slide(clash.slide);
-            let frame = Frame::of(mechanism);
             let misfit = clash.misfit.abs() * frame.longest * frame.scale;
             return Err(Fault::OverConstrained {
                 element,
@@ -191,10 +191,9 @@ impl Solver {
         picks: &[(Element, Pick)],
     ) -> Result<Solver, Fault> {
         let mechanism = network.mechanism;
-        let frame = Frame::of(mechanism);
-        let (plan, program) = chain::build(network, frame, ordering, chain::Dyads::Closed)?;
+        let (plan, program) = chain::build(network, ordering, chain::Dyads::Closed)?;
         let slides = mechanism.slides().len();
-        let mut engine = Engine::new(mechanism, frame, program);
+        let mut engine = Engine::new(mechanism, network.frame, program);
         let exact = Exact::new(&engine, network, ordering);
         let mut state = engine.state(slides);
         let request = Request::new(&plan, at, near, picks)?;

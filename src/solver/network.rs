@@ -6,7 +6,7 @@
 
 use super::frame::Frame;
 use crate::{
-    Body, Constant, Element, Input, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
+    Body, Constant, Element, Input, Length, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
 };
 
 /// A class of links that keep their angles to each other.
@@ -60,6 +60,10 @@ pub(super) struct LockClash {
 #[derive(Clone, Debug)]
 pub(super) struct Network<'m> {
     pub mechanism: &'m Mechanism,
+    /// In which its numbers are read.
+    pub frame: Frame,
+    /// What the length that is asked about does to every coordinate, in the place of the coordinates.
+    slopes: Option<Mechanism>,
     /// For every link, and for the ground behind them.
     pub class_of: Vec<ClassId>,
     /// The direction of a link as seen from that of its class.
@@ -76,24 +80,15 @@ pub(super) struct Network<'m> {
     pub clash: Option<LockClash>,
     /// By what sine two locks of one link may disagree.
     slack: f64,
-    /// Whether angles are taken for what is meant, and not for the doubles that they are.
-    is_meant: bool,
 }
 
 impl<'m> Network<'m> {
-    pub(super) fn new(mechanism: &'m Mechanism) -> Self {
-        Network::read(mechanism, false)
-    }
-
-    /// The same in the numbers that are meant.
-    pub(super) fn meant(mechanism: &'m Mechanism) -> Self {
-        Network::read(mechanism, true)
-    }
-
-    fn read(mechanism: &'m Mechanism, is_meant: bool) -> Self {
+    pub(super) fn new(mechanism: &'m Mechanism, frame: Frame) -> Self {
         let bodies = mechanism.links().len() + 1;
         let mut network = Network {
             mechanism,
+            frame,
+            slopes: None,
             class_of: vec![GROUND; bodies],
             turn: vec![Vec2::X.exactly(); bodies],
             members: Vec::new(),
@@ -103,8 +98,7 @@ impl<'m> Network<'m> {
             repeated_locks: Vec::new(),
             locks_apart: 0.0,
             clash: None,
-            slack: slack(mechanism),
-            is_meant,
+            slack: slack(mechanism, &frame),
         };
         network.find_classes();
         network.find_joints();
@@ -112,13 +106,59 @@ impl<'m> Network<'m> {
         network
     }
 
-    /// The unit vector at an angle that was given in degrees.
-    pub(super) fn unit(&self, degrees: f64) -> Vec2<Constant> {
-        if self.is_meant {
-            Constant::meant_unit(degrees, self.mechanism.has_decimals())
-        } else {
-            Constant::given_unit(degrees)
+    /// The same, asked about one length: every place has its derivative by it.
+    pub(super) fn by_length(self, length: Length) -> Self {
+        Network {
+            slopes: Some(self.mechanism.slopes(length)),
+            ..self
         }
+    }
+
+    /// The place of a point on a link, in the solver's unit.
+    pub(super) fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
+        let local = |mechanism: &Mechanism| mechanism.links().get(link.index())?.local(point);
+        let place = self.frame.local(local(self.mechanism)?);
+        Some(self.sloped(place, local))
+    }
+
+    /// From one point of a link to another, in the frame of the link.
+    pub(super) fn between(
+        &self,
+        link: LinkId,
+        from: PointId,
+        to: PointId,
+    ) -> Option<Vec2<Constant>> {
+        Some(self.local(link, to)? - self.local(link, from)?)
+    }
+
+    /// The place of a ground point in the solver's frame; `None` of one that moves.
+    pub(super) fn fixed(&self, point: PointId) -> Option<Vec2<Constant>> {
+        let fixed = |mechanism: &Mechanism| mechanism.point(point).ground;
+        let place = self.frame.inner(fixed(self.mechanism)?);
+        Some(self.sloped(place, fixed))
+    }
+
+    /// The point that a guide runs through, in the frame of what carries it.
+    pub(super) fn through(&self, slide: SlideId) -> Vec2<Constant> {
+        let given = self.mechanism.slide(slide);
+        let place = match given.on {
+            Body::Ground => self.frame.inner(given.through),
+            Body::Link(_) => self.frame.local(given.through),
+        };
+        self.sloped(place, |m| Some(m.slide(slide).through))
+    }
+
+    /// A place with what the length that is asked about does to it: per unit of the scene's length.
+    fn sloped(
+        &self,
+        place: Vec2<Constant>,
+        of: impl Fn(&Mechanism) -> Option<Vec2>,
+    ) -> Vec2<Constant> {
+        let Some(slope) = self.slopes.as_ref().and_then(of) else {
+            return place;
+        };
+        let by = slope / self.frame.scale;
+        Vec2::new(place.x.with_slope(by.x), place.y.with_slope(by.y))
     }
 
     /// The ground as a body: the link behind the last one.
@@ -208,7 +248,7 @@ impl<'m> Network<'m> {
             let given = self.mechanism.slide(slide);
             if let Slider::Link { link, turn, .. } = given.slider {
                 let on = self.body(given.on);
-                let seen = self.unit(given.angle).turned(self.unit(turn));
+                let seen = self.frame.unit(given.angle).turned(self.frame.unit(turn));
                 locks[on.index()].push((link, seen, slide));
                 locks[link.index()].push((on, seen.conj(), slide));
             }
@@ -347,9 +387,8 @@ impl<'m> Network<'m> {
 
 /// By what sine two locks of one link may disagree: by the rounding of a few products of unit vectors, or
 /// by what the misfit that a scene accepts is at the end of its longest length.
-fn slack(mechanism: &Mechanism) -> f64 {
+fn slack(mechanism: &Mechanism, frame: &Frame) -> f64 {
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
-    let frame = Frame::of(mechanism);
     let accepted = frame.length(mechanism.misfit()) / frame.longest;
     if accepted > ROUNDING {
         accepted

@@ -107,10 +107,10 @@ impl Plan {
     /// # Errors
     /// What makes the mechanism impossible by its structure: see [`Fault`].
     pub fn of(mechanism: &Mechanism) -> Result<Plan, Fault> {
-        let network = Network::new(mechanism);
+        let network = Network::new(mechanism, Frame::of(mechanism));
         let ordering = super::order::ordering(&network, &[])?;
         let dyads = super::chain::Dyads::Closed;
-        let (plan, _) = super::chain::build(&network, Frame::of(mechanism), &ordering, dyads)?;
+        let (plan, _) = super::chain::build(&network, &ordering, dyads)?;
         Ok(plan)
     }
 

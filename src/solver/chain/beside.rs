@@ -63,9 +63,9 @@ impl Chain<'_> {
 
     /// Another joint of a link, and `end` as seen from there in the link's frame.
     fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2<Constant>)> {
-        let to = self.local(link, end)?;
-        let other = self.network.joints(link).find(|m| m.point != end)?;
-        Some((other.point, to - self.frame.local(other.local)))
+        let mut joints = self.network.joints(link).map(|m| m.point);
+        let other = joints.find(|&p| p != end)?;
+        Some((other, self.network.between(link, other, end)?))
     }
 
     pub(super) fn travels(&mut self) {

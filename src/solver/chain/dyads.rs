@@ -52,7 +52,7 @@ impl Chain<'_> {
                 .iter()
                 .filter(|&&l| l != link && self.network.class(l) == class);
             for &other in others {
-                if let Some(at) = self.local(other, point) {
+                if let Some(at) = self.network.local(other, point) {
                     self.anchor_joints(other, pivot, at, arm, Some(point), &mut anchors);
                 }
             }
@@ -78,7 +78,10 @@ impl Chain<'_> {
             if self.point_known[joint.point.index()] || anchors.iter().any(seen) {
                 continue;
             }
-            let arm = arm + (self.frame.local(joint.local) - at).turned(turn);
+            let Some(place) = self.network.local(link, joint.point) else {
+                continue;
+            };
+            let arm = arm + (place - at).turned(turn);
             anchors.push(Anchor {
                 point: joint.point,
                 class,
@@ -214,8 +217,8 @@ impl Chain<'_> {
             } else {
                 continue;
             };
-            let along = self.network.unit(given.angle);
-            let offset = along.perp().dot(self.frame.local(given.through) - at - arm);
+            let along = self.network.frame.unit(given.angle);
+            let offset = along.perp().dot(self.network.through(slide) - at - arm);
             let group = self.open_group(GroupKind::Rpr, Some(pin));
             self.note_hold(Hold {
                 slide,
@@ -266,8 +269,8 @@ impl Chain<'_> {
         let far = self.arm(&anchor);
         let group = self.open_group(GroupKind::Rrr, Some(point));
         self.note_legs(&anchor, &anchors);
-        let through = self.frame.local(given.through) - at;
-        let along = self.network.unit(given.angle);
+        let through = self.network.through(slide) - at;
+        let along = self.network.frame.unit(given.angle);
         self.push(Step::Cylinder(Cylinder {
             point,
             pivot,
@@ -334,7 +337,7 @@ impl Chain<'_> {
             let carrier = directed
                 .iter()
                 .copied()
-                .find(|&l| self.local(l, slider).is_some());
+                .find(|&l| self.network.local(l, slider).is_some());
             let is_yoke = directed.contains(&on) && self.point_known[slider.index()];
             if is_yoke {
                 holds.push(Hold {
@@ -366,18 +369,18 @@ impl Chain<'_> {
         };
         let given = self.network.mechanism.slide(hold.slide);
         let slider = given.slider.point();
-        let here = self.local(carrier, point)?;
+        let here = self.network.local(carrier, point)?;
         if hold.is_yoke {
-            let local = here - self.frame.local(given.through);
+            let local = here - self.network.through(hold.slide);
             let through = self.ride(slider, carrier, local);
             return Some(Line {
                 through,
                 link: carrier,
-                along: self.network.unit(given.angle),
+                along: self.network.frame.unit(given.angle),
             });
         }
         let guide = self.line(hold.slide)?;
-        let local = here - self.local(carrier, slider)?;
+        let local = self.network.between(carrier, slider, point)?;
         let through = self.ride(guide.through, carrier, local);
         Some(Line { through, ..guide })
     }

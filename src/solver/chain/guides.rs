@@ -9,7 +9,7 @@ impl Chain<'_> {
     pub(super) fn line(&mut self, slide: SlideId) -> Option<Line> {
         let given = self.network.mechanism.slide(slide);
         let link = self.network.body(given.on);
-        let along = self.network.unit(given.angle);
+        let along = self.network.frame.unit(given.angle);
         if let Some(through) = self.guide_points[slide.index()] {
             return Some(Line {
                 through,
@@ -19,13 +19,13 @@ impl Chain<'_> {
         }
         let through = match given.on {
             Body::Ground => {
-                let constant = self.new_point(self.frame.inner(given.through));
+                let constant = self.new_point(self.network.through(slide));
                 self.constants.push(constant);
                 constant
             }
             Body::Link(on) => {
                 let (base, at) = self.knows(on).then(|| self.footing(on)).flatten()?;
-                let local = self.frame.local(given.through) - at;
+                let local = self.network.through(slide) - at;
                 if local == Vec2::default() {
                     base
                 } else {

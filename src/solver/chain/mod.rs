@@ -7,7 +7,6 @@ mod guides;
 
 use super::coupled::{self, Coupled};
 use super::fault::Fault;
-use super::frame::Frame;
 use super::network::{ClassId, GROUND, Network, Row, Unknown};
 use super::order::{self, Block, Ordering};
 use super::plan::{Group, GroupKind, Plan, Program};
@@ -35,7 +34,6 @@ pub(super) enum Dyads {
 /// Builds the program block by block.
 pub(super) struct Chain<'n> {
     network: &'n Network<'n>,
-    frame: Frame,
     dyads: Dyads,
     point_known: Vec<bool>,
     class_known: Vec<bool>,
@@ -55,11 +53,10 @@ pub(super) struct Chain<'n> {
 /// [`Fault::Singular`] where a block's equations cannot settle its unknowns.
 pub(super) fn build(
     network: &Network<'_>,
-    frame: Frame,
     ordering: &Ordering,
     dyads: Dyads,
 ) -> Result<(Plan, Program), Fault> {
-    let mut chain = Chain::new(network, frame, dyads);
+    let mut chain = Chain::new(network, dyads);
     chain.drive();
     for block in &ordering.blocks {
         chain.settle_block(block)?;
@@ -78,10 +75,10 @@ pub(super) fn build(
 }
 
 impl<'n> Chain<'n> {
-    fn new(network: &'n Network<'n>, frame: Frame, dyads: Dyads) -> Self {
+    fn new(network: &'n Network<'n>, dyads: Dyads) -> Self {
         let mechanism = network.mechanism;
-        let place = |p: &crate::Point| p.ground.map_or(Vec2::default(), |g| frame.inner(g));
-        let points: Vec<Vec2<Constant>> = mechanism.points().iter().map(place).collect();
+        let place = |point| network.fixed(point).unwrap_or_default();
+        let points: Vec<Vec2<Constant>> = mechanism.point_ids().map(place).collect();
         let mut links = vec![Vec2::X.exactly(); network.class_of.len()];
         for &link in &network.members[GROUND.0] {
             links[link.index()] = network.turn[link.index()];
@@ -90,7 +87,6 @@ impl<'n> Chain<'n> {
         class_known[GROUND.0] = true;
         Chain {
             network,
-            frame,
             dyads,
             point_known: mechanism
                 .points()
@@ -121,16 +117,11 @@ impl<'n> Chain<'n> {
         self.class_known[self.network.class(link).0]
     }
 
-    fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
-        let local = self.network.link(link)?.local(point)?;
-        Some(self.frame.local(local))
-    }
-
     /// A known point of a link, with its place in the link.
     fn footing(&self, link: LinkId) -> Option<(PointId, Vec2<Constant>)> {
         let members = &self.network.link(link)?.members;
         let known = members.iter().find(|m| self.point_known[m.point.index()])?;
-        Some((known.point, self.frame.local(known.local)))
+        Some((known.point, self.network.local(link, known.point)?))
     }
 
     /// A point that is not the scene's: constant, or given its place by a step.
@@ -213,10 +204,12 @@ impl<'n> Chain<'n> {
                 group.links.push(link);
             }
             for member in &body.members {
-                if !self.point_known[member.point.index()] {
-                    let local = self.frame.local(member.local) - at;
-                    self.push(self.ride_on(link, base, member.point, local));
-                    self.learn_point(member.point);
+                let point = member.point;
+                if !self.point_known[point.index()]
+                    && let Some(place) = self.network.local(link, point)
+                {
+                    self.push(self.ride_on(link, base, point, place - at));
+                    self.learn_point(point);
                     any = true;
                 }
             }
@@ -259,16 +252,15 @@ impl<'n> Chain<'n> {
             let known: Vec<_> = self
                 .network
                 .joints(link)
-                .filter(|m| self.point_known[m.point.index()])
+                .map(|m| m.point)
+                .filter(|p| self.point_known[p.index()])
                 .take(2)
                 .collect();
-            if let [from, to] = known[..] {
-                let arm = Arm::new(
-                    from.point,
-                    link,
-                    self.frame.local(to.local) - self.frame.local(from.local),
-                );
-                self.push(Step::Aim { arm, end: to.point });
+            if let [from, end] = known[..]
+                && let Some(local) = self.network.between(link, from, end)
+            {
+                let arm = Arm::new(from, link, local);
+                self.push(Step::Aim { arm, end });
                 self.learn_class(link);
                 return true;
             }
@@ -417,7 +409,6 @@ impl<'n> Chain<'n> {
         let slides = self.unsettled_slides(&scope.slides);
         let part = coupled::Part {
             network: self.network,
-            frame: self.frame,
             point_known: &self.point_known,
             class_known: &self.class_known,
             points: &points,

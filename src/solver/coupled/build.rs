@@ -47,10 +47,8 @@ impl<'a> Maker<'a> {
     }
 
     fn local(&self, link: LinkId, point: PointId) -> Vec2<Constant> {
-        let body = self.part.network.link(link);
-        self.part
-            .frame
-            .local(body.and_then(|l| l.local(point)).unwrap_or_default())
+        let place = self.part.network.local(link, point);
+        place.unwrap_or_default()
     }
 
     fn spot(&self, point: PointId) -> Option<Spot> {
@@ -232,7 +230,7 @@ impl<'a> Maker<'a> {
     fn add_slide(&mut self, slide: SlideId) {
         let network = self.part.network;
         let given = network.mechanism.slide(slide);
-        let through = self.part.frame.local(given.through);
+        let through = network.through(slide);
         let guide = match given.on {
             Body::Ground => self.on_ground(slide),
             Body::Link(on) => {
@@ -246,7 +244,7 @@ impl<'a> Maker<'a> {
         let Some((turning, turn)) = self.turning(network.body(given.on)) else {
             return;
         };
-        let along = network.unit(given.angle).turned(turn);
+        let along = network.frame.unit(given.angle).turned(turn);
         if network.mechanism.driver().input == Input::Push(slide) {
             self.equations.push(Equation::Meeting {
                 a: x,

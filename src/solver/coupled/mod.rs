@@ -6,10 +6,12 @@
 //! J z'' = -(second rates with z'' = 0).
 
 mod build;
+mod by_length;
 mod comparison;
 mod curve_tracing;
 mod enclose;
 mod equations;
+
 mod levenberg_marquardt;
 mod reactions;
 mod readout;
@@ -22,7 +24,6 @@ pub(super) use curve_tracing::is_same;
 pub(super) use enclose::Views;
 pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
-use super::frame::Frame;
 use super::lu;
 use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
@@ -105,7 +106,6 @@ enum Equation {
 /// What a coupled group is made from.
 pub(super) struct Part<'a> {
     pub network: &'a Network<'a>,
-    pub frame: Frame,
     pub point_known: &'a [bool],
     pub class_known: &'a [bool],
     pub points: &'a [PointId],

@@ -73,7 +73,7 @@ impl Solver {
         if !is_ok || work.withholds() {
             return None;
         }
-        let network = Network::new(&self.mechanism);
+        let network = Network::new(&self.mechanism, self.engine.frame);
         least(balance, &network, self, &mut work)
     }
 }

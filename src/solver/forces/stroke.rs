@@ -24,7 +24,7 @@ pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Constant {
     let ball = enclosure.sliding(slide).position;
     Constant {
         hi: position,
-        lo: 0.0,
         radius: ball.bound(position).unwrap_or(f64::INFINITY),
+        ..Constant::default()
     }
 }

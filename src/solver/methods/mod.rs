@@ -181,10 +181,9 @@ fn run<T: Number, const ORDER: u8>(
 
 impl Rows {
     fn new(mechanism: &Mechanism, solver: &Solver) -> Option<Rows> {
-        let network = Network::new(mechanism);
         let frame = solver.engine.frame;
-        let (_, program) =
-            chain::build(&network, frame, &solver.ordering, chain::Dyads::AsRows).ok()?;
+        let network = Network::new(mechanism, frame);
+        let (_, program) = chain::build(&network, &solver.ordering, chain::Dyads::AsRows).ok()?;
         let engine = Engine::new(mechanism, frame, program);
         let groups = &engine.program.coupled;
         let mut rows = Rows {

@@ -53,7 +53,7 @@ fn turned(along: Vec2<Constant>, snap: Snap) -> Vec2<Constant> {
     turned.map(|v| Constant {
         hi: v.hi,
         lo: v.lo,
-        radius: 0.0,
+        ..Constant::default()
     })
 }
 
