@@ -5,11 +5,11 @@
 //! constants of the plan into the steps, the coupled groups and the forces. Nothing is changed by a finite
 //! amount: a derivative is as exact as the figure that it belongs to.
 
+use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::engine::Engine;
 use super::forces::Balance;
 use super::network::Network;
 use super::state::{Condition, State};
-use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order, Solver, Workspace, chain};
 use crate::{Dual, Length, Number};
 use std::sync::Arc;

@@ -321,7 +321,7 @@ impl Present {
     fn has_root(&self, engine: &Engine, group: usize, z: &[f64]) -> bool {
         let steps = &engine.program.steps[super::assemble::steps_of(engine, group)];
         let index = steps.iter().find_map(|s| match s {
-            super::step::Step::Coupled { index } => Some(*index),
+            super::elements::Step::Coupled { index } => Some(*index),
             _ => None,
         });
         let own = index.map(|i| &engine.program.coupled[i]);

@@ -1,9 +1,9 @@
 //! What textbooks call the loop that the driver closes: the Grashof class of a four-bar, the
 //! condition for the crank of a slider-crank to turn.
 
+use super::elements::{Arm, Spin, Step};
 use super::engine::Engine;
 use super::network::Network;
-use super::step::{Arm, Step};
 use crate::PointId;
 
 /// Lengths that differ by less than this part of the longest count as equal: 4 u, as everywhere
@@ -73,11 +73,11 @@ pub enum Loop {
 pub(super) fn classify(engine: &Engine, network: &Network<'_>) -> Option<Loop> {
     let steps = &engine.program.steps;
     let (pin, pivot, crank) = steps.iter().find_map(|step| match *step {
-        Step::Spin {
+        Step::Spin(Spin {
             point,
             pivot,
             local,
-        } if closes(steps, point) => Some((point, pivot, local)),
+        }) if closes(steps, point) => Some((point, pivot, local)),
         _ => None,
     })?;
     let scale = engine.frame.scale;

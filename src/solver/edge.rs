@@ -5,7 +5,7 @@
 //! There the steps before the first coupled group are run in twice the digits, from the numbers that are
 //! meant, and the figures are rounded once.
 
-use super::demand::{Part, outputs};
+use super::demand::Part;
 use super::exact::Exact;
 use super::state::{Condition, LinkState, PointState, State, TravelState};
 use super::{Order, Solver, Workspace};
@@ -69,7 +69,7 @@ impl Exact {
     pub(super) fn write(&self, steps: usize, from: &State<Double>, to: &mut State) {
         let program = &self.engine.program;
         for step in &program.steps[..steps] {
-            outputs(step, &program.coupled, &mut |part| match part {
+            step.outputs(&program.coupled, &mut |part| match part {
                 Part::Point(point) => {
                     let PointState { p, v, a } = from.points[point.index()];
                     let [p, v, a] = [p, v, a].map(|v| v.nearest());

@@ -2,12 +2,12 @@
 
 use super::change_point::Passages;
 use super::coupled::Scratch;
-use super::demand::{Marks, prune};
+use super::demand::{Marks, Part, prune};
+use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::frame::Frame;
 use super::motion::Folded;
 use super::plan::{Gauge, Program, Watch};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
-use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::workspace::Workspace;
 use super::{Demand, Order};
 use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle, vectorized};
@@ -290,14 +290,13 @@ impl Engine {
 
     /// The points and links that a step with a sign places.
     pub(super) fn outputs(&self, step: usize) -> (Vec<PointId>, Vec<LinkId>) {
-        if let Step::Coupled { index } = &self.program.steps[step] {
-            let group = &self.program.coupled[*index];
-            return (group.joints().collect(), group.turning().to_vec());
-        }
-        let dyad = self.program.steps[step].dyad();
-        let (point, links) = dyad.map(Dyad::outputs).unwrap_or_default();
-        let links = links.into_iter().flatten();
-        (point.into_iter().collect(), links.collect())
+        let (mut points, mut links) = (Vec::new(), Vec::new());
+        self.program.steps[step].outputs(&self.program.coupled, &mut |part| match part {
+            Part::Point(point) => points.push(point),
+            Part::Link(link) => links.push(link),
+            Part::Slide(_) => {}
+        });
+        (points, links)
     }
 
     /// The measures of the coupled groups at a solved state, positive on the side of the motion:
@@ -374,24 +373,10 @@ impl Engine {
 /// is takes no registers from them.
 #[inline(always)]
 fn run_step<const ORDER: u8>(step: &Step, q: f64, direction: Vec2, state: &mut State) -> Outcome {
-    match step {
-        Step::Crank { .. }
-        | Step::Spin { .. }
-        | Step::Ride { .. }
-        | Step::Circles(_)
-        | Step::CircleRail(_) => match step.run::<f64, ORDER>(q, direction, state) {
-            Outcome::Unclear => look_closer(step, q, state),
-            outcome => outcome,
-        },
-        Step::Push { .. }
-        | Step::Aim { .. }
-        | Step::Lock { .. }
-        | Step::CircleLine(_)
-        | Step::Swing(_)
-        | Step::Cylinder(_)
-        | Step::Lines { .. }
-        | Step::Coupled { .. }
-        | Step::Travel { .. } => run_seldom::<ORDER>(step, q, direction, state),
+    match step.run_frequent::<f64, ORDER>(q, direction, state) {
+        Some(Outcome::Unclear) => look_closer(step, q, state),
+        Some(outcome) => outcome,
+        None => run_seldom::<ORDER>(step, q, direction, state),
     }
 }
 

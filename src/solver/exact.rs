@@ -3,11 +3,11 @@
 //! Where doubles cannot tell - whether lengths are equal, on which side of an end a coordinate lies, how
 //! far from its limit a dyad stands - this engine is asked, in twice the digits.
 
+use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::engine::Engine;
 use super::network::Network;
 use super::order::Ordering;
 use super::state::{Condition, State};
-use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Demand, Order, chain};
 use crate::{Double, Number};
 

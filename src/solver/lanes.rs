@@ -2,9 +2,9 @@
 //!
 //! The steps are those of a single state, written once, in an arithmetic of several doubles.
 
+use super::elements::{ACCELERATION, Outcome, POSITION, VELOCITY};
 use super::engine::Engine;
 use super::state::{Condition, State};
-use super::step::{ACCELERATION, Outcome, POSITION, VELOCITY};
 use super::{Order, Solver, Workspace};
 use crate::{LANES, Lanes, vectorized};
 

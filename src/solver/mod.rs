@@ -13,7 +13,7 @@
 //!            assemble  the assembly that is meant, at the start        choices  the others
 //!            motion    the range, its limits and change points         passage  the way through these
 //! each time  workspace the room: a state, which is the result, and what finding it takes besides
-//!            engine    runs the steps: step (closed forms), coupled (Newton's method with lu)
+//!            engine    runs the steps: elements (closed forms), coupled (Newton's method with lu)
 //!            edge      near an end of the motion: in twice the digits, from the numbers that are meant (exact)
 //!            lanes     several coordinates at once
 //!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
@@ -35,6 +35,7 @@ mod coupled;
 mod dead_centres;
 mod demand;
 mod edge;
+mod elements;
 mod engine;
 mod exact;
 mod fault;
@@ -51,7 +52,6 @@ mod plan;
 mod rank;
 mod speed;
 mod state;
-mod step;
 mod transmission;
 mod twice;
 mod workspace;

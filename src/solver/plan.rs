@@ -1,10 +1,10 @@
 //! The plan of a mechanism: groups in their order, for people; steps, for the solver.
 
 use super::coupled::Coupled;
+use super::elements::Step;
 use super::fault::Fault;
 use super::frame::Frame;
 use super::network::Network;
-use super::step::Step;
 use crate::mechanism::id;
 use crate::{Constant, Element, LinkId, Mechanism, PointId, SlideId, Vec2};
 
@@ -161,12 +161,12 @@ pub(super) enum Gauge {
     /// A point on a line of a body.
     OnLine {
         point: PointId,
-        line: super::step::Line,
+        line: super::elements::Line,
     },
     /// A driven point at the driver's coordinate along a line of a body.
     Pushed {
         point: PointId,
-        line: super::step::Line,
+        line: super::elements::Line,
     },
 }
 

@@ -1,8 +1,8 @@
 //! The same states in twice the precision: to hold others against.
 
+use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::engine::Engine;
 use super::state::{Condition, State};
-use super::step::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver, Workspace};
 use crate::Double;
 

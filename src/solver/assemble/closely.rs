@@ -3,11 +3,11 @@
 
 use super::{Assembler, TIE, miss, side_of, steps_of};
 use crate::Double;
+use crate::solver::elements::Outcome;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
 use crate::solver::plan::Pick;
 use crate::solver::state::{Condition, State};
-use crate::solver::step::Outcome;
 use crate::solver::workspace::Workspace;
 
 impl Assembler<'_> {

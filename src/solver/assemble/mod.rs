@@ -11,13 +11,14 @@ mod roots;
 pub(super) use request::Request;
 
 use super::Order;
+use super::demand::Part;
+use super::elements::{Outcome, Step};
 use super::engine::Engine;
 use super::exact::Exact;
 use super::fault::Fault;
 use super::network::Network;
 use super::plan::{Group, Pick, Plan};
 use super::state::{Condition, State};
-use super::step::{Dyad, Outcome, Step};
 use super::workspace::Workspace;
 use crate::{PointId, Vec2};
 
@@ -465,8 +466,16 @@ fn side_of(engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
 /// What a dyad's sign in the solver is picked by: the solver counts a triangle from its shorter arm, a
 /// scene from its first link.
 pub(super) fn handedness(step: &Step) -> f64 {
-    match step.dyad().map(Dyad::outputs) {
-        Some((_, [Some(first), Some(second)])) if second < first => -1.0,
+    let mut links = Vec::new();
+    if step.choice().is_some() {
+        step.outputs(&[], &mut |part| {
+            if let Part::Link(link) = part {
+                links.push(link);
+            }
+        });
+    }
+    match links[..] {
+        [first, second] if second < first => -1.0,
         _ => 1.0,
     }
 }

@@ -196,7 +196,7 @@ impl Assembler<'_> {
                     Care::TrustRegion => group.approach(q, state, scratch),
                 };
                 let settled =
-                    settled && group.finish(q, crate::solver::step::POSITION, state, scratch);
+                    settled && group.finish(q, crate::solver::elements::POSITION, state, scratch);
                 let z = group.open(scratch).z.to_vec();
                 if settled && !roots.iter().any(|other| is_same(other, &z)) {
                     roots.push(z);
@@ -211,7 +211,7 @@ impl Assembler<'_> {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let Workspace { state, scratch, .. } = work;
         group.open(scratch).z.copy_from_slice(z);
-        group.finish(q, crate::solver::step::POSITION, state, scratch);
+        group.finish(q, crate::solver::elements::POSITION, state, scratch);
     }
 
     /// Places to begin from for joints without a start: amid what is known, and around it.

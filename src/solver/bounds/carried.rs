@@ -4,8 +4,8 @@ use super::errors::{Errors, LinkError, PointError, size};
 use super::limb::{Limb, SUM, Shape, across, swing_rest, turned_closely};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::demand::Part;
+use crate::solver::elements::{ACCELERATION, Arm, VELOCITY};
 use crate::solver::state::State;
-use crate::solver::step::{ACCELERATION, Arm, VELOCITY};
 use crate::{Ball, Constant, Double, LinkId, PointId, Vec2};
 
 impl Errors {

@@ -7,9 +7,9 @@
 use super::influence::Influences;
 use crate::arithmetic::{Both, INFLATION, Sharp, U};
 use crate::solver::Workspace;
+use crate::solver::elements::Step;
 use crate::solver::engine::Engine;
 use crate::solver::state::{LinkState, PointState, State};
-use crate::solver::step::Step;
 use crate::{Ball, Constant, Double, LinkId, Number, PointId, Vec2};
 
 /// What is lost of a constant in twice the precision, with room.
@@ -63,8 +63,8 @@ fn is_run_closely(step: &Step) -> bool {
             | Step::Cylinder(_)
             | Step::Swing(_)
             | Step::Coupled { .. }
-            | Step::Push { .. }
-            | Step::Lines { .. }
+            | Step::Push(_)
+            | Step::Lines(_)
     )
 }
 

@@ -10,9 +10,9 @@
 
 use super::limb::SUM;
 use crate::solver::coupled::Coupled;
-use crate::solver::demand::{Part, inputs, outputs};
+use crate::solver::demand::Part;
+use crate::solver::elements::Step;
 use crate::solver::plan::Program;
-use crate::solver::step::Step;
 use crate::{LinkId, PointId, Vec2};
 
 /// By how much each of the first sources moves a point, or in x a link's angle.
@@ -44,7 +44,7 @@ const FEW: usize = 8;
 /// How many sources a step has at most.
 fn sources(step: &Step, coupled: &[Coupled]) -> usize {
     let mut count = 0;
-    outputs(step, coupled, &mut |part| {
+    step.outputs(coupled, &mut |part| {
         count += match part {
             Part::Point(_) => 2,
             Part::Link(_) => 1,
@@ -58,20 +58,13 @@ fn sources(step: &Step, coupled: &[Coupled]) -> usize {
 fn reads_rows(step: &Step) -> bool {
     matches!(
         step,
-        Step::Circles(_)
-            | Step::CircleRail(_)
-            | Step::Ride { .. }
-            | Step::Aim { .. }
-            | Step::Lock { .. }
+        Step::Circles(_) | Step::CircleRail(_) | Step::Ride(_) | Step::Aim(_) | Step::Lock(_)
     )
 }
 
 /// Whether what a step places has rows.
 fn writes_rows(step: &Step) -> bool {
-    !matches!(
-        step,
-        Step::Crank { .. } | Step::Spin { .. } | Step::Travel { .. }
-    )
+    !matches!(step, Step::Crank(_) | Step::Spin(_) | Step::Travel(_))
 }
 
 /// Who has a row: joints of dyads, and what these stand on. Of the rest, which nothing stands on, the
@@ -97,11 +90,11 @@ impl Needed {
                 needed.points[joint.index()] = true;
             }
             let mut is_needed = false;
-            outputs(step, &program.coupled, &mut |part| {
+            step.outputs(&program.coupled, &mut |part| {
                 is_needed |= needed.has(part);
             });
             if is_needed && reads_rows(step) {
-                inputs(step, &program.coupled, &mut |part| match part {
+                step.inputs(&program.coupled, &mut |part| match part {
                     Part::Point(point) => needed.points[point.index()] = true,
                     Part::Link(link) => needed.links[link.index()] = true,
                     Part::Slide(_) => {}
@@ -202,7 +195,7 @@ impl Influences {
         let mut last_links = vec![0; program.links.len()];
         let steps = || program.steps.iter().enumerate();
         for (i, step) in steps().filter(|(_, step)| reads_rows(step)) {
-            inputs(step, &program.coupled, &mut |part| match part {
+            step.inputs(&program.coupled, &mut |part| match part {
                 Part::Point(point) => last_points[point.index()] = i,
                 Part::Link(link) => last_links[link.index()] = i,
                 Part::Slide(_) => {}
@@ -211,7 +204,7 @@ impl Influences {
         let mut free = Vec::new();
         for (i, step) in steps().filter(|(_, step)| writes_rows(step)) {
             let mut placed = Vec::new();
-            outputs(step, &program.coupled, &mut |part| {
+            step.outputs(&program.coupled, &mut |part| {
                 if needed.has(part) {
                     placed.push(part);
                 }
@@ -237,7 +230,7 @@ impl Influences {
             };
             placed.into_iter().for_each(&mut done);
             if reads_rows(step) {
-                inputs(step, &program.coupled, &mut done);
+                step.inputs(&program.coupled, &mut done);
             }
         }
     }

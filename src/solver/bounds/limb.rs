@@ -11,8 +11,8 @@
 
 use super::errors::{LinkError, PointError, larger, size};
 use crate::arithmetic::{Both, Halves, U, two_sum};
+use crate::solver::elements::{ACCELERATION, Arm, VELOCITY};
 use crate::solver::state::{LinkState, PointState};
-use crate::solver::step::{ACCELERATION, Arm, VELOCITY};
 use crate::{Constant, Number, Vec2};
 
 /// What residuals in twice the precision still round, in parts of the size of their terms.

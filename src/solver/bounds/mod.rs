@@ -29,11 +29,13 @@ mod stretched;
 pub(super) use errors::Errors;
 
 use super::coupled::{Scratch, Views};
-use super::demand::{Part, outputs};
+use super::demand::Part;
+use super::elements::{
+    ACCELERATION, Aim, Crank, Dyad, Lock, Outcome, POSITION, Ride, Spin, Step, VELOCITY,
+};
 use super::engine::Engine;
 use super::forces::Balance;
 use super::state::{Condition, LinkState, PointState, State};
-use super::step::{ACCELERATION, Dyad, Outcome, POSITION, Step, VELOCITY};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::{Sharp, fused};
 use crate::{Ball, Double, Number, Vec2};
@@ -191,8 +193,8 @@ impl Engine {
         };
         let mut all = true;
         for step in &self.program.steps {
-            if is_edge && !matches!(step, Step::Travel { .. }) {
-                outputs(step, &self.program.coupled, &mut |part| {
+            if is_edge && !matches!(step, Step::Travel(_)) {
+                step.outputs(&self.program.coupled, &mut |part| {
                     errors.take_edge(part, state, enclosure);
                 });
                 continue;
@@ -202,31 +204,31 @@ impl Engine {
                 Step::CircleRail(ref c) => {
                     c.enclose::<ORDER, FUSED, ROWS>(state, errors, enclosure)
                 }
-                Step::Crank { link } => {
+                Step::Crank(Crank { link }) => {
                     let crank = &state.links[link.index()];
                     let mut error = turned;
                     error.direction += d - crank.d;
                     errors.set_link(link, &error, crank, enclosure);
                     true
                 }
-                Step::Spin { point, local, .. } => {
+                Step::Spin(Spin { point, local, .. }) => {
                     errors.spin::<ORDER, FUSED>(point, (d, &turned), local, state, enclosure);
                     true
                 }
-                Step::Ride {
+                Step::Ride(Ride {
                     point,
                     base,
                     link,
                     local,
-                } => {
+                }) => {
                     errors.ride::<ORDER, FUSED, ROWS>([point, base], link, local, state, enclosure);
                     true
                 }
-                Step::Aim { ref arm, end } => {
+                Step::Aim(Aim { ref arm, end }) => {
                     errors.aim_at::<ORDER, FUSED, ROWS>(arm, end, state, enclosure);
                     true
                 }
-                Step::Lock { link, to, turn } => {
+                Step::Lock(Lock { link, to, turn }) => {
                     errors.lock([link, to], turn, state, enclosure);
                     true
                 }
@@ -234,11 +236,11 @@ impl Engine {
                 | Step::Cylinder(_)
                 | Step::Swing(_)
                 | Step::Coupled { .. }
-                | Step::Push { .. }
-                | Step::Lines { .. } => {
+                | Step::Push(_)
+                | Step::Lines(_) => {
                     self.enclose_closely::<ORDER>(step, state, enclosure, errors, &mut work.scratch)
                 }
-                Step::Travel { .. } => {
+                Step::Travel(_) => {
                     travel::<Ball, ORDER>(step, enclosure);
                     errors.travel::<ORDER>(step);
                     true
@@ -286,7 +288,7 @@ impl Engine {
             step.run::<Sharp, ORDER>(q, none, &mut sharp.state) == Outcome::Done
         };
         if proved {
-            outputs(step, &self.program.coupled, &mut |part| {
+            step.outputs(&self.program.coupled, &mut |part| {
                 errors.take(part, &sharp.state, state, enclosure);
             });
         }
@@ -310,7 +312,7 @@ impl Engine {
         let Some(mut sharp) = errors.sharp.take() else {
             return;
         };
-        outputs(step, &self.program.coupled, &mut |part| {
+        step.outputs(&self.program.coupled, &mut |part| {
             sharp.state.sharpen(part, enclosure);
             errors.take(part, &sharp.state, state, enclosure);
         });
@@ -320,7 +322,7 @@ impl Engine {
     /// Nothing is known of what a step places.
     fn forget(&self, step: &Step, enclosure: &mut State<Ball>) {
         let nowhere = Vec2::new(UNKNOWN, UNKNOWN);
-        outputs(step, &self.program.coupled, &mut |part| match part {
+        step.outputs(&self.program.coupled, &mut |part| match part {
             Part::Point(point) => {
                 let place = &mut enclosure.points[point.index()];
                 (place.p, place.v, place.a) = (nowhere, nowhere, nowhere);
@@ -368,7 +370,7 @@ mod tests {
                 Part::Slide(_) => {}
             };
             for step in &program.steps {
-                outputs(step, &program.coupled, &mut spoil);
+                step.outputs(&program.coupled, &mut spoil);
             }
             for group in &solver.engine.program.coupled {
                 // Its joints; its directions must stay unit vectors.

@@ -20,8 +20,8 @@ use super::influence::Influences;
 use super::limb::{Limb, SUM, Shape};
 use super::row::Row;
 use crate::arithmetic::{Both, U};
+use crate::solver::elements::{ACCELERATION, Arm, CircleRail, Circles, VELOCITY};
 use crate::solver::state::{LinkState, PointState, State};
-use crate::solver::step::{ACCELERATION, Arm, CircleRail, Circles, VELOCITY};
 use crate::{Ball, Number, PointId, Vec2};
 
 /// The part of itself by which the matrix may change within the bound: beyond, nothing is proved.

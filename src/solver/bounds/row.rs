@@ -3,8 +3,8 @@
 use super::errors::size;
 use super::limb::{Limb, RESIDUAL, SUM, Shape};
 use crate::arithmetic::{Both, Halves, two_sum};
+use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::state::PointState;
-use crate::solver::step::{ACCELERATION, VELOCITY};
 use crate::{Constant, Number, Vec2};
 
 /// One constraint on X where it was computed to be; or two of them.

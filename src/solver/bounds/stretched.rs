@@ -4,8 +4,8 @@
 //! the position has a bound, about the square root of the rounding; the rates have none.
 
 use super::UNKNOWN;
+use crate::solver::elements::{CircleLine, CircleRail, Circles, POSITION, Swing};
 use crate::solver::state::State;
-use crate::solver::step::{CircleLine, CircleRail, Circles, POSITION, Swing};
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 
 /// How long the root of a product can be that is about zero.

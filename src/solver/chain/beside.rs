@@ -2,9 +2,9 @@
 //! and how far every slide has travelled.
 
 use super::Chain;
+use crate::solver::elements::Travel;
 use crate::solver::network::Row;
 use crate::solver::plan::{Gauge, Watch};
-use crate::solver::step::Step;
 use crate::{Constant, LinkId, PointId, Vec2};
 
 impl Chain<'_> {
@@ -72,7 +72,7 @@ impl Chain<'_> {
         for slide in self.network.mechanism.slide_ids() {
             let point = self.network.mechanism.slide(slide).slider.point();
             if let Some(line) = self.line(slide) {
-                self.push(Step::Travel { slide, point, line });
+                self.push(Travel { slide, point, line });
             }
         }
     }

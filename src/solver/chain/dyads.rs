@@ -7,9 +7,11 @@
 //! and passes through one, RPR; two known lines, PRP or RPP.
 
 use super::{Chain, Scope};
+use crate::solver::elements::{
+    Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Lines, Step, Swing,
+};
 use crate::solver::network::ClassId;
 use crate::solver::plan::{GroupKind, Hold, Leg};
-use crate::solver::step::{Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Step, Swing};
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
 /// A joint at a fixed place of a class whose direction is not known yet.
@@ -146,7 +148,7 @@ impl Chain<'_> {
         let group = self.open_group(GroupKind::Rrr, Some(a.point));
         self.note_legs(&a, &anchors);
         self.note_legs(&b, &anchors);
-        self.push(Step::Circles(Circles::new(a.point, arms, group)));
+        self.push(Circles::new(a.point, arms, group));
         self.learn_point(a.point);
         self.learn_class(a.link);
         self.learn_class(b.link);
@@ -172,8 +174,8 @@ impl Chain<'_> {
             self.note_hold(hold);
             self.note_legs(&anchor, &anchors);
             self.push(match rail {
-                Some(rail) => Step::CircleRail(CircleRail::new(point, arm, rail, group)),
-                None => Step::CircleLine(CircleLine::new(point, arm, line, group)),
+                Some(rail) => Step::from(CircleRail::new(point, arm, rail, group)),
+                None => Step::from(CircleLine::new(point, arm, line, group)),
             });
             self.learn_point(point);
             self.learn_class(anchor.link);
@@ -228,14 +230,14 @@ impl Chain<'_> {
             if let Some(anchor) = carrier {
                 self.note_legs(&anchor, &anchors);
             }
-            self.push(Step::Swing(Swing {
+            self.push(Swing {
                 pivot,
                 pin,
                 link,
                 along,
                 offset,
                 group,
-            }));
+            });
             self.learn_class(link);
             return true;
         }
@@ -271,7 +273,7 @@ impl Chain<'_> {
         self.note_legs(&anchor, &anchors);
         let through = self.network.through(slide) - at;
         let along = self.network.frame.unit(given.angle);
-        self.push(Step::Cylinder(Cylinder {
+        self.push(Cylinder {
             point,
             pivot,
             link,
@@ -279,7 +281,7 @@ impl Chain<'_> {
             along,
             far,
             group,
-        }));
+        });
         self.learn_point(point);
         self.learn_class(link);
         self.learn_class(anchor.link);
@@ -311,7 +313,7 @@ impl Chain<'_> {
             self.program.group_starts[group] = helpers;
             self.note_hold(*one);
             self.note_hold(*two);
-            self.push(Step::Lines {
+            self.push(Lines {
                 point,
                 first,
                 second,

@@ -1,7 +1,7 @@
 //! Guides as known lines: the point and the link by which a placed guide is followed.
 
 use super::Chain;
-use crate::solver::step::{Line, Step};
+use crate::solver::elements::{Line, Ride};
 use crate::{Body, Constant, LinkId, PointId, SlideId, Vec2};
 
 impl Chain<'_> {
@@ -52,7 +52,7 @@ impl Chain<'_> {
     /// A helping point that rides at `local` from `base` on a link.
     pub(super) fn ride(&mut self, base: PointId, link: LinkId, local: Vec2<Constant>) -> PointId {
         let point = self.new_point(Vec2::default());
-        self.push(Step::Ride {
+        self.push(Ride {
             point,
             base,
             link,

@@ -6,11 +6,11 @@ mod dyads;
 mod guides;
 
 use super::coupled::{self, Coupled};
+use super::elements::{Aim, Arm, Crank, Lock, Push, Ride, Spin, Step};
 use super::fault::Fault;
 use super::network::{ClassId, GROUND, Network, Row, Unknown};
 use super::order::{self, Block, Ordering};
 use super::plan::{Group, GroupKind, Plan, Program};
-use super::step::{Arm, Step};
 use crate::{Body, Constant, Element, Input, LinkId, PointId, SlideId, Vec2};
 
 /// The links and slides that a block's equations are about.
@@ -131,8 +131,8 @@ impl<'n> Chain<'n> {
         PointId::new(self.program.points.len() - 1)
     }
 
-    fn push(&mut self, step: Step) {
-        self.program.steps.push(step);
+    fn push(&mut self, step: impl Into<Step>) {
+        self.program.steps.push(step.into());
     }
 
     fn group(&self) -> usize {
@@ -156,7 +156,7 @@ impl<'n> Chain<'n> {
         self.open_group(GroupKind::Driver, None);
         match self.network.mechanism.driver().input {
             Input::Turn(link) => {
-                self.push(Step::Crank { link });
+                self.push(Crank { link });
                 self.learn_class(link);
                 self.settle_links(&self.network.members[self.network.class(link).0].clone());
             }
@@ -175,7 +175,7 @@ impl<'n> Chain<'n> {
         for &other in &self.network.members[class.0] {
             if other != link {
                 let turn = self.network.turn_between(other, link);
-                self.push(Step::Lock {
+                self.push(Lock {
                     link: other,
                     to: link,
                     turn,
@@ -227,18 +227,19 @@ impl<'n> Chain<'n> {
             .get(base.index())
             .is_some_and(|p| p.ground.is_some());
         if is_driven && on_ground {
-            Step::Spin {
+            let pivot = base;
+            Step::from(Spin {
                 point,
-                pivot: base,
+                pivot,
                 local,
-            }
+            })
         } else {
-            Step::Ride {
+            Step::from(Ride {
                 point,
                 base,
                 link,
                 local,
-            }
+            })
         }
     }
 
@@ -260,7 +261,7 @@ impl<'n> Chain<'n> {
                 && let Some(local) = self.network.between(link, from, end)
             {
                 let arm = Arm::new(from, link, local);
-                self.push(Step::Aim { arm, end });
+                self.push(Aim { arm, end });
                 self.learn_class(link);
                 return true;
             }
@@ -282,7 +283,7 @@ impl<'n> Chain<'n> {
             return false;
         };
         let (base, link, along) = (line.through, line.link, line.along);
-        self.push(Step::Push {
+        self.push(Push {
             point,
             base,
             link,
@@ -407,7 +408,7 @@ impl<'n> Chain<'n> {
         // Where all blocks are one, some of it has been settled on the way.
         let links = self.unsettled_links(&scope.links);
         let slides = self.unsettled_slides(&scope.slides);
-        let part = coupled::Part {
+        let part = coupled::Remainder {
             network: self.network,
             point_known: &self.point_known,
             class_known: &self.class_known,

@@ -1,13 +1,13 @@
 //! How a coupled group is made: the choice of its unknowns, a spot for every joint, and the list of
 //! the equations between them.
 
-use super::{Base, Equation, Part, Seat, Spot, Turning};
+use super::{Base, Equation, Remainder, Seat, Spot, Turning};
 use crate::solver::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
 /// Builds a group.
 pub(super) struct Maker<'a> {
-    part: &'a Part<'a>,
+    part: &'a Remainder<'a>,
     pub(super) spots: Vec<(PointId, Spot)>,
     pub(super) turning: Vec<LinkId>,
     pub(super) turns: Vec<Vec2<Constant>>,
@@ -17,7 +17,7 @@ pub(super) struct Maker<'a> {
 }
 
 impl<'a> Maker<'a> {
-    pub(super) fn new(part: &'a Part<'a>) -> Self {
+    pub(super) fn new(part: &'a Remainder<'a>) -> Self {
         let mut maker = Maker {
             part,
             spots: Vec::new(),

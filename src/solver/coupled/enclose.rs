@@ -10,9 +10,9 @@
 
 use super::{Coupled, Room, Scratch};
 use crate::arithmetic::{Sharp, U};
+use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::lu;
 use crate::solver::state::State;
-use crate::solver::step::{ACCELERATION, VELOCITY};
 use crate::{Ball, Double, Number, Vec2};
 
 /// How much larger than the first step the box is that has to prove itself.

@@ -24,6 +24,7 @@ pub(super) use curve_tracing::is_same;
 pub(super) use enclose::Views;
 pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
+use super::demand::Part;
 use super::lu;
 use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
@@ -104,7 +105,7 @@ enum Equation {
 }
 
 /// What a coupled group is made from.
-pub(super) struct Part<'a> {
+pub(super) struct Remainder<'a> {
     pub network: &'a Network<'a>,
     pub point_known: &'a [bool],
     pub class_known: &'a [bool],
@@ -177,7 +178,7 @@ pub(super) struct Room<'a, T = f64> {
 
 impl Coupled {
     /// Chooses the unknowns and lists the equations; `None` where they are not equally many.
-    pub(super) fn new(part: &Part<'_>) -> Option<Coupled> {
+    pub(super) fn new(part: &Remainder<'_>) -> Option<Coupled> {
         let mut maker = Maker::new(part);
         maker.place_joints();
         maker.list_equations();
@@ -213,6 +214,20 @@ impl Coupled {
 
     pub(super) fn joints(&self) -> impl Iterator<Item = PointId> + '_ {
         self.spots.iter().map(|&(point, _)| point)
+    }
+
+    /// Says of everything that it places that it does.
+    pub(super) fn outputs(&self, places: &mut impl FnMut(Part)) {
+        self.joints().for_each(|point| places(Part::Point(point)));
+        let turning = self.turning.iter();
+        turning.for_each(|&link| places(Part::Link(link)));
+    }
+
+    /// Says of everything of earlier groups that it reads that it does.
+    pub(super) fn reads(&self, reads: &mut impl FnMut(Part)) {
+        let (points, links) = self.inputs();
+        points.into_iter().for_each(|p| reads(Part::Point(p)));
+        links.into_iter().for_each(|l| reads(Part::Link(l)));
     }
 
     /// The length of z: two numbers for a joint, two for a direction.
@@ -328,7 +343,7 @@ impl Coupled {
         let n = self.unknowns();
         room.first.fill(T::default());
         room.second.fill(T::default());
-        if order >= super::step::VELOCITY {
+        if order >= super::elements::VELOCITY {
             self.rates(q, state, &mut room, 1);
             self.jacobian(q, state, &mut room);
             if lu::factor(room.matrix, room.pivots, n).is_none() {
@@ -337,7 +352,7 @@ impl Coupled {
             lu::solve(room.matrix, room.pivots, room.right, n);
             negate_into(room.right, room.first);
         }
-        if order >= super::step::ACCELERATION {
+        if order >= super::elements::ACCELERATION {
             self.rates(q, state, &mut room, 2);
             lu::solve(room.matrix, room.pivots, room.right, n);
             negate_into(room.right, room.second);

@@ -1,9 +1,9 @@
 //! A coupled group in twice the precision.
 
 use super::{Coupled, Room, Scratch};
+use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::lu;
 use crate::solver::state::State;
-use crate::solver::step::{ACCELERATION, VELOCITY};
 use crate::{Double, Vec2};
 
 /// Corrections from a state in doubles: each gains the digits of a double, less those that the

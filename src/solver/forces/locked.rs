@@ -4,9 +4,9 @@
 //! hangs beyond it.
 
 use super::Forces;
+use crate::solver::elements::Step;
 use crate::solver::network::{GROUND, Network};
 use crate::solver::plan::Program;
-use crate::solver::step::Step;
 use crate::{LinkId, Number, SlideId, Slider};
 
 /// The locks of a mechanism.
@@ -39,9 +39,7 @@ impl Locked {
             .collect();
         let root = |link: LinkId| {
             let is_rep = |step: &Step| match step {
-                Step::Lock {
-                    link: locked, to, ..
-                } if *locked == link => Some(*to),
+                Step::Lock(lock) if lock.link == link => Some(lock.to),
                 _ => None,
             };
             let ground = network.class(link) == GROUND;

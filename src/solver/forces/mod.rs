@@ -18,10 +18,10 @@ mod frame;
 mod least;
 mod locked;
 mod open;
-mod pass;
 mod profile;
 mod reactions;
 mod read;
+mod site;
 mod slots;
 mod stroke;
 #[cfg(test)]
@@ -35,9 +35,11 @@ pub use checks::{Check, Withheld};
 pub use least::LeastNorm;
 pub use open::Indeterminate;
 pub use read::Residual;
-pub(super) use slots::Slots;
+pub(super) use site::{Held, Leg, Reach, Site};
+pub(super) use slots::{Slot, Slots};
 
 use super::coupled::Scratch;
+use super::elements::Pass;
 use super::engine::Engine;
 use super::network::Network;
 use super::state::{Condition, State};
@@ -48,8 +50,6 @@ use applied::{Acting, Bears};
 use frame::Framed;
 use locked::Locked;
 use open::Open;
-use pass::Pass;
-use slots::Slot;
 use std::sync::Arc;
 
 /// How the torque is split.
@@ -235,7 +235,7 @@ impl Balance {
             return None;
         }
         let slots = Arc::new(Slots::new(mechanism));
-        let passes = pass::passes(network, &engine.program, &slots);
+        let passes = site::passes(network, &engine.program, &slots);
         #[cfg(test)]
         let passes = tests::perhaps_falsified(passes);
         Some(Balance {

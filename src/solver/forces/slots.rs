@@ -11,7 +11,7 @@ pub(in crate::solver) struct Slots {
 }
 
 /// A place in the list of forces at joints.
-pub(super) type Slot = usize;
+pub(in crate::solver) type Slot = usize;
 
 impl Slots {
     pub(super) fn new(mechanism: &Mechanism) -> Slots {

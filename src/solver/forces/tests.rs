@@ -21,7 +21,7 @@ pub(crate) fn falsified<T>(is_so: bool, f: impl FnOnce() -> T) -> T {
 
 /// Hands what the last group bears down twice.
 pub(super) fn perhaps_falsified(mut passes: Vec<Pass>) -> Vec<Pass> {
-    let is_group = |pass: &&Pass| !matches!(pass, Pass::Carry { .. } | Pass::Lock { .. });
+    let is_group = |pass: &&Pass| !matches!(pass, Pass::Spin(_) | Pass::Ride(_) | Pass::Lock(_));
     if IS_FALSIFIED.get() {
         let last = passes.iter().rev().find(is_group).cloned();
         passes.extend(last);

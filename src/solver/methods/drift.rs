@@ -2,7 +2,7 @@
 
 use super::{Deviation, Methods, run};
 use crate::solver::Workspace;
-use crate::solver::step::{ACCELERATION, VELOCITY};
+use crate::solver::elements::{ACCELERATION, VELOCITY};
 
 /// Unknowns that move by their rates alone; whether the loops stay closed nobody asks.
 pub(crate) struct Drift {

@@ -15,10 +15,10 @@ pub use method::{Method, Start, Unfit};
 pub(crate) use runner::Runner;
 
 use super::coupled::{Closing, Coupled, Scratch};
+use super::elements::{ACCELERATION, Outcome, Step};
 use super::engine::Engine;
 use super::network::Network;
 use super::state::State;
-use super::step::{ACCELERATION, Outcome, Step};
 use super::{Condition, Group, GroupKind, Order, Range, Solver, Workspace, chain};
 use crate::{Double, LinkId, Mechanism, Number, PointId};
 use deviation::Subjects;

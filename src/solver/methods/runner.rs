@@ -2,8 +2,8 @@
 
 use super::{Deviation, Method, Methods, Rows, Start, follow, run};
 use crate::solver::Workspace;
+use crate::solver::elements::ACCELERATION;
 use crate::solver::state::State;
-use crate::solver::step::ACCELERATION;
 use crate::solver::{Condition, Order};
 use crate::{Ball, Double, Number};
 

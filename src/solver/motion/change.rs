@@ -6,9 +6,9 @@ use super::junction::Junction;
 use super::walk::Walker;
 use crate::solver::Order;
 use crate::solver::change_point::Passage;
+use crate::solver::elements::{Dyad, Outcome, REACH_SLACK};
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
-use crate::solver::step::{Dyad, Outcome, REACH_SLACK};
 use crate::solver::zero::zero;
 
 /// A measure this small is a gap of the size of the rounding, squared.

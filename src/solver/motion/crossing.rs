@@ -5,8 +5,8 @@ use super::walk::Walker;
 use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
+use crate::solver::elements::{REACH_SLACK, Step};
 use crate::solver::state::Condition;
-use crate::solver::step::{REACH_SLACK, Step};
 use crate::solver::workspace::Workspace;
 
 /// Newton's steps to a crossing, from a start with half of the digits.

@@ -11,9 +11,9 @@ use super::{Folded, Stretched};
 use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
+use crate::solver::elements::Step;
 use crate::solver::exact::Exact;
 use crate::solver::state::{Condition, State};
-use crate::solver::step::Step;
 use crate::solver::workspace::Workspace;
 use crate::solver::zero::zero;
 

@@ -12,11 +12,11 @@
 
 mod between;
 
+use super::elements::Step;
 use super::engine::Engine;
 use super::motion::positive_remainder;
 use super::plan::GroupId;
 use super::state::{Condition, State};
-use super::step::Step;
 use super::{Order, Range, Solver, Workspace};
 use crate::{LinkId, PointId, Vec2};
 use between::{Bracket, Reading};
@@ -59,9 +59,61 @@ impl Transmission {
 }
 
 /// One of the two lines at an inner joint: its direction, of any length, and its turning.
-struct Ray {
+pub(super) struct Ray {
     d: Vec2,
     w: f64,
+}
+
+impl Ray {
+    /// From point to point.
+    pub(super) fn between(from: PointId, to: PointId, state: &State) -> Ray {
+        let (a, b) = (state.points[from.index()], state.points[to.index()]);
+        let d = b.p - a.p;
+        Ray {
+            d,
+            w: d.cross(b.v - a.v) / d.norm2(),
+        }
+    }
+
+    /// Along a direction of a link's frame.
+    pub(super) fn on(link: LinkId, along: Vec2, state: &State) -> Ray {
+        let link = state.links[link.index()];
+        Ray {
+            d: along.turned(link.d),
+            w: link.w,
+        }
+    }
+
+    /// Of the ground.
+    pub(super) fn fixed(d: Vec2) -> Ray {
+        Ray { d, w: 0.0 }
+    }
+}
+
+/// The inner joint of a dyad.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct InnerJoint {
+    group: usize,
+    /// Whether one of the two lines is a normal, which has no sense of its own.
+    has_normal: bool,
+}
+
+impl InnerJoint {
+    /// Between two links.
+    pub(super) fn of_links(group: usize) -> InnerJoint {
+        InnerJoint {
+            group,
+            has_normal: false,
+        }
+    }
+
+    /// Between anything and the normal of a guide.
+    pub(super) fn beside_normal(group: usize) -> InnerJoint {
+        InnerJoint {
+            group,
+            has_normal: true,
+        }
+    }
 }
 
 /// The lines of a dyad in one state: the angle from the first to the second.
@@ -74,10 +126,10 @@ struct Look {
     rate: Option<f64>,
 }
 
-/// The inner joint of a dyad.
+/// An inner joint, and where it is.
 struct Joint<'s> {
     step: &'s Step,
-    group: usize,
+    of: InnerJoint,
 }
 
 /// The smallest or the largest mu that has been seen.
@@ -150,18 +202,15 @@ impl Solver {
 
 impl<'s> Joint<'s> {
     fn of(step: &'s Step) -> Option<Joint<'s>> {
-        let group = match step {
-            Step::Lines { group, .. } => Some(*group),
-            step => step.choice(),
-        }?;
-        Some(Joint { step, group })
+        let of = step.inner_joint()?;
+        Some(Joint { step, of })
     }
 
     fn look(&self, condition: Condition, state: &State) -> Option<Look> {
         if condition == Condition::NoAssembly {
             return None;
         }
-        let [e, f] = rays(self.step, state)?;
+        let [e, f] = self.step.rays(state)?;
         let size = e.d.norm() * f.d.norm();
         let (sine, cosine) = (e.d.cross(f.d) / size, e.d.dot(f.d) / size);
         let rate = -sine * (f.w - e.w);
@@ -176,9 +225,10 @@ impl<'s> Joint<'s> {
 
     /// The cosine of mu.
     fn folded(&self, cosine: f64) -> f64 {
-        match self.step {
-            Step::Circles(_) | Step::Cylinder(_) => cosine,
-            _ => cosine.abs(),
+        if self.of.has_normal {
+            cosine.abs()
+        } else {
+            cosine
         }
     }
 
@@ -290,56 +340,9 @@ impl<'s> Seen<'s> {
     fn found(&self) -> Option<Transmission> {
         let [smallest, largest] = self.best;
         Some(Transmission {
-            group: GroupId::new(self.joint.group),
+            group: GroupId::new(self.joint.of.group),
             smallest: smallest.extreme()?,
             largest: largest.extreme()?,
         })
-    }
-}
-
-/// The two lines at the inner joint of a dyad: between links, these; beside a guide, its normal.
-fn rays(step: &Step, state: &State) -> Option<[Ray; 2]> {
-    let from = |from: PointId, to: PointId| {
-        let (a, b) = (state.points[from.index()], state.points[to.index()]);
-        let d = b.p - a.p;
-        Ray {
-            d,
-            w: d.cross(b.v - a.v) / d.norm2(),
-        }
-    };
-    let on = |link: LinkId, along: Vec2| {
-        let link = state.links[link.index()];
-        Ray {
-            d: along.turned(link.d),
-            w: link.w,
-        }
-    };
-    match step {
-        Step::Circles(c) => Some([from(c.near.pivot, c.point), from(c.far.pivot, c.point)]),
-        Step::Cylinder(c) => Some([from(c.pivot, c.point), from(c.far.pivot, c.point)]),
-        Step::CircleLine(c) => Some([
-            from(c.arm.pivot, c.point),
-            on(c.line.link, c.line.along.nearest().perp()),
-        ]),
-        Step::CircleRail(c) => {
-            let normal = Ray {
-                d: c.along.nearest().perp(),
-                w: 0.0,
-            };
-            Some([from(c.arm.pivot, c.point), normal])
-        }
-        Step::Swing(s) => Some([from(s.pivot, s.pin), on(s.link, s.along.nearest().perp())]),
-        Step::Lines { first, second, .. } => Some([
-            on(first.link, first.along.nearest()),
-            on(second.link, second.along.nearest()),
-        ]),
-        Step::Crank { .. }
-        | Step::Spin { .. }
-        | Step::Ride { .. }
-        | Step::Push { .. }
-        | Step::Aim { .. }
-        | Step::Lock { .. }
-        | Step::Coupled { .. }
-        | Step::Travel { .. } => None,
     }
 }

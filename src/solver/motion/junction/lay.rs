@@ -2,10 +2,10 @@
 
 use crate::arithmetic::Series;
 use crate::solver::Order;
+use crate::solver::elements::{Outcome, POSITION, Snap, Step, root};
 use crate::solver::motion::change::Change;
 use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
-use crate::solver::step::{Outcome, POSITION, Snap, Step, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Number, Vec2};
 

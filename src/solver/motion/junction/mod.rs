@@ -2,7 +2,7 @@
 //! of the plan, each on what those before it do there.
 //!
 //! Whether a group passes, and on which side it goes on, is read off the square of its height (see
-//! [`crate::solver::step::Height`]): of even order 2p it passes, its sign changing with odd p. Everything
+//! [`crate::solver::elements::Height`]): of even order 2p it passes, its sign changing with odd p. Everything
 //! is carried in twice the precision, and proved by solving the mechanism on both sides of the place.
 
 mod lay;
@@ -12,7 +12,7 @@ mod standing;
 use super::change::Change;
 use super::walk::Walker;
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::step::{Dyad, Outcome, POSITION, Snap, Step, root};
+use crate::solver::elements::{Dyad, Outcome, POSITION, Snap, Step, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
 use standing::Standing;

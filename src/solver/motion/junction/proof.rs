@@ -3,9 +3,9 @@
 use super::Junction;
 use crate::arithmetic::Series;
 use crate::solver::change_point::Passage;
+use crate::solver::elements::root;
 use crate::solver::exact::Exact;
 use crate::solver::motion::walk::Walker;
-use crate::solver::step::root;
 use crate::{Double, Number, Vec2};
 
 /// At a distance from the place series and motion may differ by this much in places and directions,

@@ -2,9 +2,9 @@
 
 use super::Refusal;
 use crate::arithmetic::Series;
+use crate::solver::elements::{Dyad, Height, Snap, ZERO};
 use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
-use crate::solver::step::{Dyad, Height, Snap, ZERO};
 use crate::{Double, Number, Vec2};
 
 /// A square that begins with less than this part of its size may begin with zeros that were rounded.

@@ -1,0 +1,83 @@
+//! The direction of a link both of whose ends are known.
+
+use super::{ACCELERATION, Arm, Backwards, Element, Outcome, VELOCITY};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Reach, Site};
+use crate::solver::state::{LinkState, State};
+use crate::{Number, PointId, Vec2};
+
+/// The direction of a link both of whose ends are known.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Aim {
+    pub arm: Arm,
+    pub end: PointId,
+}
+
+impl Element for Aim {
+    type Back = AimBack;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Link(self.arm.link));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.arm.pivot));
+        reads(Part::Point(self.end));
+    }
+
+    /// With e = X - P: w = e x (V_X - V_P) / r^2, and so its rate, since e x (w^2 e) = 0.
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let arm = &self.arm;
+        let (p, x) = (
+            state.points[arm.pivot.index()],
+            state.points[self.end.index()],
+        );
+        let e = x.p - p.p;
+        let mut link = LinkState {
+            d: arm.direction(e),
+            ..LinkState::default()
+        };
+        let length = T::of(arm.length);
+        let scale = T::exactly(1.0) / (length * length);
+        if ORDER >= VELOCITY {
+            link.w = e.cross(x.v - p.v) * scale;
+        }
+        if ORDER >= ACCELERATION {
+            link.a = e.cross(x.a - p.a) * scale;
+        }
+        state.links[arm.link.index()] = link;
+        Outcome::Done
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<AimBack> {
+        Some(AimBack {
+            arm: site.reach(&self.arm, self.end),
+            end: self.end,
+        })
+    }
+}
+
+/// What turns the link, its ends resist.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct AimBack {
+    arm: Reach,
+    end: PointId,
+}
+
+impl Backwards for AimBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };
+        let e = at(self.end) - at(self.arm.pivot);
+        let force = -(e.perp() * (forces.couple(self.arm.link) / e.norm2()));
+        forces.hold(&self.arm, force, state);
+        let back = forces.at(self.end) - force;
+        forces.points[self.end.index()] = back;
+    }
+}

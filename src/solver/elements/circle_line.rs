@@ -1,0 +1,228 @@
+//! RRP: a joint at a given distance from a known one and on a known line.
+//!
+//! With Q a point of the line, t and n along and across it, h0 = n.(P - Q) and e = X - P:
+//!
+//! ```text
+//! |e| = b, n.(X - Q) = 0       e = root t - h0 n, root = s sqrt((b - h0)(b + h0))
+//! ```
+
+use super::line::{Chord, Guide};
+use super::through::{Cut, FEW, Height, Snap, turned};
+use super::{
+    ACCELERATION, Arm, Backwards, Dyad, Element, Line, Outcome, POSITION, TwoAssemblies, VELOCITY,
+};
+use crate::arithmetic::{Series, TERMS};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Held, Reach, Site};
+use crate::solver::state::{LinkState, State};
+use crate::solver::transmission::{InnerJoint, Ray};
+use crate::{Number, PointId, Vec2};
+
+/// A circle and a line, RRP. The sign is the side along the line on which the point lies, seen from
+/// the foot of the pivot.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct CircleLine {
+    pub point: PointId,
+    pub arm: Arm,
+    pub line: Line,
+    /// 1 / length^2, which makes the product of the distances the square of a sine.
+    inverse_square: f64,
+    pub group: usize,
+}
+
+impl CircleLine {
+    pub(in crate::solver) fn new(point: PointId, arm: Arm, line: Line, group: usize) -> CircleLine {
+        CircleLine {
+            point,
+            arm,
+            line,
+            inverse_square: arm.length.hi.powi(-2),
+            group,
+        }
+    }
+
+    /// The guide, the pivot as seen from its point, and h0 = n.(P - Q) with what it cuts off.
+    #[inline(always)]
+    fn chord<T: Number>(&self, state: &State<T>) -> (Guide<T>, Vec2<T>, T, Chord<T>) {
+        let guide = self.line.at(state);
+        let from = state.points[self.arm.pivot.index()].p - guide.q.p;
+        let h0 = guide.n.dot(from);
+        let chord = Chord::new(T::of(self.arm.length), h0, from);
+        (guide, from, h0, chord)
+    }
+
+    /// Writes the dyad with X = P + e at s along the guide, e = root t - h0 n. The constraint
+    /// n.(V - V_line) = 0 gives w n.(k x e) = w root.
+    #[inline(always)]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        guide: &Guide<T>,
+        s: T,
+        e: Vec2<T>,
+        [h0, root]: [T; 2],
+        state: &mut State<T>,
+    ) {
+        let mut link = LinkState::fixed(self.arm.direction(e));
+        let (mut rate, mut second) = (T::default(), T::default());
+        if ORDER >= VELOCITY {
+            let p = state.points[self.arm.pivot.index()];
+            let scale = T::exactly(1.0) / root;
+            let dv = guide.velocity(s) - p.v;
+            link.w = guide.n.dot(dv) * scale;
+            rate = link.w * h0 - guide.t.dot(dv);
+            if ORDER >= ACCELERATION {
+                let da = guide.acceleration(s, rate) - p.a;
+                let w2 = link.w * link.w;
+                link.a = (guide.n.dot(da) - w2 * h0) * scale;
+                second = link.a * h0 - w2 * root - guide.t.dot(da);
+            }
+        }
+        state.points[self.point.index()] = guide.point(s, rate, second);
+        state.links[self.arm.link.index()] = link;
+    }
+
+    /// What the line cuts off, as it goes on in series; with the direction of the line.
+    fn in_series(&self, snap: Snap, terms: usize, state: &State<Series>) -> (Vec2<Series>, Cut) {
+        let mut line = self.line;
+        line.along = turned(line.along, snap);
+        let guide = line.at(state);
+        let from = state.points[self.arm.pivot.index()].p - guide.q.p;
+        let from = from.map(|v| v.cut(terms));
+        (guide.t, Cut::new(self.arm.length, from, guide.t, snap.by.x))
+    }
+}
+
+impl Element for CircleLine {
+    type Back = CircleLineBack;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Point(self.point));
+        places(Part::Link(self.arm.link));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.arm.pivot));
+        self.line.inputs().into_iter().for_each(reads);
+    }
+
+    /// root = s sqrt((b - h0)(b + h0)): X = Q + (t.(P - Q) + root) t, e = root t - h0 n.
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let (guide, from, h0, chord) = self.chord(state);
+        state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
+        if !chord.is_clear() {
+            return Outcome::Unclear;
+        }
+        let root = state.signs[self.group] * chord.product.sqrt();
+        let e = guide.t * root - guide.n * h0;
+        self.place::<T, ORDER>(&guide, guide.t.dot(from) + root, e, [h0, root], state);
+        Outcome::Done
+    }
+
+    fn dyad(&self) -> Option<Dyad<'_>> {
+        Some(Dyad::CircleLine(self))
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<CircleLineBack> {
+        Some(CircleLineBack {
+            point: self.point,
+            arm: site.reach(&self.arm, self.point),
+            line: self.line,
+            hold: site.held(0, self.point)?,
+        })
+    }
+
+    fn rays(&self, state: &State) -> Option<[Ray; 2]> {
+        let arm = Ray::between(self.arm.pivot, self.point, state);
+        let normal = Ray::on(self.line.link, self.line.along.nearest().perp(), state);
+        Some([arm, normal])
+    }
+
+    fn inner_joint(&self) -> Option<InnerJoint> {
+        Some(InnerJoint::beside_normal(self.group))
+    }
+}
+
+impl TwoAssemblies for CircleLine {
+    fn group(&self) -> usize {
+        self.group
+    }
+
+    /// Whether within rounding the arm reaches the guide.
+    fn is_in_reach<T: Number>(&self, _q: T, state: &State<T>) -> bool {
+        self.chord(state).3.touches()
+    }
+
+    /// The arm across the guide: positions alone.
+    fn align<T: Number>(&self, _q: T, state: &mut State<T>) {
+        let (guide, from, h0, _) = self.chord(state);
+        let (e, s) = (-guide.n * h0, guide.t.dot(from));
+        self.place::<T, { POSITION }>(&guide, s, e, [h0, T::default()], state);
+    }
+
+    fn stretch_rate(&self, state: &State) -> Option<f64> {
+        let guide = self.line.at(state);
+        let pivot = state.points[self.arm.pivot.index()];
+        let turning = guide.w * guide.t.dot(pivot.p - guide.q.p);
+        Some(guide.n.dot(pivot.v - guide.q.v) - turning)
+    }
+
+    fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {
+        let guide = self.line.at(state);
+        let from = state.points[self.arm.pivot.index()].p - guide.q.p;
+        T::of(self.arm.length) - guide.n.dot(from).abs()
+    }
+
+    fn reach(&self, state: &State<Series>) -> [Series; 2] {
+        self.in_series(Snap::default(), FEW, state).1.reach()
+    }
+
+    fn square(&self, _q: Series, snap: Snap, state: &State<Series>) -> Series {
+        self.in_series(snap, TERMS, state).1.square()
+    }
+
+    fn height(&self, _q: Series, snap: Snap, state: &State<Series>) -> Height {
+        self.in_series(snap, FEW, state).1.height()
+    }
+
+    fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
+        self.arm.square.hi
+    }
+
+    fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let (t, cut) = self.in_series(snap, TERMS, state);
+        let e = t * height - t.perp() * cut.h0;
+        let guide = self.line.at(state);
+        self.place::<Series, POSITION>(&guide, cut.along + height, e, [cut.h0, height], state);
+        let pivot = state.points[self.arm.pivot.index()].p;
+        state.points[self.point.index()].p = pivot + e;
+    }
+}
+
+/// The arm holds against what is along the line, the guide against the rest.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct CircleLineBack {
+    point: PointId,
+    arm: Reach,
+    line: Line,
+    hold: Held,
+}
+
+impl Backwards for CircleLineBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        let guide = self.line.at(state);
+        let x = state.points[self.point.index()].p;
+        let e = x - state.points[self.arm.pivot.index()].p;
+        let across = forces.across(e, guide.t, self.point, self.arm.link);
+        let force = forces.at(self.point) - guide.n * across;
+        forces.hold(&self.arm, force, state);
+        let s = guide.t.dot(x - guide.q.p);
+        forces.press(&self.hold, Some((&self.line, s)), guide.n, across);
+    }
+}

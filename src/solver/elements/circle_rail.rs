@@ -1,0 +1,226 @@
+//! RRP on the ground: the line of [`CircleLine`](super::CircleLine) does not move.
+
+use super::line::Chord;
+use super::through::{Cut, FEW, Height, Snap, turned};
+use super::{
+    ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, TwoAssemblies, VELOCITY,
+};
+use crate::arithmetic::{Series, TERMS};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Held, Reach, Site};
+use crate::solver::state::{LinkState, PointState, State};
+use crate::solver::transmission::{InnerJoint, Ray};
+use crate::{Constant, Number, PointId, Vec2};
+
+/// A circle and a line that does not move, RRP: by far the most frequent kind of slide.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct CircleRail {
+    pub point: PointId,
+    pub arm: Arm,
+    /// A point of the rail and its direction, a unit vector.
+    pub through: Vec2<Constant>,
+    pub along: Vec2<Constant>,
+    /// The direction of the arm's link where the arm lies along the rail.
+    aligned: Vec2<Constant>,
+    inverse_square: f64,
+    pub group: usize,
+}
+
+impl CircleRail {
+    pub(in crate::solver) fn new(
+        point: PointId,
+        arm: Arm,
+        [through, along]: [Vec2<Constant>; 2],
+        group: usize,
+    ) -> CircleRail {
+        CircleRail {
+            point,
+            arm,
+            through,
+            along,
+            aligned: along.turned(arm.factor),
+            inverse_square: arm.length.hi.powi(-2),
+            group,
+        }
+    }
+
+    /// t.v and n.v.
+    #[inline(always)]
+    fn seen<T: Number>(&self, v: Vec2<T>) -> Vec2<T> {
+        v.turned(Vec2::of(self.along).conj())
+    }
+
+    /// Where the pivot is along the rail and beside it, and what the rail cuts off.
+    #[inline(always)]
+    fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, Chord<T>) {
+        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
+        let seen = self.seen(from);
+        (seen, Chord::new(T::of(self.arm.length), seen.y, from))
+    }
+
+    /// Writes the dyad with X at s along the rail, the link in the direction d.
+    #[inline(always)]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        s: T,
+        d: Vec2<T>,
+        [h0, root]: [T; 2],
+        state: &mut State<T>,
+    ) {
+        let t = Vec2::of(self.along);
+        let mut link = LinkState::fixed(d);
+        let mut point = PointState::fixed(Vec2::of(self.through) + t * s);
+        if ORDER >= VELOCITY {
+            let p = state.points[self.arm.pivot.index()];
+            let scale = T::exactly(1.0) / root;
+            let v = self.seen(p.v);
+            link.w = -v.y * scale;
+            point.v = t * (link.w * h0 + v.x);
+            if ORDER >= ACCELERATION {
+                let (a, w2) = (self.seen(p.a), link.w * link.w);
+                link.a = -(a.y + w2 * h0) * scale;
+                point.a = t * (link.a * h0 - w2 * root + a.x);
+            }
+        }
+        state.points[self.point.index()] = point;
+        state.links[self.arm.link.index()] = link;
+    }
+
+    /// What the rail cuts off, as it goes on in series; with the direction of the rail.
+    fn in_series(&self, snap: Snap, terms: usize, state: &State<Series>) -> (Vec2<Series>, Cut) {
+        let t = Vec2::of(turned(self.along, snap));
+        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
+        let from = from.map(|v| v.cut(terms));
+        (t, Cut::new(self.arm.length, from, t, snap.by.x))
+    }
+}
+
+impl Element for CircleRail {
+    const IS_FREQUENT: bool = true;
+    type Back = CircleRailBack;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Point(self.point));
+        places(Part::Link(self.arm.link));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.arm.pivot));
+    }
+
+    /// As [`CircleLine`](super::CircleLine), with a line whose velocity and acceleration are zero: e = t (root - i h0).
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let (Vec2 { x: along, y: h0 }, chord) = self.chord(state);
+        state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
+        if !chord.is_clear() {
+            return Outcome::Unclear;
+        }
+        let root = state.signs[self.group] * chord.product.sqrt();
+        let d = Vec2::of(self.aligned).turned(Vec2::new(root, -h0));
+        self.place::<T, ORDER>(along + root, d, [h0, root], state);
+        Outcome::Done
+    }
+
+    fn dyad(&self) -> Option<Dyad<'_>> {
+        Some(Dyad::CircleRail(self))
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<CircleRailBack> {
+        Some(CircleRailBack {
+            point: self.point,
+            arm: site.reach(&self.arm, self.point),
+            along: self.along,
+            hold: site.held(0, self.point)?,
+        })
+    }
+
+    fn rays(&self, state: &State) -> Option<[Ray; 2]> {
+        let arm = Ray::between(self.arm.pivot, self.point, state);
+        let normal = Ray::fixed(self.along.nearest().perp());
+        Some([arm, normal])
+    }
+
+    fn inner_joint(&self) -> Option<InnerJoint> {
+        Some(InnerJoint::beside_normal(self.group))
+    }
+}
+
+impl TwoAssemblies for CircleRail {
+    fn group(&self) -> usize {
+        self.group
+    }
+
+    fn is_in_reach<T: Number>(&self, _q: T, state: &State<T>) -> bool {
+        self.chord(state).1.touches()
+    }
+
+    fn align<T: Number>(&self, _q: T, state: &mut State<T>) {
+        let (Vec2 { x: along, y: h0 }, _) = self.chord(state);
+        let d = self.arm.direction(-Vec2::of(self.along).perp() * h0);
+        self.place::<T, { POSITION }>(along, d, [h0, T::default()], state);
+    }
+
+    fn stretch_rate(&self, state: &State) -> Option<f64> {
+        let v = state.points[self.arm.pivot.index()].v;
+        Some(self.along.nearest().cross(v))
+    }
+
+    fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {
+        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
+        T::of(self.arm.length) - Vec2::of(self.along).cross(from).abs()
+    }
+
+    fn reach(&self, state: &State<Series>) -> [Series; 2] {
+        self.in_series(Snap::default(), FEW, state).1.reach()
+    }
+
+    fn square(&self, _q: Series, snap: Snap, state: &State<Series>) -> Series {
+        self.in_series(snap, TERMS, state).1.square()
+    }
+
+    fn height(&self, _q: Series, snap: Snap, state: &State<Series>) -> Height {
+        self.in_series(snap, FEW, state).1.height()
+    }
+
+    fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
+        self.arm.square.hi
+    }
+
+    fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let (t, cut) = self.in_series(snap, TERMS, state);
+        let n = t.perp();
+        let e = t * height - n * cut.h0;
+        let s = cut.along + height;
+        self.place::<Series, POSITION>(s, self.arm.direction(e), [cut.h0, height], state);
+        let pivot = state.points[self.arm.pivot.index()].p;
+        state.points[self.point.index()].p = pivot + e;
+    }
+}
+
+/// The arm holds against what is along the rail, the rail against the rest.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct CircleRailBack {
+    point: PointId,
+    arm: Reach,
+    along: Vec2<Constant>,
+    hold: Held,
+}
+
+impl Backwards for CircleRailBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };
+        let (t, e) = (Vec2::of(self.along), at(self.point) - at(self.arm.pivot));
+        let across = forces.across(e, t, self.point, self.arm.link);
+        let n = t.perp();
+        let force = forces.at(self.point) - n * across;
+        forces.hold(&self.arm, force, state);
+        forces.press(&self.hold, None, n, across);
+    }
+}

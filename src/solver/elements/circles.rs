@@ -1,0 +1,288 @@
+//! RRR: a joint at given distances from two known ones.
+//!
+//! With u = Q - P from pivot to pivot, b and c the arms, e = X - P and f = X - Q:
+//!
+//! ```text
+//! |e| = b, |f| = c       e.V = e.V_P, f.V = f.V_Q       e x f = s h: twice the area of the triangle
+//! ```
+
+use super::through::{FEW, Height, SeriesTriangle, Snap, between, shifted};
+use super::{
+    ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies,
+    VELOCITY, growth, triangle_reserve,
+};
+use crate::arithmetic::{Series, TERMS};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Reach, Site};
+use crate::solver::state::{LinkState, PointState, State};
+use crate::solver::transmission::{InnerJoint, Ray};
+use crate::{Constant, Number, PointId, Vec2};
+
+/// Two circles, RRR. The shorter arm comes first: the point is measured from its pivot. The sign of
+/// the group is +1 where the point lies on the left of near.pivot -> far.pivot.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Circles {
+    pub point: PointId,
+    pub near: Arm,
+    pub far: Arm,
+    /// The squares of far - near and near + far, of which the square of the pivots' distance keeps its digits.
+    least: Constant,
+    most: Constant,
+    /// (near - far)(near + far).
+    squares: Constant,
+    /// 1 / (2 near far)^2, which makes the product of the reaches the square of a sine.
+    inverse_square: f64,
+    /// Twice the distances of least and most, and how far they count as reached.
+    ends: [f64; 2],
+    slack: f64,
+    pub group: usize,
+}
+
+impl Circles {
+    pub(in crate::solver) fn new(point: PointId, arms: [Arm; 2], group: usize) -> Circles {
+        let [a, b] = arms;
+        let arms = if (a.length - b.length).hi <= 0.0 {
+            [a, b]
+        } else {
+            [b, a]
+        };
+        Circles::measured(point, arms, group)
+    }
+
+    /// Measures the point from this pivot.
+    pub(in crate::solver) fn measure_from(&mut self, pivot: PointId) {
+        if self.near.pivot != pivot {
+            *self = Circles::measured(self.point, [self.far, self.near], self.group);
+        }
+    }
+
+    fn measured(point: PointId, [near, far]: [Arm; 2], group: usize) -> Circles {
+        let (b, c) = (near.length, far.length);
+        Circles {
+            point,
+            near,
+            far,
+            least: (c - b) * (c - b),
+            most: (c + b) * (c + b),
+            squares: (b - c) * (b + c),
+            inverse_square: (2.0 * b.hi * c.hi).powi(-2),
+            ends: [2.0 * (c - b).hi.abs(), 2.0 * (c + b).hi],
+            slack: REACH_SLACK * (b.hi + c.hi),
+            group,
+        }
+    }
+
+    /// How far the square of the pivots' distance is above the least and below the most that the arms reach.
+    #[inline(always)]
+    fn reaches<T: Number>(&self, d2: T) -> (T, T) {
+        (d2 - T::of(self.least), T::of(self.most) - d2)
+    }
+
+    /// What rounding leaves of the reaches: (d + slack)^2 - d^2.
+    #[inline(always)]
+    fn slacks<T: Number>(&self) -> [T; 2] {
+        let slack = self.slack * T::GRAIN;
+        self.ends.map(|d| T::exactly(slack * (d + slack)))
+    }
+
+    /// Writes the dyad where X = P + e = Q + f. V_P + w1 k x e = V_Q + w2 k x f, and e x f = s h.
+    #[inline(always)]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        e: Vec2<T>,
+        f: Vec2<T>,
+        sh: T,
+        state: &mut State<T>,
+    ) {
+        let p = state.points[self.near.pivot.index()];
+        let q = state.points[self.far.pivot.index()];
+        let mut point = PointState::fixed(p.p + e);
+        let mut near = LinkState::fixed(self.near.direction(e));
+        let mut far = LinkState::fixed(self.far.direction(f));
+        if ORDER >= VELOCITY {
+            let scale = T::exactly(1.0) / sh;
+            let dv = q.v - p.v;
+            near.w = f.dot(dv) * scale;
+            far.w = e.dot(dv) * scale;
+            point.v = p.v + e.perp() * near.w;
+            if ORDER >= ACCELERATION {
+                let da = (q.a - p.a) + e * (near.w * near.w) - f * (far.w * far.w);
+                near.a = f.dot(da) * scale;
+                far.a = e.dot(da) * scale;
+                point.a = p.a + e.perp() * near.a - e * (near.w * near.w);
+            }
+        }
+        state.points[self.point.index()] = point;
+        state.links[self.near.link.index()] = near;
+        state.links[self.far.link.index()] = far;
+    }
+
+    /// From pivot to pivot.
+    #[inline(always)]
+    pub(in crate::solver) fn between<T: Number>(&self, state: &State<T>) -> Vec2<T> {
+        let at = |pivot: PointId| state.points[pivot.index()].p;
+        at(self.far.pivot) - at(self.near.pivot)
+    }
+
+    /// The triangle, as it goes on in series.
+    fn in_series(&self, snap: Snap, terms: usize, state: &State<Series>) -> SeriesTriangle {
+        let u = shifted(between(self.near.pivot, self.far.pivot, state), snap, terms);
+        let (b, c) = (self.near.length, self.far.length);
+        let c = if snap.equal_arms { b } else { c };
+        let [least, most, squares] =
+            [(c - b) * (c - b), (c + b) * (c + b), (b - c) * (b + c)].map(Series::of);
+        SeriesTriangle {
+            u,
+            d2: u.norm2(),
+            least,
+            most,
+            squares,
+        }
+    }
+}
+
+impl Element for Circles {
+    const IS_FREQUENT: bool = true;
+    type Back = CirclesBack;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Point(self.point));
+        places(Part::Link(self.near.link));
+        places(Part::Link(self.far.link));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.near.pivot));
+        reads(Part::Point(self.far.pivot));
+    }
+
+    /// X = P + (x u + s h k x u) / u.u with u = Q - P, x = (u.u + b^2 - c^2) / 2 and h twice the area
+    /// of the triangle of sides b, c, |u|: 16 A^2 = (d^2 - m^2)(M^2 - d^2), m = c - b, M = b + c.
+    ///
+    /// These are the factors of Kahan's product (Miscalculating Area and Angles of a Needle-like Triangle) two
+    /// by two: d is found by its square, whose digits its root would only round once more.
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let u = self.between(state);
+        let d2 = u.norm2();
+        let (inner, outer) = self.reaches(d2);
+        let product = inner * outer;
+        state.measures[self.group] = product * T::exactly(self.inverse_square);
+        let [least, most] = self.slacks();
+        if !(inner.exceeds(least) && outer.exceeds(most)) {
+            return Outcome::Unclear;
+        }
+        let x = (d2 + T::of(self.squares)).scaled(0.5);
+        let inverse = T::exactly(1.0) / d2;
+        let sh = state.signs[self.group].scaled(0.5) * product.sqrt();
+        let e = (u * x + u.perp() * sh) * inverse;
+        self.place::<T, ORDER>(e, e - u, sh, state);
+        Outcome::Done
+    }
+
+    fn dyad(&self) -> Option<Dyad<'_>> {
+        Some(Dyad::Circles(self))
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<CirclesBack> {
+        Some(CirclesBack {
+            point: self.point,
+            near: site.reach(&self.near, self.point),
+            far: site.reach(&self.far, self.point),
+        })
+    }
+
+    fn rays(&self, state: &State) -> Option<[Ray; 2]> {
+        let [near, far] =
+            [&self.near, &self.far].map(|arm| Ray::between(arm.pivot, self.point, state));
+        Some([near, far])
+    }
+
+    fn inner_joint(&self) -> Option<InnerJoint> {
+        Some(InnerJoint::of_links(self.group))
+    }
+}
+
+impl TwoAssemblies for Circles {
+    fn group(&self) -> usize {
+        self.group
+    }
+
+    /// Whether the arms reach each other within rounding, and say a direction.
+    fn is_in_reach<T: Number>(&self, _q: T, state: &State<T>) -> bool {
+        let u = self.between(state);
+        let d2 = u.norm2();
+        let (inner, outer) = self.reaches(d2);
+        let [least, most] = self.slacks::<T>();
+        let is_open = (-least).exceeds(inner) || (-most).exceeds(outer);
+        let slack = T::exactly(self.slack * T::GRAIN);
+        // Equal arms about one pivot: the point could be anywhere around it.
+        d2.is_finite() && T::norm(u).exceeds(slack) && !is_open
+    }
+
+    /// The arms in line: positions alone. The nearer arm keeps its length also where the pivots all but
+    /// coincide.
+    fn align<T: Number>(&self, _q: T, state: &mut State<T>) {
+        let u = self.between(state);
+        let x = u.norm2() + T::exactly(self.squares.hi);
+        let length = T::of(self.near.length);
+        let along = if x.nearest() < 0.0 { -length } else { length };
+        let e = u * (along / T::norm(u));
+        self.place::<T, { POSITION }>(e, e - u, T::default(), state);
+    }
+
+    fn stretch_rate(&self, state: &State) -> Option<f64> {
+        Some(growth([self.near.pivot, self.far.pivot], state))
+    }
+
+    fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {
+        let [b, c] = [self.near.length, self.far.length].map(T::of);
+        triangle_reserve(self.between(state).norm(), b, c)
+    }
+
+    fn pivots(&self) -> Option<[PointId; 2]> {
+        Some([self.near.pivot, self.far.pivot])
+    }
+
+    fn arms_apart(&self, _q: Series) -> f64 {
+        (self.near.length - self.far.length).hi
+    }
+
+    fn square(&self, _q: Series, snap: Snap, state: &State<Series>) -> Series {
+        self.in_series(snap, TERMS, state).square()
+    }
+
+    fn height(&self, _q: Series, snap: Snap, state: &State<Series>) -> Height {
+        self.in_series(snap, FEW, state).height()
+    }
+
+    fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
+        self.near.square.hi * self.far.square.hi
+    }
+
+    fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let triangle = self.in_series(snap, TERMS, state);
+        let e = triangle.arm(height);
+        self.place::<Series, POSITION>(e, e - triangle.u, height, state);
+    }
+}
+
+/// Two arms share the force at their joint.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct CirclesBack {
+    point: PointId,
+    near: Reach,
+    far: Reach,
+}
+
+impl Backwards for CirclesBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        forces.share(self.point, &self.near, &self.far, state);
+    }
+}

@@ -1,0 +1,89 @@
+//! The driven link, and its points: the driver's coordinate is its angle.
+
+use super::ride::Carry;
+use super::{Element, Nothing, Outcome};
+use crate::solver::demand::Part;
+use crate::solver::forces::Site;
+use crate::solver::state::{LinkState, PointState, State};
+use crate::{Constant, Input, LinkId, Number, PointId, Vec2};
+
+/// The driven link takes the driver's direction.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Crank {
+    pub link: LinkId,
+}
+
+impl Element for Crank {
+    const IS_FREQUENT: bool = true;
+    type Back = Nothing;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Link(self.link));
+    }
+
+    fn inputs(&self, _reads: &mut impl FnMut(Part)) {}
+
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        state.links[self.link.index()] = LinkState {
+            d: direction,
+            w: T::exactly(1.0),
+            a: T::default(),
+        };
+        Outcome::Done
+    }
+
+    fn back(&self, _site: &Site<'_>) -> Option<Nothing> {
+        None
+    }
+}
+
+/// A point of the driven link, at `local` from the ground point about which it turns.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Spin {
+    pub point: PointId,
+    pub pivot: PointId,
+    pub local: Vec2<Constant>,
+}
+
+impl Element for Spin {
+    const IS_FREQUENT: bool = true;
+    type Back = Carry;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Point(self.point));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.pivot));
+    }
+
+    /// X = P + R r, V = k x R r, A = -R r.
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let r = Vec2::of(self.local).turned(direction);
+        state.points[self.point.index()] = PointState {
+            p: state.points[self.pivot.index()].p + r,
+            v: r.perp(),
+            a: -r,
+        };
+        Outcome::Done
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<Carry> {
+        match site.input() {
+            Input::Turn(link) => Some(Carry::new(site, [self.point, self.pivot], link)),
+            Input::Push(_) => None,
+        }
+    }
+}

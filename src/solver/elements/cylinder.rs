@@ -1,0 +1,281 @@
+//! RRR with a driven arm: a cylinder between moving links.
+
+use super::through::{FEW, Height, SeriesTriangle, Snap, between, shifted};
+use super::{
+    ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies,
+    VELOCITY, triangle_reserve,
+};
+use crate::arithmetic::{Series, TERMS};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Reach, Site};
+use crate::solver::state::{LinkState, PointState, State};
+use crate::solver::transmission::{InnerJoint, Ray};
+use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
+
+/// An arm whose end is pushed along a guide of its own link, and a circle: a cylinder. The sign is +1
+/// where the point lies on the left of pivot -> far.pivot.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Cylinder {
+    pub point: PointId,
+    pub pivot: PointId,
+    pub link: LinkId,
+    /// The guide's point and direction in the frame of the link, from the pivot.
+    pub through: Vec2<Constant>,
+    pub along: Vec2<Constant>,
+    pub far: Arm,
+    pub group: usize,
+}
+
+/// The triangle of a cylinder's pivots and its pin.
+#[derive(Clone, Copy)]
+struct Triangle<T> {
+    /// The square of the arm, and its length.
+    rho2: T,
+    rho: T,
+    /// From pivot to pivot.
+    u: Vec2<T>,
+    d2: T,
+    /// How far the arms are from their inner and outer reach.
+    inner: T,
+    outer: T,
+    /// 16 A^2.
+    product: T,
+}
+
+impl Cylinder {
+    /// The square of the arm.
+    #[inline(always)]
+    fn arm_square<T: Number>(&self, q: T) -> T {
+        (Vec2::of(self.through) + Vec2::of(self.along) * q).norm2()
+    }
+
+    #[inline(always)]
+    fn triangle<T: Number>(&self, q: T, state: &State<T>) -> Triangle<T> {
+        let rho2 = self.arm_square(q);
+        let (rho, c) = (rho2.sqrt(), T::of(self.far.length));
+        let u = state.points[self.far.pivot.index()].p - state.points[self.pivot.index()].p;
+        let d2 = u.norm2();
+        let d = d2.sqrt();
+        let difference = (rho - c).abs();
+        let (inner, outer) = (d - difference, (rho + c) - d);
+        let product = (inner * (d + difference)) * (outer * ((rho + c) + d));
+        Triangle {
+            rho2,
+            rho,
+            u,
+            d2,
+            inner,
+            outer,
+            product,
+        }
+    }
+
+    /// From the pivot to the point, for e x f = `sh`.
+    #[inline(always)]
+    fn arm<T: Number>(&self, of: &Triangle<T>, sh: T) -> Vec2<T> {
+        let c = T::of(self.far.length);
+        let x = (of.d2 + (of.rho - c) * (of.rho + c)).scaled(0.5);
+        (of.u * x + of.u.perp() * sh) / of.d2
+    }
+
+    /// Writes the dyad where X = P + e = Q + f. With tau the guide's direction in the ground,
+    /// V = V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau.
+    #[inline(always)]
+    pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
+        &self,
+        q: T,
+        e: Vec2<T>,
+        f: Vec2<T>,
+        sh: T,
+        state: &mut State<T>,
+    ) {
+        let local = Vec2::of(self.through) + Vec2::of(self.along) * q;
+        let p = state.points[self.pivot.index()];
+        let far = state.points[self.far.pivot.index()];
+        let mut point = PointState::fixed(p.p + e);
+        let mut barrel = LinkState::fixed(e.turned(local.conj()) / local.norm2());
+        let mut link = LinkState::fixed(self.far.direction(f));
+        if ORDER >= VELOCITY {
+            let scale = T::exactly(1.0) / sh;
+            let tau = Vec2::of(self.along).turned(barrel.d);
+            let dv = far.v - p.v - tau;
+            barrel.w = f.dot(dv) * scale;
+            link.w = e.dot(dv) * scale;
+            point.v = far.v + f.perp() * link.w;
+            if ORDER >= ACCELERATION {
+                let coriolis = tau.perp() * barrel.w.scaled(2.0);
+                let da =
+                    (far.a - p.a) - coriolis + e * (barrel.w * barrel.w) - f * (link.w * link.w);
+                barrel.a = f.dot(da) * scale;
+                link.a = e.dot(da) * scale;
+                point.a = far.a + f.perp() * link.a - f * (link.w * link.w);
+            }
+        }
+        state.points[self.point.index()] = point;
+        state.links[self.link.index()] = barrel;
+        state.links[self.far.link.index()] = link;
+    }
+
+    /// The triangle, as it goes on in series.
+    fn in_series(
+        &self,
+        q: Series,
+        snap: Snap,
+        terms: usize,
+        state: &State<Series>,
+    ) -> SeriesTriangle {
+        let u = shifted(between(self.pivot, self.far.pivot, state), snap, terms);
+        let rho2 = self.arm_square(q);
+        let (b, c) = (rho2.sqrt(), Series::of(self.far.length));
+        SeriesTriangle {
+            u,
+            d2: u.norm2(),
+            least: (c - b) * (c - b),
+            most: (c + b) * (c + b),
+            squares: rho2 - c * c,
+        }
+    }
+}
+
+impl Element for Cylinder {
+    type Back = CylinderBack;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Point(self.point));
+        places(Part::Link(self.link));
+        places(Part::Link(self.far.link));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.pivot));
+        reads(Part::Point(self.far.pivot));
+    }
+
+    /// The arm is r = through + along q in its link's frame: a circle whose radius varies.
+    /// Otherwise as [`Circles`].
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let of = self.triangle(q, state);
+        let c = self.far.length.hi;
+        let scale = of.rho2 * T::exactly(4.0 * c * c);
+        state.measures[self.group] = of.product / scale;
+        let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK * T::GRAIN);
+        if !of.inner.min(of.outer).exceeds(slack) {
+            return Outcome::Unclear;
+        }
+        let sh = state.signs[self.group] * of.product.sqrt().scaled(0.5);
+        let e = self.arm(&of, sh);
+        self.place::<T, ORDER>(q, e, e - of.u, sh, state);
+        Outcome::Done
+    }
+
+    fn dyad(&self) -> Option<Dyad<'_>> {
+        Some(Dyad::Cylinder(self))
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<CylinderBack> {
+        Some(CylinderBack {
+            point: self.point,
+            barrel: site.barrel(self.link, self.pivot),
+            along: self.along,
+            far: site.reach(&self.far, self.point),
+            slide: site.driven_slide(),
+        })
+    }
+
+    fn rays(&self, state: &State) -> Option<[Ray; 2]> {
+        let [barrel, far] =
+            [self.pivot, self.far.pivot].map(|p| Ray::between(p, self.point, state));
+        Some([barrel, far])
+    }
+
+    fn inner_joint(&self) -> Option<InnerJoint> {
+        Some(InnerJoint::of_links(self.group))
+    }
+}
+
+impl TwoAssemblies for Cylinder {
+    fn group(&self) -> usize {
+        self.group
+    }
+
+    /// As [`Circles::is_in_reach`].
+    fn is_in_reach<T: Number>(&self, q: T, state: &State<T>) -> bool {
+        let of = self.triangle(q, state);
+        let size = of.rho + T::exactly(self.far.length.hi);
+        let slack = size.scaled(REACH_SLACK * T::GRAIN);
+        let misses = |reach: T| (-slack).exceeds(reach);
+        let has_direction = of.rho.exceeds(T::default()) && of.d2.sqrt().exceeds(slack);
+        of.d2.is_finite() && has_direction && !misses(of.inner) && !misses(of.outer)
+    }
+
+    /// As [`Circles::align`].
+    fn align<T: Number>(&self, q: T, state: &mut State<T>) {
+        let of = self.triangle(q, state);
+        let e = self.arm(&of, T::default());
+        self.place::<T, { POSITION }>(q, e, e - of.u, T::default(), state);
+    }
+
+    /// Its own reach changes.
+    fn stretch_rate(&self, _state: &State) -> Option<f64> {
+        None
+    }
+
+    fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T {
+        let arm = Vec2::of(self.through) + Vec2::of(self.along) * q;
+        let u = state.points[self.far.pivot.index()].p - state.points[self.pivot.index()].p;
+        triangle_reserve(u.norm(), arm.norm(), T::of(self.far.length))
+    }
+
+    fn pivots(&self) -> Option<[PointId; 2]> {
+        Some([self.pivot, self.far.pivot])
+    }
+
+    fn arms_apart(&self, q: Series) -> f64 {
+        (self.arm_square(q.cut(1)).sqrt() - Series::of(self.far.length)).nearest()
+    }
+
+    fn square(&self, q: Series, snap: Snap, state: &State<Series>) -> Series {
+        self.in_series(q, snap, TERMS, state).square()
+    }
+
+    fn height(&self, q: Series, snap: Snap, state: &State<Series>) -> Height {
+        self.in_series(q, snap, FEW, state).height()
+    }
+
+    fn right_angle(&self, q: Series, _state: &State<Series>) -> f64 {
+        self.arm_square(q.cut(1)).nearest() * self.far.square.hi
+    }
+
+    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let triangle = self.in_series(q, snap, TERMS, state);
+        let e = triangle.arm(height);
+        self.place::<Series, POSITION>(q, e, e - triangle.u, height, state);
+    }
+}
+
+/// As two arms share their force; what comes along the barrel the driver holds, and its guide the rest.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct CylinderBack {
+    point: PointId,
+    barrel: Reach,
+    along: Vec2<Constant>,
+    far: Reach,
+    slide: Option<SlideId>,
+}
+
+impl Backwards for CylinderBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        let force = forces.share(self.point, &self.barrel, &self.far, state);
+        let tau = Vec2::of(self.along).turned(state.links[self.barrel.link.index()].d);
+        forces.drive += force.dot(tau);
+        if let Some(slide) = self.slide {
+            forces.normals[slide.index()] = -tau.cross(force);
+        }
+    }
+}

@@ -1,0 +1,208 @@
+//! The dyads with two assemblies, and what can be asked of each of them.
+
+use super::through::{FEW, Height, Snap, between, squared};
+use super::{CircleLine, CircleRail, Circles, Cylinder, Element, Outcome, Swing};
+use crate::arithmetic::Series;
+use crate::solver::demand::Part;
+use crate::solver::state::State;
+use crate::{Double, Number, PointId, Vec2};
+
+/// A dyad with two assemblies, of which the sign of its group chooses one.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) enum Dyad<'a> {
+    /// RRR.
+    Circles(&'a Circles),
+    /// RRP.
+    CircleLine(&'a CircleLine),
+    /// RRP on the ground.
+    CircleRail(&'a CircleRail),
+    /// RPR.
+    Swing(&'a Swing),
+    /// RRR with a driven arm.
+    Cylinder(&'a Cylinder),
+}
+
+/// The same of every dyad.
+macro_rules! each {
+    ($dyad:expr, $d:ident => $do:expr) => {
+        match $dyad {
+            Dyad::Circles($d) => $do,
+            Dyad::CircleLine($d) => $do,
+            Dyad::CircleRail($d) => $do,
+            Dyad::Swing($d) => $do,
+            Dyad::Cylinder($d) => $do,
+        }
+    };
+}
+
+/// What a dyad with two assemblies tells of itself, from the state of what it stands on.
+pub(super) trait TwoAssemblies {
+    /// The group whose sign chooses between the two.
+    fn group(&self) -> usize;
+
+    /// Whether within rounding it still closes, in a direction that is told.
+    fn is_in_reach<T: Number>(&self, q: T, state: &State<T>) -> bool;
+
+    /// Places it in line, as at its limit: positions alone.
+    fn align<T: Number>(&self, q: T, state: &mut State<T>);
+
+    /// The rate of what it is stretched by - the distance of its pivots, or of pivot and guide - up
+    /// to a positive factor: zero where the stretch is extreme. `None` where its own reach changes.
+    fn stretch_rate(&self, state: &State) -> Option<f64>;
+
+    /// How far it is from the extremes of its reach, as a length: negative where it is open.
+    fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T;
+
+    // ---- in series, about a place where it may be singular
+
+    /// Its pivots, where it has two: these can meet.
+    fn pivots(&self) -> Option<[PointId; 2]> {
+        None
+    }
+
+    /// By how much its arms differ: where these are equal the pivots can meet.
+    fn arms_apart(&self, _q: Series) -> f64 {
+        f64::INFINITY
+    }
+
+    /// What it is stretched by - the distance of its pivots squared, or the distance of pivot and
+    /// guide - where that is extreme its arms can be in line; and its size.
+    fn reach(&self, state: &State<Series>) -> [Series; 2] {
+        let u = self.pivots().map(|[a, b]| between(a, b, state));
+        squared(u.unwrap_or_default().map(|v| v.cut(FEW)))
+    }
+
+    /// The square of its height.
+    fn square(&self, q: Series, snap: Snap, state: &State<Series>) -> Series;
+
+    /// The first few terms of that, with their sizes and slopes.
+    fn height(&self, q: Series, snap: Snap, state: &State<Series>) -> Height;
+
+    /// The square of its height where its transmission angle is right.
+    fn right_angle(&self, q: Series, state: &State<Series>) -> f64;
+
+    /// Places it with this height, signed.
+    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>);
+}
+
+/// The rate of the distance of two points, up to a positive factor.
+pub(super) fn growth(points: [PointId; 2], state: &State) -> f64 {
+    let [a, b] = points.map(|point| state.points[point.index()]);
+    (b.p - a.p).dot(b.v - a.v)
+}
+
+/// How far a triangle of the sides d, b, c is from being flat.
+pub(super) fn triangle_reserve<T: Number>(d: T, b: T, c: T) -> T {
+    ((b + c) - d).min(d - (b - c).abs())
+}
+
+impl Dyad<'_> {
+    /// Places it at its limit, if within rounding it still closes.
+    #[cold]
+    pub(in crate::solver) fn stretch<T: Number>(self, q: T, state: &mut State<T>) -> Outcome {
+        if !each!(self, d => d.is_in_reach(q, state)) {
+            return Outcome::Open;
+        }
+        self.align(q, state);
+        Outcome::Stretched
+    }
+
+    /// Places it in line, as at its limit: positions alone.
+    pub(in crate::solver) fn align<T: Number>(self, q: T, state: &mut State<T>) {
+        each!(self, d => d.align(q, state));
+    }
+
+    /// The group whose sign chooses between the two assemblies.
+    pub(in crate::solver) fn group(self) -> usize {
+        each!(self, d => d.group())
+    }
+
+    /// See [`TwoAssemblies::stretch_rate`].
+    pub(in crate::solver) fn stretch_rate(self, state: &State) -> Option<f64> {
+        each!(self, d => d.stretch_rate(state))
+    }
+
+    /// By how much it misses to close; 0 where it closes.
+    pub(in crate::solver) fn gap(self, q: f64, state: &State) -> f64 {
+        (-self.reserve(q, state)).max(0.0)
+    }
+
+    /// See [`TwoAssemblies::reserve`].
+    pub(in crate::solver) fn reserve<T: Number>(self, q: T, state: &State<T>) -> T {
+        each!(self, d => d.reserve(q, state))
+    }
+
+    // ---- in series
+
+    /// See [`TwoAssemblies::reach`].
+    pub(in crate::solver) fn reach(self, state: &State<Series>) -> [Series; 2] {
+        each!(self, d => d.reach(state))
+    }
+
+    /// From pivot to pivot, where it has two.
+    pub(in crate::solver) fn pivots(self, state: &State<Series>) -> Option<Vec2<Series>> {
+        let [a, b] = each!(self, d => d.pivots())?;
+        Some(between(a, b, state))
+    }
+
+    /// Whether both its pivots move.
+    pub(in crate::solver) fn is_afloat(self, state: &State<Series>) -> bool {
+        let moves = |p: PointId| {
+            let Vec2 { x, y } = state.points[p.index()].p;
+            [x, y].iter().any(|v| v.c[1..].iter().any(|c| c.hi != 0.0))
+        };
+        each!(self, d => d.pivots()).is_some_and(|pivots| pivots.into_iter().all(moves))
+    }
+
+    /// See [`TwoAssemblies::square`].
+    pub(in crate::solver) fn square(self, q: Series, snap: Snap, state: &State<Series>) -> Series {
+        each!(self, d => d.square(q, snap, state))
+    }
+
+    /// See [`TwoAssemblies::height`].
+    pub(in crate::solver) fn height(self, q: Series, snap: Snap, state: &State<Series>) -> Height {
+        each!(self, d => d.height(q, snap, state))
+    }
+
+    /// From pivot to pivot where these may meet, that is where the arms are equal within `slack`.
+    pub(in crate::solver) fn meeting(
+        self,
+        q: Series,
+        slack: f64,
+        state: &State<Series>,
+    ) -> Option<Vec2<Double>> {
+        let apart = each!(self, d => d.arms_apart(q));
+        let u = self.pivots(state).filter(|_| apart.abs() <= slack)?;
+        Some(u.map(|v| v.c[0]))
+    }
+
+    /// See [`TwoAssemblies::right_angle`].
+    pub(in crate::solver) fn right_angle(self, q: Series, state: &State<Series>) -> f64 {
+        each!(self, d => d.right_angle(q, state))
+    }
+
+    /// Places the dyad with this height, signed.
+    pub(in crate::solver) fn run_through(
+        self,
+        q: Series,
+        snap: Snap,
+        height: Series,
+        state: &mut State<Series>,
+    ) {
+        each!(self, d => d.run_through(q, snap, height, state));
+    }
+
+    /// What it places, in series.
+    pub(in crate::solver) fn placed(
+        self,
+        state: &State<Series>,
+    ) -> impl Iterator<Item = Vec2<Series>> {
+        let mut placed = Vec::new();
+        each!(self, d => d.outputs(&mut |part| placed.extend(match part {
+            Part::Point(point) => Some(state.points[point.index()].p),
+            Part::Link(link) => Some(state.links[link.index()].d),
+            Part::Slide(_) => None,
+        })));
+        placed.into_iter()
+    }
+}

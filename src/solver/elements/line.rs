@@ -1,0 +1,103 @@
+//! Guides as lines: a known point and a known direction, and what a circle cuts off of one.
+
+use super::REACH_SLACK;
+use crate::solver::demand::Part;
+use crate::solver::state::{PointState, State};
+use crate::{Constant, LinkId, Number, PointId, Vec2};
+
+/// A line that is fixed in a body: through a point, along a direction of a link's frame.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Line {
+    pub through: PointId,
+    pub link: LinkId,
+    /// The direction in the link's frame: a unit vector.
+    pub along: Vec2<Constant>,
+}
+
+/// A line at one state: its point, direction and turning.
+#[derive(Clone, Copy)]
+pub(in crate::solver) struct Guide<T = f64> {
+    pub(in crate::solver) q: PointState<T>,
+    pub(in crate::solver) t: Vec2<T>,
+    pub(in crate::solver) n: Vec2<T>,
+    pub(in crate::solver) w: T,
+    pub(in crate::solver) a: T,
+}
+
+impl Line {
+    /// What it follows.
+    pub(super) fn inputs(&self) -> [Part; 2] {
+        [Part::Point(self.through), Part::Link(self.link)]
+    }
+
+    #[inline(always)]
+    pub(in crate::solver) fn at<T: Number>(&self, state: &State<T>) -> Guide<T> {
+        let link = state.links[self.link.index()];
+        let t = Vec2::of(self.along).turned(link.d);
+        Guide {
+            q: state.points[self.through.index()],
+            t,
+            n: t.perp(),
+            w: link.w,
+            a: link.a,
+        }
+    }
+}
+
+impl<T: Number> Guide<T> {
+    /// The point at s along the guide, with its rate and second rate.
+    #[inline(always)]
+    pub(super) fn point(&self, s: T, rate: T, second: T) -> PointState<T> {
+        PointState {
+            p: self.q.p + self.t * s,
+            v: self.velocity(s) + self.t * rate,
+            a: self.acceleration(s, rate) + self.t * second,
+        }
+    }
+
+    /// The velocity of the guide's own material at s.
+    #[inline(always)]
+    pub(super) fn velocity(&self, s: T) -> Vec2<T> {
+        self.q.v + self.n * (self.w * s)
+    }
+
+    /// The acceleration at s of what slides at a constant rate: with Coriolis' part.
+    #[inline(always)]
+    pub(super) fn acceleration(&self, s: T, rate: T) -> Vec2<T> {
+        let turning = self.a * s + (self.w * rate).scaled(2.0);
+        self.q.a + self.n * turning - self.t * (self.w * self.w * s)
+    }
+}
+
+/// What a line at distance h0 from a circle's centre cuts off: half the chord is the root of
+/// (b - h0)(b + h0).
+pub(super) struct Chord<T> {
+    pub(super) product: T,
+    /// How far the line is from just touching the circle on either side, and the rounding of that.
+    reaches: [T; 2],
+    slack: T,
+}
+
+impl<T: Number> Chord<T> {
+    #[inline(always)]
+    pub(super) fn new(length: T, h0: T, from: Vec2<T>) -> Chord<T> {
+        let (left, right) = (length - h0, length + h0);
+        Chord {
+            product: left * right,
+            reaches: [left, right],
+            slack: (length + from.x.abs() + from.y.abs()).scaled(REACH_SLACK * T::GRAIN),
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn is_clear(&self) -> bool {
+        let [left, right] = self.reaches;
+        left.exceeds(self.slack) && right.exceeds(self.slack)
+    }
+
+    /// Whether within rounding the line touches the circle.
+    pub(super) fn touches(&self) -> bool {
+        let touches = |reach: T| reach.is_finite() && !(-self.slack).exceeds(reach);
+        self.reaches.into_iter().all(touches)
+    }
+}

@@ -1,0 +1,63 @@
+//! A link that keeps its angle to another one.
+
+use super::{Backwards, Element, Outcome};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Site};
+use crate::solver::state::State;
+use crate::{Constant, LinkId, Number, Vec2};
+
+/// A link that keeps its angle to another one.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Lock {
+    pub link: LinkId,
+    pub to: LinkId,
+    pub turn: Vec2<Constant>,
+}
+
+impl Element for Lock {
+    type Back = LockBack;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Link(self.link));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Link(self.to));
+    }
+
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let mut locked = state.links[self.to.index()];
+        locked.d = locked.d.turned(Vec2::of(self.turn));
+        state.links[self.link.index()] = locked;
+        Outcome::Done
+    }
+
+    fn back(&self, _site: &Site<'_>) -> Option<LockBack> {
+        Some(LockBack {
+            link: self.link,
+            to: self.to,
+        })
+    }
+}
+
+/// The lock hands the couple on.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct LockBack {
+    link: LinkId,
+    to: LinkId,
+}
+
+impl Backwards for LockBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, _state: &State<T>, forces: &mut Forces<T>) {
+        let couple = forces.couple(self.link);
+        forces.couples[self.link.index()] += couple;
+        forces.links[self.to.index()] += couple;
+    }
+}

@@ -1,0 +1,266 @@
+//! The elements of a plan, a file each: what places what, in closed form, and the same backwards.
+//!
+//! An element reads points and links that earlier ones have placed and places a few more, with the
+//! first and second derivatives by the driver's coordinate; run backwards it hands the forces that have come
+//! to what it placed down to what it stands on. Notation: P, Q known points, X the point sought; e = X - P,
+//! f = X - Q; t the direction of a guide and n = k x t its normal; (V, w) and (A, alpha) first and second
+//! derivatives of points and angles. Backwards F is the force that has come to a point, M the couple that
+//! has come to a link.
+//!
+//! The table [`elements!`] lists them all. A new element is its file, a line there, and its recognition in
+//! a block of unknowns ([`super::chain`]).
+
+mod aim;
+mod arm;
+mod circle_line;
+mod circle_rail;
+mod circles;
+mod crank;
+mod cylinder;
+mod dyad;
+mod line;
+mod lines;
+mod lock;
+mod push;
+mod ride;
+mod swing;
+mod through;
+mod travel;
+
+pub(super) use aim::Aim;
+pub(super) use arm::Arm;
+pub(super) use circle_line::CircleLine;
+pub(super) use circle_rail::CircleRail;
+pub(super) use circles::Circles;
+pub(super) use crank::{Crank, Spin};
+pub(super) use cylinder::Cylinder;
+pub(super) use dyad::Dyad;
+pub(super) use line::Line;
+pub(super) use lines::Lines;
+pub(super) use lock::Lock;
+pub(super) use push::Push;
+pub(super) use ride::Ride;
+pub(super) use swing::Swing;
+pub(super) use through::{Height, Snap, ZERO, root};
+pub(super) use travel::Travel;
+
+use super::coupled::Coupled;
+use super::demand::Part;
+use super::forces::{Forces, Site};
+use super::state::State;
+use super::transmission::{InnerJoint, Ray};
+use crate::{Number, Vec2};
+use dyad::{TwoAssemblies, growth, triangle_reserve};
+
+/// How many derivatives a solve carries, as a constant of the compiled code.
+pub(super) const POSITION: u8 = 0;
+pub(super) const VELOCITY: u8 = 1;
+pub(super) const ACCELERATION: u8 = 2;
+
+/// How far beyond its reach a group still counts as just stretched: 4 u of the lengths, the
+/// rounding of a computed distance. Less would refuse limits that were typed in exactly; more would
+/// clamp states that really are open.
+pub(super) const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
+
+/// What became of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// Solved.
+    Done,
+    /// So close to its limit that rounding decides: [`Dyad::stretch`] looks closer.
+    Unclear,
+    /// Stretched to its limit: positions are given, derivatives do not exist.
+    Stretched,
+    /// Cannot close.
+    Open,
+}
+
+/// What an element tells of itself.
+pub(super) trait Element {
+    /// Whether most mechanisms have it: then it is run in place.
+    const IS_FREQUENT: bool = false;
+
+    /// The same backwards.
+    type Back: Backwards;
+
+    /// Says of everything that it places that it does.
+    fn outputs(&self, places: &mut impl FnMut(Part));
+
+    /// Says of everything that it reads that it does.
+    fn inputs(&self, reads: &mut impl FnMut(Part));
+
+    /// Places what it places at the driver's coordinate `q`; `direction` is its unit vector where it is an
+    /// angle.
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        q: T,
+        direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome;
+
+    /// The way backwards at its site; `None` where nothing comes back.
+    fn back(&self, site: &Site<'_>) -> Option<Self::Back>;
+
+    /// The dyad with two assemblies, if it is one.
+    fn dyad(&self) -> Option<Dyad<'_>> {
+        None
+    }
+
+    /// The two lines at its inner joint, between which its transmission angle lies.
+    fn rays(&self, _state: &State) -> Option<[Ray; 2]> {
+        None
+    }
+
+    /// That joint, if it has one.
+    fn inner_joint(&self) -> Option<InnerJoint> {
+        None
+    }
+}
+
+/// An element, run backwards.
+pub(super) trait Backwards {
+    /// Hands what has come to what it placed down to what it stands on, and notes what passes there.
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>);
+}
+
+/// No way backwards.
+#[derive(Clone, Debug)]
+pub(super) enum Nothing {}
+
+impl Backwards for Nothing {
+    fn run<T: Number>(&self, _state: &State<T>, _forces: &mut Forces<T>) {
+        match *self {}
+    }
+}
+
+macro_rules! elements {
+    ($($name:ident),+ $(,)?) => {
+        /// One element of a plan.
+        #[derive(Clone, Copy, Debug)]
+        pub(super) enum Step {
+            $($name($name),)+
+            /// A coupled group, by its number.
+            Coupled { index: usize },
+        }
+
+        /// One element backwards.
+        #[derive(Clone, Debug)]
+        pub(super) enum Pass {
+            $($name(<$name as Element>::Back),)+
+            /// A coupled group, by its number.
+            Coupled { index: usize },
+        }
+
+        $(impl From<$name> for Step {
+            fn from(element: $name) -> Step {
+                Step::$name(element)
+            }
+        })+
+
+        impl Step {
+            /// See [`Element::run`].
+            #[inline(always)]
+            pub(super) fn run<T: Number, const ORDER: u8>(
+                &self,
+                q: T,
+                direction: Vec2<T>,
+                state: &mut State<T>,
+            ) -> Outcome {
+                match self {
+                    $(Step::$name(element) => element.run::<T, ORDER>(q, direction, state),)+
+                    // Coupled groups are run by the solver, which owns them.
+                    Step::Coupled { .. } => Outcome::Done,
+                }
+            }
+
+            /// The same, of those that most mechanisms have.
+            #[inline(always)]
+            pub(super) fn run_frequent<T: Number, const ORDER: u8>(
+                &self,
+                q: T,
+                direction: Vec2<T>,
+                state: &mut State<T>,
+            ) -> Option<Outcome> {
+                match self {
+                    $(Step::$name(element) if $name::IS_FREQUENT => {
+                        Some(element.run::<T, ORDER>(q, direction, state))
+                    })+
+                    _ => None,
+                }
+            }
+
+            /// The dyad with two assemblies, if it is one.
+            pub(super) fn dyad(&self) -> Option<Dyad<'_>> {
+                match self {
+                    $(Step::$name(element) => element.dyad(),)+
+                    Step::Coupled { .. } => None,
+                }
+            }
+
+            /// The lines between which its transmission angle lies.
+            pub(super) fn rays(&self, state: &State) -> Option<[Ray; 2]> {
+                match self {
+                    $(Step::$name(element) => element.rays(state),)+
+                    Step::Coupled { .. } => None,
+                }
+            }
+
+            /// The joint with a transmission angle, if it has one.
+            pub(super) fn inner_joint(&self) -> Option<InnerJoint> {
+                match self {
+                    $(Step::$name(element) => element.inner_joint(),)+
+                    Step::Coupled { .. } => None,
+                }
+            }
+
+            /// Says of everything that it places that it does.
+            pub(super) fn outputs(&self, coupled: &[Coupled], places: &mut impl FnMut(Part)) {
+                match self {
+                    $(Step::$name(element) => element.outputs(places),)+
+                    Step::Coupled { index } => coupled[*index].outputs(places),
+                }
+            }
+
+            /// Says of everything that it reads that it does.
+            pub(super) fn inputs(&self, coupled: &[Coupled], reads: &mut impl FnMut(Part)) {
+                match self {
+                    $(Step::$name(element) => element.inputs(reads),)+
+                    Step::Coupled { index } => coupled[*index].reads(reads),
+                }
+            }
+
+            /// The way backwards at its site.
+            pub(super) fn back(&self, site: &Site<'_>) -> Option<Pass> {
+                match self {
+                    $(Step::$name(element) => element.back(site).map(Pass::$name),)+
+                    Step::Coupled { index } => Some(Pass::Coupled { index: *index }),
+                }
+            }
+        }
+
+        impl Pass {
+            /// See [`Backwards::run`].
+            #[inline(always)]
+            pub(super) fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+                match self {
+                    $(Pass::$name(back) => back.run(state, forces),)+
+                    // Coupled groups are run by the engine, which owns them.
+                    Pass::Coupled { .. } => {}
+                }
+            }
+        }
+    };
+}
+
+elements! {
+    Crank, Spin, Ride, Push, Aim, Lock,
+    Circles, CircleLine, CircleRail, Swing, Cylinder, Lines,
+    Travel,
+}
+
+impl Step {
+    /// The group whose sign chooses between the two assemblies of this step, if it has two.
+    pub(super) fn choice(&self) -> Option<usize> {
+        self.dyad().map(Dyad::group)
+    }
+}

@@ -1,0 +1,88 @@
+//! The driven slide: the driver's coordinate is its way along the guide.
+
+use super::ride::carried;
+use super::{Backwards, Element, Outcome};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Site, Slot};
+use crate::solver::state::State;
+use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
+
+/// The driven slide: the point lies at `local + along q` on a link, seen from `base`.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Push {
+    pub point: PointId,
+    pub base: PointId,
+    pub link: LinkId,
+    pub local: Vec2<Constant>,
+    pub along: Vec2<Constant>,
+}
+
+impl Element for Push {
+    type Back = PushBack;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Point(self.point));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.base));
+        reads(Part::Link(self.link));
+    }
+
+    /// As a point that rides on the link, and with tau the guide's direction V' = V + tau and
+    /// A' = A + 2 w k x tau.
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let base = state.points[self.base.index()];
+        let link = state.links[self.link.index()];
+        let along = Vec2::of(self.along);
+        let mut pushed = carried::<T, ORDER>(&base, &link, Vec2::of(self.local) + along * q);
+        let tau = along.turned(link.d);
+        pushed.v += tau;
+        pushed.a += tau.perp() * link.w.scaled(2.0);
+        state.points[self.point.index()] = pushed;
+        Outcome::Done
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<PushBack> {
+        Some(PushBack {
+            step: *self,
+            slot: site.slot(self.link, self.base),
+            slide: site.driven_slide()?,
+        })
+    }
+}
+
+/// The driver holds against what comes along the guide, the guide against the rest.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct PushBack {
+    step: Push,
+    slot: Slot,
+    slide: SlideId,
+}
+
+impl Backwards for PushBack {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        let Push {
+            point,
+            base,
+            link,
+            along,
+            ..
+        } = self.step;
+        let force = forces.at(point);
+        let r = state.points[point.index()].p - state.points[base.index()].p;
+        let tau = Vec2::of(along).turned(state.links[link.index()].d);
+        forces.note(self.slot, -force);
+        forces.points[base.index()] += force;
+        forces.links[link.index()] += r.cross(force);
+        forces.drive += force.dot(tau);
+        forces.normals[self.slide.index()] = -tau.cross(force);
+    }
+}

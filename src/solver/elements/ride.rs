@@ -1,0 +1,101 @@
+//! A point that rides on a link whose direction and another point of which are known.
+
+use super::{ACCELERATION, Backwards, Element, Outcome, VELOCITY};
+use crate::solver::demand::Part;
+use crate::solver::forces::{Forces, Site, Slot};
+use crate::solver::state::{LinkState, PointState, State};
+use crate::{Constant, LinkId, Number, PointId, Vec2};
+
+/// A point at `local` on a link, seen from another point of the same link.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Ride {
+    pub point: PointId,
+    pub base: PointId,
+    pub link: LinkId,
+    pub local: Vec2<Constant>,
+}
+
+/// X = P + R(d) r, V = V_P + w k x r, A = A_P + alpha k x r - w^2 r.
+#[inline(always)]
+pub(super) fn carried<T: Number, const ORDER: u8>(
+    base: &PointState<T>,
+    link: &LinkState<T>,
+    local: Vec2<T>,
+) -> PointState<T> {
+    let r = local.turned(link.d);
+    let mut point = PointState {
+        p: base.p + r,
+        ..PointState::default()
+    };
+    if ORDER >= VELOCITY {
+        point.v = base.v + r.perp() * link.w;
+    }
+    if ORDER >= ACCELERATION {
+        point.a = base.a + r.perp() * link.a - r * (link.w * link.w);
+    }
+    point
+}
+
+impl Element for Ride {
+    const IS_FREQUENT: bool = true;
+    type Back = Carry;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Point(self.point));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.base));
+        reads(Part::Link(self.link));
+    }
+
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let base = state.points[self.base.index()];
+        let link = state.links[self.link.index()];
+        let point = carried::<T, ORDER>(&base, &link, Vec2::of(self.local));
+        state.points[self.point.index()] = point;
+        Outcome::Done
+    }
+
+    fn back(&self, site: &Site<'_>) -> Option<Carry> {
+        Some(Carry::new(site, [self.point, self.base], self.link))
+    }
+}
+
+/// A point of a link, seen from another one: the link carries its force there.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct Carry {
+    points: [PointId; 2],
+    link: LinkId,
+    /// The force on the link at the point, and at the base.
+    slots: [Slot; 2],
+}
+
+impl Carry {
+    pub(super) fn new(site: &Site<'_>, points: [PointId; 2], link: LinkId) -> Carry {
+        Carry {
+            points,
+            link,
+            slots: points.map(|point| site.slot(link, point)),
+        }
+    }
+}
+
+impl Backwards for Carry {
+    #[inline(always)]
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+        let [point, base] = self.points;
+        let force = forces.at(point);
+        let r = state.points[point.index()].p - state.points[base.index()].p;
+        forces.note(self.slots[0], force);
+        forces.note(self.slots[1], -force);
+        forces.points[base.index()] += force;
+        forces.links[self.link.index()] += r.cross(force);
+    }
+}

@@ -1,0 +1,41 @@
+//! Two circles in series: RRR, with arms of fixed length or one that a cylinder pushes.
+
+use super::{Height, quotient, squared};
+use crate::arithmetic::Series;
+use crate::{Number, Vec2};
+
+/// Two circles, as they meet in series.
+pub(in crate::solver::elements) struct SeriesTriangle {
+    /// From pivot to pivot.
+    pub(in crate::solver::elements) u: Vec2<Series>,
+    /// The square of that.
+    pub(in crate::solver::elements) d2: Series,
+    /// The squares of the difference and of the sum of the arms, and the difference of their squares.
+    pub(in crate::solver::elements) least: Series,
+    pub(in crate::solver::elements) most: Series,
+    pub(in crate::solver::elements) squares: Series,
+}
+
+impl SeriesTriangle {
+    /// h^2 = (d^2 - least)(most - d^2) / 4.
+    pub(in crate::solver::elements) fn square(&self) -> Series {
+        ((self.d2 - self.least) * (self.most - self.d2)).scaled(0.25)
+    }
+
+    pub(in crate::solver::elements) fn height(&self) -> Height {
+        let [d2, size] = squared(self.u);
+        let [least, most] = [self.least, self.most];
+        let slope = (most + least - d2 - d2).scaled(0.5);
+        Height {
+            square: self.square(),
+            size: ((size + least.majorant()) * (size + most.majorant())).scaled(0.25),
+            slopes: [slope * self.u.x, slope * self.u.y],
+        }
+    }
+
+    /// From the nearer pivot to the point, for e x f = `height`.
+    pub(in crate::solver::elements) fn arm(&self, height: Series) -> Vec2<Series> {
+        let x = (self.d2 + self.squares).scaled(0.5);
+        quotient(self.u * x + self.u.perp() * height, self.u, self.d2)
+    }
+}

@@ -1,0 +1,56 @@
+//! What a slide's table shows: its way along the guide.
+
+use super::{Element, Line, Nothing, Outcome};
+use crate::solver::demand::Part;
+use crate::solver::forces::Site;
+use crate::solver::state::{LinkState, State, TravelState};
+use crate::{Number, PointId, SlideId, Vec2};
+
+/// What a slide's table shows.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Travel {
+    pub slide: SlideId,
+    pub point: PointId,
+    pub line: Line,
+}
+
+impl Element for Travel {
+    type Back = Nothing;
+
+    fn outputs(&self, places: &mut impl FnMut(Part)) {
+        places(Part::Slide(self.slide));
+    }
+
+    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+        reads(Part::Point(self.point));
+        self.line.inputs().into_iter().for_each(reads);
+    }
+
+    /// X - Q = s t: s' = t.(V_X - V_Q), s'' = t.(A_X - A_Q) + w^2 s.
+    #[inline(always)]
+    fn run<T: Number, const ORDER: u8>(
+        &self,
+        _q: T,
+        _direction: Vec2<T>,
+        state: &mut State<T>,
+    ) -> Outcome {
+        let guide = self.line.at(state);
+        let x = state.points[self.point.index()];
+        let s = guide.t.dot(x.p - guide.q.p);
+        state.travels[self.slide.index()] = TravelState {
+            s,
+            v: guide.t.dot(x.v - guide.q.v),
+            a: guide.t.dot(x.a - guide.q.a) + guide.w * guide.w * s,
+            guide: LinkState {
+                d: guide.t,
+                w: guide.w,
+                a: guide.a,
+            },
+        };
+        Outcome::Done
+    }
+
+    fn back(&self, _site: &Site<'_>) -> Option<Nothing> {
+        None
+    }
+}

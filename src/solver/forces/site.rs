@@ -1,0 +1,180 @@
+//! The site of an element, seen backwards: the places where the forces that pass it are noted.
+
+use super::slots::{Slot, Slots};
+use crate::solver::elements::{Arm, Pass, Step};
+use crate::solver::network::Network;
+use crate::solver::plan::{Hold, Program};
+use crate::{Input, LinkId, PointId, SlideId};
+
+/// An arm of a link from a known pivot.
+#[derive(Clone, Debug)]
+pub(in crate::solver) struct Reach {
+    pub pivot: PointId,
+    pub link: LinkId,
+    /// The force on the link at the arm's end, and at its pivot.
+    pub slots: [Slot; 2],
+    /// Where the arm goes over several links that are locked to each other, all of them.
+    pub legs: Vec<Leg>,
+}
+
+/// A link on the way of an arm, between two of its joints.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Leg {
+    pub link: LinkId,
+    /// The joint further out, and the one nearer to the pivot; and the places of the forces there.
+    pub joints: [PointId; 2],
+    pub slots: [Slot; 2],
+}
+
+/// A joint on a known line: where its force across the line is noted.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::solver) struct Held {
+    pub slide: SlideId,
+    /// Whether the guide moves with the joint, over a known point.
+    pub is_yoke: bool,
+    /// On the link between the joint and the slide: at the joint, and at the sliding point.
+    pub carrier: [Slot; 2],
+    /// On the guide's link at the point that the line runs through.
+    pub guide: Slot,
+}
+
+/// The passes of a program, in the order of its steps.
+pub(super) fn passes(network: &Network<'_>, program: &Program, slots: &Slots) -> Vec<Pass> {
+    let steps = program.steps.iter().enumerate();
+    let passes = steps.filter_map(|(at, step)| {
+        step.back(&Site {
+            at,
+            network,
+            program,
+            slots,
+        })
+    });
+    passes.collect()
+}
+
+/// An element among the others.
+pub(in crate::solver) struct Site<'a> {
+    /// Its place among the steps.
+    at: usize,
+    network: &'a Network<'a>,
+    program: &'a Program,
+    slots: &'a Slots,
+}
+
+impl Site<'_> {
+    /// What the driver's coordinate is.
+    pub(in crate::solver) fn input(&self) -> Input {
+        self.network.mechanism.driver().input
+    }
+
+    /// The driven slide, if the driver pushes one.
+    pub(in crate::solver) fn driven_slide(&self) -> Option<SlideId> {
+        match self.input() {
+            Input::Turn(_) => None,
+            Input::Push(slide) => Some(slide),
+        }
+    }
+
+    /// Where the force on a link at one of its points is noted.
+    pub(in crate::solver) fn slot(&self, link: LinkId, point: PointId) -> Slot {
+        self.slots.of(link, point)
+    }
+
+    /// An arm of the element, to its end.
+    pub(in crate::solver) fn reach(&self, arm: &Arm, end: PointId) -> Reach {
+        let Arm { pivot, link, .. } = *arm;
+        Reach {
+            legs: self.legs(link),
+            pivot,
+            link,
+            slots: [self.slots.of(link, end), self.slots.of(link, pivot)],
+        }
+    }
+
+    /// The arm of a cylinder: its rod's end is no point of the barrel.
+    pub(in crate::solver) fn barrel(&self, link: LinkId, pivot: PointId) -> Reach {
+        Reach {
+            pivot,
+            link,
+            slots: [self.slots.nowhere(), self.slots.of(link, pivot)],
+            legs: Vec::new(),
+        }
+    }
+
+    /// The links on the way of the arm of a step that is known by this one.
+    fn legs(&self, arm: LinkId) -> Vec<Leg> {
+        let legs = self.program.legs.iter();
+        let legs = legs.filter(|(step, leg)| *step == self.at && leg.arm == arm);
+        let legs = legs.map(|(_, leg)| Leg {
+            link: leg.link,
+            joints: [leg.to, leg.from],
+            slots: [leg.to, leg.from].map(|joint| self.slots.of(leg.link, joint)),
+        });
+        legs.collect()
+    }
+
+    /// The slide of an arm that swings through a pin, and the links between the two.
+    pub(in crate::solver) fn swung(&self, pin: PointId) -> (Option<SlideId>, Vec<Leg>) {
+        let Some(hold) = self.holds().next() else {
+            return (None, Vec::new());
+        };
+        (Some(hold.slide), self.legs_between(hold, pin))
+    }
+
+    fn legs_between(&self, hold: Hold, pin: PointId) -> Vec<Leg> {
+        let Some(link) = hold.carrier else {
+            return Vec::new();
+        };
+        let legs = self.legs(link);
+        if !legs.is_empty() {
+            return legs;
+        }
+        let joints = [self.slider(hold.slide), pin];
+        let slots = joints.map(|joint| self.slots.of(link, joint));
+        vec![Leg {
+            link,
+            joints,
+            slots,
+        }]
+    }
+
+    fn slider(&self, slide: SlideId) -> PointId {
+        self.network.mechanism.slide(slide).slider.point()
+    }
+
+    fn holds(&self) -> impl Iterator<Item = Hold> + '_ {
+        let holds = self.program.holds.iter();
+        holds.filter(|(step, _)| *step == self.at).map(|(_, h)| *h)
+    }
+
+    /// The joint of the element on one of its known lines.
+    pub(in crate::solver) fn held(&self, which: usize, point: PointId) -> Option<Held> {
+        let hold = self.holds().nth(which)?;
+        let nowhere = self.slots.nowhere();
+        let slider = self.slider(hold.slide);
+        let carrier = match hold.carrier {
+            Some(link) if hold.is_yoke => [self.slots.of(link, point), nowhere],
+            Some(link) => [self.slots.of(link, point), self.slots.of(link, slider)],
+            None => [nowhere; 2],
+        };
+        let on = self
+            .network
+            .body(self.network.mechanism.slide(hold.slide).on);
+        Some(Held {
+            slide: hold.slide,
+            is_yoke: hold.is_yoke,
+            carrier,
+            guide: self.through(hold, on),
+        })
+    }
+
+    /// Where the guide's line runs through a joint of its link, that joint feels what the guide is
+    /// given; else a step carries it there.
+    fn through(&self, hold: Hold, on: LinkId) -> Slot {
+        let lines = self.program.steps.iter().find_map(|step| match step {
+            Step::Travel(travel) if travel.slide == hold.slide => Some(travel.line.through),
+            _ => None,
+        });
+        lines.map_or(self.slots.nowhere(), |through| self.slots.of(on, through))
+    }
+}
