@@ -63,7 +63,7 @@ const FOREIGN: [(&str, &[&str]); 19] = [
     ("annotate_snippets", &["document"]),
     ("csv", &["report"]),
     ("serde_json", &["report"]),
-    ("serde", &["report"]),
+    ("serde", &["document", "scene", "report", "tui"]),
     ("petgraph", &["solver"]),
     ("zmij", &["report"]),
     ("fearless_simd", &["arithmetic"]),

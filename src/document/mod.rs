@@ -5,12 +5,14 @@
 //! nothing that is done here.
 
 mod diagnostic;
+mod lenient;
 mod reader;
 mod sanitize;
 mod syntax;
 
 pub(crate) use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub(crate) use reader::{Name, Reader, Span, Value, meant, quoted};
+pub(crate) use lenient::{Entries, Found, Key, Lenient};
+pub(crate) use reader::{Name, Reader, Span, meant, quoted};
 pub use sanitize::{is_harmful, sanitized};
 pub(crate) use syntax::parse;

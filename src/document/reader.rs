@@ -1,14 +1,12 @@
-//! Typed access to the parsed TOML; everything that does not fit becomes a diagnostic.
+//! Values of a document; everything that does not fit becomes a diagnostic.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
+use super::lenient::{Found, Key, Lenient};
 use super::sanitize::escaped;
 use crate::nearest::{did_you_mean, nearest};
 use std::fmt;
 use std::ops::Range;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue};
 
-pub(crate) type Value<'t> = Spanned<DeValue<'t>>;
 pub(crate) type Span = Range<usize>;
 
 /// Characters of a foreign text that a message quotes.
@@ -23,6 +21,16 @@ const FULL: usize = 50;
 pub(crate) struct Name<'t> {
     pub(crate) text: &'t str,
     pub(crate) span: Span,
+}
+
+impl<'t> Name<'t> {
+    /// The name that a key is.
+    pub(crate) fn of_key(key: &'t Key) -> Self {
+        Name {
+            text: key.get_ref(),
+            span: key.span(),
+        }
+    }
 }
 
 impl fmt::Display for Name<'_> {
@@ -96,20 +104,31 @@ impl<'t> Reader<'t> {
     }
 
     /// The fault of a value of another kind than is wanted.
-    pub(crate) fn wrong_type(&self, what: &str, wanted: &str, value: &Value<'_>) -> Diagnostic {
-        let kind = kind(value.get_ref());
-        Diagnostic::new(format!("{what} must be {wanted}, not {kind}"))
-            .at(value.span(), format!("expected {wanted}"))
+    pub(crate) fn wrong_type(
+        &self,
+        what: &str,
+        wanted: &str,
+        found: &Found,
+        span: &Span,
+    ) -> Diagnostic {
+        let found = found.words();
+        Diagnostic::new(format!("{what} must be {wanted}, not {found}"))
+            .at(span.clone(), format!("expected {wanted}"))
     }
 
     /// A text.
-    pub(crate) fn string<'v>(&mut self, what: &str, value: &'v Value<'v>) -> Option<Name<'v>> {
-        if let Some(text) = value.get_ref().as_str() {
-            let span = value.span();
-            return Some(Name { text, span });
-        }
-        let fault = self.wrong_type(what, "a text in quotes", value);
-        let literal = self.text.get(value.span()).unwrap_or("");
+    pub(crate) fn string<'v>(
+        &mut self,
+        what: &str,
+        value: &'v Lenient<String>,
+    ) -> Option<Name<'v>> {
+        let span = value.span.clone();
+        let found = match &value.read {
+            Ok(text) => return Some(Name { text, span }),
+            Err(found) => found,
+        };
+        let fault = self.wrong_type(what, "a text in quotes", found, &span);
+        let literal = self.text.get(span).unwrap_or("");
         let word = |c: char| c.is_ascii_alphanumeric() || c == '.';
         let short = literal.len() <= QUOTED && literal.chars().all(word);
         self.report(if short {
@@ -122,35 +141,42 @@ impl<'t> Reader<'t> {
 
     /// True or false; so far only the configuration asks.
     #[cfg(feature = "tui")]
-    pub(crate) fn boolean(&mut self, what: &str, value: &Value<'_>) -> Option<bool> {
-        let read = value.get_ref().as_bool();
-        if read.is_none() {
-            let fault = self.wrong_type(what, "true or false", value);
-            let help = value.get_ref().as_str().and_then(bare_boolean);
-            self.report(fault.maybe_help(help));
-        }
-        read
+    pub(crate) fn boolean(&mut self, what: &str, value: &Lenient<bool>) -> Option<bool> {
+        let found = match &value.read {
+            Ok(read) => return Some(*read),
+            Err(found) => found,
+        };
+        let fault = self.wrong_type(what, "true or false", found, &value.span);
+        let help = found.text().and_then(bare_boolean);
+        self.report(fault.maybe_help(help));
+        None
     }
 
     /// A table; `example` shows how one is written.
-    pub(crate) fn table<'v>(
+    pub(crate) fn table<'v, T>(
         &mut self,
         what: &str,
         example: &str,
-        value: &'v Value<'v>,
-    ) -> Option<&'v DeTable<'v>> {
-        if let Some(table) = value.get_ref().as_table() {
-            return Some(table);
-        }
-        let fault = self.wrong_type(what, "a table", value);
+        value: &'v Lenient<T>,
+    ) -> Option<&'v T> {
+        let found = match &value.read {
+            Ok(table) => return Some(table),
+            Err(found) => found,
+        };
+        let fault = self.wrong_type(what, "a table", found, &value.span);
         self.report(fault.help(format!("for example: {example}")));
         None
     }
 
-    /// Reports every key of a table that is not among `known`.
-    pub(crate) fn only(&mut self, of: &str, table: &DeTable<'_>, known: &[&str]) {
-        for (key, _) in table {
-            let text = key.get_ref().as_ref();
+    /// Reports every unknown key of a table.
+    pub(crate) fn only<T>(&mut self, of: &str, table: &Lenient<T>) {
+        self.only_these(of, &table.keys, table.known);
+    }
+
+    /// Reports every key that is not among `known`.
+    pub(crate) fn only_these(&mut self, of: &str, keys: &[Key], known: &[&str]) {
+        for key in keys {
+            let text = key.get_ref().as_str();
             if known.contains(&text) {
                 continue;
             }
@@ -163,11 +189,11 @@ impl<'t> Reader<'t> {
     }
 }
 
-/// Whether an unknown key of the table was probably meant to be this one.
-pub(crate) fn meant(table: &DeTable<'_>, known: &[&str], key: &str) -> bool {
+/// Whether an unknown key of a table was probably meant to be this one.
+pub(crate) fn meant(keys: &[Key], known: &[&str], key: &str) -> bool {
     // Who misspelt more keys than these has other worries.
-    table.keys().take(FULL).any(|k| {
-        let text = k.get_ref().as_ref();
+    keys.iter().take(FULL).any(|k| {
+        let text = k.get_ref().as_str();
         !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
     })
 }
@@ -181,16 +207,4 @@ fn bare_boolean(text: &str) -> Option<String> {
         _ => return None,
     };
     Some(format!("write it without quotes: {meant}"))
-}
-
-/// What kind of value this is, in a person's words.
-fn kind(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "a text",
-        DeValue::Integer(_) | DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "true or false",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
-    }
 }

@@ -1,20 +1,32 @@
 //! The TOML of a document, and TOML's own faults in a person's words.
 
 use super::diagnostic::Diagnostic;
+use super::lenient::Lenient;
 use super::reader::{Reader, Span, quoted};
-use toml::de::{DeTable, DeValue, Error};
+use serde::Deserialize;
+use toml::de::{DeTable, DeValue, Deserializer, Error};
 
 /// What a person mostly meant, by the text, the parser's message and the place that it points at.
 pub(crate) type Mend = fn(&str, &str, &Span) -> Option<String>;
 
-/// Parses the text; `None` if it cannot be gone on with.
-pub(crate) fn parse<'t>(reader: &mut Reader<'t>, mend: Mend) -> Option<DeTable<'t>> {
+/// Reads the text into a derived type, lenient in each of its values; `None` if the text cannot be gone on with.
+pub(crate) fn parse<'t, T: Deserialize<'t>>(
+    reader: &mut Reader<'t>,
+    mend: Mend,
+) -> Option<Lenient<T>> {
+    let (root, errors) = DeTable::parse_recoverable(reader.text());
+    if !is_whole(reader, mend, root.get_ref(), &errors) {
+        return None;
+    }
+    Lenient::deserialize(Deserializer::from(root)).ok()
+}
+
+/// Reports what is not TOML; false if too little is left to go on with.
+fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[Error]) -> bool {
     let text = reader.text();
-    let (root, errors) = DeTable::parse_recoverable(text);
-    let root = root.into_inner();
     let mut last_line = None;
     let mut whole = true;
-    for error in &errors {
+    for error in errors {
         let span = error.span().unwrap_or(text.len()..text.len());
         let line = text.as_bytes()[..span.start.min(text.len())]
             .iter()
@@ -25,23 +37,23 @@ pub(crate) fn parse<'t>(reader: &mut Reader<'t>, mend: Mend) -> Option<DeTable<'
         }
         last_line = Some(line);
         if reader.is_full() {
-            return None;
+            return false;
         }
         let twice = error.message() == "duplicate key";
         // A section that stands twice has lost what its second half names.
         whole &= twice && !text[line.map_or(0, |l| l + 1)..].starts_with('[');
         let too_deep = error.message().starts_with("cannot recurse");
         reader.report(if twice {
-            duplicate(text, &root, span)
+            duplicate(text, root, span)
         } else {
             fault(text, error, span, mend)
         });
         // Every bracket left open would be another fault.
         if too_deep {
-            return None;
+            return false;
         }
     }
-    whole.then_some(root)
+    whole
 }
 
 fn fault(text: &str, error: &Error, span: Span, mend: Mend) -> Diagnostic {

@@ -27,15 +27,23 @@ pub(crate) struct Topic {
 
 /// The line in whose place the table of the workbench's keys stands.
 const KEYS: &str = "{keys}\n";
+/// The same for the keys of a scene.
+const SCENE_KEYS: &str = "{keys of a scene}\n";
 
 impl Topic {
     /// The text in Markdown; `keys` makes the rows of the workbench's keys, where they are shown.
     pub(crate) fn text(&self, keys: impl FnOnce() -> String) -> String {
         let text = self.parts.concat();
-        match text.split_once(KEYS) {
-            Some((before, behind)) => before.to_owned() + &keys() + behind,
-            None => text,
-        }
+        let text = filled(text, KEYS, keys);
+        filled(text, SCENE_KEYS, crate::scene::reference)
+    }
+}
+
+/// The text with what is to stand in the place of a line.
+fn filled(text: String, line: &str, what: impl FnOnce() -> String) -> String {
+    match text.split_once(line) {
+        Some((before, behind)) => before.to_owned() + &what() + behind,
+        None => text,
     }
 }
 
@@ -51,7 +59,7 @@ pub(crate) const TOPICS: &[Topic] = &[
         about: "the scene file: an example, and every key",
         parts: &[
             include_str!("scene.md"),
-            include_str!("../scene/keys.md"),
+            include_str!("../scene/rules.md"),
             include_str!("faults.md"),
         ],
     },
@@ -124,7 +132,11 @@ mod tests {
             let text = topic.text(String::new);
             assert!(text.is_ascii(), "{}", topic.name);
             assert!(text.starts_with("# "), "{}", topic.name);
-            assert!(!text.contains(KEYS), "{}", topic.name);
+            assert!(
+                !text.contains(KEYS) && !text.contains(SCENE_KEYS),
+                "{}",
+                topic.name
+            );
             for foreign in ["](", "<br", "\t", "\n1. "] {
                 assert!(!text.contains(foreign), "{}: {foreign}", topic.name);
             }

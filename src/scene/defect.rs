@@ -1,7 +1,10 @@
 //! Says in the words of the file what the builder found wrong with an element.
 
-use super::draft::{Draft, Input, Link, Slide, Slider};
+use super::draft::Draft;
+use super::input::Input;
+use super::link::Link;
 use super::reader::{Name, Reader, quoted};
+use super::slide::{Slide, Slider};
 use crate::document::Diagnostic;
 use crate::{Defect, LinkId, PointId, SlideId};
 

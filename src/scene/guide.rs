@@ -1,9 +1,9 @@
 //! Joins the names of slides: what moves, on what, and through which point.
 
-use super::draft::{Slide, Slider, Through};
 use super::names::Sort;
 use super::reader::Name;
 use super::resolve::Resolver;
+use super::slide::{Slide, Slider, Through};
 use crate::document::Diagnostic;
 use crate::{Body, LinkId, PointId, Vec2};
 

@@ -1,12 +1,37 @@
 //! Reads the driver.
 
-use super::Unit;
-use super::draft::{Driver, Input};
 use super::rate::{self, Degree, Kind, Misfit};
-use super::reader::{Reader, Span, Value, meant};
-use crate::document::Diagnostic;
+use super::reader::{Name, Reader, Span};
+use super::{Unit, keys};
+use crate::document::{Diagnostic, Found, Lenient, meant};
 use crate::nearest::did_you_mean;
-use toml::de::DeTable;
+use serde::Deserialize;
+
+/// The section `[driver]` as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct Table {
+    link: Option<Lenient<String>>,
+    slide: Option<Lenient<String>>,
+    angle: Option<Lenient<f64>>,
+    position: Option<Lenient<f64>>,
+    speed: Option<Lenient<String>>,
+    acceleration: Option<Lenient<String>>,
+}
+
+#[derive(Debug)]
+pub(super) struct Driver<'t> {
+    /// The key `link` or `slide`.
+    pub(super) input: Input<'t>,
+    pub(super) start: f64,
+    pub(super) speed: f64,
+    pub(super) acceleration: f64,
+}
+
+#[derive(Debug)]
+pub(super) enum Input<'t> {
+    Link(Name<'t>),
+    Slide(Name<'t>),
+}
 
 /// The rate where the file gives none: per unit of the coordinate, so that velocities are the
 /// kinematic coefficients.
@@ -18,7 +43,7 @@ const OF: &str = "the driver";
 /// How a kind of driver is written.
 pub(super) struct Form {
     /// The key that names what is driven.
-    driven: &'static str,
+    pub(super) driven: &'static str,
     /// The key of its coordinate.
     coordinate: &'static str,
     /// The coordinate of the other kind.
@@ -44,52 +69,46 @@ pub(super) const PUSHED: Form = Form {
     example: r#"slide = "r4", position = 120, speed = "50 mm/s""#,
 };
 
-impl Form {
-    fn keys(&self) -> [&'static str; 4] {
-        [self.driven, self.coordinate, "speed", "acceleration"]
-    }
-}
-
-/// The section `[driver]`.
+/// Reads the section; `key` is the place of its name.
 pub(super) fn driver<'v>(
     reader: &mut Reader<'_>,
     unit: Unit,
-    key: Span,
-    value: &'v Value<'v>,
+    key: &Span,
+    value: &'v Lenient<Table>,
 ) -> Option<Driver<'v>> {
     let example = format!("{{ {} }}", TURNED.example);
     let table = reader.table("[driver]", &example, value)?;
-    let (form, driven) = match (table.get(TURNED.driven), table.get(PUSHED.driven)) {
-        (Some(link), None) => (TURNED, link),
-        (None, Some(slide)) => (PUSHED, slide),
+    let (form, driven, kind) = match (&table.link, &table.slide) {
+        (Some(link), None) => (TURNED, link, Kind::Turn),
+        (None, Some(slide)) => (PUSHED, slide, Kind::Push(unit)),
         (None, None) => {
-            neither(reader, table, key);
+            neither(reader, value, key);
             return None;
         }
         (Some(_), Some(_)) => {
             let message = "the driver has both `link` and `slide`";
             reader.report(both_forms(
-                Diagnostic::new(message).at(key, "one of them is driven"),
+                Diagnostic::new(message).at(key.clone(), "one of them is driven"),
             ));
             return None;
         }
     };
-    let name = reader.string(&format!("`{}` of the driver", form.driven), driven);
-    let start = start(reader, table, &form, key);
-    let kind = if form.driven == TURNED.driven {
-        Kind::Turn
-    } else {
-        Kind::Push(unit)
+    let name = reader.string(&format!("`{}` of {OF}", form.driven), driven);
+    let (given, other) = match kind {
+        Kind::Turn => (&table.angle, &table.position),
+        Kind::Push(_) => (&table.position, &table.angle),
     };
-    let speed = rate(reader, OF, table, "speed", kind, Degree::Speed);
-    let acceleration = rate(
-        reader,
-        OF,
-        table,
-        "acceleration",
-        kind,
-        Degree::Acceleration,
-    );
+    let start = if given.is_none() && other.is_some() {
+        other_coordinate(reader, value, &form);
+        None
+    } else {
+        start(reader, value, given.as_ref(), &form, key)
+    };
+    let mut rate = |key, degree, value: &Option<Lenient<String>>| {
+        rate(reader, OF, key, kind, degree, value.as_ref()?)
+    };
+    let speed = rate("speed", Degree::Speed, &table.speed);
+    let acceleration = rate("acceleration", Degree::Acceleration, &table.acceleration);
     let name = name?;
     Some(Driver {
         input: match kind {
@@ -103,20 +122,12 @@ pub(super) fn driver<'v>(
 }
 
 /// Nothing is driven: a misspelt key, or none at all.
-fn neither(reader: &mut Reader<'_>, table: &DeTable<'_>, key: Span) {
-    let known = [
-        "link",
-        "slide",
-        "angle",
-        "position",
-        "speed",
-        "acceleration",
-    ];
-    reader.only("the driver", table, &known);
-    if !meant(table, &known, "link") && !meant(table, &known, "slide") {
+fn neither(reader: &mut Reader<'_>, value: &Lenient<Table>, key: &Span) {
+    reader.only(OF, value);
+    if !value.meant("link") && !value.meant("slide") {
         let message = "the driver has neither `link` nor `slide`";
         reader.report(both_forms(
-            Diagnostic::new(message).at(key, "nothing is driven"),
+            Diagnostic::new(message).at(key.clone(), "nothing is driven"),
         ));
     }
 }
@@ -127,58 +138,68 @@ fn both_forms(fault: Diagnostic) -> Diagnostic {
         .help(format!("a driven slide: {}", PUSHED.example))
 }
 
-/// The coordinate at which the scene opens.
-fn start(reader: &mut Reader<'_>, table: &DeTable<'_>, form: &Form, key: Span) -> Option<f64> {
+/// The coordinate of the other kind of driver.
+fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<Table>, form: &Form) {
     let Form {
         driven,
         coordinate,
         other,
         ..
     } = form;
-    let given = table.get(*coordinate);
-    if let (None, Some((wrong, _))) = (given, table.get_key_value(*other)) {
-        reader.report(
-            Diagnostic::new(format!(
-                "the driver: a driven {driven} has no `{other}` but `{coordinate}`"
-            ))
-            .at(wrong.span(), format!("`{coordinate}` is meant"))
-            .help(format!("for example: {coordinate} = 60")),
-        );
-        return None;
-    }
-    reader.only("the driver", table, &form.keys());
+    let place = value.key(other).map(|key| key.span());
+    reader.report(
+        Diagnostic::new(format!(
+            "the driver: a driven {driven} has no `{other}` but `{coordinate}`"
+        ))
+        .at(
+            place.unwrap_or_default(),
+            format!("`{coordinate}` is meant"),
+        )
+        .help(format!("for example: {coordinate} = 60")),
+    );
+}
+
+/// The coordinate at which the scene opens.
+fn start(
+    reader: &mut Reader<'_>,
+    value: &Lenient<Table>,
+    given: Option<&Lenient<f64>>,
+    form: &Form,
+    key: &Span,
+) -> Option<f64> {
+    let coordinate = form.coordinate;
+    let known = keys::of(keys::DRIVER, form.driven);
+    reader.only_these(OF, &value.keys, &known);
     // A misspelt key was reported already; what it leaves missing is no second fault.
-    if given.is_none() && !meant(table, &form.keys(), coordinate) {
+    if given.is_none() && !meant(&value.keys, &known, coordinate) {
         let label = format!("`{coordinate}` is missing: where the scene opens");
         reader.report(
             Diagnostic::new(format!("the driver has no `{coordinate}`"))
-                .at(key, label)
+                .at(key.clone(), label)
                 .help(format!("for example: {coordinate} = 60")),
         );
     }
     reader.number(&format!("`{coordinate}` of the driver"), given?)
 }
 
-/// A speed or an acceleration, `None` if it is left out or wrong.
+/// A speed or an acceleration, `None` if it is wrong.
 pub(super) fn rate(
     reader: &mut Reader<'_>,
     of: &str,
-    table: &DeTable<'_>,
     key: &str,
     kind: Kind,
     degree: Degree,
+    value: &Lenient<String>,
 ) -> Option<f64> {
-    let value = table.get(key)?;
-    let literal = reader.literal(&value.span());
+    let literal = reader.literal(&value.span);
     let bare = literal.trim_matches(['`', '"', '\'', ' ']);
-    let is_number = value.get_ref().is_integer() || value.get_ref().is_float();
-    let misfit = match value.get_ref().as_str() {
-        Some(text) => match rate::parse(text, kind, degree) {
+    let misfit = match &value.read {
+        Ok(text) => match rate::parse(text, kind, degree) {
             Ok(rate) => return Some(rate),
             Err(misfit) => misfit,
         },
-        None if is_number => Misfit::NoUnit,
-        None => Misfit::NoNumber,
+        Err(Found::Number | Found::Unheld) => Misfit::NoUnit,
+        Err(_) => Misfit::NoNumber,
     };
     let units = rate::units(kind, degree);
     let (rule, help) = match misfit {
@@ -198,7 +219,10 @@ pub(super) fn rate(
     };
     reader.report(
         Diagnostic::new(format!("`{key}` of {of} {rule} `{bare}`"))
-            .at(value.span(), "expected a number and a unit, in quotes")
+            .at(
+                value.span.clone(),
+                "expected a number and a unit, in quotes",
+            )
             .maybe_help(help)
             .help(format!("possible units: `{}`", units.join("`, `"))),
     );

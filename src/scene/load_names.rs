@@ -1,9 +1,11 @@
 //! Joins the names of loads and springs.
 
-use super::draft::{Link, Load as Drafted, Slide, Spring};
+use super::link::Link;
+use super::loads::{Load as Drafted, Spring};
 use super::names::Sort;
 use super::reader::Name;
 use super::resolve::Resolver;
+use super::slide::Slide;
 use crate::document::Diagnostic;
 use crate::{Body, LinkId, Load, Profile, SlideId, StrokeEnd, angle};
 

@@ -1,20 +1,77 @@
 //! Reads what acts on the mechanism: loads and springs.
 
-use super::draft::{Load, Spring};
-use super::profile;
-use super::reader::{Reader, Span, Value, meant};
-use crate::StrokeEnd;
-use crate::document::Diagnostic;
+use super::keys;
+use super::profile::{self, Knots};
+use super::reader::{Name, Pair, Reader};
+use crate::document::{Diagnostic, Key, Lenient};
 use crate::nearest::did_you_mean;
-use toml::de::DeTable;
+use crate::{Profile, StrokeEnd, Vec2};
+use serde::Deserialize;
 
 const LOAD: &str = r#"[[loads]] with point = "C" and force = [0, -500]"#;
+/// Whose keys they are.
+const OF: &str = "the load";
 const SPRING: &str = r#"[[springs]] with from = "A", to = "E" and stiffness = 1200"#;
 
-const SPRING_KEYS: [&str; 5] = ["from", "to", "stiffness", "length", "damping"];
-const LOAD_KEYS: [&str; 9] = [
-    "point", "force", "frame", "link", "torque", "over", "slide", "press", "end",
-];
+/// The list `[[loads]]` as it is written.
+pub(super) type Loads = Lenient<Vec<Lenient<LoadTable>>>;
+/// The list `[[springs]]` as it is written.
+pub(super) type Springs = Lenient<Vec<Lenient<SpringTable>>>;
+
+/// A load as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct LoadTable {
+    point: Option<Lenient<String>>,
+    force: Option<Pair>,
+    frame: Option<Lenient<String>>,
+    link: Option<Lenient<String>>,
+    torque: Option<Lenient<f64>>,
+    over: Option<Knots>,
+    slide: Option<Lenient<String>>,
+    press: Option<Knots>,
+    end: Option<Lenient<String>>,
+}
+
+/// A spring as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct SpringTable {
+    from: Option<Lenient<String>>,
+    to: Option<Lenient<String>>,
+    stiffness: Option<Lenient<f64>>,
+    length: Option<Lenient<f64>>,
+    damping: Option<Lenient<f64>>,
+}
+
+#[derive(Debug)]
+pub(super) enum Load<'t> {
+    Force {
+        point: Name<'t>,
+        force: Vec2,
+        /// The link with which it turns; the ground's frame without one.
+        frame: Option<Name<'t>>,
+        over: Profile,
+    },
+    Torque {
+        link: Name<'t>,
+        torque: f64,
+        over: Profile,
+    },
+    Press {
+        slide: Name<'t>,
+        curve: Profile,
+        /// `None` where the file leaves it to the guide.
+        end: Option<StrokeEnd>,
+    },
+}
+
+#[derive(Debug)]
+pub(super) struct Spring<'t> {
+    pub(super) from: Name<'t>,
+    pub(super) to: Name<'t>,
+    pub(super) stiffness: f64,
+    pub(super) length: f64,
+    pub(super) damping: f64,
+}
 
 /// The kinds of loads, each known by the key of its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,14 +102,6 @@ impl Kind {
         }
     }
 
-    fn keys(self) -> &'static [&'static str] {
-        match self {
-            Kind::Force => &["point", "force", "frame", "over"],
-            Kind::Torque => &["link", "torque", "over"],
-            Kind::Press => &["slide", "press", "end"],
-        }
-    }
-
     fn example(self) -> &'static str {
         match self {
             Kind::Force => r#"point = "C", force = [0, -500]"#,
@@ -62,60 +111,59 @@ impl Kind {
     }
 }
 
-/// The list `[[loads]]`. What could not be read is left out, and reported.
-pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Load<'v>> {
+/// Reads the loads. What could not be read is left out, and reported.
+pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Loads) -> Vec<Load<'v>> {
     let items = list(reader, "loads", LOAD, value);
     items.iter().filter_map(|v| load(reader, v)).collect()
 }
 
-/// The list `[[springs]]`, likewise.
-pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Vec<Spring<'v>> {
+/// Reads the springs, likewise.
+pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Springs) -> Vec<Spring<'v>> {
     let items = list(reader, "springs", SPRING, value);
     items.iter().filter_map(|v| spring(reader, v)).collect()
 }
 
-fn list<'v>(
+fn list<'v, T>(
     reader: &mut Reader<'_>,
     key: &str,
     example: &str,
-    value: &'v Value<'v>,
-) -> &'v [Value<'v>] {
-    if let Some(items) = value.get_ref().as_array() {
+    value: &'v Lenient<Vec<T>>,
+) -> &'v [T] {
+    if let Some(items) = value.get() {
         return items;
     }
     reader.report(
         Diagnostic::new(format!("`{key}` must be a list of tables"))
-            .at(value.span(), "expected a list")
+            .at(value.span.clone(), "expected a list")
             .help(format!("for example: {example}")),
     );
     &[]
 }
 
-fn load<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Option<Load<'v>> {
+fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Load<'v>> {
     let table = reader.table("a load", LOAD, value)?;
-    reader.only("the load", table, &LOAD_KEYS);
-    let (kind, on, size) = kind(reader, table, &value.span())?;
-    foreign(reader, table, kind);
-    let on = reader.string(&format!("`{}` of the load", kind.on()), on);
+    reader.only("the load", value);
+    let kind = kind(reader, table, value)?;
+    foreign(reader, &value.keys, kind);
+    let on = reader.text_of(kind.on(), OF, table.on(kind));
     match kind {
         Kind::Force => {
-            let force = reader.pair("`force` of the load (N)", size);
-            let frame = table.get("frame");
-            let frame = frame.map(|value| reader.string("`frame` of the load", value));
-            let over = profile::over(reader, table.get("over"));
+            let force = reader.pair("`force` of the load (N)", table.force.as_ref()?);
+            let frame = reader.text_of("frame", OF, table.frame.as_ref());
+            let over = profile::over(reader, table.over.as_ref());
+            if frame.is_none() && table.frame.is_some() {
+                return None;
+            }
             Some(Load::Force {
                 point: on?,
                 force: force?,
-                frame: match frame {
-                    Some(read) => Some(read?),
-                    None => None,
-                },
+                frame,
                 over: over?,
             })
         }
         Kind::Torque => {
-            let torque = reader.number("`torque` of the load (N m)", size);
-            let over = profile::over(reader, table.get("over"));
+            let torque = reader.number("`torque` of the load (N m)", table.torque.as_ref()?);
+            let over = profile::over(reader, table.over.as_ref());
             Some(Load::Torque {
                 link: on?,
                 torque: torque?,
@@ -123,8 +171,8 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Option<Load<'v>> {
             })
         }
         Kind::Press => {
-            let curve = profile::press(reader, size);
-            let end = table.get("end").map(|value| stroke_end(reader, value));
+            let curve = profile::press(reader, table.press.as_ref()?);
+            let end = table.end.as_ref().map(|value| stroke_end(reader, value));
             Some(Load::Press {
                 slide: on?,
                 curve: curve?,
@@ -137,31 +185,36 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Option<Load<'v>> {
     }
 }
 
-/// What kind of load it is, with the values of what it acts on and of its size.
-fn kind<'v>(
-    reader: &mut Reader<'_>,
-    table: &'v DeTable<'v>,
-    span: &Span,
-) -> Option<(Kind, &'v Value<'v>, &'v Value<'v>)> {
-    let given = |kind: Kind| table.get_key_value(kind.size()).map(|size| (kind, size));
+impl LoadTable {
+    /// What a load of a kind acts on.
+    fn on(&self, kind: Kind) -> Option<&Lenient<String>> {
+        match kind {
+            Kind::Force => self.point.as_ref(),
+            Kind::Torque => self.link.as_ref(),
+            Kind::Press => self.slide.as_ref(),
+        }
+    }
+}
+
+/// What kind of load it is; one that says on what it acts, and how much.
+fn kind(reader: &mut Reader<'_>, table: &LoadTable, value: &Lenient<LoadTable>) -> Option<Kind> {
+    let given = |kind: Kind| Some((kind, value.key(kind.size())?.span()));
     let mut sizes = Kind::ALL.into_iter().filter_map(given);
     let fault = match (sizes.next(), sizes.next()) {
-        (Some((kind, (_, size))), None) => match table.get(kind.on()) {
-            Some(on) => return Some((kind, on, size)),
-            None => without(table, kind, span)?,
-        },
-        (Some((one, (first, _))), Some((other, (second, _)))) => {
+        (Some((kind, _)), None) if table.on(kind).is_some() => return Some(kind),
+        (Some((kind, _)), None) => without(value, kind)?,
+        (Some((one, first)), Some((other, second))) => {
             let message = format!(
                 "the load has both a `{}` and a `{}`",
                 one.size(),
                 other.size()
             );
             Diagnostic::new(message)
-                .at(second.span(), "a second load")
-                .and(first.span(), "one load")
+                .at(second, "a second load")
+                .and(first, "one load")
                 .help("give each a [[loads]] of its own")
         }
-        (None, _) => nothing(table, span)?,
+        (None, _) => nothing(value)?,
     };
     reader.report(fault);
     None
@@ -169,45 +222,40 @@ fn kind<'v>(
 
 /// The fault of a load that acts on nothing. A misspelt key was reported already; what it leaves
 /// missing is no second fault.
-fn without(table: &DeTable<'_>, kind: Kind, span: &Span) -> Option<Diagnostic> {
+fn without(load: &Lenient<LoadTable>, kind: Kind) -> Option<Diagnostic> {
     let (size, on) = (kind.size(), kind.on());
-    if meant(table, &LOAD_KEYS, on) {
+    if load.meant(on) {
         return None;
     }
     let fault = Diagnostic::new(format!("the load has a `{size}` but no `{on}`"))
-        .at(span.clone(), format!("what does the {size} act on?"))
+        .at(load.span.clone(), format!("what does the {size} act on?"))
         .help("a load is a force at a point, a torque on a link, or a press on a slide");
     Some(fault.help(format!("for example: {}", kind.example())))
 }
 
 /// The fault of a load without a size.
-fn nothing(table: &DeTable<'_>, span: &Span) -> Option<Diagnostic> {
-    if Kind::ALL
-        .iter()
-        .any(|kind| meant(table, &LOAD_KEYS, kind.size()))
-    {
+fn nothing(load: &Lenient<LoadTable>) -> Option<Diagnostic> {
+    let meant = |kind: &Kind| load.meant(kind.size());
+    if Kind::ALL.iter().any(meant) {
         return None;
     }
-    Some(match table.get_key_value("over") {
-        Some((key, _)) => {
-            Diagnostic::new("the load has an `over` but neither a `force` nor a `torque`")
-                .at(key.span(), "factors of what?")
-                .help(
-                    "`over` scales a force or a torque: give its size, and 1 where it acts in full",
-                )
-        }
+    Some(match load.key("over") {
+        Some(key) => Diagnostic::new("the load has an `over` but neither a `force` nor a `torque`")
+            .at(key.span(), "factors of what?")
+            .help("`over` scales a force or a torque: give its size, and 1 where it acts in full"),
         None => Diagnostic::new("the load has neither a `force`, nor a `torque`, nor a `press`")
-            .at(span.clone(), "nothing acts here")
+            .at(load.span.clone(), "nothing acts here")
             .help("a load is a force at a point, a torque on a link, or a press on a slide")
             .help(format!("for example: {LOAD}")),
     })
 }
 
 /// Reports keys that belong to another kind of load.
-fn foreign(reader: &mut Reader<'_>, table: &DeTable<'_>, kind: Kind) {
-    for (key, _) in table {
-        let text = key.get_ref().as_ref();
-        if kind.keys().contains(&text) || !LOAD_KEYS.contains(&text) {
+fn foreign(reader: &mut Reader<'_>, given: &[Key], kind: Kind) {
+    let fitting = keys::of(keys::LOAD, kind.size());
+    for key in given {
+        let text = key.get_ref().as_str();
+        if fitting.contains(&text) || keys::find(keys::LOAD, text).is_none() {
             continue;
         }
         let why = match text {
@@ -225,7 +273,7 @@ fn foreign(reader: &mut Reader<'_>, table: &DeTable<'_>, kind: Kind) {
     }
 }
 
-fn stroke_end(reader: &mut Reader<'_>, value: &Value<'_>) -> Option<StrokeEnd> {
+fn stroke_end(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<StrokeEnd> {
     let name = reader.string("`end` of the load", value)?;
     let end = match name.text {
         "least" => return Some(StrokeEnd::Least),
@@ -242,32 +290,32 @@ fn stroke_end(reader: &mut Reader<'_>, value: &Value<'_>) -> Option<StrokeEnd> {
     None
 }
 
-fn spring<'v>(reader: &mut Reader<'_>, value: &'v Value<'v>) -> Option<Spring<'v>> {
+fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Option<Spring<'v>> {
+    let of = "the spring";
     let table = reader.table("a spring", SPRING, value)?;
-    reader.only("the spring", table, &SPRING_KEYS);
-    let mut end = |key: &str| {
-        let Some(value) = table.get(key) else {
-            if !meant(table, &SPRING_KEYS, key) {
-                reader.report(
-                    Diagnostic::new(format!("the spring has no `{key}`"))
-                        .at(value.span(), "a spring acts between two points")
-                        .help(format!("for example: {SPRING}")),
-                );
-            }
-            return None;
-        };
-        reader.string(&format!("`{key}` of the spring"), value)
+    reader.only(of, value);
+    let mut end = |key: &str, given: &'v Option<Lenient<String>>| {
+        if given.is_none() && !value.meant(key) {
+            reader.report(
+                Diagnostic::new(format!("the spring has no `{key}`"))
+                    .at(value.span.clone(), "a spring acts between two points")
+                    .help(format!("for example: {SPRING}")),
+            );
+        }
+        reader.text_of(key, of, given.as_ref())
     };
-    let (from, to) = (end("from"), end("to"));
-    let mut number = |key, unit| reader.not_negative("the spring", table, key, unit);
-    let stiffness = number("stiffness", " (N/m)");
-    let length = number("length", "");
-    let damping = number("damping", " (N s/m)");
-    let given = |key| table.contains_key(key) || meant(table, &SPRING_KEYS, key);
-    if !given("stiffness") && !given("damping") {
+    let (from, to) = (end("from", &table.from), end("to", &table.to));
+    let mut number = |key, unit, given: &Option<Lenient<f64>>| {
+        reader.not_negative(of, key, unit, given.as_ref())
+    };
+    let stiffness = number("stiffness", " (N/m)", &table.stiffness);
+    let length = number("length", "", &table.length);
+    let damping = number("damping", " (N s/m)", &table.damping);
+    let works = table.stiffness.is_some() || table.damping.is_some();
+    if !works && !value.meant("stiffness") && !value.meant("damping") {
         reader.report(
             Diagnostic::new("the spring has neither a `stiffness` nor a `damping`")
-                .at(value.span(), "it does nothing")
+                .at(value.span.clone(), "it does nothing")
                 .help("give it one: stiffness = 1200 is in N/m, damping = 5 in N s/m"),
         );
     }

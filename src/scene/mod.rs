@@ -31,7 +31,11 @@
 //! # Ok::<(), krank::scene::Diagnostics>(())
 //! ```
 //!
-#![doc = include_str!("keys.md")]
+//! # Rules
+//!
+//! [`reference()`] has every key, what it is and its default, as `krank help scene` tells them.
+//!
+#![doc = include_str!("rules.md")]
 //!
 //! # Faults
 //!
@@ -41,13 +45,15 @@
 
 mod defect;
 mod draft;
-mod elements;
 mod guide;
 mod input;
+mod keys;
+mod link;
 mod load_names;
 mod loads;
 mod motor;
 mod names;
+mod points;
 pub mod presets;
 mod profile;
 mod rate;
@@ -55,12 +61,14 @@ mod reader;
 mod redundant;
 mod resolve;
 mod rewrite;
+mod slide;
 mod syntax;
 mod typed;
 mod unit;
 mod values;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
+pub use keys::reference;
 pub use motor::Motor;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
@@ -157,7 +165,8 @@ impl Scene {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = reader::Reader::new(text);
-        let scene = document::parse(&mut reader, syntax::mend).and_then(|root| {
+        let root = document::parse(&mut reader, syntax::mend);
+        let scene = root.and_then(|root| {
             let draft = draft::read(&mut reader, &root);
             let resolved = resolve::resolve(&mut reader, &draft)?;
             Some(Scene {

@@ -1,12 +1,11 @@
 //! The motor that a scene is to be driven by.
 
-use super::draft::Input;
-use super::input::{self, PUSHED, TURNED};
+use super::input::{self, Input, PUSHED, TURNED};
 use super::rate::{Degree, Kind};
-use super::reader::{Reader, Value};
-use super::{Scene, Unit, rate};
-use crate::document::Diagnostic;
-use toml::de::DeTable;
+use super::reader::{Reader, Span};
+use super::{Scene, Unit, keys, rate};
+use crate::document::{Diagnostic, Key, Lenient};
+use serde::Deserialize;
 
 /// What the motor at the driver's shaft can do, and what is wished of the whole; for a driven slide the
 /// cylinder or the linear motor.
@@ -47,60 +46,66 @@ impl Scene {
 }
 
 const EXAMPLE: &str = r#"{ torque = 20, peak = 60, speed = "1500 rpm" }"#;
-const KEYS: [&str; 7] = [
-    "torque",
-    "force",
-    "peak",
-    "speed",
-    "flywheel",
-    "fluctuation",
-    "tolerance",
-];
-/// The keys that only a motor with a shaft has.
-const OF_A_SHAFT: [&str; 3] = ["torque", "flywheel", "fluctuation"];
 
-/// The section `[motor]`; what it may hold depends on what is driven.
-pub(super) fn read<'v>(
+/// The section `[motor]` as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct Table {
+    torque: Option<Lenient<f64>>,
+    force: Option<Lenient<f64>>,
+    peak: Option<Lenient<f64>>,
+    speed: Option<Lenient<String>>,
+    flywheel: Option<Lenient<f64>>,
+    fluctuation: Option<Lenient<f64>>,
+    tolerance: Option<Lenient<f64>>,
+}
+
+/// Reads the section; what it may hold depends on what is driven.
+pub(super) fn read(
     reader: &mut Reader<'_>,
     unit: Unit,
     driven: Option<&Input<'_>>,
-    value: &'v Value<'v>,
+    value: &Lenient<Table>,
 ) -> Option<Motor> {
     let table = reader.table("[motor]", EXAMPLE, value)?;
-    reader.only("the motor", table, &KEYS);
+    reader.only("the motor", value);
     // Without a driver nothing can be said about its motor.
     let pushes = matches!(driven?, Input::Slide(_));
-    misfits(reader, table, pushes);
-    let (rated, size, kind) = if pushes {
-        (PUSHED.effort, " (N)", Kind::Push(unit))
+    misfits(reader, &value.keys, pushes);
+    let (form, rated, size, kind) = if pushes {
+        (PUSHED, &table.force, " (N)", Kind::Push(unit))
     } else {
-        (TURNED.effort, " (N m)", Kind::Turn)
+        (TURNED, &table.torque, " (N m)", Kind::Turn)
     };
-    let mut positive = |key: &str, unit: &str| positive(reader, table, key, unit);
+    let mut positive = |key: &str, unit: &str, value: &Option<Lenient<f64>>| {
+        positive(reader, key, unit, value.as_ref()?)
+    };
     let motor = Motor {
-        rated: positive(rated, size),
-        peak: positive("peak", size),
-        flywheel: positive("flywheel", " (kg m^2)"),
-        fluctuation: positive("fluctuation", ""),
-        tolerance: positive("tolerance", ""),
-        speed: input::rate(reader, "the motor", table, "speed", kind, Degree::Speed),
+        rated: positive(form.effort, size, rated),
+        peak: positive("peak", size, &table.peak),
+        flywheel: positive("flywheel", " (kg m^2)", &table.flywheel),
+        fluctuation: positive("fluctuation", "", &table.fluctuation),
+        tolerance: positive("tolerance", "", &table.tolerance),
+        speed: table.speed.as_ref().and_then(|speed| {
+            input::rate(reader, "the motor", "speed", kind, Degree::Speed, speed)
+        }),
     };
-    check(reader, table, rated, &motor);
+    check(reader, table, form.effort, &motor);
     Some(motor)
 }
 
 /// Reports keys of a motor of the other kind.
-fn misfits(reader: &mut Reader<'_>, table: &DeTable<'_>, pushes: bool) {
-    for (key, _) in table {
-        let text = key.get_ref().as_ref();
-        let (what, help) = if pushes && text == "torque" {
-            ("a slide is driven", "by a force: force = 2000 (N)")
-        } else if pushes && OF_A_SHAFT.contains(&text) {
-            ("a slide is driven", "without a shaft: leave it out")
-        } else if !pushes && text == "force" {
-            ("a link is driven", "by a torque: torque = 20 (N m)")
-        } else {
+fn misfits(reader: &mut Reader<'_>, given: &[Key], pushes: bool) {
+    let driven = if pushes { PUSHED.driven } else { TURNED.driven };
+    let fitting = keys::of(keys::MOTOR, driven);
+    for key in given {
+        let text = key.get_ref().as_str();
+        if fitting.contains(&text) || keys::find(keys::MOTOR, text).is_none() {
             continue;
+        }
+        let (what, help) = match text {
+            "torque" => ("a slide is driven", "by a force: force = 2000 (N)"),
+            "force" => ("a link is driven", "by a torque: torque = 20 (N m)"),
+            _ => ("a slide is driven", "without a shaft: leave it out"),
         };
         reader.report(
             Diagnostic::new(format!("the motor has no `{text}` where {what}"))
@@ -110,17 +115,16 @@ fn misfits(reader: &mut Reader<'_>, table: &DeTable<'_>, pushes: bool) {
     }
 }
 
-fn positive(reader: &mut Reader<'_>, table: &DeTable<'_>, key: &str, unit: &str) -> Option<f64> {
-    let value = table.get(key)?;
+fn positive(reader: &mut Reader<'_>, key: &str, unit: &str, value: &Lenient<f64>) -> Option<f64> {
     let what = format!("`{key}` of the motor{unit}");
     let number = reader.number(&what, value)?;
     if number > 0.0 {
         return Some(number);
     }
-    let literal = reader.literal(&value.span());
+    let literal = reader.literal(&value.span);
     reader.report(
         Diagnostic::new(format!("{what} must be positive, not {literal}"))
-            .at(value.span(), "not positive")
+            .at(value.span.clone(), "not positive")
             .help(format!(
                 "leave `{key}` out where it is not known; what the motor gives has no sign"
             )),
@@ -129,9 +133,8 @@ fn positive(reader: &mut Reader<'_>, table: &DeTable<'_>, key: &str, unit: &str)
 }
 
 /// What the numbers must be to each other.
-fn check(reader: &mut Reader<'_>, table: &DeTable<'_>, rated: &str, motor: &Motor) {
-    let mut fault = |key: &str, message: String, label: &str, help: &str| {
-        let span = table.get(key).map(|value| value.span()).unwrap_or_default();
+fn check(reader: &mut Reader<'_>, table: &Table, rated: &str, motor: &Motor) {
+    let mut fault = |span: Span, message: String, label: &str, help: &str| {
         reader.report(Diagnostic::new(message).at(span, label).help(help));
     };
     if let (Some(continuous), Some(peak)) = (motor.rated, motor.peak)
@@ -139,16 +142,21 @@ fn check(reader: &mut Reader<'_>, table: &DeTable<'_>, rated: &str, motor: &Moto
     {
         let message = format!("`peak` of the motor is less than its `{rated}`");
         let help = "the peak is what it gives for a short while, at least as much as without end";
-        fault("peak", message, "too small", help);
+        fault(place(&table.peak), message, "too small", help);
     }
     if motor.fluctuation.is_some_and(|share| share > 1.0) {
         let message = "`fluctuation` of the motor must be at most 1".to_owned();
         let help = "it is (greatest - least) / mean of the speed: 0.02 is 2 %";
-        fault("fluctuation", message, "too large", help);
+        fault(place(&table.fluctuation), message, "too large", help);
     }
     if motor.speed.is_some_and(|speed| speed <= 0.0) {
         let message = "`speed` of the motor must be positive".to_owned();
         let help = "leave `speed` out where it is not known; what the motor gives has no sign";
-        fault("speed", message, "not positive", help);
+        fault(place(&table.speed), message, "not positive", help);
     }
+}
+
+fn place<T>(value: &Option<Lenient<T>>) -> Span {
+    let span = value.as_ref().map(|value| value.span.clone());
+    span.unwrap_or_default()
 }

@@ -1,7 +1,9 @@
 //! The one namespace of points, links, slides and vectors.
 
-use super::draft::{Draft, Slider};
+use super::draft::Draft;
+use super::keys;
 use super::reader::{Name, Reader, Span, quoted};
+use super::slide::Slider;
 use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
 use std::collections::{HashMap, HashSet};
@@ -140,7 +142,7 @@ impl<'t> Names<'t> {
             None => Diagnostic::new(format!("{what}: there is no {noun} {name}"))
                 .at(name.span.clone(), format!("unknown {noun}")),
         };
-        let help = if super::draft::SECTIONS.contains(&name.text) {
+        let help = if keys::find(keys::SCENE, name.text).is_some() {
             let key = name.text;
             Some(format!(
                 "`{key}` of the scene stands above the first [table]"

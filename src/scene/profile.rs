@@ -1,8 +1,11 @@
 //! Reads values over a coordinate, as lists of knots `[coordinate, value]`.
 
-use super::reader::{Reader, Span, Value};
+use super::reader::{Pair, Reader, Span};
 use crate::Profile;
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, Lenient};
+
+/// A list of knots as it is written.
+pub(super) type Knots = Lenient<Vec<Pair>>;
 
 const OVER: &str = "over = [[0, 0.2], [15, 1], [180, 0]]";
 const PRESS: &str = "press = [[12, 0], [4, 200e3], [0, 350e3]]";
@@ -16,7 +19,7 @@ struct Knot {
 }
 
 /// The factor of a load over the driver's coordinate; 1 everywhere where nothing is given.
-pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Value<'_>>) -> Option<Profile> {
+pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Profile> {
     let Some(value) = value else {
         return Some(Profile::default());
     };
@@ -25,7 +28,7 @@ pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Value<'_>>) -> Option
     if knots.len() < 2 {
         reader.report(
             Diagnostic::new(format!("{what} has one knot: the factor never changes"))
-                .at(value.span(), "at least two knots are needed")
+                .at(value.span.clone(), "at least two knots are needed")
                 .help("put a constant factor into the force or the torque itself"),
         );
         return None;
@@ -36,7 +39,7 @@ pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Value<'_>>) -> Option
 
 /// The force of a press over the distance before the end of its stroke, in the order in which the
 /// file has it: towards the end, or away from it.
-pub(super) fn press(reader: &mut Reader<'_>, value: &Value<'_>) -> Option<Profile> {
+pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
     let what = "`press` of the load";
     let mut knots = knots(reader, what, "[distance, force]", PRESS, value)?;
     for knot in &knots {
@@ -73,30 +76,37 @@ fn knots(
     what: &str,
     form: &str,
     example: &str,
-    value: &Value<'_>,
+    value: &Knots,
 ) -> Option<Vec<Knot>> {
-    let items = value.get_ref().as_array();
-    let Some(items) = items.filter(|items| !items.is_empty()) else {
-        let wanted = format!("a list of knots {form}");
-        let fault = match items {
-            Some(_) => Diagnostic::new(format!("{what} must be {wanted}, but is empty"))
-                .at(value.span(), "no knots"),
-            None => reader.wrong_type(what, &wanted, value),
-        };
-        reader.report(fault.help(format!("for example: {example}")));
-        return None;
+    let wanted = format!("a list of knots {form}");
+    let fault = match &value.read {
+        Ok(items) if items.is_empty() => {
+            let message = format!("{what} must be {wanted}, but is empty");
+            Diagnostic::new(message).at(value.span.clone(), "no knots")
+        }
+        Ok(items) => return each(reader, what, form, example, items),
+        Err(found) => reader.wrong_type(what, &wanted, found, &value.span),
     };
+    reader.report(fault.help(format!("for example: {example}")));
+    None
+}
+
+fn each(
+    reader: &mut Reader<'_>,
+    what: &str,
+    form: &str,
+    example: &str,
+    items: &[Pair],
+) -> Option<Vec<Knot>> {
     let mut knots = Vec::with_capacity(items.len());
     for (i, item) in items.iter().enumerate() {
         let what = format!("knot {} in {what}", i + 1);
-        let pair = reader.two(&what, form, example, item)?;
-        let at = reader.number(&what, &pair[0])?;
-        let value = reader.number(&what, &pair[1])?;
+        let [at, value] = reader.two(&what, form, example, item)?;
         knots.push(Knot {
-            at,
-            value,
-            at_place: pair[0].span(),
-            value_place: pair[1].span(),
+            at: reader.number(&what, at)?,
+            value: reader.number(&what, value)?,
+            at_place: at.span.clone(),
+            value_place: value.span.clone(),
         });
     }
     Some(knots)

@@ -2,9 +2,13 @@
 
 use super::rate;
 use crate::Vec2;
-use crate::document::Diagnostic;
-pub(super) use crate::document::{Name, Reader, Span, Value, meant, quoted};
-use toml::de::{DeArray, DeTable, DeValue};
+use crate::document::{Diagnostic, Entries, Found, Lenient};
+pub(super) use crate::document::{Name, Reader, Span, quoted};
+
+/// A pair of coordinates, as far as it is one.
+pub(super) type Pair = Lenient<Vec<Lenient<f64>>>;
+/// Points by their names.
+pub(super) type Points = Lenient<Entries<Pair>>;
 
 /// No coordinate or length may be larger: squares of scaled values must stay finite, and nothing
 /// that a person builds comes near.
@@ -13,16 +17,20 @@ pub(super) const LARGEST: f64 = 1e300;
 pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
 /// The mend for a number out of all proportion.
 pub(super) const ORDINARY: &str = "choose a `unit` in which the dimensions are ordinary numbers";
+
 impl Reader<'_> {
     /// A finite number that is not too large.
-    pub(super) fn number(&mut self, what: &str, value: &Value<'_>) -> Option<f64> {
-        let Some(number) = number_of(value.get_ref()) else {
-            let fault = self.wrong_type(what, "a number", value);
-            let help = value.get_ref().as_str().and_then(bare_number);
-            self.report(fault.maybe_help(help));
-            return None;
+    pub(super) fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
+        let number = match number_of(self.text(), value) {
+            Ok(number) => number,
+            Err(found) => {
+                let fault = self.wrong_type(what, "a number", found, &value.span);
+                let help = found.text().and_then(bare_number);
+                self.report(fault.maybe_help(help));
+                return None;
+            }
         };
-        let literal = self.literal(&value.span());
+        let literal = self.literal(&value.span);
         // Written so that NaN is refused too.
         if number.abs() <= LARGEST {
             return Some(number);
@@ -44,7 +52,7 @@ impl Reader<'_> {
         };
         self.report(
             Diagnostic::new(format!("{what} must be {rule}, not {literal}"))
-                .at(value.span(), label)
+                .at(value.span.clone(), label)
                 .help(help),
         );
         None
@@ -54,20 +62,20 @@ impl Reader<'_> {
     pub(super) fn not_negative(
         &mut self,
         of: &str,
-        table: &DeTable<'_>,
         key: &str,
         unit: &str,
+        value: Option<&Lenient<f64>>,
     ) -> f64 {
-        let Some(value) = table.get(key) else {
+        let Some(value) = value else {
             return 0.0;
         };
         let what = format!("`{key}` of {of}{unit}");
         let number = self.number(&what, value);
         if number.is_some_and(|n| n < 0.0) {
-            let literal = self.literal(&value.span());
+            let literal = self.literal(&value.span);
             self.report(
                 Diagnostic::new(format!("{what} must not be negative, but is {literal}"))
-                    .at(value.span(), "negative")
+                    .at(value.span.clone(), "negative")
                     .help(format!("leave `{key}` out where it does not matter")),
             );
         }
@@ -75,36 +83,46 @@ impl Reader<'_> {
     }
 
     /// A pair `[x, y]`.
-    pub(super) fn pair(&mut self, what: &str, value: &Value<'_>) -> Option<Vec2> {
-        let items = self.two(what, "[x, y]", "[12.5, 0]", value)?;
-        let x = self.number(&format!("x of {what}"), &items[0]);
-        let y = self.number(&format!("y of {what}"), &items[1]);
+    pub(super) fn pair(&mut self, what: &str, value: &Pair) -> Option<Vec2> {
+        let [x, y] = self.two(what, "[x, y]", "[12.5, 0]", value)?;
+        let x = self.number(&format!("x of {what}"), x);
+        let y = self.number(&format!("y of {what}"), y);
         Some(Vec2::new(x?, y?))
     }
 
     /// A list of exactly two values.
-    pub(super) fn two<'v>(
+    pub(super) fn two<'v, T>(
         &mut self,
         what: &str,
         form: &str,
         example: &str,
-        value: &'v Value<'v>,
-    ) -> Option<&'v DeArray<'v>> {
-        let Some(items) = value.get_ref().as_array() else {
-            let fault = self.wrong_type(what, &format!("a pair {form}"), value);
-            self.report(fault.help(format!("for example: {example}")));
-            return None;
+        value: &'v Lenient<Vec<T>>,
+    ) -> Option<[&'v T; 2]> {
+        let fault = match &value.read {
+            Ok(items) => {
+                if let [one, other] = &items[..] {
+                    return Some([one, other]);
+                }
+                let count = items.len();
+                Diagnostic::new(format!("{what} must be a pair {form}, not {count} values")).at(
+                    value.span.clone(),
+                    format!("expected 2 values, found {count}"),
+                )
+            }
+            Err(found) => self.wrong_type(what, &format!("a pair {form}"), found, &value.span),
         };
-        if items.len() != 2 {
-            let count = items.len();
-            self.report(
-                Diagnostic::new(format!("{what} must be a pair {form}, not {count} values"))
-                    .at(value.span(), format!("expected 2 values, found {count}"))
-                    .help(format!("for example: {example}")),
-            );
-            return None;
-        }
-        Some(items)
+        self.report(fault.help(format!("for example: {example}")));
+        None
+    }
+
+    /// A text that need not be given.
+    pub(super) fn text_of<'v>(
+        &mut self,
+        key: &str,
+        of: &str,
+        value: Option<&'v Lenient<String>>,
+    ) -> Option<Name<'v>> {
+        self.string(&format!("`{key}` of {of}"), value?)
     }
 }
 
@@ -127,20 +145,15 @@ fn bare_number(text: &str) -> Option<String> {
     Some(help)
 }
 
-/// The nearest double; infinite for a literal that overflows.
-pub(super) fn number_of(value: &DeValue<'_>) -> Option<f64> {
-    match value {
-        DeValue::Float(float) => float.as_str().parse().ok(),
-        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
-        #[expect(clippy::cast_precision_loss, reason = "the nearest double is meant")]
-        DeValue::Integer(integer) => {
-            let whole = u128::from_str_radix(integer.as_str(), integer.radix());
-            Some(whole.map_or(f64::INFINITY, |n| n as f64))
-        }
-        DeValue::String(_)
-        | DeValue::Boolean(_)
-        | DeValue::Datetime(_)
-        | DeValue::Array(_)
-        | DeValue::Table(_) => None,
-    }
+/// The nearest double of the digits in the text, infinite where they overflow: TOML's own reading has no negative
+/// zero among whole numbers, and ends at 128 bits.
+pub(super) fn number_of<'v>(text: &str, value: &'v Lenient<f64>) -> Result<f64, &'v Found> {
+    let number = match &value.read {
+        Ok(number) => *number,
+        Err(Found::Unheld) => f64::INFINITY,
+        Err(found) => return Err(found),
+    };
+    let digits = text.get(value.span.clone()).unwrap_or("").replace('_', "");
+    // What begins with 0x, 0o or 0b does not read so.
+    Ok(digits.parse().unwrap_or(number))
 }

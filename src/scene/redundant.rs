@@ -1,13 +1,14 @@
 //! How far constraints that repeat others may be from fitting.
 
+use super::Unit;
 use super::draft::Draft;
-use super::reader::{Reader, Value};
-use super::{Unit, reader::Span};
+use super::points::Place;
+use super::reader::{Reader, Span};
 use crate::Vec2;
-use crate::document::Diagnostic;
+use crate::document::{Diagnostic, Lenient};
+use serde::Deserialize;
 
 const EXAMPLE: &str = "{ misfit = 1e-4 }";
-const KEYS: [&str; 1] = ["misfit"];
 /// A misfit of more than this part of the longest length is no matter of digits.
 const LARGEST_PART: f64 = 0.01;
 
@@ -18,16 +19,25 @@ pub(super) struct Redundant {
     place: Span,
 }
 
-/// The section `[redundant]`.
-pub(super) fn read(reader: &mut Reader<'_>, unit: Unit, value: &Value<'_>) -> Redundant {
-    let Some(table) = reader.table("[redundant]", EXAMPLE, value) else {
+/// The section `[redundant]` as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct Table {
+    misfit: Option<Lenient<f64>>,
+}
+
+/// Reads the section.
+pub(super) fn read(reader: &mut Reader<'_>, unit: Unit, value: &Lenient<Table>) -> Redundant {
+    let of = "[redundant]";
+    let Some(table) = reader.table(of, EXAMPLE, value) else {
         return Redundant::default();
     };
-    reader.only("[redundant]", table, &KEYS);
+    reader.only(of, value);
     let of_unit = format!(" ({})", unit.symbol());
-    let misfit = reader.not_negative("[redundant]", table, "misfit", &of_unit);
-    let place = table.get("misfit").map(|v| v.span()).unwrap_or_default();
-    Redundant { misfit, place }
+    let given = table.misfit.as_ref();
+    Redundant {
+        misfit: reader.not_negative(of, "misfit", &of_unit, given),
+        place: given.map(|misfit| misfit.span.clone()).unwrap_or_default(),
+    }
 }
 
 /// Reports a misfit that is out of proportion: it would make a mechanism of what is none.
@@ -50,11 +60,8 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
 
 /// The longest distance of two points of a link, or of a point of the ground from the first one.
 fn longest(draft: &Draft<'_>) -> f64 {
-    let ground = draft.ground.iter().map(super::draft::Place::at);
-    let first = draft
-        .ground
-        .first()
-        .map_or(Vec2::ZERO, super::draft::Place::at);
+    let ground = draft.ground.iter().map(Place::at);
+    let first = draft.ground.first().map_or(Vec2::ZERO, Place::at);
     let ground = ground.map(|place| (place - first).norm());
     let ends = draft.links.iter().filter_map(|l| l.ends.as_ref());
     let points = draft.links.iter().flat_map(|l| &l.points);

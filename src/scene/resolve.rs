@@ -1,8 +1,12 @@
 //! Joins the names of a draft and builds the mechanism.
 
-use super::draft::{self, Draft, Input, Slider};
+use super::draft::Draft;
+use super::input::Input;
+use super::link::Link;
 use super::names::{Names, Sort};
+use super::points::Place;
 use super::reader::{Name, Reader, Span};
+use super::slide::{Slide, Slider};
 use super::{Places, Vector, VectorKind, defect, redundant};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
@@ -48,7 +52,7 @@ pub(super) struct Resolver<'r, 's, 't> {
     pub(super) draft: &'r Draft<'t>,
     pub(super) names: &'r Names<'t>,
     pub(super) builder: Builder,
-    pub(super) ground: HashMap<&'t str, &'r draft::Place<'t>>,
+    pub(super) ground: HashMap<&'t str, &'r Place<'t>>,
     pub(super) points: HashMap<&'t str, PointId>,
     /// Points that slides, vectors and loads refer to without defining them.
     pub(super) referred: HashSet<&'t str>,
@@ -56,7 +60,7 @@ pub(super) struct Resolver<'r, 's, 't> {
     centres: HashMap<usize, PointId>,
     pub(super) slides: HashMap<&'t str, SlideId>,
     /// The slides that could be built, by id.
-    built_slides: Vec<&'r draft::Slide<'t>>,
+    built_slides: Vec<&'r Slide<'t>>,
     point_names: Vec<Option<String>>,
     vectors: Vec<(Span, Vector)>,
     places: Places,
@@ -144,7 +148,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 
     /// Takes note of a slide that was built.
-    pub(super) fn push_slide(&mut self, slide: &'r draft::Slide<'t>, id: SlideId) {
+    pub(super) fn push_slide(&mut self, slide: &'r Slide<'t>, id: SlideId) {
         self.slides.insert(slide.name.text, id);
         self.built_slides.push(slide);
         self.places.slides.push(slide.name.span.clone());
@@ -288,7 +292,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
     /// A ground point that nothing refers to is a slip: mostly a name written in two ways.
     fn unused(&mut self) {
-        let links = self.draft.links.iter().flat_map(draft::Link::point_names);
+        let links = self.draft.links.iter().flat_map(Link::point_names);
         let pins = self.draft.slides.iter().filter_map(|s| match &s.slider {
             Some(Slider::Pin(point)) => Some(point),
             Some(Slider::Link { .. }) | None => None,

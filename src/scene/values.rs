@@ -3,14 +3,20 @@
 //! A value is changed in the text, and the text is read again: what may stand there is said in one
 //! place, by the reader of scenes, and comments, order and blanks stay as they are.
 
-use super::rate::{self, Degree, Kind, number_length};
-use super::reader::{Value as Item, number_of};
+use super::keys::{self, Key, Kind, Size};
+use super::rate::{self, Degree, number_length};
+use super::reader::number_of;
 use super::rewrite::Edits;
 use super::{Scene, Unit};
 use crate::Input;
+use crate::document::Lenient;
+use serde::Deserialize;
 use std::collections::HashMap;
 use std::ops::Range;
-use toml::de::{DeTable, DeValue};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+type Item<'t> = Spanned<DeValue<'t>>;
 
 /// What a value measures, and what it may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,13 +57,23 @@ pub enum Measure {
 }
 
 impl Measure {
+    /// What a rate of the driver measures, which is turned or pushed.
+    fn of_rate(degree: Degree, turns: bool) -> Measure {
+        match (degree, turns) {
+            (Degree::Speed, true) => Measure::TurnSpeed,
+            (Degree::Speed, false) => Measure::PushSpeed,
+            (Degree::Acceleration, true) => Measure::TurnAcceleration,
+            (Degree::Acceleration, false) => Measure::PushAcceleration,
+        }
+    }
+
     /// What kind of rate it is, of the driver's speed and acceleration.
-    pub(super) fn rate(self, unit: Unit) -> Option<(Kind, Degree)> {
+    pub(super) fn rate(self, unit: Unit) -> Option<(rate::Kind, Degree)> {
         match self {
-            Measure::TurnSpeed => Some((Kind::Turn, Degree::Speed)),
-            Measure::TurnAcceleration => Some((Kind::Turn, Degree::Acceleration)),
-            Measure::PushSpeed => Some((Kind::Push(unit), Degree::Speed)),
-            Measure::PushAcceleration => Some((Kind::Push(unit), Degree::Acceleration)),
+            Measure::TurnSpeed => Some((rate::Kind::Turn, Degree::Speed)),
+            Measure::TurnAcceleration => Some((rate::Kind::Turn, Degree::Acceleration)),
+            Measure::PushSpeed => Some((rate::Kind::Push(unit), Degree::Speed)),
+            Measure::PushAcceleration => Some((rate::Kind::Push(unit), Degree::Acceleration)),
             Measure::Length
             | Measure::Coordinate
             | Measure::Start
@@ -147,9 +163,7 @@ impl Scene {
             met: HashMap::new(),
             found: Vec::new(),
         };
-        for (key, value) in root.get_ref() {
-            collector.section(key.get_ref(), value);
-        }
+        collector.table(keys::SCENE, "", root.get_ref(), "");
         let mut found = collector.found;
         found.sort_by_key(|value| value.place.start);
         tell_apart(&mut found);
@@ -195,163 +209,83 @@ struct Collector<'t> {
 }
 
 impl Collector<'_> {
-    fn section(&mut self, key: &str, value: &Item<'_>) {
-        match key {
-            "ground" => self.places(value, "", Measure::Coordinate),
-            "start" => self.places(value, " start", Measure::Start),
-            "gravity" => self.pair("gravity".into(), Measure::Gravity, value),
-            "driver" => self.driver(value),
-            "links" => each(value, |name, link| self.link(name, link)),
-            "slides" => each(value, |name, slide| self.slide(name, slide)),
-            "loads" => tables(value).for_each(|load| self.load(load)),
-            "springs" => tables(value).for_each(|spring| self.spring(spring)),
-            "motor" => self.motor(value),
-            "redundant" => each(value, |key, value| {
-                self.number(format!("redundant {key}"), Measure::Length, value);
-            }),
-            // Names and texts.
-            _ => {}
+    /// The values of a table that is called `of`.
+    fn table(&mut self, keys: &'static [Key], of: &str, table: &DeTable<'_>, again: &str) {
+        for (key, value) in table {
+            if let Some(key) = keys::find(keys, key.get_ref()) {
+                self.value(key, (of, key.name), value, again);
+            }
         }
     }
 
-    fn places(&mut self, section: &Item<'_>, what: &str, measure: Measure) {
-        each(section, |name, at| {
-            self.pair(format!("{name}{what}"), measure, at);
-        });
-    }
-
-    fn driver(&mut self, section: &Item<'_>) {
-        each(section, |key, value| match (key, self.turns) {
-            ("angle", _) => self.number("driver angle".into(), Measure::Angle, value),
-            ("position", _) => {
-                self.number("driver position".into(), Measure::Coordinate, value);
+    /// The values of a key: of what, and how they are called; `again` stands behind their names.
+    fn value(&mut self, key: &Key, (of, name): (&str, &str), value: &Item<'_>, again: &str) {
+        let name = join(of, name);
+        match key.kind {
+            Kind::Text | Kind::Vectors => {}
+            Kind::Number(size) => self.number(name + again, size, value),
+            // A point by its name has no coordinates here.
+            Kind::Pair(size) => self.pair(&name, again, size, value),
+            Kind::Rate(degree) => self.rate(&name, degree, value),
+            Kind::Knots(sizes, called) => self.knots(&name, again, (sizes, called), value),
+            Kind::Points(size) => {
+                // Where a point starts is not where it is.
+                let start = if key.name == "start" { " start" } else { "" };
+                each(value, |point, at| {
+                    self.pair(&(join(of, point) + start), "", size, at)
+                });
             }
-            ("speed", _) => self.rate("driver speed", self.speed(), value),
-            ("acceleration", true) => {
-                self.rate("driver acceleration", Measure::TurnAcceleration, value);
+            Kind::Table(keys) => self.inner(keys, key.name, value),
+            Kind::Each(keys) => each(value, |name, value| self.inner(keys, name, value)),
+            Kind::List(keys) => {
+                let tables = items(value).filter_map(|item| item.get_ref().as_table());
+                tables.for_each(|table| self.acting(keys, table));
             }
-            ("acceleration", false) => {
-                self.rate("driver acceleration", Measure::PushAcceleration, value);
-            }
-            _ => {}
-        });
-    }
-
-    /// What the speed of the driver, and of its motor, measures.
-    fn speed(&self) -> Measure {
-        if self.turns {
-            Measure::TurnSpeed
-        } else {
-            Measure::PushSpeed
         }
     }
 
-    fn motor(&mut self, section: &Item<'_>) {
-        let effort = if self.turns {
-            Measure::Torque
-        } else {
-            Measure::Force
-        };
-        each(section, |key, value| {
-            let name = format!("motor {key}");
-            match key {
-                "torque" | "force" | "peak" => self.number(name, effort, value),
-                "speed" => self.rate(&name, self.speed(), value),
-                "flywheel" => self.number(name, Measure::Inertia, value),
-                "fluctuation" => self.number(name, Measure::Factor, value),
-                "tolerance" => self.number(name, Measure::Length, value),
-                _ => {}
-            }
-        });
+    fn inner(&mut self, keys: &'static [Key], name: &str, value: &Item<'_>) {
+        if let Some(table) = value.get_ref().as_table() {
+            self.table(keys, name, table, "");
+        }
     }
 
-    fn link(&mut self, link: &str, value: &Item<'_>) {
-        each(value, |key, value| {
-            let name = format!("{link} {key}");
-            match key {
-                "length" => self.number(name, Measure::Length, value),
-                "mass" => self.number(name, Measure::Mass, value),
-                "inertia" => self.number(name, Measure::Inertia, value),
-                "com" => self.pair(name, Measure::Coordinate, value),
-                "points" => each(value, |point, at| {
-                    self.pair(format!("{link} {point}"), Measure::Coordinate, at);
-                }),
-                _ => {}
-            }
-        });
-    }
-
-    fn slide(&mut self, slide: &str, value: &Item<'_>) {
-        each(value, |key, value| {
-            let name = format!("{slide} {key}");
-            match key {
-                "angle" | "turn" => self.number(name, Measure::Angle, value),
-                // A point by its name has no coordinates here.
-                "through" => self.pair(name, Measure::Coordinate, value),
-                _ => {}
-            }
-        });
-    }
-
-    fn load(&mut self, load: &DeTable<'_>) {
-        let on = ["point", "link", "slide"].map(|key| name_in(load, key));
-        let Some(on) = on.into_iter().flatten().next() else {
+    /// The values of a spring or a load: it has no name, but what it acts on has.
+    fn acting(&mut self, keys: &'static [Key], table: &DeTable<'_>) {
+        let name = |key| table.get(key)?.get_ref().as_str();
+        if let (Some(from), Some(to)) = (name("from"), name("to")) {
+            let of = format!("spring {from}-{to}");
+            let again = self.again(&of);
+            return self.table(keys, &of, table, &again);
+        }
+        let on = ["point", "link", "slide"].into_iter().find_map(name);
+        let mut sizes = ["force", "torque", "press"].into_iter();
+        let (Some(on), Some(size)) = (on, sizes.find(|size| table.contains_key(*size))) else {
             return;
         };
-        let sizes = ["force", "torque", "press"].map(|key| Some((key, load.get(key)?)));
-        let Some((size, value)) = sizes.into_iter().flatten().next() else {
-            return;
-        };
-        let what = format!("{on} {size}");
+        let what = join(on, size);
         let again = self.again(&what);
-        match size {
-            "force" => {
-                for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
-                    self.number(format!("{what} {axis}{again}"), Measure::Force, item);
-                }
+        for key in [size, "over"] {
+            if let (Some(row), Some(value)) = (keys::find(keys, key), table.get(key)) {
+                // The factors of a load are called by its size.
+                self.value(row, (on, size), value, &again);
             }
-            "torque" => self.number(format!("{what}{again}"), Measure::Torque, value),
-            _ => self.knots(&what, &again, (Measure::Coordinate, Measure::Force), value),
-        }
-        if let Some(over) = load.get("over") {
-            let coordinate = if self.turns {
-                Measure::Angle
-            } else {
-                Measure::Coordinate
-            };
-            self.knots(&what, &again, (coordinate, Measure::Factor), over);
         }
     }
 
-    /// The knots of a load, counted from 1: where each lies, and what is there.
-    fn knots(&mut self, what: &str, again: &str, measures: (Measure, Measure), list: &Item<'_>) {
-        let value = if measures.1 == Measure::Factor {
-            "factor"
-        } else {
-            "size"
-        };
+    /// Knots, counted from 1: where each lies, and what is there.
+    fn knots(
+        &mut self,
+        what: &str,
+        again: &str,
+        (sizes, called): ([Size; 2], &str),
+        list: &Item<'_>,
+    ) {
         for (i, knot) in items(list).enumerate() {
-            let knots = items(knot).zip([("at", measures.0), (value, measures.1)]);
-            for (item, (part, measure)) in knots {
+            let parts = items(knot).zip(["at", called]).zip(sizes);
+            for ((item, part), size) in parts {
                 let name = format!("{what} knot {} {part}{again}", i + 1);
-                self.number(name, measure, item);
-            }
-        }
-    }
-
-    fn spring(&mut self, spring: &DeTable<'_>) {
-        let (Some(from), Some(to)) = (name_in(spring, "from"), name_in(spring, "to")) else {
-            return;
-        };
-        let what = format!("spring {from}-{to}");
-        let again = self.again(&what);
-        for (key, value) in spring {
-            let name = format!("{what} {}{again}", key.get_ref());
-            match key.get_ref().as_ref() {
-                "stiffness" => self.number(name, Measure::Stiffness, value),
-                "length" => self.number(name, Measure::Length, value),
-                "damping" => self.number(name, Measure::Damping, value),
-                _ => {}
+                self.number(name, size, item);
             }
         }
     }
@@ -366,16 +300,17 @@ impl Collector<'_> {
         }
     }
 
-    fn pair(&mut self, name: String, measure: Measure, value: &Item<'_>) {
+    fn pair(&mut self, name: &str, behind: &str, size: Size, value: &Item<'_>) {
         for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
-            self.number(format!("{name} {axis}"), measure, item);
+            self.number(format!("{name} {axis}{behind}"), size, item);
         }
     }
 
-    fn number(&mut self, name: String, measure: Measure, value: &Item<'_>) {
-        let Some(number) = number_of(value.get_ref()) else {
-            return;
-        };
+    fn number(&mut self, name: String, size: Size, value: &Item<'_>) {
+        let read = Lenient::deserialize(ValueDeserializer::from(value.clone()));
+        let number = read.map(|value| number_of(self.text, &value).ok());
+        let Ok(Some(number)) = number else { return };
+        let measure = size.measure(self.turns);
         let place = value.span();
         self.found.push(Value {
             name,
@@ -391,7 +326,8 @@ impl Collector<'_> {
 
     /// A number and a unit in quotes. The quotes stay as they are, unless what is between them is
     /// written with escapes.
-    fn rate(&mut self, name: &str, measure: Measure, value: &Item<'_>) {
+    fn rate(&mut self, name: &str, degree: Degree, value: &Item<'_>) {
+        let measure = Measure::of_rate(degree, self.turns);
         let (Some(text), Some((kind, degree))) =
             (value.get_ref().as_str(), measure.rate(self.unit))
         else {
@@ -426,14 +362,13 @@ fn items<'v>(value: &'v Item<'v>) -> impl Iterator<Item = &'v Item<'v>> {
     items.into_iter().flat_map(|items| items.iter())
 }
 
-/// The tables of a list.
-fn tables<'v>(value: &'v Item<'v>) -> impl Iterator<Item = &'v DeTable<'v>> {
-    items(value).filter_map(|item| item.get_ref().as_table())
-}
-
-/// A name that a table gives.
-fn name_in<'v>(table: &'v DeTable<'v>, key: &str) -> Option<&'v str> {
-    table.get(key)?.get_ref().as_str()
+/// The name of what belongs to something, which itself may have none.
+fn join(of: &str, name: &str) -> String {
+    if of.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{of} {name}")
+    }
 }
 
 /// The entries of a table, if it is one.

@@ -1,10 +1,13 @@
 //! The section `[keys]`: which keys a person wants for which action.
 
-use crate::document::{Diagnostic, Reader, Span, Value, quoted};
+use crate::document::{Diagnostic, Entries, Found, Lenient, Reader, Span, quoted};
 use crate::nearest::did_you_mean;
 use crate::tui::commands::action::{self, Action, Entry};
 use crate::tui::commands::key::{self, Key};
 use crate::tui::commands::keymap::Keymap;
+
+/// The section as it is written: for each action a list of keys, or one key in its place.
+pub(super) type Section = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
 /// What an action is called in the configuration: its name in one word.
 pub(super) fn name_of(entry: &Entry) -> String {
@@ -38,22 +41,20 @@ struct Given {
 }
 
 /// Reads the section into the keymap.
-pub(super) fn read(reader: &mut Reader<'_>, value: &Value<'_>, keymap: &mut Keymap) {
-    let Some(table) = reader.table("[keys]", "play = [\"space\", \"F5\"]", value) else {
-        return;
-    };
+pub(super) fn read(reader: &mut Reader<'_>, section: &Section, keymap: &mut Keymap) {
+    reader.table("[keys]", "play = [\"space\", \"F5\"]", section);
     let before = reader.found.len();
     let mut given = Vec::new();
-    for (name, value) in table {
-        let text = name.get_ref().as_ref();
-        let Some(entry) = action_of(reader, text, name.span()) else {
+    for (name, value) in section.entries() {
+        let text = name.text;
+        let Some(entry) = action_of(reader, text, name.span.clone()) else {
             continue;
         };
         let keys = keys_of(reader, text, value);
         if keys.is_empty() && is_needed(entry.action) && reader.found.len() == before {
             reader.report(
                 Diagnostic::new(format!("{} must have a key", quoted(text)))
-                    .at(value.span(), "no key")
+                    .at(value.span.clone(), "no key")
                     .help(format!("by default it has {}", action::listed(entry.keys))),
             );
         }
@@ -97,21 +98,33 @@ fn action_of(reader: &mut Reader<'_>, name: &str, place: Span) -> Option<&'stati
 }
 
 /// One key or a list of keys.
-fn keys_of(reader: &mut Reader<'_>, of: &str, value: &Value<'_>) -> Vec<(Key, Span)> {
-    let Some(list) = value.get_ref().as_array() else {
-        return key_of(reader, of, value).into_iter().collect();
-    };
-    let keys = list.iter().filter_map(|value| key_of(reader, of, value));
-    keys.collect()
+fn keys_of(
+    reader: &mut Reader<'_>,
+    of: &str,
+    value: &Lenient<Vec<Lenient<String>>>,
+) -> Vec<(Key, Span)> {
+    match &value.read {
+        Ok(list) => {
+            let keys = list.iter().filter_map(|value| match &value.read {
+                Ok(text) => key_of(reader, text, &value.span),
+                Err(found) => no_key(reader, of, found, &value.span),
+            });
+            keys.collect()
+        }
+        Err(Found::Text(text)) => key_of(reader, text, &value.span).into_iter().collect(),
+        Err(found) => no_key(reader, of, found, &value.span).into_iter().collect(),
+    }
 }
 
-fn key_of(reader: &mut Reader<'_>, of: &str, value: &Value<'_>) -> Option<(Key, Span)> {
-    let Some(text) = value.get_ref().as_str() else {
-        let fault = reader.wrong_type(&quoted(of), "a key or a list of keys", value);
-        reader.report(fault.help(format!("for example: {of} = [\"space\", \"F5\"]")));
-        return None;
-    };
-    let fault = |message: String, label: &str| Diagnostic::new(message).at(value.span(), label);
+/// Reports what stands where a key should.
+fn no_key(reader: &mut Reader<'_>, of: &str, found: &Found, place: &Span) -> Option<(Key, Span)> {
+    let fault = reader.wrong_type(&quoted(of), "a key or a list of keys", found, place);
+    reader.report(fault.help(format!("for example: {of} = [\"space\", \"F5\"]")));
+    None
+}
+
+fn key_of(reader: &mut Reader<'_>, text: &str, place: &Span) -> Option<(Key, Span)> {
+    let fault = |message: String, label: &str| Diagnostic::new(message).at(place.clone(), label);
     let Ok(key) = text.parse::<Key>() else {
         let names = key::names();
         let near = did_you_mean(text, names.iter().map(String::as_str));
@@ -139,7 +152,7 @@ fn key_of(reader: &mut Reader<'_>, of: &str, value: &Value<'_>) -> Option<(Key, 
         reader.report(fault(message, "never seen").help("choose another key"));
         return None;
     }
-    Some((key, value.span()))
+    Some((key, place.clone()))
 }
 
 /// Tells each key that has two meanings in one place.

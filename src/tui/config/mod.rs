@@ -7,12 +7,13 @@ mod template;
 pub use template::template;
 
 use crate::capability::Colours;
-use crate::document::{self, Diagnostic, Diagnostics, Reader, Span, Value};
+use crate::document::{self, Diagnostic, Diagnostics, Lenient, Reader, Span};
 use crate::drawing::Glyphs;
 use crate::files::places;
 use crate::nearest::did_you_mean;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
+use serde::Deserialize;
 use std::path::PathBuf;
 
 /// What a person wants otherwise.
@@ -42,13 +43,15 @@ impl Default for Config {
     }
 }
 
-/// What the keys of the configuration are called.
-const GLYPHS_KEY: &str = "glyphs";
-const COLOUR_KEY: &str = "colour";
-const THEME_KEY: &str = "theme";
-const TOUR_KEY: &str = "tour";
-const KEYS_KEY: &str = "keys";
-const KNOWN: [&str; 5] = [GLYPHS_KEY, COLOUR_KEY, THEME_KEY, TOUR_KEY, KEYS_KEY];
+/// A configuration as its file writes it.
+#[derive(Debug, Deserialize)]
+struct File {
+    glyphs: Option<Lenient<String>>,
+    colour: Option<Lenient<String>>,
+    theme: Option<Lenient<String>>,
+    tour: Option<Lenient<bool>>,
+    keys: Option<keys::Section>,
+}
 
 /// A value as it is written, and what it means.
 type Named<T> = (&'static str, T);
@@ -102,27 +105,10 @@ impl Config {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
         let mut config = Config::default();
-        if let Some(root) = document::parse(&mut reader, mend) {
-            reader.only("the configuration", &root, &KNOWN);
-            for (key, value) in &root {
-                match key.get_ref().as_ref() {
-                    GLYPHS_KEY => {
-                        let read = choice(&mut reader, GLYPHS_KEY, &GLYPHS, value);
-                        config.glyphs = read.unwrap_or_default();
-                    }
-                    COLOUR_KEY => {
-                        let read = choice(&mut reader, COLOUR_KEY, &COLOURS, value);
-                        config.colours = read.unwrap_or_default();
-                    }
-                    THEME_KEY => {
-                        let read = choice(&mut reader, THEME_KEY, &THEMES, value);
-                        config.theme = read.unwrap_or_default();
-                    }
-                    TOUR_KEY => config.tour = reader.boolean("`tour`", value).unwrap_or(true),
-                    KEYS_KEY => keys::read(&mut reader, value, &mut config.keymap),
-                    // Reported above.
-                    _ => {}
-                }
+        if let Some(root) = document::parse::<File>(&mut reader, mend) {
+            reader.only("the configuration", &root);
+            if let Some(file) = root.get() {
+                config.take(&mut reader, file);
             }
         }
         if reader.found.is_empty() {
@@ -131,16 +117,32 @@ impl Config {
             Err(reader.into_diagnostics(origin))
         }
     }
+
+    /// Takes over what the file gives; what is wrong with it stays as it is built in.
+    fn take(&mut self, reader: &mut Reader<'_>, file: &File) {
+        let glyphs = choice(reader, "glyphs", &GLYPHS, file.glyphs.as_ref());
+        self.glyphs = glyphs.unwrap_or_default();
+        let colours = choice(reader, "colour", &COLOURS, file.colour.as_ref());
+        self.colours = colours.unwrap_or_default();
+        let theme = choice(reader, "theme", &THEMES, file.theme.as_ref());
+        self.theme = theme.unwrap_or_default();
+        let tour = file.tour.as_ref();
+        let tour = tour.and_then(|value| reader.boolean("`tour`", value));
+        self.tour = tour.unwrap_or(self.tour);
+        if let Some(section) = &file.keys {
+            keys::read(reader, section, &mut self.keymap);
+        }
+    }
 }
 
-/// One of several texts.
+/// One of several texts, if it is given.
 fn choice<T: Copy>(
     reader: &mut Reader<'_>,
     key: &str,
     known: &[Named<T>],
-    value: &Value<'_>,
+    value: Option<&Lenient<String>>,
 ) -> Option<T> {
-    let given = reader.string(&format!("`{key}`"), value)?;
+    let given = reader.string(&format!("`{key}`"), value?)?;
     let found = known.iter().find(|(name, _)| *name == given.text);
     if found.is_none() {
         let names = || known.iter().map(|(name, _)| *name);

@@ -1,8 +1,6 @@
 //! The configuration as a text to begin with: everything that is built in, commented out.
 
-use super::{
-    COLOUR_KEY, COLOURS, GLYPHS, GLYPHS_KEY, KEYS_KEY, Named, THEME_KEY, THEMES, TOUR_KEY, keys,
-};
+use super::{COLOURS, GLYPHS, Named, THEMES, keys};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::keys::groups;
 
@@ -25,29 +23,29 @@ pub fn template() -> String {
     .to_owned();
     let mut set = |key: &str, value: &str, what: &str| text.push_str(&line(key, value, what));
     set(
-        GLYPHS_KEY,
+        "glyphs",
         "\"auto\"",
         &format!("to draw with: {}", values(&GLYPHS)),
     );
-    set(COLOUR_KEY, "\"auto\"", &values(&COLOURS));
+    set("colour", "\"auto\"", &values(&COLOURS));
     set(
-        THEME_KEY,
+        "theme",
         "\"auto\"",
         &format!("for a ground: {}", values(&THEMES)),
     );
     set(
-        TOUR_KEY,
+        "tour",
         "true",
         "the tour is shown on the first start: true or false",
     );
-    text.push_str(&format!(
+    text.push_str(
         "
-[{KEYS_KEY}]
+[keys]
 # A key or a list of keys for each action, written as the help shows them: \"g\", \"space\",
 # \"F5\", \"Ctrl-R\", \"PgUp\". An empty list takes the keys away. Ctrl-C always leaves, and Esc
 # always goes back.
-"
-    ));
+",
+    );
     for (title, entries) in groups(None) {
         text.push_str(&format!("\n# {title}\n"));
         for entry in entries.into_iter().filter(|entry| keys::is_free(entry)) {

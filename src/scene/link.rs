@@ -1,0 +1,259 @@
+//! Reads links.
+
+use super::points::{Place, places};
+use super::reader::{Name, ORDINARY, Pair, Points, Reader, SMALLEST_LENGTH, Span};
+use crate::Vec2;
+use crate::document::{Diagnostic, Entries, Lenient};
+use serde::Deserialize;
+
+/// The most links that a scene may have.
+const MOST_LINKS: usize = 10_000;
+
+const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
+const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
+
+/// The section `[links]` as it is written.
+pub(super) type Links = Lenient<Entries<Lenient<Table>>>;
+
+/// A link as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct Table {
+    from: Option<Lenient<String>>,
+    to: Option<Lenient<String>>,
+    length: Option<Lenient<f64>>,
+    points: Option<Points>,
+    com: Option<Pair>,
+    mass: Option<Lenient<f64>>,
+    inertia: Option<Lenient<f64>>,
+}
+
+#[derive(Debug)]
+pub(super) struct Link<'t> {
+    pub(super) name: Name<'t>,
+    pub(super) ends: Option<Ends<'t>>,
+    pub(super) points: Vec<Place<'t>>,
+    /// The centre of mass, with the place of the key.
+    pub(super) com: Option<(Span, Vec2)>,
+    pub(super) mass: f64,
+    pub(super) inertia: f64,
+    /// The key `mass`, or `inertia` where there is no mass.
+    pub(super) mass_key: Option<(&'static str, Span)>,
+    /// Whether something about it was reported.
+    pub(super) broken: bool,
+}
+
+impl<'t> Link<'t> {
+    /// Its named points, the ends first.
+    pub(super) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
+        let ends = self.ends.iter().flat_map(|ends| [&ends.from, &ends.to]);
+        ends.chain(self.points.iter().map(|p| &p.name))
+    }
+
+    /// The coordinates of one of the link's points in its own frame.
+    pub(super) fn local(&self, point: &str) -> Option<Vec2> {
+        let ends = self.ends.as_ref().and_then(|ends| {
+            if ends.from.text == point {
+                Some(Vec2::ZERO)
+            } else {
+                (ends.to.text == point).then(|| Vec2::new(ends.length, 0.0))
+            }
+        });
+        let listed = || self.points.iter().find(|p| p.name.text == point);
+        ends.or_else(|| listed().map(Place::at))
+    }
+}
+
+#[derive(Debug)]
+pub(super) struct Ends<'t> {
+    pub(super) from: Name<'t>,
+    pub(super) to: Name<'t>,
+    pub(super) length: f64,
+}
+
+/// The fault of a scene without links and slides; what else it lacks follows from that.
+pub(super) fn nothing_moves() -> Diagnostic {
+    Diagnostic::new("the scene has no links: nothing moves")
+        .help(format!("add, for example:\n[links]\n{LINK}"))
+}
+
+/// The links of a scene, and what a fault among them takes away.
+#[derive(Debug, Default)]
+pub(super) struct Read<'t> {
+    pub(super) links: Vec<Link<'t>>,
+    /// Whether there are more than a scene may have.
+    pub(super) too_many: bool,
+    /// Whether one names a point that could not be read.
+    pub(super) lost_points: bool,
+}
+
+/// Reads the section.
+pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Links) -> Read<'v> {
+    let mut read = Read::default();
+    reader.table("[links]", LINK, value);
+    let count = value.keys.len();
+    if value.get().is_some() && count > MOST_LINKS {
+        reader.report(
+            Diagnostic::new(format!(
+                "the scene has {count} links; at most {MOST_LINKS} are allowed"
+            ))
+            .at(value.span.clone(), "too many links"),
+        );
+        read.too_many = true;
+        return read;
+    }
+    for (name, value) in value.entries() {
+        let link = link(reader, &mut read.lost_points, name, value);
+        read.links.push(link);
+    }
+    read
+}
+
+fn link<'v>(
+    reader: &mut Reader<'_>,
+    lost_points: &mut bool,
+    name: Name<'v>,
+    value: &'v Lenient<Table>,
+) -> Link<'v> {
+    let before = reader.found.len();
+    let mut link = Link {
+        name,
+        ends: None,
+        points: Vec::new(),
+        com: None,
+        mass: 0.0,
+        inertia: 0.0,
+        mass_key: None,
+        broken: false,
+    };
+    let of = format!("link {}", link.name);
+    if let Some(table) = reader.table(&of, LINK, value) {
+        reader.only(&of, value);
+        *lost_points |= !link_ends(reader, &of, value, table, &mut link);
+        *lost_points |= !link_points(reader, &of, value, table, &mut link);
+        link_mass(reader, &of, value, table, &mut link);
+        if reader.found.len() == before && link.ends.is_none() && link.points.is_empty() {
+            reader.report(no_points(&of, &link.name));
+        }
+    } else {
+        *lost_points = true;
+    }
+    link.broken = reader.found.len() > before;
+    link
+}
+
+fn no_points(of: &str, name: &Name<'_>) -> Diagnostic {
+    Diagnostic::new(format!("{of} has no points"))
+        .at(name.span.clone(), "a link needs two ends, or `points`")
+        .help(format!("for example: {LINK}"))
+        .help(format!("or, for a link with a single joint: {POINTS}"))
+}
+
+/// `from`, `to` and `length` belong together. An end without the others still names its point.
+/// Returns whether no end was lost.
+fn link_ends<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    value: &Lenient<Table>,
+    table: &'v Table,
+    link: &mut Link<'v>,
+) -> bool {
+    let from = reader.text_of("from", of, table.from.as_ref());
+    let to = reader.text_of("to", of, table.to.as_ref());
+    let given = table.length.as_ref();
+    let length = given.map(|given| length(reader, of, given));
+    let (has_from, has_to) = (table.from.is_some(), table.to.is_some());
+    let missing = match (has_from, has_to, length.is_some()) {
+        (false, false, false) | (true, true, true) => None,
+        (true, true, false) => Some("`from` and `to` but no `length`"),
+        (true, false, _) => Some("`from` but no `to`"),
+        (false, true, _) => Some("`to` but no `from`"),
+        (false, false, true) => Some("a `length` but no `from` and `to`"),
+    };
+    if let Some(missing) = missing {
+        // A misspelt key was reported already; what it leaves missing is no second fault.
+        let misspelt = ["from", "to", "length"]
+            .into_iter()
+            .any(|key| value.key(key).is_none() && value.meant(key));
+        if !misspelt {
+            reader.report(incomplete(of, missing, link.name.span.clone()));
+        }
+    }
+    match (from, to) {
+        (Some(from), Some(to)) => {
+            let length = length.flatten().unwrap_or(1.0);
+            link.ends = Some(Ends { from, to, length });
+            true
+        }
+        (one, other) => {
+            let named = one.into_iter().chain(other);
+            let read = None;
+            link.points.extend(named.map(|name| Place { name, read }));
+            missing.is_none() && !has_from && !has_to
+        }
+    }
+}
+
+/// The further points. Returns whether none was lost.
+fn link_points<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    value: &Lenient<Table>,
+    table: &'v Table,
+    link: &mut Link<'v>,
+) -> bool {
+    let Some(points) = &table.points else {
+        return !value.meant("points");
+    };
+    let what = format!("{of}: point");
+    let listed = places(reader, &format!("`points` of {of}"), &what, points);
+    link.points.extend(listed);
+    points.get().is_some()
+}
+
+fn link_mass(
+    reader: &mut Reader<'_>,
+    of: &str,
+    value: &Lenient<Table>,
+    table: &Table,
+    link: &mut Link<'_>,
+) {
+    let key = |name| Some((name, value.key(name)?.span()));
+    if let (Some(com), Some((_, place))) = (&table.com, key("com")) {
+        let at = reader.pair(&format!("`com` of {of}"), com);
+        link.com = Some((place, at.unwrap_or_default()));
+    }
+    link.mass = reader.not_negative(of, "mass", "", table.mass.as_ref());
+    link.inertia = reader.not_negative(of, "inertia", "", table.inertia.as_ref());
+    link.mass_key = key("mass").or_else(|| key("inertia"));
+}
+
+fn incomplete(of: &str, missing: &str, span: Span) -> Diagnostic {
+    Diagnostic::new(format!("{of} has {missing}"))
+        .at(span, "`from`, `to` and `length` belong together")
+        .help(format!("for example: {LINK}"))
+        .help(format!(
+            "a link without two natural ends is given by `points` alone: {POINTS}"
+        ))
+}
+
+fn length(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64> {
+    let length = reader.number(&format!("`length` of {of}"), value)?;
+    let literal = reader.literal(&value.span);
+    let fault = |rule: &str, label: &str| {
+        Diagnostic::new(format!("`length` of {of} must be {rule}, not {literal}"))
+            .at(value.span.clone(), label)
+    };
+    if length >= SMALLEST_LENGTH {
+        return Some(length);
+    }
+    reader.report(if length > 0.0 {
+        fault("at least 1e-300", "too small to compute with").help(ORDINARY)
+    } else if length == 0.0 {
+        fault("positive", "a link without length has no direction")
+            .help("two joints at one place need no link between them: give them one name")
+    } else {
+        fault("positive", "not positive")
+            .help("a length is a distance; the direction of a link is from `from` to `to`")
+    });
+    None
+}

@@ -1,0 +1,70 @@
+//! Reads named places, and the vectors between them.
+
+use super::reader::{Name, Pair, Points, Reader, quoted};
+use crate::Vec2;
+use crate::document::{Entries, Lenient};
+
+const VECTOR: &str = r#"r1 = ["D", "A"]"#;
+
+/// A point with coordinates, in whatever frame.
+#[derive(Debug)]
+pub(super) struct Place<'t> {
+    pub(super) name: Name<'t>,
+    /// `None` if the coordinates could not be read.
+    pub(super) read: Option<Vec2>,
+}
+
+impl Place<'_> {
+    /// The coordinates, or a placeholder.
+    pub(super) fn at(&self) -> Vec2 {
+        self.read.unwrap_or_default()
+    }
+}
+
+/// A table of points with coordinates.
+pub(super) fn places<'v>(
+    reader: &mut Reader<'_>,
+    section: &str,
+    what: &str,
+    value: &'v Points,
+) -> Vec<Place<'v>> {
+    reader.table(section, "{ A = [0, 0] }", value);
+    let place = |(name, value): (Name<'v>, &Pair)| {
+        let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
+        Place { name, read }
+    };
+    value.entries().map(place).collect()
+}
+
+/// The section `[vectors]` as it is written.
+pub(super) type Vectors = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
+
+#[derive(Debug)]
+pub(super) struct Vector<'t> {
+    pub(super) name: Name<'t>,
+    pub(super) tail: Name<'t>,
+    pub(super) head: Name<'t>,
+}
+
+/// Reads the section. What could not be read is left out, and reported.
+pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Vectors) -> Vec<Vector<'v>> {
+    reader.table("[vectors]", VECTOR, value);
+    let read = |(name, value)| vector(reader, name, value);
+    value.entries().filter_map(read).collect()
+}
+
+fn vector<'v>(
+    reader: &mut Reader<'_>,
+    name: Name<'v>,
+    value: &'v Lenient<Vec<Lenient<String>>>,
+) -> Option<Vector<'v>> {
+    let what = format!("vector {}", quoted(name.text));
+    let ends = reader.two(&what, "[tail, head] of points", r#"["D", "A"]"#, value)?;
+    let tail = reader.string(&format!("the tail of {what}"), ends[0]);
+    let head = reader.string(&format!("the head of {what}"), ends[1]);
+    Some(Vector {
+        tail: tail?,
+        head: head?,
+        name,
+    })
+}

@@ -1,0 +1,153 @@
+//! Reads slides.
+
+use super::keys;
+use super::reader::{Name, Pair, Reader};
+use crate::Vec2;
+use crate::document::{Diagnostic, Entries, Found, Lenient, meant};
+use serde::Deserialize;
+
+const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
+
+/// The section `[slides]` as it is written.
+pub(super) type Slides = Lenient<Entries<Lenient<Table>>>;
+
+/// A slide as it is written.
+#[derive(Debug, Deserialize)]
+pub(super) struct Table {
+    point: Option<Lenient<String>>,
+    link: Option<Lenient<String>>,
+    on: Option<Lenient<String>>,
+    /// Coordinates, or the name of a point in their place.
+    through: Option<Pair>,
+    angle: Option<Lenient<f64>>,
+    turn: Option<Lenient<f64>>,
+}
+
+#[derive(Debug)]
+pub(super) struct Slide<'t> {
+    pub(super) name: Name<'t>,
+    /// `None` for this and the following: a fault was reported.
+    pub(super) slider: Option<Slider<'t>>,
+    pub(super) on: Option<Name<'t>>,
+    pub(super) through: Option<Through<'t>>,
+    pub(super) angle: f64,
+}
+
+#[derive(Debug)]
+pub(super) enum Slider<'t> {
+    Pin(Name<'t>),
+    Link { link: Name<'t>, turn: f64 },
+}
+
+#[derive(Debug)]
+pub(super) enum Through<'t> {
+    Point(Name<'t>),
+    At(Vec2),
+}
+
+/// Reads the section.
+pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Slides) -> Vec<Slide<'v>> {
+    reader.table("[slides]", SLIDE, value);
+    let read = |(name, value)| slide(reader, name, value);
+    value.entries().map(read).collect()
+}
+
+fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Lenient<Table>) -> Slide<'v> {
+    let of = format!("slide {name}");
+    let mut slide = Slide {
+        name,
+        slider: None,
+        on: None,
+        through: None,
+        angle: 0.0,
+    };
+    let Some(table) = reader.table(&of, SLIDE, value) else {
+        return slide;
+    };
+    slide.slider = slider(reader, &of, &slide.name, value, table);
+    slide.angle = angle(reader, &of, "angle", table.angle.as_ref());
+    let mut required = |key: &str, given: bool, example: &str| {
+        // A misspelt key was reported already; what it leaves missing is no second fault.
+        let misspelt = || meant(&value.keys, &keys::of(keys::SLIDE, "link"), key);
+        if !given && !misspelt() {
+            reader.report(
+                Diagnostic::new(format!("{of} has no `{key}`"))
+                    .at(slide.name.span.clone(), format!("`{key}` is missing"))
+                    .help(format!("for example: {example}")),
+            );
+        }
+    };
+    required("on", table.on.is_some(), r#"on = "ground""#);
+    required("through", table.through.is_some(), "through = [0, 0]");
+    slide.on = reader.text_of("on", &of, table.on.as_ref());
+    let given = table.through.as_ref();
+    slide.through = given.and_then(|given| through(reader, &of, given));
+    slide
+}
+
+/// A point of the guide, by name or by coordinates.
+fn through<'v>(reader: &mut Reader<'_>, of: &str, value: &'v Pair) -> Option<Through<'v>> {
+    if let Err(Found::Text(text)) = &value.read {
+        let span = value.span.clone();
+        return Some(Through::Point(Name { text, span }));
+    }
+    let at = reader.pair(&format!("`through` of {of}"), value);
+    at.map(Through::At)
+}
+
+/// What slides: a pin or a link.
+fn slider<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    name: &Name<'v>,
+    value: &Lenient<Table>,
+    table: &'v Table,
+) -> Option<Slider<'v>> {
+    let fault = |message: String, label: &str| {
+        Diagnostic::new(message)
+            .at(name.span.clone(), label)
+            .help(r#"a pin in a slot has `point = "C"`, a link that slides without turning `link = "r6"`"#)
+    };
+    match (&table.point, &table.link) {
+        (Some(point), None) => {
+            if let Some(key) = value.key("turn") {
+                reader.report(
+                    Diagnostic::new(format!("{of}: a pin in a slot has no `turn`"))
+                        .at(key.span(), "only for a slide of a link")
+                        .help("a pin may turn in its slot; to keep a link from turning, slide the link: link = \"...\""),
+                );
+            } else {
+                reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "point"));
+            }
+            let pin = reader.string(&format!("`point` of {of}"), point)?;
+            Some(Slider::Pin(pin))
+        }
+        (None, Some(link)) => {
+            reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "link"));
+            let turn = angle(reader, of, "turn", table.turn.as_ref());
+            let link = reader.string(&format!("`link` of {of}"), link)?;
+            Some(Slider::Link { link, turn })
+        }
+        (Some(_), Some(_)) => {
+            reader.report(fault(
+                format!("{of} has both `point` and `link`"),
+                "one of them slides",
+            ));
+            None
+        }
+        (None, None) => {
+            reader.only(of, value);
+            reader.report(fault(
+                format!("{of} has neither `point` nor `link`"),
+                "nothing slides here",
+            ));
+            None
+        }
+    }
+}
+
+/// An angle in degrees, 0 if left out.
+fn angle(reader: &mut Reader<'_>, of: &str, key: &str, value: Option<&Lenient<f64>>) -> f64 {
+    let angle = value.and_then(|v| reader.number(&format!("`{key}` of {of} (deg)"), v));
+    angle.unwrap_or(0.0)
+}
