@@ -364,15 +364,11 @@ impl Check {
 }
 
 fn kind_word<S: Serializer>(kind: &GroupKind, to: S) -> Result<S::Ok, S::Error> {
-    to.serialize_str(match kind {
+    let other = match kind {
         GroupKind::Driver => "driver",
-        GroupKind::Rrr => "RRR",
-        GroupKind::Rrp => "RRP",
-        GroupKind::Rpr => "RPR",
-        GroupKind::Prp => "PRP",
-        GroupKind::Rpp => "RPP",
-        GroupKind::Coupled { .. } => "coupled",
-    })
+        _ => "coupled",
+    };
+    to.serialize_str(kind.class().unwrap_or(other))
 }
 
 fn unsigned_zero<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
@@ -493,19 +489,10 @@ impl Names<'_> {
     }
 
     fn group(&self, group: &Group) -> GroupFacts {
-        let unknowns = match group.kind {
-            GroupKind::Coupled { unknowns } => Some(unknowns),
-            GroupKind::Driver
-            | GroupKind::Rrr
-            | GroupKind::Rrp
-            | GroupKind::Rpr
-            | GroupKind::Prp
-            | GroupKind::Rpp => None,
-        };
         GroupFacts {
             kind: group.kind,
             point: group.point.and_then(|p| self.point(p)),
-            unknowns,
+            unknowns: group.kind.unknowns(),
             links: self.links(group.links.iter().copied()),
             points: group.points.iter().filter_map(|&p| self.point(p)).collect(),
         }

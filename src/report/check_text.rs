@@ -7,7 +7,6 @@ use super::check::{
 use super::number::concise;
 use super::text::{WIDTH, wrapped};
 use crate::scene::sanitized;
-use crate::solver::GroupKind;
 
 /// The column in which the facts begin.
 const FACTS: usize = 11;
@@ -181,18 +180,13 @@ impl Check {
     fn group_text(&self, group: &GroupFacts) -> String {
         let at = group.point.as_ref().map(|p| format!(" at {p}"));
         let at = at.unwrap_or_default();
-        let dyad = |class| format!("dyad {class}{at}");
-        let (what, how) = match group.kind {
-            GroupKind::Driver => return format!("driver: {}", self.driven()),
-            GroupKind::Rrr => (dyad("RRR"), "closed form"),
-            GroupKind::Rrp => (dyad("RRP"), "closed form"),
-            GroupKind::Rpr => (dyad("RPR"), "closed form"),
-            GroupKind::Prp => (dyad("PRP"), "closed form"),
-            GroupKind::Rpp => (dyad("RPP"), "closed form"),
-            GroupKind::Coupled { unknowns } => {
+        let (what, how) = match (group.kind.class(), group.kind.unknowns()) {
+            (Some(class), _) => (format!("dyad {class}{at}"), "closed form"),
+            (None, Some(unknowns)) => {
                 let unknowns = counted(unknowns, "unknown");
                 (format!("coupled group{at}, {unknowns}"), "by Newton")
             }
+            (None, None) => return format!("driver: {}", self.driven()),
         };
         match group.links.as_slice() {
             [] => format!("{what} ({how})"),

@@ -5,7 +5,7 @@
 //! constants of the plan into the steps, the coupled groups and the forces. Nothing is changed by a finite
 //! amount: a derivative is as exact as the figure that it belongs to.
 
-use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::elements::{ACCELERATION, POSITION, VELOCITY};
 use super::engine::Engine;
 use super::forces::Balance;
 use super::network::Network;
@@ -92,18 +92,10 @@ impl ByLength {
     }
 
     fn run<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Dual>) -> bool {
-        let Workspace {
-            state: dual,
-            scratch,
-            ..
-        } = work;
-        let (q, direction) = self.engine.coordinate(dual.at);
-        self.engine.program.steps.iter().all(|step| match step {
-            Step::Coupled { index } => {
-                let group = &self.engine.program.coupled[*index];
-                group.by_length(q, ORDER, state, dual, scratch)
-            }
-            _ => step.run::<Dual, ORDER>(q, direction, dual) == Outcome::Done,
+        let at = work.state.at;
+        let engine = &self.engine;
+        engine.run_in::<Dual, ORDER>(at, work, |group, q, dual, scratch| {
+            group.by_length(q, ORDER, state, dual, scratch)
         })
     }
 

@@ -1,6 +1,7 @@
 //! The assemblies beside the one that is followed: of a group, and of the whole mechanism.
 
 use super::assemble::{Assembler, Request, Way, handedness};
+use super::elements::Step;
 use super::engine::Engine;
 use super::fault::Fault;
 use super::network::Network;
@@ -320,10 +321,7 @@ impl Present {
 
     fn has_root(&self, engine: &Engine, group: usize, z: &[f64]) -> bool {
         let steps = &engine.program.steps[super::assemble::steps_of(engine, group)];
-        let index = steps.iter().find_map(|s| match s {
-            super::elements::Step::Coupled { index } => Some(*index),
-            _ => None,
-        });
+        let index = steps.iter().find_map(Step::coupled);
         let own = index.map(|i| &engine.program.coupled[i]);
         own.is_some_and(|c| {
             let numbers = &self.state.scratch.numbers[c.offset..c.offset + c.width()];

@@ -1,7 +1,7 @@
 //! Runs a program at one coordinate of the driver.
 
 use super::change_point::Passages;
-use super::coupled::Scratch;
+use super::coupled::{Coupled, Scratch};
 use super::demand::{Marks, Part, prune};
 use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
 use super::frame::Frame;
@@ -60,9 +60,9 @@ impl Engine {
         };
         let starts = engine.program.group_starts.clone();
         for (i, step) in engine.program.steps.iter().enumerate() {
-            if let Step::Coupled { index } = step {
+            if let Some(index) = step.coupled() {
                 let group = starts.partition_point(|&start| start <= i) - 1;
-                engine.program.coupled[*index].group = group;
+                engine.program.coupled[index].group = group;
             }
         }
         let mut offset = 0;
@@ -207,6 +207,22 @@ impl Engine {
         condition
     }
 
+    /// Runs every step in any arithmetic, without looking closer where rounding decides; `place` places the
+    /// coupled groups. Whether everything was placed.
+    pub(super) fn run_in<T: Number, const ORDER: u8>(
+        &self,
+        at: T,
+        work: &mut Workspace<T>,
+        mut place: impl FnMut(&Coupled, T, &mut State<T>, &mut Scratch<T>) -> bool,
+    ) -> bool {
+        let Workspace { state, scratch, .. } = work;
+        let (q, direction) = self.coordinate(at);
+        self.program.steps.iter().all(|step| match step.coupled() {
+            Some(index) => place(&self.program.coupled[index], q, state, scratch),
+            None => step.run::<T, ORDER>(q, direction, state) == Outcome::Done,
+        })
+    }
+
     /// As [`Engine::run`] close to a change point: there a dyad is placed by its passage.
     #[inline(never)]
     pub(super) fn run_near(
@@ -242,8 +258,8 @@ impl Engine {
 
     /// Puts what a coupled group has been placed as into its own room: bounds look there.
     fn read_coupled(&self, step: &Step, state: &State, scratch: &mut Scratch) {
-        if let Step::Coupled { index } = step {
-            let group = &self.program.coupled[*index];
+        if let Some(index) = step.coupled() {
+            let group = &self.program.coupled[index];
             group.read(state, group.open(scratch).z);
         }
     }
@@ -254,8 +270,7 @@ impl Engine {
         work.state.begin(fold.at, Order::Position);
         work.state.condition = Condition::DeadPoint;
         for (i, step) in self.program.steps.iter().enumerate() {
-            let is_folded = matches!(step, Step::Coupled { index } if *index == fold.index);
-            if is_folded {
+            if step.coupled() == Some(fold.index) {
                 let group = &self.program.coupled[fold.index];
                 let Workspace { state, scratch, .. } = &mut *work;
                 group.open(scratch).z.copy_from_slice(&fold.z);
@@ -282,10 +297,11 @@ impl Engine {
 
     /// The group whose sign a step has, if it has one.
     pub(super) fn group_of(&self, step: usize) -> Option<usize> {
-        match &self.program.steps[step] {
-            Step::Coupled { index } => Some(self.program.coupled[*index].group),
-            step => step.choice(),
-        }
+        let step = &self.program.steps[step];
+        let coupled = step
+            .coupled()
+            .map(|index| self.program.coupled[index].group);
+        coupled.or_else(|| step.choice())
     }
 
     /// The points and links that a step with a sign places.

@@ -143,6 +143,6 @@ impl Exact {
 /// How many steps come before the first coupled group.
 fn closed(engine: &Engine) -> usize {
     let mut steps = engine.program.steps.iter();
-    let first = steps.position(|step| matches!(step, Step::Coupled { .. }));
+    let first = steps.position(|step| step.coupled().is_some());
     first.unwrap_or(engine.program.steps.len())
 }

@@ -31,6 +31,30 @@ pub enum GroupKind {
     },
 }
 
+impl GroupKind {
+    /// The class of a dyad by its joints from pivot to pivot: R turns, P slides.
+    #[must_use]
+    pub fn class(self) -> Option<&'static str> {
+        match self {
+            GroupKind::Rrr => Some("RRR"),
+            GroupKind::Rrp => Some("RRP"),
+            GroupKind::Rpr => Some("RPR"),
+            GroupKind::Prp => Some("PRP"),
+            GroupKind::Rpp => Some("RPP"),
+            GroupKind::Driver | GroupKind::Coupled { .. } => None,
+        }
+    }
+
+    /// How many unknowns a coupled group solves for at once.
+    #[must_use]
+    pub fn unknowns(self) -> Option<usize> {
+        match self {
+            GroupKind::Coupled { unknowns } => Some(unknowns),
+            _ => None,
+        }
+    }
+}
+
 /// Which of its assemblies a group is to take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pick {
@@ -72,21 +96,17 @@ impl Group {
         match self.kind {
             GroupKind::Driver => None,
             GroupKind::Rpr => arm,
-            GroupKind::Rrr
-            | GroupKind::Rrp
-            | GroupKind::Prp
-            | GroupKind::Rpp
-            | GroupKind::Coupled { .. } => self.point.map(Element::Point).or(arm),
+            _ => self.point.map(Element::Point).or(arm),
         }
     }
 
     /// Whether it can have more than one assembly.
     #[must_use]
     pub fn has_choices(&self) -> bool {
-        match self.kind {
-            GroupKind::Driver | GroupKind::Prp | GroupKind::Rpp => false,
-            GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr | GroupKind::Coupled { .. } => true,
-        }
+        !matches!(
+            self.kind,
+            GroupKind::Driver | GroupKind::Prp | GroupKind::Rpp
+        )
     }
 }
 

@@ -1,6 +1,6 @@
 //! The same states in twice the precision: to hold others against.
 
-use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::elements::{ACCELERATION, POSITION, VELOCITY};
 use super::engine::Engine;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
@@ -48,17 +48,8 @@ impl Solver {
 
 impl Engine {
     fn run_twice<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Double>) -> bool {
-        let Workspace {
-            state: twice,
-            scratch,
-            ..
-        } = work;
-        let (q, direction) = self.coordinate(twice.at);
-        self.program.steps.iter().all(|step| match step {
-            Step::Coupled { index } => {
-                self.program.coupled[*index].refine(q, ORDER, state, twice, scratch)
-            }
-            _ => step.run::<Double, ORDER>(q, direction, twice) == Outcome::Done,
+        self.run_in::<Double, ORDER>(work.state.at, work, |group, q, twice, scratch| {
+            group.refine(q, ORDER, state, twice, scratch)
         })
     }
 }

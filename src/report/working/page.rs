@@ -7,7 +7,7 @@ use super::polygon::{Loop, Polygon, Term};
 use super::sides::{Reading, Shape, Turns};
 use super::stages::{Schedule, Stage};
 use crate::scene::Scene;
-use crate::solver::{Condition, Group, GroupKind, Known, Order, Solver};
+use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::{Mechanism, angle};
 
 /// What the working is written from.
@@ -154,14 +154,10 @@ impl<'a> Context<'a> {
     fn kind_text(&self, group: &Group) -> String {
         let at = group.point.and_then(|point| self.scene.point_name(point));
         let at = at.map_or_else(String::new, |name| format!(" at {name}"));
-        match group.kind {
-            GroupKind::Driver => "driver".into(),
-            GroupKind::Rrr => format!("dyad RRR{at}"),
-            GroupKind::Rrp => format!("dyad RRP{at}"),
-            GroupKind::Rpr => format!("dyad RPR{at}"),
-            GroupKind::Prp => format!("dyad PRP{at}"),
-            GroupKind::Rpp => format!("dyad RPP{at}"),
-            GroupKind::Coupled { unknowns } => format!("coupled group of {unknowns} unknowns"),
+        match (group.kind.class(), group.kind.unknowns()) {
+            (Some(class), _) => format!("dyad {class}{at}"),
+            (None, Some(unknowns)) => format!("coupled group of {unknowns} unknowns"),
+            (None, None) => "driver".into(),
         }
     }
 }

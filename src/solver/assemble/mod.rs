@@ -218,10 +218,8 @@ impl Assembler<'_> {
 
     /// The step of a coupled group, and its number among these.
     fn coupled(&self, number: usize, engine: &Engine) -> Option<(usize, usize)> {
-        steps_of(engine, number).find_map(|i| match engine.program.steps[i] {
-            Step::Coupled { index } => Some((i, index)),
-            _ => None,
-        })
+        let coupled = |i: usize| engine.program.steps[i].coupled();
+        steps_of(engine, number).find_map(|i| Some((i, coupled(i)?)))
     }
 
     fn group(&self, number: usize) -> &Group {

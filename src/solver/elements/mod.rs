@@ -259,6 +259,14 @@ elements! {
 }
 
 impl Step {
+    /// The number of the coupled group, if it is one.
+    pub(super) fn coupled(&self) -> Option<usize> {
+        match self {
+            Step::Coupled { index } => Some(*index),
+            _ => None,
+        }
+    }
+
     /// The group whose sign chooses between the two assemblies of this step, if it has two.
     pub(super) fn choice(&self) -> Option<usize> {
         self.dyad().map(Dyad::group)

@@ -15,7 +15,7 @@ pub use method::{Method, Start, Unfit};
 pub(crate) use runner::Runner;
 
 use super::coupled::{Closing, Coupled, Scratch};
-use super::elements::{ACCELERATION, Outcome, Step};
+use super::elements::ACCELERATION;
 use super::engine::Engine;
 use super::network::Network;
 use super::state::State;
@@ -168,14 +168,8 @@ fn run<T: Number, const ORDER: u8>(
     work: &mut Workspace<T>,
     mut solve: impl FnMut(&Coupled, T, &State<T>, &mut Scratch<T>) -> bool,
 ) -> bool {
-    let (q, direction) = engine.coordinate(at);
-    let Workspace { state, scratch, .. } = work;
-    engine.program.steps.iter().all(|step| match step {
-        Step::Coupled { index } => {
-            let group = &engine.program.coupled[*index];
-            solve(group, q, state, scratch) && group.finish(q, ORDER, state, scratch)
-        }
-        _ => step.run::<T, ORDER>(q, direction, state) == Outcome::Done,
+    engine.run_in::<T, ORDER>(at, work, |group, q, state, scratch| {
+        solve(group, q, state, scratch) && group.finish(q, ORDER, state, scratch)
     })
 }
 

@@ -5,7 +5,7 @@ use super::walk::Walker;
 use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
-use crate::solver::elements::{REACH_SLACK, Step};
+use crate::solver::elements::REACH_SLACK;
 use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 
@@ -32,7 +32,7 @@ impl Walker<'_> {
         }
         let saved = self.state.clone();
         let steps = 0..engine.program.steps.len();
-        let is_coupled = |&i: &usize| matches!(engine.program.steps[i], Step::Coupled { .. });
+        let is_coupled = |&i: &usize| engine.program.steps[i].coupled().is_some();
         steps.filter(is_coupled).find_map(|step| {
             self.state.clone_from(&saved);
             self.flip(step);
@@ -75,9 +75,7 @@ impl Walker<'_> {
     /// Where the solutions of a coupled group cross close to a limit.
     fn crossing(&mut self, step: usize, limit: f64, before: &Workspace) -> Option<Change> {
         let engine = self.engine;
-        let Step::Coupled { index } = engine.program.steps[step] else {
-            return None;
-        };
+        let index = engine.program.steps[step].coupled()?;
         let group = &engine.program.coupled[index];
         let rate = group.open(&mut self.state.scratch).first.to_vec();
         self.state.clone_from(before);

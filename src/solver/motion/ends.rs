@@ -11,7 +11,6 @@ use super::{Folded, Stretched};
 use crate::Double;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
-use crate::solver::elements::Step;
 use crate::solver::exact::Exact;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
@@ -38,7 +37,7 @@ impl Walker<'_> {
             return end.at;
         }
         let refined = self.ending_step(limit).and_then(|step| {
-            if let Step::Coupled { index } = self.engine.program.steps[step] {
+            if let Some(index) = self.engine.program.steps[step].coupled() {
                 self.fold(step, index, limit, state)
             } else {
                 self.end_of_reach(step, limit)

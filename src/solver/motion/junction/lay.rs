@@ -2,7 +2,7 @@
 
 use crate::arithmetic::Series;
 use crate::solver::Order;
-use crate::solver::elements::{Outcome, POSITION, Snap, Step, root};
+use crate::solver::elements::{Outcome, POSITION, Snap, root};
 use crate::solver::motion::change::Change;
 use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
@@ -40,7 +40,7 @@ impl Walker<'_> {
                 let height = root(square, 0, self.state.signs[dyad.group()]);
                 dyad.run_through(q, plain, height, &mut series.state);
                 !is_open
-            } else if matches!(step, Step::Coupled { .. }) {
+            } else if step.coupled().is_some() {
                 self.follow(i, at, q, None, series)
             } else {
                 step.run::<Series, POSITION>(q, direction, &mut series.state) == Outcome::Done
@@ -72,11 +72,10 @@ impl Walker<'_> {
         series: &mut Workspace<Series>,
     ) -> bool {
         let engine = self.engine;
-        let (Step::Coupled { index }, Some(exact)) = (&engine.program.steps[step], self.exact)
-        else {
+        let (Some(index), Some(exact)) = (engine.program.steps[step].coupled(), self.exact) else {
             return false;
         };
-        let group = &exact.engine.program.coupled[*index];
+        let group = &exact.engine.program.coupled[index];
         // Its inputs are read in doubles, too.
         self.aim_at(at);
         self.take_places(series);

@@ -12,7 +12,7 @@ mod standing;
 use super::change::Change;
 use super::walk::Walker;
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::elements::{Dyad, Outcome, POSITION, Snap, Step, root};
+use crate::solver::elements::{Dyad, Outcome, POSITION, Snap, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
 use standing::Standing;
@@ -117,10 +117,10 @@ impl Walker<'_> {
                 self.lead(i, dyad, q, &mut junction)?;
                 continue;
             }
-            let done = if let Step::Coupled { index } = step {
+            let done = if let Some(index) = step.coupled() {
                 let crossing = crossing.filter(|c| c.step == i);
                 if crossing.is_some() {
-                    let group = engine.program.coupled[*index].group;
+                    let group = engine.program.coupled[index].group;
                     junction.fold((i, group), (Snap::default(), 2), self.sense);
                 }
                 self.follow(i, at.hi, q, crossing, &mut junction.series)
