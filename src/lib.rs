@@ -20,6 +20,8 @@
 //!   -> report     tables, CSV, JSON      -> drawing, tui   the linkage in characters, live tables
 //! ```
 //!
+//! How each room of the solver finds what it does, with the derivations, stands in the [`guide`].
+//!
 //! Nobody imports against this way: [`solver`] knows no file, no unit name and no terminal. What the
 //! solver finds wrong carries ids; [`scene::Scene::explain`] joins it with the lines of the file.
 //!
@@ -89,6 +91,7 @@ mod document;
 pub mod drawing;
 mod explain;
 mod files;
+pub mod guide;
 mod manual;
 mod mechanism;
 mod nearest;

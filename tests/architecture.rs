@@ -11,7 +11,8 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 19] = [
+const PLACES: [(&str, u8); 20] = [
+    ("guide", 0),
     ("nearest", 0),
     ("numeric", 0),
     ("arithmetic", 0),

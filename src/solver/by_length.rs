@@ -1,9 +1,4 @@
-//! The same mechanism with its derivatives by one given length: the same groups, the same assembly, and
-//! every formula once more in [`Dual`] numbers.
-//!
-//! The length is seeded where the mechanism's places are read; from there its slope goes through the
-//! constants of the plan into the steps, the coupled groups and the forces. Nothing is changed by a finite
-//! amount: a derivative is as exact as the figure that it belongs to.
+#![doc = include_str!("../guide/derivatives.md")]
 
 use super::elements::{ACCELERATION, POSITION, VELOCITY};
 use super::engine::Engine;

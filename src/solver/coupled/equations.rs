@@ -1,12 +1,4 @@
 //! The equations of a coupled group, their rates and the matrix of these, from the motion of spots.
-//!
-//! With e = a - b, n and t across and along the guide, and w its angular velocity:
-//!
-//! ```text
-//! distance   (|a - b|^2 - r^2) / 2 = 0        rate  e.(Va - Vb)
-//! meeting    a - b = 0                               Va - Vb
-//! slot       n.(x - q) = 0                           n.(Vx - Vq) - w t.(x - q)
-//! ```
 
 use super::{Base, Coupled, Equation, Moving, Room, Spot, Turning};
 use crate::solver::state::{LinkState, PointState, State};

@@ -1,9 +1,4 @@
-//! Coupled groups: what falls apart into no dyads, solved at once by Newton's method.
-//!
-//! Unknowns z: the coordinates of free joints, then one angle for every class of turning links.
-//! Links with two joints are distances, not unknowns. Every joint is `base + R(angle) r`, so that its
-//! derivatives are exact. With J the matrix of the equations' rates: J z' = -(rates with z' = 0),
-//! J z'' = -(second rates with z'' = 0).
+#![doc = include_str!("../../guide/coupled.md")]
 
 mod build;
 mod by_length;

@@ -1,14 +1,9 @@
-//! The elements of a plan, a file each: what places what, in closed form, and the same backwards.
+#![doc = include_str!("../../guide/elements.md")]
 //!
-//! An element reads points and links that earlier ones have placed and places a few more, with the
-//! first and second derivatives by the driver's coordinate; run backwards it hands the forces that have come
-//! to what it placed down to what it stands on. Notation: P, Q known points, X the point sought; e = X - P,
-//! f = X - Q; t the direction of a guide and n = k x t its normal; (V, w) and (A, alpha) first and second
-//! derivatives of points and angles. Backwards F is the force that has come to a point, M the couple that
-//! has come to a link.
+//! # In the source
 //!
-//! The table [`elements!`] lists them all. A new element is its file, a line there, and its recognition in
-//! a block of unknowns ([`super::chain`]).
+//! A file for each element; the table [`elements!`] lists them all. A new element is its file, a line there,
+//! and its recognition in a block of unknowns ([`super::chain`]).
 
 mod aim;
 mod arm;

@@ -1,16 +1,4 @@
-//! Forces: what the driver must do, and what the joints carry.
-//!
-//! The steps of the plan, run backwards, are the transpose of the velocities' solution. What acts is put
-//! upon the points and links as forces and couples; then every step, the last one first, hands what has
-//! come to the things that it placed on to those that it placed them by. A link of two joints cannot
-//! keep what it is given, a dyad decides between its two pivots by the determinant that its velocities
-//! come from, a coupled group by its own matrix, transposed. What reaches the driven coordinate is what
-//! the driver holds against. On the way it is noted what passes every joint and every guide.
-//!
-//! Two checks share nothing with this but the state: the virtual work of all that acts against that
-//! of the driver, and the equilibrium of the whole with the forces on the frame.
-//!
-//! Friction is not modelled. A force at a joint acts on its pin.
+#![doc = include_str!("../../guide/forces.md")]
 
 mod applied;
 mod checks;

@@ -1,10 +1,4 @@
-//! The whole motion, followed once when a mechanism is opened.
-//!
-//! The walk goes from the start in both directions until the motion closes or ends. It looks for
-//! the end on each group's own measure (the square of the sine of its transmission angle, negative
-//! where the group is open; of a coupled group its scaled determinant, signed), also between its
-//! steps, and keeps anchor states of coupled groups, from which any angle is solved later without any
-//! history. Limits are told to the last digit, change points are passed and kept as series.
+#![doc = include_str!("../../guide/motion.md")]
 
 mod anchors;
 mod change;

@@ -1,20 +1,4 @@
-//! What the rank of the constraints says: how many motions there are, which constraints repeat each
-//! other, and which links the driver leaves free.
-//!
-//! The structure (who shares unknowns with whom) orders the groups, and knows no more: whether constraints
-//! repeat each other is a matter of dimensions. With J the derivatives of all constraints by all
-//! unknowns at an assembled pose, the driver held, d those by its coordinate, and r the rank of J:
-//!
-//! ```text
-//! free       n - r        motions that the driver does not determine (right null space: which links)
-//! redundant  m - r        constraints that repeat others             (left null space: which ones)
-//! held       rank of [J d] - r: 1 where they let the driver not move either
-//! mobility   1 + free - held
-//! ```
-//!
-//! Where every group of a plan is regular, J is block triangular with regular blocks and r = n without a
-//! look at it; only what structure leaves open is decomposed. The rank at one pose may be lower than
-//! elsewhere (a change point): the greatest of several poses counts.
+#![doc = include_str!("../../guide/rank.md")]
 
 mod assemble;
 mod exchange;

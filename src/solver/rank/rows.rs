@@ -1,16 +1,5 @@
 //! The constraints as dense rows over the coordinates of joints and the directions of links.
-//!
-//! With R the rotation of a body, c its centre joint, l the local vector from there to another joint e,
-//! u = R l / |l| and k x u its normal, and with v = e - c:
-//!
-//! ```text
-//! along    u . v - |l|            de: u        dc: -u        dtheta:  (k x u) . v
-//! across   (k x u) . v            de: k x u    dc: -k x u    dtheta: -u . v
-//! slot     n . (p - T)            dp: n        dc: -n        dtheta: -t . (p - c)
-//! push     t . (p - T) - q        dp: t        dc: -t        dtheta:  n . (p - c)       dq: -1
-//! ```
-//!
-//! where a guide of the direction t, with n = k x t, runs through T = c + R l_T of its body.
+//! Their derivations stand with the room.
 
 use crate::solver::frame::Frame;
 use crate::solver::network::{ClassId, GROUND, Network, Row, Unknown};

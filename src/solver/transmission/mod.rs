@@ -1,14 +1,4 @@
-//! The transmission angles of the dyads over the whole motion.
-//!
-//! At the inner joint of a dyad two lines meet that hold it: of a link, the line from the pin that is
-//! known to the joint; of a slide, the normal of its guide, along which it pushes. The transmission
-//! angle mu lies between them. Two links make any angle from 0 to 180 degrees, and 90 is best: an
-//! engineer asks that neither the smallest is below some 40 nor the largest above some 140. A normal
-//! has no sense of its own, and with one of them mu is at most 90.
-//!
-//! mu does not depend on the path, so it is read off states at the coordinates of the walk, and an
-//! extreme between two of them is the zero of its rate: (cos mu)' = -sin mu (w2 - w1), with w1 and w2
-//! the turning of the two lines. Change points and limits are looked at themselves.
+#![doc = include_str!("../../guide/transmission.md")]
 
 mod between;
 
