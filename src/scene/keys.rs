@@ -3,8 +3,8 @@
 //! From it come the faults of unknown keys, the numbers that the workbench lists and changes, and the reference in
 //! the manual. The types that a file is read into have a field for each row; a test holds them to it.
 
+use super::measure::Measure;
 use super::rate::Degree;
-use super::values::Measure;
 
 /// A key.
 pub(super) struct Key {

@@ -51,6 +51,7 @@ mod keys;
 mod link;
 mod load_names;
 mod loads;
+mod measure;
 mod motor;
 mod names;
 mod points;
@@ -69,12 +70,13 @@ mod values;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
 pub use keys::reference;
+pub use measure::Measure;
 pub use motor::Motor;
 pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;
 pub use unit::Unit;
-pub use values::{Measure, Value};
+pub use values::Value;
 
 use crate::document;
 use crate::{Element, LinkId, Mechanism, PointId, SlideId};

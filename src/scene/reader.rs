@@ -157,3 +157,34 @@ pub(super) fn number_of<'v>(text: &str, value: &'v Lenient<f64>) -> Result<f64, 
     // What begins with 0x, 0o or 0b does not read so.
     Ok(digits.parse().unwrap_or(number))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde::Deserialize;
+    use toml::de::ValueDeserializer;
+
+    /// What the reader by hand took is taken still: whole numbers of any length, and the sign of nothing.
+    #[test]
+    fn numbers_are_the_doubles_nearest_to_their_digits() {
+        let long = format!("1{}", "0".repeat(45));
+        let longer = format!("-1{}", "0".repeat(400));
+        let hex = format!("0x{}", "f".repeat(40));
+        for (text, expected) in [
+            ("-0", -0.0),
+            ("+1_000", 1000.0),
+            ("0x64", 100.0),
+            ("0xffffffffffffffff", u64::MAX as f64),
+            ("9007199254740993", 9_007_199_254_740_992.0),
+            (&long, 1e45),
+            (&longer, f64::NEG_INFINITY),
+            (&hex, f64::INFINITY),
+            ("-1e400", f64::NEG_INFINITY),
+            ("inf", f64::INFINITY),
+        ] {
+            let value = Lenient::deserialize(ValueDeserializer::parse(text).unwrap()).unwrap();
+            let found = number_of(text, &value).unwrap();
+            assert_eq!(found.to_bits(), expected.to_bits(), "{text}: {found}");
+        }
+    }
+}

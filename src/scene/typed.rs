@@ -5,42 +5,10 @@
 //! become `300`.
 
 use super::Unit;
+use super::measure::Units;
 use super::rate::{self, number_length};
-use super::values::{Measure, Value};
+use super::values::Value;
 use std::fmt;
-
-/// A unit that may be typed: it is worth `times / of` of the one in the file.
-struct Scale {
-    symbol: &'static str,
-    times: u32,
-    of: u32,
-}
-
-const fn scale(symbol: &'static str, times: u32, of: u32) -> Scale {
-    Scale { symbol, times, of }
-}
-
-static MASSES: [Scale; 2] = [scale("kg", 1, 1), scale("g", 1, 1000)];
-static INERTIAS: [Scale; 3] = [
-    scale("kg m^2", 1, 1),
-    scale("kg cm^2", 1, 10_000),
-    scale("kg mm^2", 1, 1_000_000),
-];
-static FORCES: [Scale; 2] = [scale("N", 1, 1), scale("kN", 1000, 1)];
-static TORQUES: [Scale; 4] = [
-    scale("N m", 1, 1),
-    scale("N cm", 1, 100),
-    scale("N mm", 1, 1000),
-    scale("kN m", 1000, 1),
-];
-static GRAVITIES: [Scale; 2] = [scale("m/s^2", 1, 1), scale("mm/s^2", 1, 1000)];
-static STIFFNESSES: [Scale; 3] = [
-    scale("N/m", 1, 1),
-    scale("N/mm", 1000, 1),
-    scale("kN/m", 1000, 1),
-];
-static DAMPINGS: [Scale; 2] = [scale("N s/m", 1, 1), scale("N s/mm", 1000, 1)];
-static FACTORS: [Scale; 2] = [scale("", 1, 1), scale("%", 1, 100)];
 
 /// Why what was typed cannot stand for a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -100,7 +68,7 @@ impl Value {
         if unit.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
             return Err(self.no_number(typed));
         }
-        let written = if let Some((kind, degree)) = self.measure.rate(self.scene) {
+        let written = if let Units::Rate(kind, degree) = self.measure.units(self.scene) {
             let unit = if unit.is_empty() { self.unit } else { unit };
             let known = rate::units(kind, degree).iter();
             let known = known.copied().find(|known| same(known, unit));
@@ -145,13 +113,11 @@ impl Value {
     /// The units that may be typed, that of the file first.
     #[must_use]
     pub fn units(&self) -> Vec<&'static str> {
-        let all: Vec<&'static str> = match (self.measure, self.measure.rate(self.scene)) {
-            (_, Some((kind, degree))) => rate::units(kind, degree).to_vec(),
-            (Measure::Angle, None) => vec!["deg", "rad"],
-            (Measure::Length | Measure::Coordinate | Measure::Start, None) => {
-                Unit::ALL.map(Unit::symbol).to_vec()
-            }
-            (measure, None) => scales(measure).iter().map(|s| s.symbol).collect(),
+        let all: Vec<&'static str> = match self.measure.units(self.scene) {
+            Units::Length => Unit::ALL.map(Unit::symbol).to_vec(),
+            Units::Angle => vec!["deg", "rad"],
+            Units::Rate(kind, degree) => rate::units(kind, degree).to_vec(),
+            Units::Scales(scales) => scales.iter().map(|(unit, ..)| *unit).collect(),
         };
         let others = all.into_iter().filter(|&unit| unit != self.unit);
         let all = std::iter::once(self.unit).chain(others);
@@ -161,44 +127,23 @@ impl Value {
 
     /// A number in another unit than the file's, in the file's; `None` where the unit does not fit.
     fn converted(&self, number: &str, plain: f64, unit: &str) -> Option<f64> {
-        match self.measure {
-            Measure::Angle => {
-                let degrees = degrees(number);
-                (unit == "rad").then(|| degrees.unwrap_or(plain.to_degrees()))
-            }
-            Measure::Length | Measure::Coordinate | Measure::Start => {
+        match self.measure.units(self.scene) {
+            Units::Length => {
                 let typed = Unit::ALL.into_iter().find(|u| u.symbol() == unit)?;
                 let [times, of] = [typed, self.scene].map(Unit::whole_tenths_of_mm);
                 Some(scaled(number, plain, times, of))
             }
-            measure => {
-                let mut known = scales(measure).iter();
-                let scale = known.find(|scale| same(scale.symbol, unit))?;
-                Some(scaled(number, plain, scale.times, scale.of))
+            Units::Angle => {
+                let degrees = degrees(number);
+                (unit == "rad").then(|| degrees.unwrap_or(plain.to_degrees()))
             }
+            Units::Scales(scales) => {
+                let (_, times, of) = scales.iter().find(|(known, ..)| same(known, unit))?;
+                Some(scaled(number, plain, *times, *of))
+            }
+            // Written with the unit that was typed.
+            Units::Rate(..) => None,
         }
-    }
-}
-
-/// The units of a value that is neither a length nor an angle nor a rate.
-fn scales(measure: Measure) -> &'static [Scale] {
-    match measure {
-        Measure::Mass => &MASSES,
-        Measure::Inertia => &INERTIAS,
-        Measure::Force => &FORCES,
-        Measure::Torque => &TORQUES,
-        Measure::Gravity => &GRAVITIES,
-        Measure::Stiffness => &STIFFNESSES,
-        Measure::Damping => &DAMPINGS,
-        Measure::Factor => &FACTORS,
-        Measure::Length
-        | Measure::Coordinate
-        | Measure::Start
-        | Measure::Angle
-        | Measure::TurnSpeed
-        | Measure::TurnAcceleration
-        | Measure::PushSpeed
-        | Measure::PushAcceleration => &[],
     }
 }
 

@@ -4,6 +4,7 @@
 //! place, by the reader of scenes, and comments, order and blanks stay as they are.
 
 use super::keys::{self, Key, Kind, Size};
+use super::measure::{Measure, Units};
 use super::rate::{self, Degree, number_length};
 use super::reader::number_of;
 use super::rewrite::Edits;
@@ -17,98 +18,6 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
 type Item<'t> = Spanned<DeValue<'t>>;
-
-/// What a value measures, and what it may be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// A distance, positive, in the scene's unit; the length of a spring without a force may be 0, and
-    /// so may a misfit.
-    Length,
-    /// A coordinate or a slide's position, in the scene's unit.
-    Coordinate,
-    /// A rough coordinate of `[start]`, in the scene's unit: it chooses the assembly.
-    Start,
-    /// In degrees, counter-clockwise.
-    Angle,
-    /// How fast the driver turns, with a unit of its own.
-    TurnSpeed,
-    /// How its speed changes.
-    TurnAcceleration,
-    /// How fast the driver is pushed, with a unit of its own.
-    PushSpeed,
-    /// How its speed changes.
-    PushAcceleration,
-    /// In kg, not negative.
-    Mass,
-    /// In kg m^2, not negative.
-    Inertia,
-    /// In N.
-    Force,
-    /// In N m.
-    Torque,
-    /// In m/s^2.
-    Gravity,
-    /// In N/m, not negative.
-    Stiffness,
-    /// In N s/m, not negative.
-    Damping,
-    /// A plain number: the part of a load that acts, or of a speed by which it fluctuates.
-    Factor,
-}
-
-impl Measure {
-    /// What a rate of the driver measures, which is turned or pushed.
-    fn of_rate(degree: Degree, turns: bool) -> Measure {
-        match (degree, turns) {
-            (Degree::Speed, true) => Measure::TurnSpeed,
-            (Degree::Speed, false) => Measure::PushSpeed,
-            (Degree::Acceleration, true) => Measure::TurnAcceleration,
-            (Degree::Acceleration, false) => Measure::PushAcceleration,
-        }
-    }
-
-    /// What kind of rate it is, of the driver's speed and acceleration.
-    pub(super) fn rate(self, unit: Unit) -> Option<(rate::Kind, Degree)> {
-        match self {
-            Measure::TurnSpeed => Some((rate::Kind::Turn, Degree::Speed)),
-            Measure::TurnAcceleration => Some((rate::Kind::Turn, Degree::Acceleration)),
-            Measure::PushSpeed => Some((rate::Kind::Push(unit), Degree::Speed)),
-            Measure::PushAcceleration => Some((rate::Kind::Push(unit), Degree::Acceleration)),
-            Measure::Length
-            | Measure::Coordinate
-            | Measure::Start
-            | Measure::Angle
-            | Measure::Mass
-            | Measure::Inertia
-            | Measure::Force
-            | Measure::Torque
-            | Measure::Gravity
-            | Measure::Stiffness
-            | Measure::Damping
-            | Measure::Factor => None,
-        }
-    }
-
-    /// The unit in which the file has it; a rate brings its own.
-    fn unit(self, scene: Unit) -> &'static str {
-        match self {
-            Measure::Length | Measure::Coordinate | Measure::Start => scene.symbol(),
-            Measure::Angle => "deg",
-            Measure::Mass => "kg",
-            Measure::Inertia => "kg m^2",
-            Measure::Force => "N",
-            Measure::Torque => "N m",
-            Measure::Gravity => "m/s^2",
-            Measure::Stiffness => "N/m",
-            Measure::Damping => "N s/m",
-            Measure::Factor
-            | Measure::TurnSpeed
-            | Measure::TurnAcceleration
-            | Measure::PushSpeed
-            | Measure::PushAcceleration => "",
-        }
-    }
-}
 
 /// A number of the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -140,9 +49,9 @@ impl Value {
 
     /// The text for another number in the same unit.
     pub(super) fn written(&self, literal: &str) -> String {
-        match self.measure.rate(self.scene) {
-            Some(_) => format!("{literal} {}", self.unit),
-            None => literal.to_owned(),
+        match self.measure.units(self.scene) {
+            Units::Rate(..) => format!("{literal} {}", self.unit),
+            Units::Length | Units::Angle | Units::Scales(_) => literal.to_owned(),
         }
     }
 }
@@ -328,8 +237,8 @@ impl Collector<'_> {
     /// written with escapes.
     fn rate(&mut self, name: &str, degree: Degree, value: &Item<'_>) {
         let measure = Measure::of_rate(degree, self.turns);
-        let (Some(text), Some((kind, degree))) =
-            (value.get_ref().as_str(), measure.rate(self.unit))
+        let (Some(text), Units::Rate(kind, degree)) =
+            (value.get_ref().as_str(), measure.units(self.unit))
         else {
             return;
         };

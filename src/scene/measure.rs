@@ -1,0 +1,111 @@
+//! What the numbers of a scene measure, and the units in which they may be typed.
+
+use super::Unit;
+use super::rate::{Degree, Kind};
+
+/// What a value measures, and what it may be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// A distance, positive, in the scene's unit; the length of a spring without a force may be 0, and
+    /// so may a misfit.
+    Length,
+    /// A coordinate or a slide's position, in the scene's unit.
+    Coordinate,
+    /// A rough coordinate of `[start]`, in the scene's unit: it chooses the assembly.
+    Start,
+    /// In degrees, counter-clockwise.
+    Angle,
+    /// How fast the driver turns, with a unit of its own.
+    TurnSpeed,
+    /// How its speed changes.
+    TurnAcceleration,
+    /// How fast the driver is pushed, with a unit of its own.
+    PushSpeed,
+    /// How its speed changes.
+    PushAcceleration,
+    /// In kg, not negative.
+    Mass,
+    /// In kg m^2, not negative.
+    Inertia,
+    /// In N.
+    Force,
+    /// In N m.
+    Torque,
+    /// In m/s^2.
+    Gravity,
+    /// In N/m, not negative.
+    Stiffness,
+    /// In N s/m, not negative.
+    Damping,
+    /// A plain number: the part of a load that acts, or of a speed by which it fluctuates.
+    Factor,
+}
+
+/// The units of a measure.
+#[derive(Clone, Copy)]
+pub(super) enum Units {
+    /// Every unit of length; the file has the scene's.
+    Length,
+    /// Degrees, which the file has, and radians.
+    Angle,
+    /// A rate brings its unit along.
+    Rate(Kind, Degree),
+    /// The first one is the file's; a plain number has none.
+    Scales(&'static [Scale]),
+}
+
+/// A unit that may be typed; it is worth so many, divided by so many, of the one in the file.
+pub(super) type Scale = (&'static str, u32, u32);
+
+impl Measure {
+    /// What a rate of the driver measures, which is turned or pushed.
+    pub(super) fn of_rate(degree: Degree, turns: bool) -> Measure {
+        match (degree, turns) {
+            (Degree::Speed, true) => Measure::TurnSpeed,
+            (Degree::Speed, false) => Measure::PushSpeed,
+            (Degree::Acceleration, true) => Measure::TurnAcceleration,
+            (Degree::Acceleration, false) => Measure::PushAcceleration,
+        }
+    }
+
+    /// Its units in a scene with this unit of length.
+    pub(super) fn units(self, scene: Unit) -> Units {
+        let push = Kind::Push(scene);
+        let scales: &'static [Scale] = match self {
+            Measure::Length | Measure::Coordinate | Measure::Start => return Units::Length,
+            Measure::Angle => return Units::Angle,
+            Measure::TurnSpeed => return Units::Rate(Kind::Turn, Degree::Speed),
+            Measure::TurnAcceleration => return Units::Rate(Kind::Turn, Degree::Acceleration),
+            Measure::PushSpeed => return Units::Rate(push, Degree::Speed),
+            Measure::PushAcceleration => return Units::Rate(push, Degree::Acceleration),
+            Measure::Mass => &[("kg", 1, 1), ("g", 1, 1000)],
+            Measure::Inertia => &[
+                ("kg m^2", 1, 1),
+                ("kg cm^2", 1, 10_000),
+                ("kg mm^2", 1, 1_000_000),
+            ],
+            Measure::Force => &[("N", 1, 1), ("kN", 1000, 1)],
+            Measure::Torque => &[
+                ("N m", 1, 1),
+                ("N cm", 1, 100),
+                ("N mm", 1, 1000),
+                ("kN m", 1000, 1),
+            ],
+            Measure::Gravity => &[("m/s^2", 1, 1), ("mm/s^2", 1, 1000)],
+            Measure::Stiffness => &[("N/m", 1, 1), ("N/mm", 1000, 1), ("kN/m", 1000, 1)],
+            Measure::Damping => &[("N s/m", 1, 1), ("N s/mm", 1000, 1)],
+            Measure::Factor => &[("", 1, 1), ("%", 1, 100)],
+        };
+        Units::Scales(scales)
+    }
+
+    /// The unit in which the file has it; a rate brings its own.
+    pub(super) fn unit(self, scene: Unit) -> &'static str {
+        match self.units(scene) {
+            Units::Length => scene.symbol(),
+            Units::Angle => "deg",
+            Units::Rate(..) => "",
+            Units::Scales(scales) => scales[0].0,
+        }
+    }
+}
