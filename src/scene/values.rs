@@ -174,10 +174,11 @@ impl Collector<'_> {
         };
         let what = join(on, size);
         let again = self.again(&what);
-        for key in [size, "over"] {
-            if let (Some(row), Some(value)) = (keys::find(keys, key), table.get(key)) {
+        for (key, value) in table {
+            if let Some(key) = keys::find(keys, key.get_ref()) {
                 // The factors of a load are called by its size.
-                self.value(row, (on, size), value, &again);
+                let called = if key.name == "over" { size } else { key.name };
+                self.value(key, (on, called), value, &again);
             }
         }
     }
