@@ -26,12 +26,6 @@ impl Both {
         self.0[0] + self.0[1]
     }
 
-    /// The larger of each two.
-    #[inline(always)]
-    pub(crate) fn max(self, o: Both) -> Both {
-        self.with(o, |a, b| if a > b { a } else { b })
-    }
-
     /// The other one first.
     #[inline(always)]
     pub(crate) fn swapped(self) -> Both {

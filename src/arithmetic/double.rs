@@ -34,7 +34,7 @@ pub(super) fn split<T: Number>(a: T) -> (T, T) {
 
 /// a b as the rounded product and what it left out (Dekker); exact but for underflow.
 #[inline]
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
     let ((a1, a2), (b1, b2)) = (split(a), split(b));
     (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)

@@ -30,8 +30,15 @@ pub struct Lanes(pub [f64; LANES]);
 pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
     match Level::new().as_avx2() {
         Some(avx2) => avx2.vectorize(f),
-        None => f(),
+        None => outlined(f),
     }
+}
+
+/// Keeps what most machines never run out of the way of what they do.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[inline(never)]
+fn outlined<R>(f: impl FnOnce() -> R) -> R {
+    f()
 }
 
 /// Runs `f`: this machine's vector instructions are those that everything is compiled for.
@@ -51,7 +58,7 @@ pub(crate) fn fused<A, R>(with: A, fused: impl FnOnce(A) -> R, plain: impl FnOnc
             #[inline(always)]
             || fused(with),
         ),
-        None => plain(with),
+        None => outlined(|| plain(with)),
     }
 }
 

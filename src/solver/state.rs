@@ -24,12 +24,13 @@ pub enum Condition {
 /// A point's position and its first two derivatives by the driver's coordinate.
 ///
 /// Aligned, so that no vector instruction reads or writes across the end of a page of memory: some processors
-/// take as long for that as for a whole state.
+/// take as long for that as for a whole state. Rates are apart, so that none reads the one's y and the other's x at
+/// once: what has just been written in two pieces is not to be had as one before it is in the cache.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(align(64))]
+#[repr(C, align(64))]
 pub(super) struct PointState<T = f64> {
-    pub p: Vec2<T>,
     pub v: Vec2<T>,
+    pub p: Vec2<T>,
     pub a: Vec2<T>,
 }
 

@@ -1,87 +1,76 @@
 //! Bounds of what follows from points and links without a constraint to solve.
 
-use super::errors::{Errors, LinkError, PointError, size};
-use super::limb::{Limb, SUM, Shape, across, swing_rest, turned_closely};
+use super::driver::Heading;
+use super::errors::{Errors, LinkError, PointError, rounding, size};
+use super::limb::{Drift, Limb, Moved, RESIDUAL, SUM, Turned};
+use super::shape::{Shape, is_zero, turned_closely};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::demand::Part;
-use crate::solver::elements::{ACCELERATION, Arm, VELOCITY};
+use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::state::State;
-use crate::{Ball, Constant, Double, LinkId, PointId, Vec2};
+use crate::{Ball, Constant, LinkId, PointId, Vec2};
+
+/// What moves a way on a link that is known, and what of it the way leaves open of itself.
+#[derive(Clone, Copy)]
+struct Swung {
+    way: Moved<f64>,
+    own: f64,
+}
+
+impl<const FUSED: bool> Limb<f64, FUSED> {
+    /// What moves the way and its rates, on a link with this error.
+    #[inline(always)]
+    fn swung<const ORDER: u8>(&self, by: &LinkError) -> [Swung; 3] {
+        let turned = by.turned(0);
+        let slack = self.slack(turned.most);
+        let swing = |drift: &Drift<f64>, carried: f64, turned: &Turned<f64>| {
+            let own = drift.new + carried + slack * turned.most;
+            let way = self.way(drift, turned, own + self.length * turned.rest);
+            Swung { way, own }
+        };
+        let e = swing(&self.drift(), 0.0, &turned);
+        let mut ways = [e; 3];
+        if ORDER >= VELOCITY {
+            let spin = by.turned(1);
+            let (drift, rate) = self.drift_of_rate(&e.way);
+            let w = swing(&drift, self.carried_rate(e.way.rest), &spin);
+            ways[1] = w;
+            if ORDER >= ACCELERATION {
+                let drift = self.drift_of_second([&e.way, &w.way], &rate, &spin);
+                let carried = self.carried_second(e.way.rest)
+                    + self.carried_by_rate(w.way.rest, &rate, spin.rest);
+                ways[2] = swing(&drift, carried, &by.turned(2));
+            }
+        }
+        ways
+    }
+}
+
+impl LinkError {
+    /// What turns a link, at an order.
+    #[inline(always)]
+    fn turned(&self, order: usize) -> Turned<f64> {
+        let (shift, size) = match order {
+            0 => (self.turn.y, size(self.turn)),
+            _ => (self.shift[order - 1], self.shift[order - 1].abs()),
+        };
+        let rest = self.rest[order];
+        Turned {
+            shift,
+            most: size + rest,
+            rest,
+        }
+    }
+}
 
 impl Errors {
-    /// A link by two of its points: `along` bounds e . of the rests of the way between them and of its
-    /// rate.
-    #[inline(always)]
-    pub(super) fn aim<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
-        &mut self,
-        arm: &Arm,
-        end: PointId,
-        (limb, shape): (&Limb<f64, FUSED>, &Shape),
-        along: [f64; 2],
-        state: &State,
-        enclosure: &mut State<Ball>,
-    ) {
-        let link = &state.links[arm.link.index()];
-        let (x, p) = (self.point(end), self.point(arm.pivot));
-        let (mut error, gain) = limb.link_error::<ORDER>(shape, link, [x, p], along);
-        if ROWS && self.influences.has_link(arm.link) {
-            error.rest = self.turn_by_rows(arm, (end, limb.e), error.rest, gain);
-        } else {
-            let lefts = x.left.iter().zip(&p.left);
-            for (rest, (x, p)) in error.rest.iter_mut().zip(lefts) {
-                *rest += gain * (x + p);
-            }
-        }
-        self.set_link(arm.link, &error, link, enclosure);
-    }
-
-    /// What is left of a link with this way to an end, by rows of influences, when so much of it is new.
-    #[inline(never)]
-    pub(super) fn turn_by_rows(
-        &mut self,
-        arm: &Arm,
-        (end, e): (PointId, Vec2),
-        mut new: [f64; 3],
-        gain: f64,
-    ) -> [f64; 3] {
-        let ends = [end, arm.pivot];
-        for point in ends {
-            let left = self.left_without_row(point);
-            for (new, left) in new.iter_mut().zip(left) {
-                *new += gain * left;
-            }
-        }
-        self.influences.between(arm.link, new, across(e), ends)
-    }
-
     /// What is left of a point that has no row to say it.
-    fn left_without_row(&self, point: PointId) -> [f64; 3] {
+    pub(super) fn left_without_row(&self, point: PointId) -> [f64; 3] {
         if self.influences.has_point(point) {
             [0.0; 3]
         } else {
             self.point(point).left
         }
-    }
-
-    /// A link both of whose ends are known.
-    #[inline(always)]
-    pub(super) fn aim_at<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
-        &mut self,
-        arm: &Arm,
-        end: PointId,
-        state: &State,
-        enclosure: &mut State<Ball>,
-    ) {
-        let points = [end, arm.pivot];
-        let [x, p] = points.map(|point| &state.points[point.index()]);
-        let limb = Limb::<f64, FUSED>::new::<ORDER>(x, p, &state.links[arm.link.index()]);
-        let rest = |order: usize| -> f64 {
-            let [x, p] = points.map(|point| self.point(point).left[order]);
-            limb.sizes[0] * (x + p)
-        };
-        let along = [rest(0), rest(1)];
-        let shape = Shape::of(arm);
-        self.aim::<ORDER, FUSED, ROWS>(arm, end, (&limb, &shape), along, state, enclosure);
     }
 
     /// A point that rides on a link.
@@ -96,28 +85,28 @@ impl Errors {
     ) {
         let [x, p] = [point, base].map(|point| &state.points[point.index()]);
         let body = &state.links[link.index()];
-        let limb = Limb::<f64, FUSED>::new::<ORDER>(x, p, body);
-        let (from, turned) = (self.point(base), self.link(link));
-        let mut error = limb.point_error::<ORDER>(local, body, from, turned);
-        let length = limb.sizes[0];
-        let mut left = error.left;
+        let (from, by) = (&self.points[base.index()], &self.links[link.index()]);
+        let limb = Limb::<_, FUSED>::new(x, p, body, &Shape::at(local), by.turn.x).lengthened();
+        let ways = limb.swung::<ORDER>(by);
+        let mut left = [0.0; 3];
         if ROWS && self.influences.has_point(point) {
             let base_left = self.left_without_row(base);
             let is_rowed = self.influences.has_link(link);
-            let turn_left = if is_rowed { [0.0; 3] } else { turned.rest };
+            let turn_left = if is_rowed { [0.0; 3] } else { by.rest };
             for k in 0..3 {
-                left[k] += base_left[k] + length * turn_left[k];
+                let noise = rounding(from.shift[k]);
+                left[k] = ways[k].own + noise + base_left[k] + limb.length * turn_left[k];
             }
             let arm = (link, limb.e.perp());
             left = self.influences.ride(point, left, base, arm);
         } else {
-            let rests = from.left.into_iter().zip(turned.rest);
-            for (left, (from, turned)) in left.iter_mut().zip(rests) {
-                *left += from + length * turned;
+            for k in 0..=ORDER as usize {
+                left[k] = from.left[k] + ways[k].way.rest;
             }
         }
-        for (k, left) in left.into_iter().enumerate().take(ORDER as usize + 1) {
-            error.settle(k, left);
+        let mut error = PointError::none();
+        for k in 0..=ORDER as usize {
+            error.settle(k, from.shift[k] + ways[k].way.shift, left[k]);
         }
         self.set_point(point, &error, state, enclosure);
     }
@@ -128,19 +117,21 @@ impl Errors {
     pub(super) fn spin<const ORDER: u8, const FUSED: bool>(
         &mut self,
         point: PointId,
-        (d, turned): (Vec2, &LinkError),
+        heading: &Heading,
         local: Vec2<Constant>,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
         let x = &state.points[point.index()];
-        let [arm, low] = turned_closely::<FUSED>(local, d);
-        let swing = low + local.map(|v| v.hi).turned(turned.direction);
-        let rest = size(local.map(|v| v.hi)) * turned.along + swing_rest(local, turned);
+        let v = [local.map(|v| v.hi), local.map(|v| v.lo)];
+        let [arm, low] = turned_closely::<f64, FUSED>(v, is_zero(local.y), heading.d);
+        let swing = low + v[0].turned(heading.low);
+        let reach = size(v[0]);
+        let typed = local.x.radius + local.y.radius;
+        let rest = reach * (heading.off + RESIDUAL) + typed + SUM * size(swing);
         let mut error = PointError::none();
         let mut see = |k: usize, miss: Vec2, swing: Vec2| {
-            error.shift[k] = miss + swing;
-            error.settle(k, rest + SUM * (size(miss) + size(swing)));
+            error.settle(k, miss + swing, rest + SUM * size(miss));
         };
         see(0, arm - x.p, swing);
         if ORDER >= VELOCITY {
@@ -162,17 +153,16 @@ impl Errors {
     ) {
         let (here, there) = (&state.links[link.index()], &state.links[to.index()]);
         let from = *self.link(to);
-        let by = turn.map(|v| v.hi);
+        // d0 (1 + z0) R is (d - miss)(1 + z0).
         let miss = missed(here.d, there.d, turn);
-        let moved = from.direction.turned(by);
+        let off = size(miss);
         let typed = turn.x.radius + turn.y.radius;
-        let rounding = SUM * (size(miss) + size(moved) + U);
+        let most = size(from.turn) + from.rest[0] + off;
+        let new = 2.0 * typed + SUM * (off + U) + 4.0 * off * most;
         let mut error = LinkError {
-            direction: moved - miss,
+            turn: from.turn - miss.turned(here.d.conj()),
             ..from
         };
-        let new = 2.0 * typed + rounding;
-        error.along = 2.0 * from.along + new;
         if self.influences.has_link(link) {
             let is_rowed = self.influences.has_link(to);
             let mut left = if is_rowed { [0.0; 3] } else { from.rest };
@@ -225,25 +215,20 @@ impl Errors {
     fn turn_alone(
         &mut self,
         link: LinkId,
-        mut error: LinkError,
+        error: LinkError,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
-        let value = &state.links[link.index()];
         if self.influences.has_link(link) {
             self.influences.link_alone(link, error.rest);
         }
-        // The truth is a unit vector.
-        let d = value.d.map(Double::exactly) + error.direction.map(Double::exactly);
-        let long = (d.norm2() - Double::ONE).hi.abs();
-        let along = long + error.rest[0] * error.rest[0];
-        error.along = along.min(error.along);
-        self.set_link(link, &error, value, enclosure);
+        self.set_link(link, &error, &state.links[link.index()], enclosure);
     }
 }
 
 /// d - R(turn) d0, to twice the digits.
 fn missed(d: Vec2, from: Vec2, turn: Vec2<Constant>) -> Vec2 {
-    let [turned, low] = turned_closely::<false>(turn, from);
+    let by = [turn.map(|v| v.hi), turn.map(|v| v.lo)];
+    let [turned, low] = turned_closely::<f64, false>(by, false, from);
     (d - turned) - low
 }

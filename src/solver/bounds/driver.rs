@@ -1,7 +1,7 @@
 //! What the driver's own coordinate can be off by, and the direction that it gives a crank.
 
 use super::errors::LinkError;
-use crate::arithmetic::{U, two_product, typed_radius};
+use crate::arithmetic::{Halves, Product, U, typed_radius};
 use crate::{Ball, Double, Vec2, angle};
 
 /// Decimals of 15 digits are whole numbers from the one to below the other, in some unit;
@@ -20,7 +20,7 @@ const RADIAN: f64 = 0.017_453_292_519_943_3;
 /// How far the driver's coordinate that was meant can be from the double that it was read as: one of more
 /// than 15 digits is that double, one of fewer is the decimal that it reads back as.
 #[inline(always)]
-pub(super) fn asked_radius(at: f64) -> f64 {
+pub(super) fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
     // A whole number is itself.
     if at.abs() < MOST_DIGITS && at == at.trunc() {
         return 0.0;
@@ -29,10 +29,10 @@ pub(super) fn asked_radius(at: f64) -> f64 {
         return typed_radius(at);
     };
     // Both are whole and below 2^53: their quotient is what the decimal is read as.
-    let (product, lost) = two_product(at, unit);
-    let whole = product.round_ties_even();
+    let Product { hi, lo } = Halves::<f64, FUSED>::of(at).times(Halves::of(unit));
+    let whole = hi.round_ties_even();
     if whole.abs() < MOST_DIGITS && whole / unit == at {
-        ((whole - product) - lost).abs() / unit * (1.0 + 4.0 * U)
+        ((whole - hi) - lo).abs() * (1.0 / unit) * (1.0 + 4.0 * U)
     } else {
         0.0
     }
@@ -49,23 +49,41 @@ fn unit_of(size: f64) -> Option<f64> {
     UNITS.get(if is_enough { less } else { most }).copied()
 }
 
-/// A crank's direction at an angle in degrees, and the error of that. A long chain makes much of little: there the
-/// direction is found to twice the digits.
-#[inline(always)]
-pub(super) fn crank_error<const FUSED: bool>(at: Ball, is_long: bool) -> (Vec2, LinkError) {
-    let (close, off) = if is_long {
-        (Double::unit(at.mid), Vec2::ZERO)
-    } else {
-        angle::unit_closely::<FUSED>(at.mid)
+/// A crank's direction to twice the digits, as two vectors, and how far it can be from that.
+pub(super) struct Heading {
+    pub d: Vec2,
+    pub low: Vec2,
+    pub off: f64,
+}
+
+impl Heading {
+    /// Of a driver that pushes.
+    pub(super) const NONE: Heading = Heading {
+        d: Vec2::X,
+        low: Vec2::ZERO,
+        off: 0.0,
     };
-    let off = off.x + off.y + UNIT + at.radius * RADIAN;
-    let error = LinkError {
-        direction: close.map(|v| v.lo),
-        rest: [off, 0.0, 0.0],
-        along: off,
-        ..LinkError::none()
-    };
-    (close.map(|v| v.hi), error)
+
+    /// At an angle in degrees. A long chain makes much of little: there it is found to all of these digits.
+    #[inline(always)]
+    pub(super) fn at<const FUSED: bool>(at: Ball, is_long: bool) -> Heading {
+        let (close, off) = if is_long {
+            (Double::unit(at.mid), Vec2::ZERO)
+        } else {
+            angle::unit_closely::<FUSED>(at.mid)
+        };
+        Heading {
+            d: close.map(|v| v.hi),
+            low: close.map(|v| v.lo),
+            off: off.x + off.y + UNIT + at.radius * RADIAN,
+        }
+    }
+
+    /// The error of a computed direction.
+    #[inline(always)]
+    pub(super) fn error_of(&self, d: Vec2) -> LinkError {
+        LinkError::of_way(d, self.low + (self.d - d), self.off)
+    }
 }
 
 #[cfg(test)]
@@ -83,12 +101,12 @@ mod tests {
             1.0 / 3.0,
         ] {
             let most = if exact == 0.0 { 1e-300 } else { 0.0 };
-            assert!(asked_radius(exact) <= most, "{exact}");
+            assert!(asked_radius::<false>(exact) <= most, "{exact}");
         }
         // Off by 2.8421709430404007e-15 / 10, by hand.
-        let off = asked_radius(39.3);
+        let off = asked_radius::<false>(39.3);
         assert!(off > 2.84e-15 && off < 2.85e-15, "{off:e}");
-        assert_eq!(asked_radius(-39.3), off);
-        assert_eq!(asked_radius(1e-12), typed_radius(1e-12));
+        assert_eq!(asked_radius::<false>(-39.3), off);
+        assert_eq!(asked_radius::<false>(1e-12), typed_radius(1e-12));
     }
 }

@@ -27,7 +27,7 @@ impl Solver {
         let (Some(exact), Some(edge)) = (&self.exact, &mut work.errors.edge) else {
             return false;
         };
-        let at = Sharp::new(Double::exactly(state.at), asked_radius(state.at));
+        let at = Sharp::new(Double::exactly(state.at), asked_radius::<false>(state.at));
         let how = (&state.signs[..], None);
         // What coordinates were rounded by is in the bounds of doubles alone.
         exact.tells(exact.closed) && exact.run(exact.closed, at, order, how, edge) == Condition::Ok

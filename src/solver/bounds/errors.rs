@@ -5,6 +5,7 @@
 //! as what a typed coordinate of the driver is off by, and what is of the second order.
 
 use super::influence::Influences;
+use super::limb::SUM;
 use crate::arithmetic::{Both, INFLATION, Sharp, U};
 use crate::solver::Workspace;
 use crate::solver::elements::Step;
@@ -12,6 +13,9 @@ use crate::solver::engine::Engine;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Ball, Constant, Double, LinkId, Number, PointId, Vec2};
 
+/// The length of a vector is at most its larger component and this part of the other one: where they are equal, and
+/// where one is zero, that is what it is, and in between it is less.
+const SQRT_2_LESS_1: f64 = 0.414_213_562_4;
 /// What is lost of a constant in twice the precision, with room.
 const TWICE: f64 = 1e-31;
 
@@ -22,22 +26,20 @@ const TWICE: f64 = 1e-31;
 #[repr(align(128))]
 pub(super) struct PointError<T = f64> {
     pub shift: [Vec2<T>; 3],
-    /// Bounds of the rest in each component, and of how far the true figure is from the computed one.
+    /// Bounds of the length of the rest, with what adding up the shift rounds.
     pub left: [T; 3],
-    pub most: [T; 3],
 }
 
 /// The errors of a link's direction, angular velocity and acceleration.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(128))]
+#[repr(align(64))]
 pub(super) struct LinkError<T = f64> {
-    pub direction: Vec2<T>,
+    /// By how much the true direction is longer than the computed one, and turned: d becomes d (1 + x + i y).
+    pub turn: Vec2<T>,
     /// Of the velocity and of the acceleration.
     pub shift: [T; 2],
-    /// Bounds of the rest: of the angle and its rates.
+    /// Bounds of the rest: of the direction and of the rates.
     pub rest: [T; 3],
-    /// Of the direction along itself.
-    pub along: T,
 }
 
 /// Of all points and links, and what of their rests comes from which constraint.
@@ -74,10 +76,10 @@ pub(super) fn size<T: Number>(v: Vec2<T>) -> T {
     v.x.abs() + v.y.abs()
 }
 
-/// The larger of the sizes of the components.
+/// What sums that a shift stands in round.
 #[inline(always)]
-pub(super) fn larger(v: Vec2) -> f64 {
-    v.x.abs().max(v.y.abs())
+pub(super) fn rounding<T: Number>(shift: Vec2<T>) -> T {
+    size(shift) * T::exactly(SUM)
 }
 
 /// Here a rest becomes a bound: it is a sum of positive terms, each rounded to nearest, and is widened by
@@ -112,28 +114,29 @@ fn way(sharp: Sharp, value: f64) -> (f64, f64) {
     (way, sharp.radius + 4.0 * U * way.abs())
 }
 
-/// The same of a vector, and a bound in each component.
+/// The same of a vector.
 fn ways(sharp: Vec2<Sharp>, value: Vec2) -> (Vec2, f64) {
     let ((x, rest_x), (y, rest_y)) = (way(sharp.x, value.x), way(sharp.y, value.y));
     // Written so that NaN is kept.
-    let rest = if rest_x <= rest_y { rest_y } else { rest_x };
-    (Vec2::new(x, y), rest)
+    let (less, more) = if rest_x <= rest_y {
+        (rest_x, rest_y)
+    } else {
+        (rest_y, rest_x)
+    };
+    (Vec2::new(x, y), more + SQRT_2_LESS_1 * less)
 }
 
 impl PointError {
-    /// Notes what is left of an order once its shift is known.
+    /// Notes the shift of an order, and what is left.
     #[inline(always)]
-    pub(super) fn settle(&mut self, order: usize, left: f64) {
-        self.left[order] = left;
-        self.most[order] = larger(self.shift[order]) + left;
+    pub(super) fn settle(&mut self, order: usize, shift: Vec2, left: f64) {
+        self.shift[order] = shift;
+        self.left[order] = left + rounding(shift);
     }
 
     fn new(shift: [Vec2; 3], left: [f64; 3]) -> PointError {
-        let mut error = PointError {
-            shift,
-            ..PointError::none()
-        };
-        (0..3).for_each(|order| error.settle(order, left[order]));
+        let mut error = PointError::none();
+        (0..3).for_each(|order| error.settle(order, shift[order], left[order]));
         error
     }
 
@@ -173,7 +176,6 @@ impl<T: Number> PointError<T> {
         PointError {
             shift: [Vec2::new(none, none); 3],
             left: [none; 3],
-            most: [none; 3],
         }
     }
 }
@@ -184,45 +186,43 @@ impl<T: Number> LinkError<T> {
     pub(super) fn none() -> LinkError<T> {
         let none = T::default();
         LinkError {
-            direction: Vec2::new(none, none),
+            turn: Vec2::new(none, none),
             shift: [none; 2],
             rest: [none; 3],
-            along: none,
         }
-    }
-
-    /// How far the direction can be off in each component: turned, and along itself.
-    #[inline(always)]
-    fn spread(&self) -> T {
-        self.rest[0] + self.rest[0] * size(self.direction) + self.along
     }
 }
 
 impl LinkError {
-    /// How far the true one is from the computed one at most, at the velocity and beyond.
+    /// Where the true direction is so much beyond the computed one, but for the rest.
     #[inline(always)]
-    pub(super) fn most_rate(&self, order: usize) -> f64 {
-        self.shift[order - 1].abs() + self.rest[order]
+    pub(super) fn of_way(d: Vec2, way: Vec2, rest: f64) -> LinkError {
+        // 1 / d is the conjugate of d, over the square of a length that is as far from 1 as this way is long.
+        let most = size(way) + rest;
+        LinkError {
+            turn: way.turned(d.conj()),
+            rest: [rest + most * (4.0 * most + SUM), 0.0, 0.0],
+            ..LinkError::none()
+        }
     }
 
     /// Of a link that was found in twice the digits.
     pub(super) fn of_sharp(sharp: &LinkState<Sharp>, value: &LinkState) -> LinkError {
         let (direction, turned) = ways(sharp.d, value.d);
         let ((w, rest_w), (a, rest_a)) = (way(sharp.w, value.w), way(sharp.a, value.a));
-        let turned = 2.0 * turned;
-        let rest = [turned, rest_w, rest_a];
+        let error = LinkError::of_way(value.d, direction, turned);
         LinkError {
-            direction,
             shift: [w, a],
-            rest,
-            along: turned,
+            rest: [error.rest[0], rest_w, rest_a],
+            ..error
         }
     }
 
     fn sharp(&self, value: &LinkState) -> LinkState<Sharp> {
         let number = |v: f64, shift: f64, rest: f64| Sharp::new(Double::sum(v, shift), rest);
+        let direction = value.d.turned(self.turn);
         LinkState {
-            d: sharp(value.d, self.direction, self.spread()),
+            d: sharp(value.d, direction, self.rest[0]),
             w: number(value.w, self.shift[0], self.rest[1]),
             a: number(value.a, self.shift[1], self.rest[2]),
         }
@@ -233,8 +233,9 @@ impl LinkError {
         let rests = Both([self.rest[1], self.rest[2]]);
         let (mid, radius) = ball(Both([value.w, value.a]), Both(self.shift), rests);
         let at = |i: usize| Ball::new(mid.0[i], radius.0[i]);
+        let direction = value.d.turned(self.turn);
         LinkState {
-            d: balls(value.d, self.direction, self.spread()),
+            d: balls(value.d, direction, self.rest[0]),
             w: at(0),
             a: at(1),
         }
@@ -248,13 +249,11 @@ impl Errors {
         let off = |v: Vec2<Constant>| v.map(|v| v.radius + TWICE * v.hi.abs());
         let points = program.points.iter().map(|&p| {
             let shift = [p.map(|v| v.lo), Vec2::ZERO, Vec2::ZERO];
-            PointError::new(shift, [larger(off(p)), 0.0, 0.0])
+            PointError::new(shift, [size(off(p)), 0.0, 0.0])
         });
-        let links = program.links.iter().map(|&d| LinkError {
-            direction: d.map(|v| v.lo),
-            rest: [size(off(d)), 0.0, 0.0],
-            along: size(off(d)),
-            ..LinkError::none()
+        let links = program.links.iter().map(|&d| {
+            let [near, low] = [d.map(|v| v.hi), d.map(|v| v.lo)];
+            LinkError::of_way(near, low, size(off(d)))
         });
         Errors {
             points: points.collect(),
@@ -332,20 +331,19 @@ impl Errors {
         value: &LinkState<Both>,
         enclosure: &mut State<Ball>,
     ) {
-        let spread = error.spread();
+        let direction = value.d.turned(error.turn);
         let enclosed = [
-            ball(value.d.x, error.direction.x, spread),
-            ball(value.d.y, error.direction.y, spread),
+            ball(value.d.x, direction.x, error.rest[0]),
+            ball(value.d.y, direction.y, error.rest[0]),
             ball(value.w, error.shift[0], error.rest[1]),
             ball(value.a, error.shift[1], error.rest[2]),
         ];
         for (i, link) in links.into_iter().enumerate() {
             let at = |k: usize| Ball::new(enclosed[k].0.0[i], enclosed[k].1.0[i]);
             let error = LinkError {
-                direction: error.direction.one(i),
+                turn: error.turn.one(i),
                 shift: [error.shift[0].0[i], error.shift[1].0[i]],
                 rest: [error.rest[0].0[i], error.rest[1].0[i], error.rest[2].0[i]],
-                along: error.along.0[i],
             };
             enclosure.links[link.index()] = LinkState {
                 d: Vec2::new(at(0), at(1)),

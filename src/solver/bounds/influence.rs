@@ -14,6 +14,7 @@ use crate::solver::demand::Part;
 use crate::solver::elements::Step;
 use crate::solver::plan::Program;
 use crate::{LinkId, PointId, Vec2};
+use std::f64::consts::SQRT_2;
 
 /// By how much each of the first sources moves a point, or in x a link's angle.
 #[derive(Clone, Debug, Default)]
@@ -393,13 +394,13 @@ impl Influences {
         self.of_link(link)
     }
 
-    /// What all sources can do to a point, in each component.
+    /// What all sources can do to a point.
     fn of_point(&self, point: PointId, order: usize) -> f64 {
         let (row, bounds) = (self.point(point), &self.bounds[order]);
         let [x, y] = [&row.x, &row.y].map(|row_of| summed(&row_of[..row.len], bounds));
         // Written so that NaN is kept.
         let most = if x <= y { y } else { x };
-        most * (1.0 + SUM)
+        most * SQRT_2 * (1.0 + SUM)
     }
 
     /// What all sources can do to a link's angle and its rates.

@@ -16,14 +16,17 @@
 //! stored to half an ulp. They are for the assembly that the figure is near to. They trust the platform's
 //! square root to be rounded correctly and its arctangent to an ulp.
 
+mod aim;
 mod carried;
 mod driver;
+mod dyads;
 mod edge;
 mod errors;
 mod influence;
 mod limb;
-mod pair;
-mod row;
+mod meeting;
+mod rail;
+mod shape;
 mod stretched;
 
 pub(super) use errors::Errors;
@@ -39,8 +42,7 @@ use super::state::{Condition, LinkState, PointState, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::{Sharp, fused};
 use crate::{Ball, Double, Number, Vec2};
-use driver::{asked_radius, crank_error};
-use errors::LinkError;
+use driver::{Heading, asked_radius};
 
 /// Nothing is known.
 const UNKNOWN: Ball = Ball {
@@ -143,7 +145,7 @@ impl Engine {
     ) -> bool {
         work.state.condition = state.condition;
         if state.condition == Condition::NoAssembly {
-            let at = Ball::new(state.at, asked_radius(state.at));
+            let at = Ball::new(state.at, asked_radius::<false>(state.at));
             work.state.begin(at, order);
             return true;
         }
@@ -183,13 +185,13 @@ impl Engine {
     ) -> bool {
         let enclosure = &mut work.state;
         let errors = &mut work.errors;
-        let at = Ball::new(state.at, asked_radius(state.at));
+        let at = Ball::new(state.at, asked_radius::<FUSED>(state.at));
         enclosure.begin(at, order);
         errors.begin(order == Order::Force);
-        let (d, turned) = if self.turns {
-            crank_error::<FUSED>(at, ROWS)
+        let heading = if self.turns {
+            Heading::at::<FUSED>(at, ROWS)
         } else {
-            (Vec2::X, LinkError::none())
+            Heading::NONE
         };
         let mut all = true;
         for step in &self.program.steps {
@@ -206,13 +208,12 @@ impl Engine {
                 }
                 Step::Crank(Crank { link }) => {
                     let crank = &state.links[link.index()];
-                    let mut error = turned;
-                    error.direction += d - crank.d;
+                    let error = heading.error_of(crank.d);
                     errors.set_link(link, &error, crank, enclosure);
                     true
                 }
                 Step::Spin(Spin { point, local, .. }) => {
-                    errors.spin::<ORDER, FUSED>(point, (d, &turned), local, state, enclosure);
+                    errors.spin::<ORDER, FUSED>(point, &heading, local, state, enclosure);
                     true
                 }
                 Step::Ride(Ride {
@@ -225,8 +226,7 @@ impl Engine {
                     true
                 }
                 Step::Aim(Aim { ref arm, end }) => {
-                    errors.aim_at::<ORDER, FUSED, ROWS>(arm, end, state, enclosure);
-                    true
+                    errors.aim_at::<ORDER, FUSED, ROWS>(arm, end, state, enclosure)
                 }
                 Step::Lock(Lock { link, to, turn }) => {
                     errors.lock([link, to], turn, state, enclosure);

@@ -189,7 +189,7 @@ impl TwoAssemblies for CircleRail {
     }
 
     fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
-        self.arm.square.hi
+        self.arm.length.hi.powi(2)
     }
 
     fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {

@@ -262,7 +262,7 @@ impl TwoAssemblies for Circles {
     }
 
     fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
-        self.near.square.hi * self.far.square.hi
+        self.near.length.hi.powi(2) * self.far.length.hi.powi(2)
     }
 
     fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {

@@ -72,10 +72,11 @@ impl Element for Spin {
         state: &mut State<T>,
     ) -> Outcome {
         let r = Vec2::of(self.local).turned(direction);
+        let v = r.perp();
         state.points[self.point.index()] = PointState {
             p: state.points[self.pivot.index()].p + r,
-            v: r.perp(),
-            a: -r,
+            v,
+            a: v.perp(),
         };
         Outcome::Done
     }

@@ -248,7 +248,7 @@ impl TwoAssemblies for Cylinder {
     }
 
     fn right_angle(&self, q: Series, _state: &State<Series>) -> f64 {
-        self.arm_square(q.cut(1)).nearest() * self.far.square.hi
+        self.arm_square(q.cut(1)).nearest() * self.far.length.hi.powi(2)
     }
 
     fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {

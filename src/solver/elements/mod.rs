@@ -130,8 +130,9 @@ impl Backwards for Nothing {
 
 macro_rules! elements {
     ($($name:ident),+ $(,)?) => {
-        /// One element of a plan.
+        /// One element of a plan, from the beginning of a line of the cache.
         #[derive(Clone, Copy, Debug)]
+        #[repr(align(64))]
         pub(super) enum Step {
             $($name($name),)+
             /// A coupled group, by its number.
