@@ -34,23 +34,23 @@ const MECHANISMS: [&str; 4] = ["four-bar", "slider-crank", "press", "jansen-leg"
 const WAYS: [Way; 5] = [
     Way {
         name: "solved",
-        most: [1.62, 1.96, 1.50, 1.44],
+        most: [1.51, 1.90, 1.39, 1.33],
     },
     Way {
         name: "solved-and-read",
-        most: [2.23, 2.66, 2.10, 2.06],
+        most: [2.12, 2.60, 2.00, 1.96],
     },
     Way {
         name: "in-lanes",
-        most: [0.44, 0.51, 0.42, 0.41],
+        most: [0.40, 0.45, 0.37, 0.36],
     },
     Way {
         name: "in-lanes-and-read",
-        most: [0.71, 0.84, 0.73, 0.75],
+        most: [0.67, 0.78, 0.69, 0.71],
     },
     Way {
         name: "with-bounds",
-        most: [10.0, 10.6, 11.3, 11.8],
+        most: [7.2, 7.8, 8.0, 8.3],
     },
 ];
 const BY_HAND: &str = "by-hand";
