@@ -57,19 +57,6 @@ pub(in crate::solver) struct Errors {
     pub(super) edge: Option<Box<State<Sharp>>>,
 }
 
-/// Whether a step is run in twice the digits: what comes too seldom to be looked at more closely.
-fn is_run_closely(step: &Step) -> bool {
-    matches!(
-        step,
-        Step::CircleLine(_)
-            | Step::Cylinder(_)
-            | Step::Swing(_)
-            | Step::Coupled { .. }
-            | Step::Push(_)
-            | Step::Lines(_)
-    )
-}
-
 /// The sum of the sizes of the components.
 #[inline(always)]
 pub(super) fn size<T: Number>(v: Vec2<T>) -> T {
@@ -260,7 +247,7 @@ impl Errors {
             links: links.collect(),
             influences: Influences::new(program),
             sharp: Some(Box::new(sharp)),
-            has_close_steps: program.steps.iter().any(is_run_closely),
+            has_close_steps: program.steps.iter().any(|step| !step.has_residuals()),
             feeds_sharp: false,
             edge: None,
         }

@@ -232,18 +232,14 @@ impl Engine {
                     errors.lock([link, to], turn, state, enclosure);
                     true
                 }
-                Step::CircleLine(_)
-                | Step::Cylinder(_)
-                | Step::Swing(_)
-                | Step::Coupled { .. }
-                | Step::Push(_)
-                | Step::Lines(_) => {
-                    self.enclose_closely::<ORDER>(step, state, enclosure, errors, &mut work.scratch)
-                }
                 Step::Travel(_) => {
                     travel::<Ball, ORDER>(step, enclosure);
                     errors.travel::<ORDER>(step);
                     true
+                }
+                // What has no residuals of its own.
+                _ => {
+                    self.enclose_closely::<ORDER>(step, state, enclosure, errors, &mut work.scratch)
                 }
             };
             if !proved {
@@ -276,7 +272,7 @@ impl Engine {
         if let Some(group) = step.choice() {
             sharp.state.signs[group] = Sharp::exactly(state.signs[group]);
         }
-        let proved = if let Step::Coupled { index } = *step {
+        let proved = if let Some(index) = step.coupled() {
             let ball = Ball::new(q.mid.hi, q.radius + q.mid.lo.abs());
             let mut views = Views {
                 balls: (enclosure, scratch),

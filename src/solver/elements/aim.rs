@@ -14,6 +14,7 @@ pub(in crate::solver) struct Aim {
 }
 
 impl Element for Aim {
+    const HAS_RESIDUALS: bool = true;
     type Back = AimBack;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {

@@ -97,6 +97,7 @@ impl CircleRail {
 
 impl Element for CircleRail {
     const IS_FREQUENT: bool = true;
+    const HAS_RESIDUALS: bool = true;
     type Back = CircleRailBack;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {

@@ -143,6 +143,7 @@ impl Circles {
 
 impl Element for Circles {
     const IS_FREQUENT: bool = true;
+    const HAS_RESIDUALS: bool = true;
     type Back = CirclesBack;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {

@@ -15,6 +15,7 @@ pub(in crate::solver) struct Crank {
 
 impl Element for Crank {
     const IS_FREQUENT: bool = true;
+    const HAS_RESIDUALS: bool = true;
     type Back = Nothing;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {
@@ -53,6 +54,7 @@ pub(in crate::solver) struct Spin {
 
 impl Element for Spin {
     const IS_FREQUENT: bool = true;
+    const HAS_RESIDUALS: bool = true;
     type Back = Carry;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {

@@ -15,6 +15,7 @@ pub(in crate::solver) struct Lock {
 }
 
 impl Element for Lock {
+    const HAS_RESIDUALS: bool = true;
     type Back = LockBack;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {

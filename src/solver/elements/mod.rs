@@ -75,6 +75,9 @@ pub(super) trait Element {
     /// Whether most mechanisms have it: then it is run in place.
     const IS_FREQUENT: bool = false;
 
+    /// Whether its residuals tell its errors (see `bounds`); else it is run once more in twice the digits.
+    const HAS_RESIDUALS: bool = false;
+
     /// The same backwards.
     type Back: Backwards;
 
@@ -182,6 +185,14 @@ macro_rules! elements {
                         Some(element.run::<T, ORDER>(q, direction, state))
                     })+
                     _ => None,
+                }
+            }
+
+            /// See [`Element::HAS_RESIDUALS`].
+            pub(super) fn has_residuals(&self) -> bool {
+                match self {
+                    $(Step::$name(_) => $name::HAS_RESIDUALS,)+
+                    Step::Coupled { .. } => false,
                 }
             }
 

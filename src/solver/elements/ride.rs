@@ -38,6 +38,7 @@ pub(super) fn carried<T: Number, const ORDER: u8>(
 
 impl Element for Ride {
     const IS_FREQUENT: bool = true;
+    const HAS_RESIDUALS: bool = true;
     type Back = Carry;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {

@@ -15,6 +15,7 @@ pub(in crate::solver) struct Travel {
 }
 
 impl Element for Travel {
+    const HAS_RESIDUALS: bool = true;
     type Back = Nothing;
 
     fn outputs(&self, places: &mut impl FnMut(Part)) {
