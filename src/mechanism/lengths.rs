@@ -1,7 +1,7 @@
 //! The lengths that a mechanism is given, one by one, and the same mechanism with one of them changed.
 //!
 //! What a drawing, a rule or a workshop settles is never exact; how far a figure follows such a length
-//! is asked by changing one at a time. Angles of guides and the driver's coordinate are no lengths.
+//! is asked one at a time. Angles of guides and the driver's coordinate are no lengths.
 
 use super::{Body, Element, LinkId, Mechanism, Parts, PointId, SlideId, Slider};
 use crate::Vec2;

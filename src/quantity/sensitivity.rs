@@ -14,7 +14,7 @@ use crate::{Axis, Dual, Length};
 const ROUNDING: f64 = 128.0 * f64::EPSILON;
 /// Derivatives are kept ready from one coordinate to the next as long as their mechanisms are no more than
 /// this many points and links; others are made again each time.
-const MOST_KEPT: usize = 1 << 18;
+const MOST_KEPT: usize = 1 << 16;
 
 /// Finds the derivatives of figures by the given lengths, at one coordinate after the other.
 #[derive(Clone, Debug)]
@@ -41,27 +41,32 @@ pub struct Derivatives {
     lengths: usize,
     /// Figure by figure, for each all lengths.
     numbers: Vec<f64>,
+    /// Figure by figure: a reaction that the equilibrium leaves open has none.
+    exists: Vec<bool>,
 }
 
 impl Derivatives {
-    /// The derivatives of a figure by every length: its unit per unit of length.
+    /// The derivatives of a figure by every length: its unit per unit of length. `None` where the figure has no
+    /// value, as a reaction that the equilibrium leaves open.
     #[must_use]
-    pub fn of(&self, figure: usize) -> &[f64] {
-        &self.numbers[figure * self.lengths..(figure + 1) * self.lengths]
+    pub fn of(&self, figure: usize) -> Option<&[f64]> {
+        let exists = *self.exists.get(figure)?;
+        exists.then(|| &self.numbers[figure * self.lengths..(figure + 1) * self.lengths])
     }
 
     /// By how much a figure is off at the worst, where every length is off by one unit: the sum of the
     /// derivatives' sizes.
     #[must_use]
-    pub fn worst(&self, figure: usize) -> f64 {
-        self.of(figure).iter().map(|d| d.abs()).sum()
+    pub fn worst(&self, figure: usize) -> Option<f64> {
+        let all = self.of(figure)?.iter();
+        Some(all.map(|d| d.abs()).sum())
     }
 
     /// The length that matters most to a figure, by its place in the list, and the derivative by it;
     /// `None` where no length matters.
     #[must_use]
     pub fn most(&self, figure: usize) -> Option<(usize, f64)> {
-        let all = self.of(figure).iter().copied().enumerate();
+        let all = self.of(figure)?.iter().copied().enumerate();
         let matters = all.filter(|(_, d)| *d != 0.0);
         // The first of equals.
         matters.reduce(|most, other| {
@@ -114,16 +119,17 @@ impl Sensitivity {
         }
         let count = self.lengths.len();
         let mut numbers = vec![0.0; self.figures.len() * count];
+        let mut exists = vec![true; self.figures.len()];
         for number in 0..count {
             let (by_length, mut work) = match self.ready[number].take() {
                 Some(ready) => ready,
                 None => self.made(number)?,
             };
             let solved = by_length.solve(&self.base, self.order, &mut work);
-            if solved {
-                for (i, figure) in self.figures.iter().enumerate() {
-                    numbers[i * count + number] = slope(figure, &work)?;
-                }
+            for (i, figure) in self.figures.iter().enumerate().filter(|_| solved) {
+                let slope = slope(figure, &work);
+                exists[i] &= slope.is_some();
+                numbers[i * count + number] = slope.unwrap_or_default();
             }
             self.keep(number, (by_length, work));
             if !solved {
@@ -134,6 +140,7 @@ impl Sensitivity {
         Some(Derivatives {
             lengths: count,
             numbers,
+            exists,
         })
     }
 

@@ -29,12 +29,12 @@ pub struct Answer {
 pub struct Answers {
     /// The symbol of the length unit.
     pub unit: &'static str,
-    /// The figures; `None` where their derivatives do not exist or cannot be had.
+    /// The figures that have a value; `None` where no derivatives exist or can be had.
     pub list: Option<Vec<Answer>>,
 }
 
 /// Why there are no derivatives, in words that fit all causes.
-pub const NO_ANSWER: &str = "the figures have no derivatives by the lengths here: with other lengths the mechanism jams, or its motion ends before";
+pub const NO_ANSWER: &str = "the figures have no derivatives by the lengths here: the motion ends or branches, or as good as does, or a length that is off jams the mechanism";
 
 /// Digits of a derivative that is read by eye.
 const DIGITS: usize = 3;
@@ -47,17 +47,17 @@ impl Answers {
         let list = found.map(|found| {
             let lengths = sensitivity.lengths();
             let figures = sensitivity.figures().iter().enumerate();
-            let answer = figures.map(|(i, figure)| {
-                let by = lengths.iter().cloned().zip(found.of(i).iter().copied());
-                Answer {
+            let answer = figures.filter_map(|(i, figure)| {
+                let by = lengths.iter().cloned().zip(found.of(i)?.iter().copied());
+                Some(Answer {
                     name: figure.name.clone(),
                     unit: figure.unit.clone(),
-                    worst: found.worst(i),
+                    worst: found.worst(i)?,
                     most: found
                         .most(i)
                         .map(|(length, d)| (lengths[length].clone(), d)),
                     by: by.filter(|(_, derivative)| *derivative != 0.0).collect(),
-                }
+                })
             });
             answer.collect()
         });

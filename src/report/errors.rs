@@ -60,7 +60,7 @@ impl<'a> Errors<'a> {
             cells.push(match source {
                 Source::Figure => self.figure(quantity, state),
                 Source::Bound => quantity.bound(state, &self.enclosure),
-                Source::Sensitivity(figure) => derivatives.as_ref().map(|d| d.worst(*figure)),
+                Source::Sensitivity(figure) => derivatives.as_ref().and_then(|d| d.worst(*figure)),
             });
         }
     }

@@ -6,14 +6,15 @@ use super::forces::Balance;
 use super::network::Network;
 use super::state::{Condition, State};
 use super::{Demand, Order, Solver, Workspace, chain};
-use crate::{Dual, Length, Number};
+use crate::{Dual, Length, Link, Number, SlideId, Vec2};
 use std::sync::Arc;
 
 /// By how much a constraint that others repeat may follow a length, as a part of it and of how far out the
 /// constraint is: rounding.
 const JAMMED: f64 = 1e-9;
-/// Where a place follows a length more than so many times, the group that makes it do so is as good as
-/// singular. At a sine of s the places follow by 1/s, and what doubles lose of derivatives is u/s^2: 8e-6.
+/// Where a place follows a length more than so many times, or a link turns as far at its own reach, the group that
+/// makes it do so is as good as singular. At a sine of s places follow by 1/s, and what doubles lose of derivatives
+/// is u/s^2: 8e-6.
 const STEEPEST: f64 = 262_144.0;
 
 /// A mechanism that knows what one of its lengths does: made by [`Solver::by_length`].
@@ -21,6 +22,8 @@ const STEEPEST: f64 = 262_144.0;
 pub struct ByLength {
     engine: Engine,
     slides: usize,
+    /// How far each link reaches, in the solver's unit: what its turning moves.
+    reach: Vec<f64>,
     /// Whether the redundant constraints of the scene are held to rounding, so that a length can jam them.
     is_strict: bool,
     balance: Option<Arc<Balance>>,
@@ -33,14 +36,49 @@ impl Solver {
     pub fn by_length(&self, length: Length, demand: &Demand) -> Option<ByLength> {
         let network = Network::new(&self.mechanism, self.engine.frame).by_length(length);
         let (_, program) = chain::build(&network, &self.ordering, chain::Dyads::Closed).ok()?;
-        let engine = Engine::new(&self.mechanism, self.engine.frame, program);
-        let balance = self.balance.as_ref();
-        Some(ByLength {
-            balance: balance.and_then(|b| b.beside(&network, &engine)),
-            engine: engine.only(demand, self.slides),
+        let mut found = ByLength {
+            engine: Engine::new(&self.mechanism, self.engine.frame, program),
             slides: self.slides,
+            reach: self.reaches(),
             is_strict: self.mechanism.misfit() == 0.0,
-        })
+            balance: None,
+        };
+        let follow = |slide, at| self.follow(slide, at, &found);
+        let balance = self.balance.as_ref();
+        let balance = balance.and_then(|b| b.by_length(&network, &found.engine, follow));
+        // What is watched is read, too.
+        if found.engine.program.watches.is_empty() {
+            found.engine = found.engine.only(demand, self.slides);
+        }
+        found.balance = balance;
+        Some(found)
+    }
+
+    /// How the position of a slide follows a length at a coordinate; NaN where that cannot be told.
+    fn follow(&self, slide: SlideId, at: f64, by_length: &ByLength) -> f64 {
+        let (mut state, mut dual) = (self.state(), by_length.state());
+        let _ = self.solve(at, Order::Position, &mut state);
+        if by_length.solve(&state, Order::Position, &mut dual) {
+            dual.sliding(slide).position.slope
+        } else {
+            f64::NAN
+        }
+    }
+
+    /// How far links reach from their first point; those that have but one carry a guide, and count as long as
+    /// the longest.
+    fn reaches(&self) -> Vec<f64> {
+        let reach = |link: &Link| {
+            let from = link.members.first().map_or(Vec2::ZERO, |m| m.local);
+            let places = link.members.iter().map(|m| (m.local - from).norm());
+            let furthest = places.fold(0.0, f64::max);
+            if furthest > 0.0 {
+                self.engine.frame.length(furthest)
+            } else {
+                self.engine.frame.longest
+            }
+        };
+        self.mechanism.links().iter().map(reach).collect()
     }
 
     /// A power of two, not above the mechanism's longest length and more than half of it, in the
@@ -52,7 +90,8 @@ impl Solver {
 }
 
 impl ByLength {
-    /// Room for a state with its derivatives.
+    /// Room for a state with its derivatives: every number of it carries its slope, in its own unit per unit of
+    /// the scene's length.
     #[must_use]
     pub fn state(&self) -> Workspace<Dual> {
         let mut work = self.engine.state(self.slides);
@@ -62,15 +101,23 @@ impl ByLength {
     }
 
     /// Solves once more what is in `state`, with the derivatives; whether they exist. They do not where the
-    /// motion ends or branches, or as good as does, and where the length would jam a redundant linkage. Allocates nothing.
+    /// motion ends or branches, or as good as does, and where the length would jam a redundant linkage: then
+    /// nothing is to be read from `work`. Allocates nothing.
     pub fn solve(&self, state: &State, order: Order, work: &mut Workspace<Dual>) -> bool {
-        let dual = &mut work.state;
-        dual.begin(Dual::exactly(state.at), order);
-        dual.condition = state.condition;
-        if state.condition != Condition::Ok {
-            dual.forget_forces();
-            return false;
+        work.state.begin(Dual::exactly(state.at), order);
+        let exists = state.condition == Condition::Ok && self.solved(state, order, work);
+        if exists {
+            Balance::follow(self.balance.as_deref(), &self.engine, order, work);
+        } else {
+            work.state.condition = Condition::NoAssembly;
+            work.state.forget_forces();
         }
+        exists
+    }
+
+    fn solved(&self, state: &State, order: Order, work: &mut Workspace<Dual>) -> bool {
+        let dual = &mut work.state;
+        dual.condition = state.condition;
         for (sign, &of) in dual.signs.iter_mut().zip(&state.signs) {
             *sign = Dual::exactly(of);
         }
@@ -79,11 +126,7 @@ impl ByLength {
             Order::Velocity => self.run::<VELOCITY>(state, work),
             Order::Acceleration | Order::Force => self.run::<ACCELERATION>(state, work),
         };
-        if !solved || self.is_steep(&work.state) || self.is_jammed(&work.state) {
-            return false;
-        }
-        Balance::follow(self.balance.as_deref(), &self.engine, order, work);
-        true
+        solved && !self.is_steep(&work.state) && !self.is_jammed(&work.state)
     }
 
     fn run<const ORDER: u8>(&self, state: &State, work: &mut Workspace<Dual>) -> bool {
@@ -96,13 +139,18 @@ impl ByLength {
 
     /// Whether anything follows the length so much that the derivatives are not to be trusted.
     fn is_steep(&self, dual: &State<Dual>) -> bool {
-        let points = dual.points.iter().map(|point| point.p);
-        let links = dual.links.iter().map(|link| link.d);
         let steepest = STEEPEST / self.engine.frame.scale;
-        let mut places = points.chain(links);
         // Written so that NaN is steep.
-        let is_gentle = |v: Dual| v.slope.abs() <= steepest;
-        !places.all(|place| is_gentle(place.x) && is_gentle(place.y))
+        let is_gentle = |v: Vec2<Dual>, reach: f64| {
+            let slope = v.x.slope.abs().max(v.y.slope.abs());
+            v.x.is_finite() && v.y.is_finite() && slope * reach <= steepest
+        };
+        let links = dual.links.iter().zip(&self.reach);
+        let mut points = dual.points.iter();
+        !(points.all(|point| is_gentle(point.p, 1.0))
+            && links
+                .into_iter()
+                .all(|(link, &reach)| is_gentle(link.d, reach)))
     }
 
     /// Whether a constraint that others repeat would no longer hold.

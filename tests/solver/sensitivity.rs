@@ -32,7 +32,7 @@ impl Probe {
         let figure = self.names.iter().position(|n| n == figure).unwrap();
         let lengths = self.sensitivity.lengths();
         let length = lengths.iter().position(|l| l == length);
-        found.of(figure)[length.unwrap_or_else(|| panic!("no such length: {lengths:?}"))]
+        found.of(figure).unwrap()[length.unwrap_or_else(|| panic!("no such length: {lengths:?}"))]
     }
 }
 
@@ -175,7 +175,7 @@ fn a_slider_crank_follows_its_closed_form_to_accelerations() {
     note(&format!(
         "slider-crank, largest errors of x, x', x'' by l: {worst:?}"
     ));
-    assert!(worst.iter().all(|w| *w < 1e-10), "{worst:?}");
+    assert!(worst.iter().all(|w| *w < 1e-13), "{worst:?}");
 }
 
 #[test]
@@ -209,9 +209,9 @@ fn what_the_lengths_do_to_plain_figures_is_plain() {
     assert!((both("C.x") - 1.0).abs() < 1e-10 && both("r4.omega").abs() < 1e-10);
 }
 
-/// Where there is no neighbour there is no derivative, and nothing is made up.
+/// At an end, at a change point and where a length would jam there is no derivative, and nothing is made up.
 #[test]
-fn without_neighbours_there_is_none() {
+fn where_there_is_none_none_is_made_up() {
     // A change point lies at 0 deg; a parallelogram with other lengths does not reach it.
     let mut parallelogram = Probe::preset("parallelogram");
     assert!(parallelogram.sensitivity.at(0.0).is_none());
@@ -245,7 +245,7 @@ fn presets_have_derivatives() {
         );
         let Some(found) = found else { continue };
         let figures = 0..probe.names.len();
-        let worst = figures.map(|i| found.worst(i));
+        let worst = figures.filter_map(|i| found.worst(i));
         assert!(worst.fold(0.0, f64::max) > 0.4, "{}", preset.name);
     }
 }
@@ -258,7 +258,7 @@ fn figures_of_every_preset_follow_secants_of_scenes_opened_anew() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         if solver.plan().redundant.is_empty() {
-            let worst = against_secants(&scene, &solver);
+            let worst = against_secants(&scene, &solver, scene.mechanism.driver().start);
             note(&format!("{}: {worst:.1e} of the largest", preset.name));
             assert!(worst <= 2e-8, "{}: {worst:e}", preset.name);
         }
@@ -267,11 +267,10 @@ fn figures_of_every_preset_follow_secants_of_scenes_opened_anew() {
 
 /// The largest difference of a derivative from (4 D(h/2) - D(h)) / 3 with D(h) = (f(l + h) - f(l - h)) / 2h,
 /// in parts of the largest derivative of the figure, and of the figure itself for a unit of size.
-fn against_secants(scene: &Scene, solver: &Solver) -> f64 {
+fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
     let mut figures = Catalogue::new(scene).select(&["*"]).unwrap();
     // What a check misses by is rounding, and nothing follows it.
     figures.retain(|figure| !figure.name.contains("residual"));
-    let at = scene.mechanism.driver().start;
     let mut sensitivity = Sensitivity::new(scene, solver, &figures);
     let found = sensitivity.at(at).unwrap();
     let h = solver.scale() / 1024.0;
@@ -294,7 +293,7 @@ fn against_secants(scene: &Scene, solver: &Solver) -> f64 {
             };
             let (wide, narrow) = (apart(a[k], b[k]) / (2.0 * h), apart(c[k], d[k]) / h);
             let secant = narrow + (narrow - wide) / 3.0;
-            misses[k] = misses[k].max((found.of(k)[number] - secant).abs());
+            misses[k] = misses[k].max((found.of(k).unwrap()[number] - secant).abs());
         }
     }
     let mut state = solver.state();
@@ -303,7 +302,81 @@ fn against_secants(scene: &Scene, solver: &Solver) -> f64 {
     let parts = parts.map(|(k, (figure, miss))| {
         let value = figure.value(&state).unwrap_or(f64::NAN).abs();
         // A figure that follows no length may miss by the secant's rounding.
-        miss / (found.worst(k) + value / solver.scale()).max(1e-3)
+        miss / (found.worst(k).unwrap() + value / solver.scale()).max(1e-3)
     });
     parts.fold(0.0, f64::max)
+}
+
+/// A press works over the last of its stroke, and where that ends moves with the lengths, too.
+#[test]
+fn what_a_press_asks_follows_the_end_of_its_stroke() {
+    let preset = presets::find("press-ram").unwrap();
+    let scene = Scene::parse(preset.text, preset.name).unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    let torque = |at: f64| {
+        let mut state = solver.state();
+        let _ = solver.solve(at, Order::Force, &mut state);
+        state.drive().unwrap().abs()
+    };
+    // It presses at both.
+    for at in [20.0, 350.0] {
+        assert!(torque(at) > 2.0 * torque(90.0), "{at}");
+        let worst = against_secants(&scene, &solver, at);
+        assert!(worst < 1e-4, "{at}: {worst:e}");
+    }
+}
+
+const TWICE_GUIDED: &str = r#"
+[ground]
+A = [0, 0]
+[driver]
+link = "r2"
+angle = 40
+[links]
+r2 = { from = "A", to = "B", length = 10 }
+r3 = { from = "B", to = "C", length = 20 }
+[slides]
+r4 = { point = "C", on = "ground", through = "A", angle = 0 }
+r5 = { point = "C", on = "ground", through = [5, 0], angle = 0 }
+[start]
+C = [26, 0]
+"#;
+
+/// Whether a length jams a redundant linkage is no matter of which figures are asked for.
+#[test]
+fn what_jams_is_told_whatever_is_asked() {
+    let scene = Scene::parse(TWICE_GUIDED, "test").unwrap();
+    let solver = Solver::new(&scene.mechanism).unwrap();
+    for columns in [&["*"][..], &["C.x"], &["B.x"], &["r3.angle"]] {
+        let figures = Catalogue::new(&scene).select(columns).unwrap();
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
+        // r5 runs on its own through a point beside A: if that rises, C has nowhere to go.
+        assert!(sensitivity.at(40.0).is_none(), "{columns:?}");
+    }
+}
+
+/// A link that is a millionth as long as the others turns a million times as far, and is not singular for it.
+#[test]
+fn a_short_link_is_not_singular() {
+    let (tiny, angles) = (4e-6, [PI / 3.0, 0.3, 1.1]);
+    let at = |t: f64, r: f64| [r * t.cos(), r * t.sin()];
+    let ([ax, ay], [bx, by]) = (at(angles[0], 1.0), at(angles[1], 2.0));
+    let [cx, cy] = at(angles[2], tiny);
+    let text = format!(
+        "[ground]\nA = [0, 0]\nD = [{:?}, {:?}]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
+         r2 = {{ from = \"A\", to = \"B\", length = 1 }}\nr3 = {{ from = \"B\", to = \"C\", length = 2 }}\n\
+         r4 = {{ from = \"D\", to = \"C\", length = {tiny:?} }}\n[start]\nC = [{:?}, {:?}]\n",
+        ax + bx - cx,
+        ay + by - cy,
+        ax + bx,
+        ay + by
+    );
+    let mut probe = Probe::of(&text);
+    let found = probe.sensitivity.at(60.0).unwrap();
+    // As in `exact`: d(theta4) = dr3 / (r4 sin(theta3 - theta4)).
+    let d = probe
+        .derivative(&found, "r4.angle", "r3.length")
+        .to_radians();
+    let wanted = 1.0 / (tiny * (angles[1] - angles[2]).sin());
+    assert!((d / wanted - 1.0).abs() < 1e-8, "{d} {wanted}");
 }

@@ -280,8 +280,9 @@ impl Engine {
             };
             self.program.coupled[index].enclose((ball, q), ORDER, state, &mut views)
         } else {
-            let none = Vec2::default();
-            step.run::<Sharp, ORDER>(q, none, &mut sharp.state) == Outcome::Done
+            let driven = self.driven().map(|link| sharp.state.links[link.index()].d);
+            let direction = driven.unwrap_or(Vec2::X.exactly());
+            step.run::<Sharp, ORDER>(q, direction, &mut sharp.state) == Outcome::Done
         };
         if proved {
             step.outputs(&self.program.coupled, &mut |part| {

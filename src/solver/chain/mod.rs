@@ -287,7 +287,6 @@ impl<'n> Chain<'n> {
             point,
             base,
             link,
-            local: Vec2::default(),
             along,
         });
         self.learn_point(point);

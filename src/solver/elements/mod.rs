@@ -3,7 +3,9 @@
 //! # In the source
 //!
 //! A file for each element; the table [`elements!`] lists them all. A new element is its file, a line there,
-//! and its recognition in a block of unknowns ([`super::chain`]).
+//! and its recognition in a block of unknowns ([`super::chain`]); a dyad with two assemblies is also one of
+//! [`Dyad`], has a class in [`super::plan`], and says at its recognition through which slide and over which links
+//! it holds its joint.
 
 mod aim;
 mod arm;

@@ -7,13 +7,12 @@ use crate::solver::forces::{Forces, Site, Slot};
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
-/// The driven slide: the point lies at `local + along q` on a link, seen from `base`.
+/// The driven slide: the point lies at `along q` on a link, seen from `base`.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Push {
     pub point: PointId,
     pub base: PointId,
     pub link: LinkId,
-    pub local: Vec2<Constant>,
     pub along: Vec2<Constant>,
 }
 
@@ -41,7 +40,7 @@ impl Element for Push {
         let base = state.points[self.base.index()];
         let link = state.links[self.link.index()];
         let along = Vec2::of(self.along);
-        let mut pushed = carried::<T, ORDER>(&base, &link, Vec2::of(self.local) + along * q);
+        let mut pushed = carried::<T, ORDER>(&base, &link, along * q);
         let tau = along.turned(link.d);
         pushed.v += tau;
         pushed.a += tau.perp() * link.w.scaled(2.0);

@@ -11,6 +11,7 @@ pub use shown::Acted;
 use super::Part;
 use super::profile::Curve;
 use super::slots::{Slot, Slots};
+use super::stroke::Stroke;
 use crate::solver::frame::Frame;
 use crate::solver::state::State;
 use crate::{
@@ -63,8 +64,8 @@ enum Act {
         /// and not on the pin.
         on: Option<(LinkId, Slot)>,
         end: StrokeEnd,
-        /// Where the stroke ends, in the scene's unit along the guide.
-        bottom: Constant,
+        /// Where the stroke ends.
+        stroke: Stroke,
         curve: Curve,
     },
     Spring {
@@ -86,15 +87,15 @@ struct Mass {
 }
 
 impl Acting {
-    /// `bottom` tells where the stroke of a slide ends.
+    /// `stroke` tells where the stroke of a slide ends.
     pub(super) fn new(
         mechanism: &Mechanism,
         frame: Frame,
         slots: &Slots,
-        bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
+        stroke: impl Fn(SlideId, StrokeEnd) -> Stroke,
     ) -> Acting {
         let loads = mechanism.loads().iter();
-        let loads = loads.map(|load| act(mechanism, frame, load, slots, &bottom));
+        let loads = loads.map(|load| act(mechanism, frame, load, slots, &stroke));
         let masses = mechanism.link_ids().filter_map(|id| {
             let link = mechanism.link(id);
             let has_mass = link.mass > 0.0 || link.inertia > 0.0;
@@ -115,14 +116,14 @@ impl Acting {
     }
 
     /// Where the stroke of a press ends.
-    pub(super) fn bottom(&self, slide: SlideId, end: StrokeEnd) -> Constant {
+    pub(super) fn stroke(&self, slide: SlideId, end: StrokeEnd) -> Stroke {
         let found = self.loads.iter().find_map(|load| match load {
             Act::Press {
                 slide: of,
                 end: which,
-                bottom,
+                stroke,
                 ..
-            } if (*of, *which) == (slide, end) => Some(*bottom),
+            } if (*of, *which) == (slide, end) => Some(*stroke),
             _ => None,
         });
         found.unwrap_or_default()
@@ -191,7 +192,7 @@ impl Acting {
                 point,
                 on,
                 end,
-                bottom,
+                stroke,
                 curve,
             } => {
                 let travel = state.sliding(*slide);
@@ -204,8 +205,8 @@ impl Acting {
                 };
                 // Towards the end, both are counted positive.
                 let (distance, towards) = match end {
-                    StrokeEnd::Least => (travel.position - T::of(*bottom), -rate),
-                    StrokeEnd::Greatest => (T::of(*bottom) - travel.position, rate),
+                    StrokeEnd::Least => (travel.position - T::of(stroke.bottom), -rate),
+                    StrokeEnd::Greatest => (T::of(stroke.bottom) - travel.position, rate),
                 };
                 let size = curve.press(distance, towards);
                 let against = match end {
@@ -253,7 +254,7 @@ fn act(
     frame: Frame,
     load: &Load,
     slots: &Slots,
-    bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
+    stroke: impl Fn(SlideId, StrokeEnd) -> Stroke,
 ) -> Act {
     let turns = matches!(mechanism.driver().input, Input::Turn(_));
     match load {
@@ -284,7 +285,7 @@ fn act(
                 Slider::Link { link, origin, .. } => Some((link, slots.of(link, origin))),
             },
             end: *end,
-            bottom: bottom(*slide, *end),
+            stroke: stroke(*slide, *end),
             curve: Curve::new(curve, false),
         },
         Load::Spring {

@@ -39,6 +39,7 @@ use frame::Framed;
 use locked::Locked;
 use open::Open;
 use std::sync::Arc;
+use stroke::Stroke;
 
 /// How the torque is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -196,16 +197,27 @@ pub(super) struct Balance {
 impl Balance {
     /// Of a solver that is complete but for its forces; `None` where nothing acts.
     pub(super) fn new(network: &Network<'_>, solver: &Solver) -> Option<Arc<Balance>> {
-        let bottom = |slide, end| stroke::end(solver, slide, end);
-        let mut balance = Balance::with(network, &solver.engine, bottom)?;
+        let stroke = |slide, end| stroke::end(solver, slide, end);
+        let mut balance = Balance::with(network, &solver.engine, stroke)?;
         balance.leave_open(network, solver);
         Some(Arc::new(balance))
     }
 
-    /// Of a mechanism with other lengths: the strokes of its presses end where they did.
-    pub(super) fn beside(&self, network: &Network<'_>, engine: &Engine) -> Option<Arc<Balance>> {
-        let bottom = |slide, end| self.acting.bottom(slide, end);
-        let balance = Balance::with(network, engine, bottom)?;
+    /// Of the same mechanism with slopes in its constants; `follow` tells how the position of a slide follows
+    /// the length at a coordinate. The stroke of a press ends where its slide turns back: that moves by as much
+    /// as the slide does there, since it stands.
+    pub(super) fn by_length(
+        &self,
+        network: &Network<'_>,
+        engine: &Engine,
+        follow: impl Fn(SlideId, f64) -> f64,
+    ) -> Option<Arc<Balance>> {
+        let stroke = |slide, end| {
+            let Stroke { bottom, at } = self.acting.stroke(slide, end);
+            let bottom = bottom.with_slope(follow(slide, at));
+            Stroke { bottom, at }
+        };
+        let balance = Balance::with(network, engine, stroke)?;
         Some(Arc::new(Balance {
             open: Arc::clone(&self.open),
             indeterminate: self.indeterminate.clone(),
@@ -216,7 +228,7 @@ impl Balance {
     fn with(
         network: &Network<'_>,
         engine: &Engine,
-        bottom: impl Fn(SlideId, StrokeEnd) -> Constant,
+        stroke: impl Fn(SlideId, StrokeEnd) -> Stroke,
     ) -> Option<Balance> {
         let mechanism = network.mechanism;
         if !mechanism.has_forces() {
@@ -227,7 +239,7 @@ impl Balance {
         #[cfg(test)]
         let passes = tests::perhaps_falsified(passes);
         Some(Balance {
-            acting: Acting::new(mechanism, engine.frame, &slots, bottom),
+            acting: Acting::new(mechanism, engine.frame, &slots, stroke),
             passes,
             locked: Locked::new(network, &engine.program),
             open: Arc::new(Open::none(mechanism, &slots)),

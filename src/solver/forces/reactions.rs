@@ -1,4 +1,4 @@
-//! What elements hand down, backwards.
+//! What elements hand down with, backwards: forces on arms, guides and joints.
 //!
 //! Notation as in the steps: X the joint that was placed, P and Q the pivots, e = X - P and f = X - Q,
 //! t and n along and across a guide. F is the force that has come to a point, M the couple that has

@@ -3,12 +3,21 @@
 use crate::solver::{DeadCentre, Order, Solver};
 use crate::{Constant, SlideId, StrokeEnd};
 
+/// The end of a slide's stroke.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Stroke {
+    /// Its position, in the scene's unit along the guide.
+    pub(super) bottom: Constant,
+    /// The driver's coordinate there.
+    pub(super) at: f64,
+}
+
 /// The least or greatest position of a slide in the whole motion, in the scene's unit, and how far the
 /// true one can be from it.
 ///
 /// There the position changes by the square of what the driver is off, so that it is as good as any
 /// other.
-pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Constant {
+pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Stroke {
     let centres = solver.dead_centres(slide).into_iter();
     let by_position = |a: &DeadCentre, b: &DeadCentre| a.position.total_cmp(&b.position);
     let last = match end {
@@ -22,9 +31,10 @@ pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Constant {
     solver.enclose(&mut state, Order::Position, &mut enclosure);
     let position = state.sliding(slide).position;
     let ball = enclosure.sliding(slide).position;
-    Constant {
+    let bottom = Constant {
         hi: position,
         radius: ball.bound(position).unwrap_or(f64::INFINITY),
         ..Constant::default()
-    }
+    };
+    Stroke { bottom, at }
 }
