@@ -1,6 +1,6 @@
 //! Joins what the solver found wrong, by ids, to names and lines of the scene file.
 
-use crate::scene::{Diagnostic, Diagnostics, Scene, figure, key};
+use crate::scene::{Diagnostic, Diagnostics, Scene, coordinate_key, figure, key};
 use crate::solver::Fault;
 use crate::{Body, Element, LinkId, PointId, SlideId, Slider, Vec2};
 
@@ -293,10 +293,7 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
 fn change_point(scene: &Scene, group: Element) -> Diagnostic {
     let name = element_name(scene, group);
     let option = |sign| format!("`--assembly {}={sign}`", group_text(scene, group));
-    let coordinate = match scene.mechanism.driver().input {
-        crate::Input::Turn(_) => "angle",
-        crate::Input::Push(_) => "position",
-    };
+    let coordinate = coordinate_key(&scene.mechanism);
     Diagnostic::new(format!(
         "the scene opens at a change point, where the two assemblies of {name} meet and both lead on"
     ))

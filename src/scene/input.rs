@@ -3,6 +3,7 @@
 use super::rate::{self, Degree, Kind, Misfit};
 use super::reader::{Name, Reader, Span};
 use super::{Unit, keys};
+use crate::Mechanism;
 use crate::document::{Diagnostic, Found, Lenient, meant};
 use crate::nearest::did_you_mean;
 use serde::Deserialize;
@@ -68,6 +69,15 @@ pub(super) const PUSHED: Form = Form {
     effort: "force",
     example: r#"slide = "r4", position = 120, speed = "50 mm/s""#,
 };
+
+/// The key of the driver's coordinate.
+pub(crate) fn coordinate_key(mechanism: &Mechanism) -> &'static str {
+    let form = match mechanism.driver().input {
+        crate::Input::Turn(_) => TURNED,
+        crate::Input::Push(_) => PUSHED,
+    };
+    form.coordinate
+}
 
 /// Reads the section; `key` is the place of its name.
 pub(super) fn driver<'v>(

@@ -69,6 +69,7 @@ mod unit;
 mod values;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
+pub(crate) use input::coordinate_key;
 pub use keys::reference;
 pub use measure::Measure;
 pub use motor::Motor;

@@ -2,7 +2,7 @@
 //! comments, order and blanks included.
 
 use super::Scene;
-use crate::{Input, PointId, Vec2};
+use crate::{PointId, Vec2};
 use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
@@ -50,10 +50,7 @@ impl Scene {
         });
         let mut edits = Edits::default();
         if let Some(at) = opening {
-            let key = match self.mechanism.driver().input {
-                Input::Turn(_) => "angle",
-                Input::Push(_) => "position",
-            };
+            let key = super::coordinate_key(&self.mechanism);
             let driver = root.get("driver")?.get_ref().as_table()?;
             edits.replace(driver.get(key)?.span(), format!("{at:?}"));
         }

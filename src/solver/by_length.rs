@@ -145,12 +145,10 @@ impl ByLength {
             let slope = v.x.slope.abs().max(v.y.slope.abs());
             v.x.is_finite() && v.y.is_finite() && slope * reach <= steepest
         };
-        let links = dual.links.iter().zip(&self.reach);
         let mut points = dual.points.iter();
+        let mut links = dual.links.iter().zip(&self.reach);
         !(points.all(|point| is_gentle(point.p, 1.0))
-            && links
-                .into_iter()
-                .all(|(link, &reach)| is_gentle(link.d, reach)))
+            && links.all(|(link, &reach)| is_gentle(link.d, reach)))
     }
 
     /// Whether a constraint that others repeat would no longer hold.

@@ -121,6 +121,19 @@ impl<'m> Network<'m> {
         Some(self.sloped(place, local))
     }
 
+    /// All points of a link with their places on it: each found at once, however many there are.
+    pub(super) fn places(
+        &self,
+        link: LinkId,
+    ) -> impl Iterator<Item = (PointId, Vec2<Constant>)> + '_ {
+        let members = self.link(link).map_or(&[][..], |l| &l.members);
+        members.iter().enumerate().map(move |(i, member)| {
+            let slope = |m: &Mechanism| Some(m.links().get(link.index())?.members.get(i)?.local);
+            let place = self.frame.local(member.local);
+            (member.point, self.sloped(place, slope))
+        })
+    }
+
     /// From one point of a link to another, in the frame of the link.
     pub(super) fn between(
         &self,

@@ -75,17 +75,15 @@ impl Chain<'_> {
     ) {
         let class = self.network.class(link);
         let turn = self.network.turn[link.index()];
-        for joint in self.network.joints(link) {
-            let seen = |a: &Anchor| a.point == joint.point && a.class == class;
-            if self.point_known[joint.point.index()] || anchors.iter().any(seen) {
+        for (point, place) in self.network.places(link) {
+            let seen = |a: &Anchor| a.point == point && a.class == class;
+            let is_sought = self.network.is_joint(point) && !self.point_known[point.index()];
+            if !is_sought || anchors.iter().any(seen) {
                 continue;
             }
-            let Some(place) = self.network.local(link, joint.point) else {
-                continue;
-            };
             let arm = arm + (place - at).turned(turn);
             anchors.push(Anchor {
-                point: joint.point,
+                point,
                 class,
                 pivot,
                 arm,

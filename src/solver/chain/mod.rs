@@ -119,9 +119,8 @@ impl<'n> Chain<'n> {
 
     /// A known point of a link, with its place in the link.
     fn footing(&self, link: LinkId) -> Option<(PointId, Vec2<Constant>)> {
-        let members = &self.network.link(link)?.members;
-        let known = members.iter().find(|m| self.point_known[m.point.index()])?;
-        Some((known.point, self.network.local(link, known.point)?))
+        let mut places = self.network.places(link);
+        places.find(|(point, _)| self.point_known[point.index()])
     }
 
     /// A point that is not the scene's: constant, or given its place by a step.
@@ -195,19 +194,15 @@ impl<'n> Chain<'n> {
     fn settle_links(&mut self, links: &[LinkId]) -> bool {
         let mut any = false;
         for &link in links.iter().filter(|&&l| self.knows(l)).collect::<Vec<_>>() {
-            let (Some((base, at)), Some(body)) = (self.footing(link), self.network.link(link))
-            else {
+            let Some((base, at)) = self.footing(link) else {
                 continue;
             };
             let is_new = !std::mem::replace(&mut self.listed[link.index()], true);
             if let (true, Some(group)) = (is_new, self.groups.last_mut()) {
                 group.links.push(link);
             }
-            for member in &body.members {
-                let point = member.point;
-                if !self.point_known[point.index()]
-                    && let Some(place) = self.network.local(link, point)
-                {
+            for (point, place) in self.network.places(link) {
+                if !self.point_known[point.index()] {
                     self.push(self.ride_on(link, base, point, place - at));
                     self.learn_point(point);
                     any = true;

@@ -7,7 +7,7 @@
 //! ```
 
 use super::line::{Chord, Guide};
-use super::through::{Cut, FEW, Height, Snap, turned};
+use super::through::{Cut, FEW, Snap, turned};
 use super::{
     ACCELERATION, Arm, Backwards, Dyad, Element, Line, Outcome, POSITION, TwoAssemblies, VELOCITY,
 };
@@ -80,16 +80,6 @@ impl CircleLine {
         state.points[self.point.index()] = guide.point(s, rate, second);
         state.links[self.arm.link.index()] = link;
     }
-
-    /// What the line cuts off, as it goes on in series; with the direction of the line.
-    fn in_series(&self, snap: Snap, terms: usize, state: &State<Series>) -> (Vec2<Series>, Cut) {
-        let mut line = self.line;
-        line.along = turned(line.along, snap);
-        let guide = line.at(state);
-        let from = state.points[self.arm.pivot.index()].p - guide.q.p;
-        let from = from.map(|v| v.cut(terms));
-        (guide.t, Cut::new(self.arm.length, from, guide.t, snap.by.x))
-    }
 }
 
 impl Element for CircleLine {
@@ -149,6 +139,8 @@ impl Element for CircleLine {
 }
 
 impl TwoAssemblies for CircleLine {
+    type InSeries = Cut;
+
     fn group(&self) -> usize {
         self.group
     }
@@ -179,24 +171,27 @@ impl TwoAssemblies for CircleLine {
     }
 
     fn reach(&self, state: &State<Series>) -> [Series; 2] {
-        self.in_series(Snap::default(), FEW, state).1.reach()
+        self.in_series(Series::default(), Snap::default(), FEW, state)
+            .reach()
     }
 
-    fn square(&self, _q: Series, snap: Snap, state: &State<Series>) -> Series {
-        self.in_series(snap, TERMS, state).1.square()
-    }
-
-    fn height(&self, _q: Series, snap: Snap, state: &State<Series>) -> Height {
-        self.in_series(snap, FEW, state).1.height()
+    /// What the line cuts off, as it goes on in series.
+    fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> Cut {
+        let mut line = self.line;
+        line.along = turned(line.along, snap);
+        let guide = line.at(state);
+        let from = state.points[self.arm.pivot.index()].p - guide.q.p;
+        let from = from.map(|v| v.cut(terms));
+        Cut::new(self.arm.length, from, guide.t, snap.by.x)
     }
 
     fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
         self.arm.length.hi.powi(2)
     }
 
-    fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
-        let (t, cut) = self.in_series(snap, TERMS, state);
-        let e = t * height - t.perp() * cut.h0;
+    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let cut = self.in_series(q, snap, TERMS, state);
+        let e = cut.arm(height);
         let guide = self.line.at(state);
         self.place::<Series, POSITION>(&guide, cut.along + height, e, [cut.h0, height], state);
         let pivot = state.points[self.arm.pivot.index()].p;

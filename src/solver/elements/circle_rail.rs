@@ -1,7 +1,7 @@
 //! RRP on the ground: the line of [`CircleLine`](super::CircleLine) does not move.
 
 use super::line::Chord;
-use super::through::{Cut, FEW, Height, Snap, turned};
+use super::through::{Cut, FEW, Snap, turned};
 use super::{
     ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, TwoAssemblies, VELOCITY,
 };
@@ -85,14 +85,6 @@ impl CircleRail {
         state.points[self.point.index()] = point;
         state.links[self.arm.link.index()] = link;
     }
-
-    /// What the rail cuts off, as it goes on in series; with the direction of the rail.
-    fn in_series(&self, snap: Snap, terms: usize, state: &State<Series>) -> (Vec2<Series>, Cut) {
-        let t = Vec2::of(turned(self.along, snap));
-        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
-        let from = from.map(|v| v.cut(terms));
-        (t, Cut::new(self.arm.length, from, t, snap.by.x))
-    }
 }
 
 impl Element for CircleRail {
@@ -153,6 +145,8 @@ impl Element for CircleRail {
 }
 
 impl TwoAssemblies for CircleRail {
+    type InSeries = Cut;
+
     fn group(&self) -> usize {
         self.group
     }
@@ -178,25 +172,25 @@ impl TwoAssemblies for CircleRail {
     }
 
     fn reach(&self, state: &State<Series>) -> [Series; 2] {
-        self.in_series(Snap::default(), FEW, state).1.reach()
+        self.in_series(Series::default(), Snap::default(), FEW, state)
+            .reach()
     }
 
-    fn square(&self, _q: Series, snap: Snap, state: &State<Series>) -> Series {
-        self.in_series(snap, TERMS, state).1.square()
-    }
-
-    fn height(&self, _q: Series, snap: Snap, state: &State<Series>) -> Height {
-        self.in_series(snap, FEW, state).1.height()
+    /// What the rail cuts off, as it goes on in series.
+    fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> Cut {
+        let t = Vec2::of(turned(self.along, snap));
+        let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
+        let from = from.map(|v| v.cut(terms));
+        Cut::new(self.arm.length, from, t, snap.by.x)
     }
 
     fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
         self.arm.length.hi.powi(2)
     }
 
-    fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
-        let (t, cut) = self.in_series(snap, TERMS, state);
-        let n = t.perp();
-        let e = t * height - n * cut.h0;
+    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let cut = self.in_series(q, snap, TERMS, state);
+        let e = cut.arm(height);
         let s = cut.along + height;
         self.place::<Series, POSITION>(s, self.arm.direction(e), [cut.h0, height], state);
         let pivot = state.points[self.arm.pivot.index()].p;

@@ -6,10 +6,10 @@
 //! |e| = b, |f| = c       e.V = e.V_P, f.V = f.V_Q       e x f = s h: twice the area of the triangle
 //! ```
 
-use super::through::{FEW, Height, SeriesTriangle, Snap, between, shifted};
+use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
     ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies,
-    VELOCITY, growth, triangle_reserve,
+    VELOCITY, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::Part;
@@ -123,22 +123,6 @@ impl Circles {
         let at = |pivot: PointId| state.points[pivot.index()].p;
         at(self.far.pivot) - at(self.near.pivot)
     }
-
-    /// The triangle, as it goes on in series.
-    fn in_series(&self, snap: Snap, terms: usize, state: &State<Series>) -> SeriesTriangle {
-        let u = shifted(between(self.near.pivot, self.far.pivot, state), snap, terms);
-        let (b, c) = (self.near.length, self.far.length);
-        let c = if snap.equal_arms { b } else { c };
-        let [least, most, squares] =
-            [(c - b) * (c - b), (c + b) * (c + b), (b - c) * (b + c)].map(Series::of);
-        SeriesTriangle {
-            u,
-            d2: u.norm2(),
-            least,
-            most,
-            squares,
-        }
-    }
 }
 
 impl Element for Circles {
@@ -210,6 +194,8 @@ impl Element for Circles {
 }
 
 impl TwoAssemblies for Circles {
+    type InSeries = SeriesTriangle;
+
     fn group(&self) -> usize {
         self.group
     }
@@ -237,10 +223,6 @@ impl TwoAssemblies for Circles {
         self.place::<T, { POSITION }>(e, e - u, T::default(), state);
     }
 
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
-        Some(growth([self.near.pivot, self.far.pivot], state))
-    }
-
     fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {
         let [b, c] = [self.near.length, self.far.length].map(T::of);
         triangle_reserve(self.between(state).norm(), b, c)
@@ -254,20 +236,34 @@ impl TwoAssemblies for Circles {
         (self.near.length - self.far.length).hi
     }
 
-    fn square(&self, _q: Series, snap: Snap, state: &State<Series>) -> Series {
-        self.in_series(snap, TERMS, state).square()
-    }
-
-    fn height(&self, _q: Series, snap: Snap, state: &State<Series>) -> Height {
-        self.in_series(snap, FEW, state).height()
+    /// The triangle, as it goes on in series.
+    fn in_series(
+        &self,
+        _q: Series,
+        snap: Snap,
+        terms: usize,
+        state: &State<Series>,
+    ) -> SeriesTriangle {
+        let u = shifted(between(self.near.pivot, self.far.pivot, state), snap, terms);
+        let (b, c) = (self.near.length, self.far.length);
+        let c = if snap.equal_arms { b } else { c };
+        let [least, most, squares] =
+            [(c - b) * (c - b), (c + b) * (c + b), (b - c) * (b + c)].map(Series::of);
+        SeriesTriangle {
+            u,
+            d2: u.norm2(),
+            least,
+            most,
+            squares,
+        }
     }
 
     fn right_angle(&self, _q: Series, _state: &State<Series>) -> f64 {
         self.near.length.hi.powi(2) * self.far.length.hi.powi(2)
     }
 
-    fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
-        let triangle = self.in_series(snap, TERMS, state);
+    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let triangle = self.in_series(q, snap, TERMS, state);
         let e = triangle.arm(height);
         self.place::<Series, POSITION>(e, e - triangle.u, height, state);
     }

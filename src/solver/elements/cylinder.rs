@@ -1,6 +1,6 @@
 //! RRR with a driven arm: a cylinder between moving links.
 
-use super::through::{FEW, Height, SeriesTriangle, Snap, between, shifted};
+use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
     ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies,
     VELOCITY, triangle_reserve,
@@ -115,26 +115,6 @@ impl Cylinder {
         state.links[self.link.index()] = barrel;
         state.links[self.far.link.index()] = link;
     }
-
-    /// The triangle, as it goes on in series.
-    fn in_series(
-        &self,
-        q: Series,
-        snap: Snap,
-        terms: usize,
-        state: &State<Series>,
-    ) -> SeriesTriangle {
-        let u = shifted(between(self.pivot, self.far.pivot, state), snap, terms);
-        let rho2 = self.arm_square(q);
-        let (b, c) = (rho2.sqrt(), Series::of(self.far.length));
-        SeriesTriangle {
-            u,
-            d2: u.norm2(),
-            least: (c - b) * (c - b),
-            most: (c + b) * (c + b),
-            squares: rho2 - c * c,
-        }
-    }
 }
 
 impl Element for Cylinder {
@@ -199,6 +179,8 @@ impl Element for Cylinder {
 }
 
 impl TwoAssemblies for Cylinder {
+    type InSeries = SeriesTriangle;
+
     fn group(&self) -> usize {
         self.group
     }
@@ -239,12 +221,24 @@ impl TwoAssemblies for Cylinder {
         (self.arm_square(q.cut(1)).sqrt() - Series::of(self.far.length)).nearest()
     }
 
-    fn square(&self, q: Series, snap: Snap, state: &State<Series>) -> Series {
-        self.in_series(q, snap, TERMS, state).square()
-    }
-
-    fn height(&self, q: Series, snap: Snap, state: &State<Series>) -> Height {
-        self.in_series(q, snap, FEW, state).height()
+    /// The triangle, as it goes on in series.
+    fn in_series(
+        &self,
+        q: Series,
+        snap: Snap,
+        terms: usize,
+        state: &State<Series>,
+    ) -> SeriesTriangle {
+        let u = shifted(between(self.pivot, self.far.pivot, state), snap, terms);
+        let rho2 = self.arm_square(q);
+        let (b, c) = (rho2.sqrt(), Series::of(self.far.length));
+        SeriesTriangle {
+            u,
+            d2: u.norm2(),
+            least: (c - b) * (c - b),
+            most: (c + b) * (c + b),
+            squares: rho2 - c * c,
+        }
     }
 
     fn right_angle(&self, q: Series, _state: &State<Series>) -> f64 {

@@ -1,8 +1,8 @@
 //! The dyads with two assemblies, and what can be asked of each of them.
 
-use super::through::{FEW, Height, Snap, between, squared};
+use super::through::{FEW, Height, InSeries, Snap, between, squared};
 use super::{CircleLine, CircleRail, Circles, Cylinder, Element, Outcome, Swing};
-use crate::arithmetic::Series;
+use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::Part;
 use crate::solver::state::State;
 use crate::{Double, Number, PointId, Vec2};
@@ -37,6 +37,9 @@ macro_rules! each {
 
 /// What a dyad with two assemblies tells of itself, from the state of what it stands on.
 pub(super) trait TwoAssemblies {
+    /// How it stands in series.
+    type InSeries: InSeries;
+
     /// The group whose sign chooses between the two.
     fn group(&self) -> usize;
 
@@ -48,7 +51,10 @@ pub(super) trait TwoAssemblies {
 
     /// The rate of what it is stretched by - the distance of its pivots, or of pivot and guide - up
     /// to a positive factor: zero where the stretch is extreme. `None` where its own reach changes.
-    fn stretch_rate(&self, state: &State) -> Option<f64>;
+    fn stretch_rate(&self, state: &State) -> Option<f64> {
+        let [a, b] = self.pivots()?.map(|point| state.points[point.index()]);
+        Some((b.p - a.p).dot(b.v - a.v))
+    }
 
     /// How far it is from the extremes of its reach, as a length: negative where it is open.
     fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T;
@@ -72,23 +78,20 @@ pub(super) trait TwoAssemblies {
         squared(u.unwrap_or_default().map(|v| v.cut(FEW)))
     }
 
-    /// The square of its height.
-    fn square(&self, q: Series, snap: Snap, state: &State<Series>) -> Series;
-
-    /// The first few terms of that, with their sizes and slopes.
-    fn height(&self, q: Series, snap: Snap, state: &State<Series>) -> Height;
+    /// As it stands there, to so many terms.
+    fn in_series(
+        &self,
+        q: Series,
+        snap: Snap,
+        terms: usize,
+        state: &State<Series>,
+    ) -> Self::InSeries;
 
     /// The square of its height where its transmission angle is right.
     fn right_angle(&self, q: Series, state: &State<Series>) -> f64;
 
     /// Places it with this height, signed.
     fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>);
-}
-
-/// The rate of the distance of two points, up to a positive factor.
-pub(super) fn growth(points: [PointId; 2], state: &State) -> f64 {
-    let [a, b] = points.map(|point| state.points[point.index()]);
-    (b.p - a.p).dot(b.v - a.v)
 }
 
 /// How far a triangle of the sides d, b, c is from being flat.
@@ -154,14 +157,14 @@ impl Dyad<'_> {
         each!(self, d => d.pivots()).is_some_and(|pivots| pivots.into_iter().all(moves))
     }
 
-    /// See [`TwoAssemblies::square`].
+    /// The square of its height.
     pub(in crate::solver) fn square(self, q: Series, snap: Snap, state: &State<Series>) -> Series {
-        each!(self, d => d.square(q, snap, state))
+        each!(self, d => d.in_series(q, snap, TERMS, state).square())
     }
 
-    /// See [`TwoAssemblies::height`].
+    /// The first few terms of that, with their sizes and slopes.
     pub(in crate::solver) fn height(self, q: Series, snap: Snap, state: &State<Series>) -> Height {
-        each!(self, d => d.height(q, snap, state))
+        each!(self, d => d.in_series(q, snap, FEW, state).height())
     }
 
     /// From pivot to pivot where these may meet, that is where the arms are equal within `slack`.

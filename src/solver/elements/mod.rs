@@ -47,7 +47,7 @@ use super::forces::{Forces, Site};
 use super::state::State;
 use super::transmission::{InnerJoint, Ray};
 use crate::{Number, Vec2};
-use dyad::{TwoAssemblies, growth, triangle_reserve};
+use dyad::{TwoAssemblies, triangle_reserve};
 
 /// How many derivatives a solve carries, as a constant of the compiled code.
 pub(super) const POSITION: u8 = 0;

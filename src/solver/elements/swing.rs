@@ -1,9 +1,8 @@
 //! RPR: an arm that turns about a known joint and slides through another one.
 
-use super::through::{FEW, Height, Snap, between, quotient, shifted, squared};
+use super::through::{Height, InSeries, Snap, between, quotient, shifted, squared};
 use super::{
-    ACCELERATION, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies,
-    VELOCITY, growth,
+    ACCELERATION, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies, VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
 use crate::solver::demand::Part;
@@ -62,17 +61,6 @@ impl Swing {
             }
         }
         state.links[self.link.index()] = link;
-    }
-
-    /// From pivot to pin and past the pivot, in series.
-    fn in_series(&self, snap: Snap, terms: usize, state: &State<Series>) -> (Vec2<Series>, Series) {
-        let w = shifted(between(self.pivot, self.pin, state), snap, terms);
-        let offset = if snap.equal_arms {
-            Series::default()
-        } else {
-            Series::of(self.offset)
-        };
-        (w, offset)
     }
 }
 
@@ -139,6 +127,8 @@ impl Element for Swing {
 }
 
 impl TwoAssemblies for Swing {
+    type InSeries = SeriesWay;
+
     fn group(&self) -> usize {
         self.group
     }
@@ -158,10 +148,6 @@ impl TwoAssemblies for Swing {
         self.place::<T, { POSITION }>(t, T::default(), state);
     }
 
-    fn stretch_rate(&self, state: &State) -> Option<f64> {
-        Some(growth([self.pivot, self.pin], state))
-    }
-
     fn reserve<T: Number>(&self, _q: T, state: &State<T>) -> T {
         let w = state.points[self.pin.index()].p - state.points[self.pivot.index()].p;
         w.norm() - T::of(self.offset).abs()
@@ -175,20 +161,15 @@ impl TwoAssemblies for Swing {
         self.offset.hi
     }
 
-    /// s^2 = w^2 - e^2.
-    fn square(&self, _q: Series, snap: Snap, state: &State<Series>) -> Series {
-        let (w, e) = self.in_series(snap, TERMS, state);
-        w.norm2() - e * e
-    }
-
-    fn height(&self, _q: Series, snap: Snap, state: &State<Series>) -> Height {
-        let (w, e) = self.in_series(snap, FEW, state);
-        let [d2, size] = squared(w);
-        Height {
-            square: d2 - e * e,
-            size: size + e * e,
-            slopes: [w.x.scaled(2.0), w.y.scaled(2.0)],
-        }
+    /// From pivot to pin and past the pivot, in series.
+    fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> SeriesWay {
+        let w = shifted(between(self.pivot, self.pin, state), snap, terms);
+        let offset = if snap.equal_arms {
+            Series::default()
+        } else {
+            Series::of(self.offset)
+        };
+        SeriesWay { w, e: offset }
     }
 
     fn right_angle(&self, _q: Series, state: &State<Series>) -> f64 {
@@ -196,10 +177,32 @@ impl TwoAssemblies for Swing {
         w.map(|v| v.cut(1)).norm2().nearest()
     }
 
-    fn run_through(&self, _q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
-        let (w, e) = self.in_series(snap, TERMS, state);
+    fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
+        let SeriesWay { w, e } = self.in_series(q, snap, TERMS, state);
         let t = quotient(w.turned(Vec2::new(height, -e)), w, w.norm2());
         self.place::<Series, POSITION>(t, height, state);
+    }
+}
+
+/// From pivot to pin, and how far the guide passes the pivot, in series.
+pub(super) struct SeriesWay {
+    w: Vec2<Series>,
+    e: Series,
+}
+
+impl InSeries for SeriesWay {
+    /// s^2 = w^2 - e^2.
+    fn square(&self) -> Series {
+        self.w.norm2() - self.e * self.e
+    }
+
+    fn height(&self) -> Height {
+        let SeriesWay { w, e } = *self;
+        Height {
+            square: self.square(),
+            size: squared(w)[1] + e * e,
+            slopes: [w.x.scaled(2.0), w.y.scaled(2.0)],
+        }
     }
 }
 

@@ -1,12 +1,14 @@
 //! A circle and a line in series: RRP.
 
-use super::{Height, Snap};
+use super::{Height, InSeries, Snap};
 use crate::arithmetic::Series;
 use crate::{Constant, Double, Number, Vec2};
 
 /// A circle and a line, as they meet in series: the distance h0 of the line from the circle's centre, and
 /// how far along the line that is from its own point.
 pub(in crate::solver::elements) struct Cut {
+    /// The direction of the line.
+    t: Vec2<Series>,
     b: Series,
     pub(in crate::solver::elements) h0: Series,
     /// The size of h0.
@@ -22,6 +24,7 @@ impl Cut {
         shift: Double,
     ) -> Cut {
         Cut {
+            t,
             b: Series::of(b),
             h0: t.perp().dot(from) + Series::constant(shift),
             size: (t.perp().map(Series::majorant)).dot(from.map(Series::majorant)),
@@ -29,16 +32,23 @@ impl Cut {
         }
     }
 
+    /// From the circle's centre to the point, for this height.
+    pub(in crate::solver::elements) fn arm(&self, height: Series) -> Vec2<Series> {
+        self.t * height - self.t.perp() * self.h0
+    }
+
     pub(in crate::solver::elements) fn reach(&self) -> [Series; 2] {
         [self.h0, self.size]
     }
+}
 
+impl InSeries for Cut {
     /// h^2 = (b - h0)(b + h0).
-    pub(in crate::solver::elements) fn square(&self) -> Series {
+    fn square(&self) -> Series {
         (self.b - self.h0) * (self.b + self.h0)
     }
 
-    pub(in crate::solver::elements) fn height(&self) -> Height {
+    fn height(&self) -> Height {
         let reach = self.b + self.size;
         let twice = self.h0.scaled(2.0);
         Height {

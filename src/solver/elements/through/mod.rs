@@ -45,6 +45,15 @@ impl Snap {
     }
 }
 
+/// A dyad as it stands in series.
+pub(super) trait InSeries {
+    /// The square of its height.
+    fn square(&self) -> Series;
+
+    /// The same with its sizes and slopes.
+    fn height(&self) -> Height;
+}
+
 /// The square of a dyad's height.
 pub(in crate::solver) struct Height {
     pub square: Series,

@@ -1,6 +1,6 @@
 //! Two circles in series: RRR, with arms of fixed length or one that a cylinder pushes.
 
-use super::{Height, quotient, squared};
+use super::{Height, InSeries, quotient, squared};
 use crate::arithmetic::Series;
 use crate::{Number, Vec2};
 
@@ -17,12 +17,20 @@ pub(in crate::solver::elements) struct SeriesTriangle {
 }
 
 impl SeriesTriangle {
+    /// From the nearer pivot to the point, for e x f = `height`.
+    pub(in crate::solver::elements) fn arm(&self, height: Series) -> Vec2<Series> {
+        let x = (self.d2 + self.squares).scaled(0.5);
+        quotient(self.u * x + self.u.perp() * height, self.u, self.d2)
+    }
+}
+
+impl InSeries for SeriesTriangle {
     /// h^2 = (d^2 - least)(most - d^2) / 4.
-    pub(in crate::solver::elements) fn square(&self) -> Series {
+    fn square(&self) -> Series {
         ((self.d2 - self.least) * (self.most - self.d2)).scaled(0.25)
     }
 
-    pub(in crate::solver::elements) fn height(&self) -> Height {
+    fn height(&self) -> Height {
         let [d2, size] = squared(self.u);
         let [least, most] = [self.least, self.most];
         let slope = (most + least - d2 - d2).scaled(0.5);
@@ -31,11 +39,5 @@ impl SeriesTriangle {
             size: ((size + least.majorant()) * (size + most.majorant())).scaled(0.25),
             slopes: [slope * self.u.x, slope * self.u.y],
         }
-    }
-
-    /// From the nearer pivot to the point, for e x f = `height`.
-    pub(in crate::solver::elements) fn arm(&self, height: Series) -> Vec2<Series> {
-        let x = (self.d2 + self.squares).scaled(0.5);
-        quotient(self.u * x + self.u.perp() * height, self.u, self.d2)
     }
 }
