@@ -105,6 +105,11 @@ pub mod study;
 mod tests;
 #[cfg(feature = "tui")]
 pub mod tui;
+#[cfg_attr(
+    not(feature = "tui"),
+    allow(dead_code, reason = "most is said in the workbench")
+)]
+mod wording;
 
 pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{

@@ -1,5 +1,6 @@
 //! Opening files to read them: nothing that keeps whoever opens it waiting, nothing without an end.
 
+use crate::wording::words;
 use rustix::fs::{Mode, OFlags, open};
 use std::fs::{self, File, FileType};
 use std::io;
@@ -47,13 +48,13 @@ fn regular(kind: FileType) -> io::Result<()> {
 /// What it is that is no regular file.
 pub(super) fn no_file(kind: FileType) -> &'static str {
     if kind.is_dir() {
-        "it is a folder"
+        words().is_a_folder()
     } else if kind.is_fifo() {
-        "it is a pipe, not a file"
+        words().is_a_pipe()
     } else if kind.is_socket() {
-        "it is a socket, not a file"
+        words().is_a_socket()
     } else {
-        "it is a device, not a file"
+        words().is_a_device()
     }
 }
 

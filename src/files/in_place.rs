@@ -13,6 +13,7 @@
 use super::draft::Draft;
 use super::guard::open_file;
 use super::lock::{self, Locked};
+use crate::wording::words;
 use rustix::fs::OFlags;
 use std::ffi::OsString;
 use std::fmt::Write as _;
@@ -112,7 +113,7 @@ impl Record {
             from.seek(SeekFrom::Start(0))?;
             let copied = io::copy(&mut from.take(length), &mut draft.file)?;
             if copied != length {
-                return Err(io::Error::other("it was cut while it was read"));
+                return Err(io::Error::other(words().was_cut_while_read()));
             }
         }
         draft.file.sync_all()?;
@@ -124,7 +125,7 @@ impl Record {
     }
 
     fn read(mut file: File) -> io::Result<Record> {
-        let broken = || io::Error::other("no record of krank");
+        let broken = || io::Error::other(words().is_no_record());
         file.seek(SeekFrom::Start(0))?;
         let mut head = String::new();
         BufReader::new((&file).take(LONGEST_HEAD)).read_line(&mut head)?;

@@ -51,6 +51,7 @@ pub(crate) use {
 #[cfg(unix)]
 pub(crate) use {in_place::mend, output::Output};
 
+use crate::wording::words;
 use std::io;
 use thiserror::Error;
 
@@ -58,27 +59,27 @@ use thiserror::Error;
 #[derive(Debug, Error)]
 pub(crate) enum Trouble {
     /// There is a file, and nobody has said that it may go.
-    #[error("there is such a file already")]
+    #[error("{}", words().exists_already())]
     #[cfg(feature = "tui")]
     Exists,
     /// It no longer holds what was read from it.
-    #[error("it has changed on disk")]
+    #[error("{}", words().changed_on_disk())]
     #[cfg(feature = "tui")]
     Changed,
     /// It is not to be written to, and nobody has said that it is meant nevertheless.
-    #[error("it is read-only")]
+    #[error("{}", words().is_read_only())]
     ReadOnly,
     /// It is no file: what it is.
     #[error("{0}")]
     #[cfg(feature = "tui")]
     NoFile(&'static str),
     /// Somebody else is at it and does not come to an end.
-    #[error("another program is writing there")]
+    #[error("{}", words().another_is_writing())]
     #[cfg(feature = "tui")]
     Busy,
     /// A rename would lose what the file is, and there is no folder to keep its old text in meanwhile.
     #[cfg(unix)]
-    #[error("it cannot be replaced, and no state folder keeps its old text while it is written")]
+    #[error("{}", words().no_journal())]
     NoJournal,
     /// What the system says.
     #[error(transparent)]

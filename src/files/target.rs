@@ -1,5 +1,6 @@
 //! Where a name leads that is to be written.
 
+use crate::wording::words;
 use rustix::fs::{Access, AtFlags, CWD, accessat};
 use rustix::io::Errno;
 use std::fs::{self, Metadata};
@@ -62,7 +63,7 @@ impl Target {
         let kind = fs::metadata(path).map(|found| found.file_type());
         super::Trouble::NoFile(match kind {
             Ok(kind) if !kind.is_file() => super::guard::no_file(kind),
-            _ => "it is open already, as no file of its own",
+            _ => words().is_no_file_of_its_own(),
         })
     }
 
@@ -82,7 +83,7 @@ fn placed(name: &Path) -> io::Result<PathBuf> {
     if name.as_os_str().as_bytes().ends_with(b"/") {
         return Err(Errno::ISDIR.into());
     }
-    let no_name = || io::Error::other("not the name of a file");
+    let no_name = || io::Error::other(words().is_no_name_of_a_file());
     let last = name.file_name().ok_or_else(no_name)?;
     let folder = name
         .parent()

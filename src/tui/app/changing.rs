@@ -8,13 +8,14 @@ use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::motion::followed::FollowedPoints;
 use crate::tui::views::plots::curves::Plots;
+use crate::wording::words;
 use std::time::Duration;
 
 impl App {
     /// Opens the preset that is so far from the present one.
     pub(super) fn open(&mut self, distance: isize) {
         let Some(preset) = self.player.open_scene.preset_at(distance) else {
-            self.shell.say("there are no presets");
+            self.shell.say(words().no_presets());
             return;
         };
         match opening::preset(preset) {

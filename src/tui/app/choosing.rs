@@ -2,6 +2,7 @@
 
 use super::{App, Mode, View};
 use crate::tui::commands::action::Action;
+use crate::wording::words;
 use std::time::Duration;
 
 impl App {
@@ -13,7 +14,7 @@ impl App {
                 self.shell.mode = Mode::Assemblies(assembly_list.first());
                 self.look(View::Motion);
             }
-            None => self.shell.say("there is no other assembly here"),
+            None => self.shell.say(words().no_other_assembly()),
         }
     }
 
@@ -33,8 +34,7 @@ impl App {
             return;
         }
         if !choice.closes {
-            self.shell
-                .say(format!("the rest does not close with {wish}"));
+            self.shell.say(words().rest_does_not_close(&wish));
             return;
         }
         match self.player.open_scene.switched(group, choice.pick) {
@@ -45,13 +45,12 @@ impl App {
                 self.shell.mode = Mode::Normal;
                 let at = self.player.open_scene.at();
                 self.player.playback.rebase(now, at);
-                let mut message = format!("{wish} now");
-                if !self.record_assembly(&wish) {
-                    message += "; no [start] can tell it, so that it cannot be saved";
-                } else if let Some(key) = self.shell.keymap.key(Action::Save) {
-                    message += &format!("; {key} saves it");
-                }
-                self.shell.say(message);
+                let is_told = self.record_assembly(&wish);
+                self.shell.say(match self.shell.keymap.key(Action::Save) {
+                    _ if !is_told => words().assembly_now_untold(&wish),
+                    Some(key) => words().assembly_now_saved_by(&wish, &key),
+                    None => words().assembly_now(&wish),
+                });
             }
             Err(why) => self.shell.say(format!("{wish}: {why}")),
         }

@@ -6,6 +6,7 @@ use crate::report::Tables;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::views::picker::list::{Place, Purpose};
+use crate::wording::words;
 
 /// What the open scene is held against.
 #[derive(Debug, Default)]
@@ -26,7 +27,7 @@ impl App {
     pub(super) fn compare(&mut self) {
         if self.end_comparison() {
             self.sample();
-            self.shell.say("no longer compared");
+            self.shell.say(words().no_longer_compared());
             return;
         }
         let edited = self.is_edited().then_some(Place::Original);
@@ -96,18 +97,18 @@ impl App {
         let compared = self.compared()?;
         let name = compared.name();
         if !compared.is_assembled() {
-            return Some(format!("{name} has no assembly here"));
+            return Some(words().has_no_assembly_here(name));
         }
-        let mut title = format!("this - {name}");
-        let long = format!("difference: {title}");
+        let mut title = words().this_less(name);
+        let long = words().difference_from(name);
         if long.chars().count() <= width {
             title = long;
         }
         let speeds = compared
             .speeds(&self.player.open_scene)
-            .map(|s| format!("driven at {s}"));
+            .map(|s| words().driven_at(&s));
         let there = compared.pairing().only_there();
-        let there = (!there.is_empty()).then(|| format!("only there: {}", there.join(" ")));
+        let there = (!there.is_empty()).then(|| words().only_there(&there.join(" ")));
         for part in speeds.into_iter().chain(there) {
             title = format!("{title}; {part}");
         }

@@ -4,6 +4,7 @@ use super::{App, Mode};
 use crate::tui::commands::line::Line;
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::OutOfRange;
+use crate::wording::words;
 use std::time::Duration;
 
 impl App {
@@ -18,8 +19,7 @@ impl App {
             None if line.text().trim().is_empty() => self.shell.mode = Mode::Normal,
             None => {
                 let unit = self.player.open_scene.unit();
-                self.shell
-                    .say(format!("not a number of {unit}: {}", line.text()));
+                self.shell.say(words().no_number_of(unit, line.text()));
             }
         }
     }
@@ -31,13 +31,13 @@ impl App {
         let (unit, decimals) = (open_scene.unit(), open_scene.driver_range().decimals());
         let message = match reached {
             Ok(reached) if reached == at => return true,
-            Ok(reached) => format!("taken as {} {unit}", coordinate(reached, decimals)),
+            Ok(reached) => words().taken_as(&coordinate(reached, decimals), unit),
             Err(OutOfRange { low, high }) => {
                 // Rounded inwards: what is said can be reached.
                 let scale = 10.0_f64.powi(i32::try_from(decimals).unwrap_or(0));
                 let low = coordinate((low * scale).ceil() / scale, decimals);
                 let high = coordinate((high * scale).floor() / scale, decimals);
-                format!("out of reach: {low} to {high} {unit}")
+                words().out_of_reach(&low, &high, unit)
             }
         };
         self.shell.say(message);
@@ -47,7 +47,7 @@ impl App {
     /// Moves on by a step, as far as the motion goes.
     pub(super) fn step(&mut self, by: f64, now: Duration) {
         if !self.player.step(by, now) {
-            self.shell.say("the motion ends here");
+            self.shell.say(words().motion_ends());
         }
     }
 }

@@ -10,6 +10,7 @@ use crate::tui::commands::line::Line;
 use crate::tui::document::edited::{self, Edited};
 use crate::tui::document::history::Deed;
 use crate::tui::figures::format::coordinate;
+use crate::wording::words;
 use std::time::Duration;
 
 impl App {
@@ -105,11 +106,11 @@ impl App {
 
     /// Whether a value is where the driver opens: then the linkage follows it there.
     fn is_opening(&self, value: &Value) -> bool {
-        let name = match self.player.open_scene.scene().mechanism.driver().input {
-            Input::Turn(_) => "driver angle",
-            Input::Push(_) => "driver position",
+        let key = match self.player.open_scene.scene().mechanism.driver().input {
+            Input::Turn(_) => "angle",
+            Input::Push(_) => "position",
         };
-        value.name == name
+        value.name.strip_prefix("driver ") == Some(key)
     }
 
     /// Before the first change: where the command line has chosen another assembly than the text says, the
@@ -118,7 +119,7 @@ impl App {
         if self.document.editor.history.is_empty()
             && !edited::says_what_is_shown(&self.player.open_scene)
         {
-            self.record_assembly("assembly");
+            self.record_assembly(words().assembly());
         }
     }
 
@@ -160,10 +161,9 @@ impl App {
                 self.player.open_scene.unit(),
             );
             let at = coordinate(at, decimals);
-            self.shell.say(format!("{at} {unit} is out of reach now"));
+            self.shell.say(words().no_longer_in_reach(&at, unit));
         } else if edited.started {
-            self.shell
-                .say("[start] follows, so that this assembly stays");
+            self.shell.say(words().start_follows());
         }
         self.keep();
     }
@@ -187,9 +187,9 @@ impl App {
         };
         let Some((text, name)) = step else {
             let nothing = if is_undo {
-                "no edit to take back"
+                words().nothing_to_undo()
             } else {
-                "no edit to make again"
+                words().nothing_to_redo()
             };
             self.shell.say(nothing);
             return;
@@ -204,14 +204,17 @@ impl App {
                     history.made_again();
                 }
                 self.take_edit(edited, now);
-                let said = if is_undo { "taken back" } else { "made again" };
+                let said = match is_undo {
+                    true => words().undone(&name),
+                    false => words().redone(&name),
+                };
                 // That the driver could not stay is worth saying too.
                 let more = self
                     .shell
                     .message
                     .take()
                     .map_or(String::new(), |m| format!("; {m}"));
-                self.shell.say(format!("{name} {said}{more}"));
+                self.shell.say(format!("{said}{more}"));
             }
             // Every text of the history was opened before.
             Err(why) => self.shell.say(format!("{name}: {why}")),

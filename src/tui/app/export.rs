@@ -11,6 +11,7 @@ use crate::tui::document::writing::{Content, Text};
 use crate::tui::figures::copying::Shown;
 use crate::tui::figures::format::coordinate;
 use crate::tui::terminal::clipboard;
+use crate::wording::words;
 
 impl App {
     pub(super) fn take_out(&mut self, action: Action) -> Effect {
@@ -26,15 +27,14 @@ impl App {
     /// Copies what the view shows; of the tables it asks how much.
     fn copy(&mut self) -> Effect {
         if !self.shell.capability.modern {
-            self.shell
-                .say(format!("this terminal has no clipboard{}", self.mend()));
+            self.shell.say(self.mended(words().no_clipboard().into()));
             return Effect::Show;
         }
         match self.shell.view.pane().copy(self) {
             Copied::Text(text) => return self.send(&text),
             Copied::Asked => self.shell.mode = Mode::Copy,
             Copied::Nothing => {
-                self.shell.say("nothing to copy here; the tables have all");
+                self.shell.say(words().nothing_to_copy());
             }
         }
         Effect::Show
@@ -53,7 +53,7 @@ impl App {
         if let Some(text) = text {
             return Some(self.send(&text));
         }
-        self.shell.say("there is no value to copy");
+        self.shell.say(words().no_value_to_copy());
         Some(Effect::Show)
     }
 
@@ -70,28 +70,28 @@ impl App {
     fn send(&mut self, text: &str) -> Effect {
         match clipboard::sequence(text) {
             Ok(bytes) => {
-                let count = text.len();
-                self.shell
-                    .say(format!("sent to the terminal's clipboard: {count} B"));
+                self.shell.say(words().sent_to_clipboard(text.len()));
                 Effect::Send(bytes)
             }
             Err(too_large) => {
-                self.shell.say(format!("{too_large}{}", self.mend()));
+                self.shell.say(self.mended(too_large.to_string()));
                 Effect::Show
             }
         }
     }
 
-    /// What to do where nothing can be copied: `: use Y`, which writes a file.
-    fn mend(&self) -> String {
-        let key = self.shell.keymap.key(Action::Csv);
-        key.map_or_else(String::new, |key| format!(": use {key}"))
+    /// Why nothing can be copied, and what to do then: `: use Y`, which writes a file.
+    fn mended(&self, why: String) -> String {
+        match self.shell.keymap.key(Action::Csv) {
+            Some(key) => words().use_instead(&why, &key),
+            None => why,
+        }
     }
 
     /// Asks where to write the figures as they are now, or what is plotted over the motion.
     fn ask_for_csv(&mut self) {
         let text = self.shell.view.pane().csv(self);
-        self.offer_file(text, "the figures", "csv");
+        self.offer_file(text, words().the_figures(), "csv");
     }
 
     /// Asks for the name of a file for a text, or says why there is none.
@@ -110,7 +110,7 @@ impl App {
     pub(crate) fn row_of_sweep(&self) -> Result<String, String> {
         let (scene, at) = (self.player.open_scene.scene(), self.player.open_scene.at());
         let catalogue = Catalogue::new(scene);
-        let broken = || "no figures can be written here".to_owned();
+        let broken = || words().no_figures_to_write().to_owned();
         let here = Decimal::of(at).ok_or_else(broken)?;
         let step = Decimal::of(1.0).ok_or_else(broken)?;
         let sweep = Sweep {
@@ -128,7 +128,7 @@ impl App {
 
     /// Asks where to write the screen as it was when the key was pressed.
     pub(crate) fn ask_for_picture(&mut self, text: String) {
-        self.offer_file(Ok(text), "the screen", "txt");
+        self.offer_file(Ok(text), words().the_screen(), "txt");
     }
 
     /// Asks where to write the drawing, or the plot, as it is seen.

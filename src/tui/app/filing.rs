@@ -8,6 +8,7 @@ use crate::tui::document::disk::{News, Seen, unmarked};
 use crate::tui::document::history::Deed;
 use crate::tui::document::opening;
 use crate::tui::{Opened, Origin};
+use crate::wording::words;
 use std::io;
 use std::path::Path;
 use std::time::Duration;
@@ -85,14 +86,15 @@ impl App {
             News::Written(bytes) if unmarked(&bytes) == self.document.editor.saved().as_bytes() => {
             }
             News::Written(_) if self.is_changed() => {
-                let ways = self.ways_out();
+                let key = |action| self.shell.keymap.told(action);
+                let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
                 self.shell
-                    .say(format!("{name} has changed on disk: {ways}"));
+                    .say(words().file_changed(&name, &reload, &elsewhere));
             }
             News::Written(bytes) => self.read_in(&bytes, &name, now),
             News::Gone => self.tell_gone(&name),
             News::Unreadable(error) => {
-                self.shell.say(format!("{name} cannot be read: {error}"));
+                self.shell.say(words().name_cannot_be_read(&name, &error));
             }
         }
     }
@@ -100,7 +102,7 @@ impl App {
     /// Reads the file again because that was asked for; over unsaved edits if they may go.
     pub(super) fn reload(&mut self, over: bool) {
         let Origin::File(path) = self.player.open_scene.origin().clone() else {
-            self.shell.say("this scene has no file to read again");
+            self.shell.say(words().no_file_to_read());
             return;
         };
         self.clerk.give(move || {
@@ -121,22 +123,14 @@ impl App {
             // A file that is gone is no danger to the edits.
             News::Gone => self.tell_gone(&name),
             News::Unreadable(error) => {
-                self.shell.say(format!("{name} cannot be read: {error}"));
+                self.shell.say(words().name_cannot_be_read(&name, &error));
             }
         }
     }
 
-    /// What to do where the file is another than was opened.
-    fn ways_out(&self) -> String {
-        let key = |action| self.shell.keymap.told(action);
-        let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
-        format!("{reload} reads it, {elsewhere} saves elsewhere")
-    }
-
     fn tell_gone(&mut self, name: &str) {
         let key = self.shell.keymap.told(Action::Save);
-        self.shell
-            .say(format!("{name} is gone: {key} writes it again"));
+        self.shell.say(words().file_is_gone(name, &key));
     }
 
     /// Shows what the file holds now; what is broken leaves the last good state on the screen. The edits
@@ -152,7 +146,7 @@ impl App {
                     self.player.open_scene.scene().text(),
                     scene.text().to_owned(),
                 );
-                let deed = Deed::Other("reading the file".into());
+                let deed = Deed::Other(words().reading_the_file().into());
                 self.document.editor.history.record(before, &after, deed);
                 self.document.editor.filed(&after);
                 let opened = Opened {
@@ -163,12 +157,11 @@ impl App {
                 self.exchange(opened, now);
                 self.keep();
                 self.watch();
-                self.shell.say(format!("{name} was read again"));
+                self.shell.say(words().was_read_again(name));
             }
             Err(faults) => {
                 let fault = faults.first_words();
-                self.shell
-                    .say(format!("{name} is broken, not shown: {fault}"));
+                self.shell.say(words().is_broken_not_shown(name, &fault));
             }
         }
     }

@@ -7,6 +7,7 @@ use crate::tui::commands::key::Key;
 use crate::tui::document::opening::{self, Unopened};
 use crate::tui::views::picker::list::{Picker, Place, Purpose, Reading};
 use crate::tui::views::picker::preview::Preview;
+use crate::wording::words;
 use std::env;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -145,7 +146,7 @@ impl App {
             Arc::clone(&self.document.original),
             self.player.open_scene.origin().clone(),
         );
-        self.shell.say(format!("reading {name}"));
+        self.shell.say(words().reading(&name));
         self.clerk.give(move || {
             let opened = opened(&place, &original, origin);
             Box::new(move |app, now| app.picked(purpose, place, name, opened, now))
@@ -187,12 +188,12 @@ impl App {
 /// Opens a scene of the list; in words why it cannot be.
 fn opened(place: &Place, original: &str, origin: Origin) -> Result<Opened, String> {
     match place {
-        Place::Folder(path) => Err(format!("{} is a folder", path.display())),
+        Place::Folder(path) => Err(words().is_folder(&path.display())),
         // Its name is under the cursor.
         Place::File(path) => opening::scene_of(&near(path)).map_err(Unopened::first_words),
         Place::Preset(name) => match presets::find(name) {
             Some(preset) => opening::preset(preset),
-            None => Err(format!("there is no preset {name}")),
+            None => Err(words().no_preset(name)),
         },
         Place::Original => opening::text(original, origin).map_err(|d| d.first_words().to_owned()),
     }

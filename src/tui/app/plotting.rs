@@ -7,6 +7,7 @@ use crate::tui::commands::key::Key;
 use crate::tui::views::motor::study::MotorStudy;
 use crate::tui::views::plots::curves::Plots;
 use crate::tui::views::plots::list::PlotList;
+use crate::wording::words;
 
 impl App {
     pub(super) fn plot(&mut self, action: PlotsAction) {
@@ -23,8 +24,10 @@ impl App {
             }
             PlotsAction::Extrema => {
                 let marked = self.plots.toggle_extrema();
-                let what = if marked { "marked" } else { "not marked" };
-                self.shell.say(format!("maxima and minima are {what}"));
+                self.shell.say(match marked {
+                    true => words().extrema_marked(),
+                    false => words().extrema_not_marked(),
+                });
             }
         }
         self.sample();

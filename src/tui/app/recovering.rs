@@ -9,6 +9,7 @@ use crate::tui::document::edited;
 use crate::tui::document::history::Deed;
 use crate::tui::document::recovery::{self, Others, Recovery};
 use crate::tui::views::offer::list::Offer;
+use crate::wording::words;
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
@@ -80,8 +81,7 @@ impl App {
             self.player.playback.pause();
             self.shell.ask(Mode::Recovery(Box::new(offer)));
         } else {
-            self.shell
-                .say("others have edits of this scene: open it again to see");
+            self.shell.say(words().others_have_edits());
         }
     }
 
@@ -188,15 +188,15 @@ impl App {
                         Box::new(|_, _| {})
                     });
                 }
-                self.change(edited, Deed::Other("recovered edits".into()), now);
+                self.change(edited, Deed::Other(words().recovered_edits().into()), now);
                 self.document.older |= found.is_stale;
                 let key = self.shell.keymap.told(Action::Undo);
                 self.shell.say(match found.is_stale {
-                    true => format!("back, made on another text than the file has; {key} undoes"),
-                    false => format!("the unsaved edits are back; {key} takes them away"),
+                    true => words().older_edits_are_back(&key),
+                    false => words().edits_are_back(&key),
                 });
             }
-            Err(why) => self.shell.say(format!("they cannot be shown: {why}")),
+            Err(why) => self.shell.say(words().edits_cannot_be_shown(&why)),
         }
     }
 
@@ -210,7 +210,7 @@ impl App {
         if !offer.forget() {
             self.shell.mode = Mode::Normal;
         }
-        self.shell.say("these edits are deleted");
+        self.shell.say(words().edits_deleted());
         self.clerk.give(move || {
             recovery::delete(&file);
             Box::new(|_, _| {})

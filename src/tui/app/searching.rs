@@ -10,6 +10,7 @@ use crate::tui::figures::cursor::{self, Cursor};
 use crate::tui::figures::search::{self, Search, Whence};
 use crate::tui::figures::sheet;
 use crate::tui::views::motion::followed;
+use crate::wording::words;
 
 impl App {
     /// Asks for a name, in the views that have rows.
@@ -18,7 +19,7 @@ impl App {
             List::Figures => Whence::Tables(self.cursor),
             List::Values => Whence::Scene(self.document.editor.cursor()),
             List::Lines => {
-                self.shell.say("there is nothing to search here");
+                self.shell.say(words().nothing_to_search());
                 return;
             }
         };
@@ -143,19 +144,18 @@ impl App {
         let moving = followed::moving(self.player.open_scene.scene(), part, row);
         if moving.is_empty() {
             let name = part.name(self.player.open_scene.tables(), row);
-            self.shell
-                .say(format!("{name} never moves: nothing to follow"));
+            self.shell.say(words().never_moves(&name));
             return;
         }
         let all = moving
             .iter()
             .all(|(point, _)| self.followed.contains(*point));
         let names = moving.iter().map(|(_, name)| *name).collect::<Vec<_>>();
-        let names = names.join(" and ");
+        let names = words().all_of(&names);
         self.shell.say(if all {
-            format!("{names} no longer chosen")
+            words().no_longer_chosen(&names)
         } else {
-            format!("{names} chosen for the motion view")
+            words().chosen_for_motion(&names)
         });
         for (point, _) in moving {
             if self.followed.contains(point) == all {
@@ -166,5 +166,5 @@ impl App {
 }
 
 fn nameless(typed: &str) -> String {
-    format!("no row is named {typed}")
+    words().no_row_named(typed)
 }

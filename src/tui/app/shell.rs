@@ -5,6 +5,7 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
+use crate::wording::words;
 use ratatui::layout::Size;
 use std::time::Duration;
 
@@ -61,22 +62,22 @@ impl Shell {
 
     pub(super) fn next_glyphs(&mut self) {
         let (glyphs, name) = match self.capability.glyphs {
-            Glyphs::Ascii => (Glyphs::Line, "lines"),
-            Glyphs::Line => (Glyphs::Braille, "Braille"),
-            Glyphs::Braille => (Glyphs::Ascii, "ASCII"),
+            Glyphs::Ascii => (Glyphs::Line, words().glyphs_lines()),
+            Glyphs::Line => (Glyphs::Braille, words().glyphs_braille()),
+            Glyphs::Braille => (Glyphs::Ascii, words().glyphs_ascii()),
         };
         self.capability.glyphs = glyphs;
-        self.say(format!("drawn with {name}"));
+        self.say(words().drawn_with(name));
     }
 
     pub(super) fn next_colours(&mut self) {
         let colours = self.capability.colours.next();
         self.capability.colours = colours;
         self.say(match colours {
-            Colours::None => "no colours",
-            Colours::Sixteen => "the 16 colours of the terminal's palette",
-            Colours::Indexed => "colours of the 256",
-            Colours::True => "colours of 24 bits",
+            Colours::None => words().no_colours(),
+            Colours::Sixteen => words().sixteen_colours(),
+            Colours::Indexed => words().colours_of_256(),
+            Colours::True => words().true_colours(),
         });
     }
 

@@ -9,6 +9,7 @@ use crate::tui::document::disk::News;
 use crate::tui::document::edited;
 use crate::tui::document::saving::{Errand, Leave, refused, refused_there};
 use crate::tui::document::writing::{Content, Doubt, Question};
+use crate::wording::words;
 use std::path::{Path, PathBuf};
 
 impl App {
@@ -31,7 +32,7 @@ impl App {
             Box::new(move |app, _| match is_gone {
                 _ if app.scenes != scene => {}
                 true => app.store(Content::Scene, path, Leave::default()),
-                false => app.shell.say("nothing has changed since it was saved"),
+                false => app.shell.say(words().unchanged_since_saved()),
             })
         });
     }
@@ -50,16 +51,15 @@ impl App {
     /// Writes to a file, as far as that was granted; the scene's is then its own.
     pub(super) fn store(&mut self, content: Content, to: PathBuf, leave: Leave) {
         if self.document.storing {
-            self.shell.say("another file is still being written");
+            self.shell.say(words().still_writing());
             return;
         }
         let text = match &content {
             Content::Text(text) => text.text.clone(),
             Content::Scene => {
                 let told = edited::says_what_is_shown(&self.player.open_scene);
-                if !told && !self.record_assembly("assembly") {
-                    let why = "not written: no start positions tell this assembly from the others";
-                    self.shell.say(why);
+                if !told && !self.record_assembly(words().assembly()) {
+                    self.shell.say(words().not_written_without_start());
                     return;
                 }
                 self.player.open_scene.scene().text().to_owned()
@@ -82,7 +82,7 @@ impl App {
             return;
         }
         self.document.storing = true;
-        self.shell.say(format!("writing {}", errand.to.display()));
+        self.shell.say(words().writing_to(&errand.to.display()));
         let scene = self.scenes;
         self.clerk.give(move || {
             let done = errand.run();
@@ -119,8 +119,8 @@ impl App {
             Ok(()) => {
                 let to = errand.to.display();
                 self.shell.say(match &content {
-                    Content::Scene => format!("written to {to}"),
-                    Content::Text(text) => format!("{} written to {to}", text.what),
+                    Content::Scene => words().written_to(&to),
+                    Content::Text(text) => words().all_written_to(&text.what, &to),
                 });
                 if content == Content::Scene && is_shown {
                     self.filed(&errand);
@@ -148,7 +148,7 @@ impl App {
             None => {
                 let key = self.shell.keymap.told(Action::SaveAs);
                 if let (Trouble::NoFile(_), Some(message)) = (&trouble, &mut self.shell.message) {
-                    *message += &format!("; {key} saves elsewhere");
+                    *message = words().or_save_elsewhere(message, &key);
                 }
             }
         }

@@ -3,18 +3,19 @@
 use super::App;
 use crate::tui::commands::action::MotionAction;
 use crate::tui::views::motion::viewport::Layer;
+use crate::wording::words;
 
 impl App {
     pub(super) fn move_lens(&mut self, action: MotionAction) {
         use MotionAction as M;
         match action {
             M::Names => self.shell.say(self.viewport.next_names().text()),
-            M::Velocities => self.switch(Layer::Velocities, "arrows of velocity"),
-            M::Accelerations => self.switch(Layer::Accelerations, "arrows of acceleration"),
-            M::Traces => self.switch(Layer::Traces, "traces"),
-            M::Ghosts => self.switch(Layer::Ghosts, "other positions"),
-            M::Centres => self.switch(Layer::Centres, "centres of mass"),
-            M::Guides => self.switch(Layer::Guides, "guides and supports"),
+            M::Velocities => self.switch(Layer::Velocities, words().arrows_of_velocity()),
+            M::Accelerations => self.switch(Layer::Accelerations, words().arrows_of_acceleration()),
+            M::Traces => self.switch(Layer::Traces, words().traces()),
+            M::Ghosts => self.switch(Layer::Ghosts, words().other_positions()),
+            M::Centres => self.switch(Layer::Centres, words().centres_of_mass()),
+            M::Guides => self.switch(Layer::Guides, words().guides_and_supports()),
             M::ZoomIn => self.zoom(1),
             M::ZoomOut => self.zoom(-1),
             M::Fit => self.viewport.fit(),
@@ -26,23 +27,21 @@ impl App {
     }
 
     fn switch(&mut self, layer: Layer, name: &str) {
-        let on = if self.viewport.toggle(layer) {
-            "on"
-        } else {
-            "off"
-        };
-        self.shell.say(format!("{name} {on}"));
+        self.shell.say(match self.viewport.toggle(layer) {
+            true => words().switched_on(name),
+            false => words().switched_off(name),
+        });
     }
 
     fn zoom(&mut self, steps: i8) {
         if !self.viewport.enlarge(steps) {
-            self.shell.say("there is no more to zoom");
+            self.shell.say(words().no_more_to_zoom());
         }
     }
 
     fn pan(&mut self, right: f64, up: f64) {
         if !self.viewport.pan(&self.player.open_scene, right, up) {
-            self.shell.say("the motion ends here");
+            self.shell.say(words().motion_ends());
         }
     }
 

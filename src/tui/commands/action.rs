@@ -3,6 +3,7 @@
 
 use crate::tui::commands::key::Key;
 use crate::tui::commands::view::View;
+use crate::wording::{Wording, Words};
 
 /// What a key asks for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -186,23 +187,27 @@ pub(crate) enum Place {
 pub(crate) struct Entry {
     pub(crate) place: Place,
     pub(crate) action: Action,
-    /// One or two words, for the hints of the last line.
+    /// What a configuration calls it: a promise.
     pub(crate) name: &'static str,
+    /// One or two words, for the hints of the last line.
+    pub(crate) hint: Wording,
     /// One line.
-    pub(crate) help: &'static str,
+    pub(crate) help: Wording,
     pub(crate) keys: &'static [Key],
 }
 
 const fn entry(
     action: Action,
     name: &'static str,
-    help: &'static str,
+    hint: Wording,
+    help: Wording,
     keys: &'static [Key],
 ) -> Entry {
     Entry {
         place: Place::Everywhere,
         action,
         name,
+        hint,
         help,
         keys,
     }
@@ -219,7 +224,7 @@ const fn within(view: View, entry: Entry) -> Entry {
 /// Rows that belong together.
 #[derive(Debug)]
 pub(crate) struct Section {
-    pub(crate) title: &'static str,
+    pub(crate) title: Wording,
     pub(crate) entries: &'static [Entry],
 }
 
@@ -234,93 +239,94 @@ pub(crate) static SECTIONS: [Section; 7] = {
     use SceneAction as S;
     use TablesAction as T;
     use View::{Motion, Plots, Scene, Tables};
+    type W = dyn Words;
     [
-        Section { title: "The motion", entries: &[
-        entry(A::Play, "play", "play or pause", &[Char(' ')]),
-        entry(A::StepBack, "step back", "one step back", &[Char(','), Key::Left, Char('h')]),
-        entry(A::StepForward, "step", "one step on", &[Char('.'), Key::Right, Char('l')]),
-        entry(A::SmallerStep, "smaller", "a smaller step", &[Char('[')]),
-        entry(A::LargerStep, "larger", "a larger step", &[Char(']')]),
-        entry(A::Slower, "slower", "play more slowly", &[Char('-')]),
-        entry(A::Faster, "faster", "play faster", &[Char('+'), Char('=')]),
-        entry(A::Reverse, "reverse", "play the other way", &[Char('r')]),
-        entry(A::GoTo, "go to", "type where to go", &[Char('g')]),
-        entry(A::Opening, "opening", "where the scene opens", &[Key::Home]),
-        entry(A::Assemblies, "assemblies", "other assemblies", &[Char('a')]),
+        Section { title: W::the_motion, entries: &[
+        entry(A::Play, "play", W::play, W::play_or_pause, &[Char(' ')]),
+        entry(A::StepBack, "step-back", W::step_back, W::one_step_back, &[Char(','), Key::Left, Char('h')]),
+        entry(A::StepForward, "step", W::step, W::one_step_on, &[Char('.'), Key::Right, Char('l')]),
+        entry(A::SmallerStep, "smaller", W::smaller, W::a_smaller_step, &[Char('[')]),
+        entry(A::LargerStep, "larger", W::larger, W::a_larger_step, &[Char(']')]),
+        entry(A::Slower, "slower", W::slower, W::play_more_slowly, &[Char('-')]),
+        entry(A::Faster, "faster", W::faster, W::play_faster, &[Char('+'), Char('=')]),
+        entry(A::Reverse, "reverse", W::reverse, W::play_the_other_way, &[Char('r')]),
+        entry(A::GoTo, "go-to", W::go_to, W::type_where_to_go, &[Char('g')]),
+        entry(A::Opening, "opening", W::opening, W::where_the_scene_opens, &[Key::Home]),
+        entry(A::Assemblies, "assemblies", W::assemblies, W::other_assemblies, &[Char('a')]),
         ] },
-        Section { title: "The views", entries: &[
-        entry(A::NextView, "view", "the next view", &[Key::Tab]),
-        entry(A::Look(View::Motion), "motion", "motion and live tables", &[Char('1')]),
-        entry(A::Look(View::Tables), "tables", "all tables", &[Char('2')]),
-        entry(A::Look(View::Plots), "plots", "figures over the motion", &[Char('3')]),
-        entry(A::Look(View::Accuracy), "accuracy", "speed against error", &[Char('4')]),
-        entry(A::Look(View::Forces), "forces", "forces", &[Char('5')]),
-        entry(A::Look(View::Scene), "scene", "edit the scene", &[Char('6')]),
-        entry(A::Look(View::Working), "working", "the working shown", &[Char('7')]),
-        entry(A::Look(View::Motor), "motor", "the motor over a cycle", &[Char('8')]),
-        entry(A::Look(View::Lengths), "lengths", "what each length does", &[Char('e')]),
+        Section { title: W::the_views, entries: &[
+        entry(A::NextView, "view", W::view, W::the_next_view, &[Key::Tab]),
+        entry(A::Look(View::Motion), "motion", W::motion, W::motion_and_live_tables, &[Char('1')]),
+        entry(A::Look(View::Tables), "tables", W::tables, W::all_tables, &[Char('2')]),
+        entry(A::Look(View::Plots), "plots", W::plots, W::figures_over_the_motion, &[Char('3')]),
+        entry(A::Look(View::Accuracy), "accuracy", W::accuracy, W::speed_against_error, &[Char('4')]),
+        entry(A::Look(View::Forces), "forces", W::forces, W::forces, &[Char('5')]),
+        entry(A::Look(View::Scene), "scene", W::scene, W::edit_the_scene, &[Char('6')]),
+        entry(A::Look(View::Working), "working", W::working, W::the_working_shown, &[Char('7')]),
+        entry(A::Look(View::Motor), "motor", W::motor, W::the_motor_over_a_cycle, &[Char('8')]),
+        entry(A::Look(View::Lengths), "lengths", W::lengths, W::what_each_length_does, &[Char('e')]),
         ] },
-        Section { title: "What the motion view shows", entries: &[
-        within(Motion, entry(A::Motion(M::Names), "names", "names of points, links", &[Char('i')])),
-        within(Motion, entry(A::Motion(M::Velocities), "velocities", "arrows of velocity", &[Char('v')])),
-        within(Motion, entry(A::Motion(M::Accelerations), "accelerations", "arrows of acceleration", &[Char('A')])),
-        within(Motion, entry(A::Motion(M::Traces), "traces", "traces of points", &[Char('T')])),
-        within(Motion, entry(A::Motion(M::Ghosts), "ghosts", "other positions", &[Char('G')])),
-        within(Motion, entry(A::Motion(M::Centres), "centres", "centres of mass", &[Char('c')])),
-        within(Motion, entry(A::Motion(M::Guides), "guides", "guides and supports", &[Char('d')])),
-        within(Motion, entry(A::Motion(M::ZoomIn), "zoom in", "zoom in", &[Char('z')])),
-        within(Motion, entry(A::Motion(M::ZoomOut), "zoom out", "zoom out", &[Char('Z')])),
-        within(Motion, entry(A::Motion(M::Fit), "fit", "the whole motion again", &[Char('f')])),
-        within(Motion, entry(A::Motion(M::PanLeft), "pan left", "move the window left", &[Char('H')])),
-        within(Motion, entry(A::Motion(M::PanDown), "pan down", "move it down", &[Char('J')])),
-        within(Motion, entry(A::Motion(M::PanUp), "pan up", "move it up", &[Char('K')])),
-        within(Motion, entry(A::Motion(M::PanRight), "pan right", "move it right", &[Char('L')])),
+        Section { title: W::what_the_motion_view_shows, entries: &[
+        within(Motion, entry(A::Motion(M::Names), "names", W::names, W::names_of_points_links, &[Char('i')])),
+        within(Motion, entry(A::Motion(M::Velocities), "velocities", W::velocities, W::arrows_of_velocity, &[Char('v')])),
+        within(Motion, entry(A::Motion(M::Accelerations), "accelerations", W::accelerations, W::arrows_of_acceleration, &[Char('A')])),
+        within(Motion, entry(A::Motion(M::Traces), "traces", W::traces, W::traces_of_points, &[Char('T')])),
+        within(Motion, entry(A::Motion(M::Ghosts), "ghosts", W::ghosts, W::other_positions, &[Char('G')])),
+        within(Motion, entry(A::Motion(M::Centres), "centres", W::centres, W::centres_of_mass, &[Char('c')])),
+        within(Motion, entry(A::Motion(M::Guides), "guides", W::guides, W::guides_and_supports, &[Char('d')])),
+        within(Motion, entry(A::Motion(M::ZoomIn), "zoom-in", W::zoom_in, W::zoom_in, &[Char('z')])),
+        within(Motion, entry(A::Motion(M::ZoomOut), "zoom-out", W::zoom_out, W::zoom_out, &[Char('Z')])),
+        within(Motion, entry(A::Motion(M::Fit), "fit", W::fit, W::the_whole_motion_again, &[Char('f')])),
+        within(Motion, entry(A::Motion(M::PanLeft), "pan-left", W::pan_left, W::move_the_window_left, &[Char('H')])),
+        within(Motion, entry(A::Motion(M::PanDown), "pan-down", W::pan_down, W::move_it_down, &[Char('J')])),
+        within(Motion, entry(A::Motion(M::PanUp), "pan-up", W::pan_up, W::move_it_up, &[Char('K')])),
+        within(Motion, entry(A::Motion(M::PanRight), "pan-right", W::pan_right, W::move_it_right, &[Char('L')])),
         ] },
-        Section { title: "Lists", entries: &[
-        entry(A::LineUp, "up", "up a line", &[Key::Up, Char('k')]),
-        entry(A::LineDown, "scroll", "down a line", &[Key::Down, Char('j')]),
-        entry(A::PageUp, "page up", "up a screen", &[Key::PageUp]),
-        entry(A::PageDown, "page down", "down a screen", &[Key::PageDown]),
-        entry(A::Search, "search", "find by name", &[Char('/')]),
-        within(Tables, entry(A::Tables(T::Choose), "choose", "show it in the motion", &[Char('x')])),
-        within(Tables, entry(A::Tables(T::Left), "left", "the figure to the left", &[Char('H')])),
-        within(Tables, entry(A::Tables(T::Right), "right", "the figure to the right", &[Char('L')])),
-        within(Plots, entry(A::Plots(P::Choose), "choose plots", "choose what is plotted", &[Char('x'), Key::Enter])),
-        within(Plots, entry(A::Plots(P::Abscissa), "abscissa", "what stands along x", &[Char('X')])),
-        within(Plots, entry(A::Plots(P::Extrema), "extrema", "mark the extrema", &[Char('m')])),
+        Section { title: W::lists, entries: &[
+        entry(A::LineUp, "up", W::up, W::up_a_line, &[Key::Up, Char('k')]),
+        entry(A::LineDown, "scroll", W::scroll, W::down_a_line, &[Key::Down, Char('j')]),
+        entry(A::PageUp, "page-up", W::page_up, W::up_a_screen, &[Key::PageUp]),
+        entry(A::PageDown, "page-down", W::page_down, W::down_a_screen, &[Key::PageDown]),
+        entry(A::Search, "search", W::search, W::find_by_name, &[Char('/')]),
+        within(Tables, entry(A::Tables(T::Choose), "choose", W::choose, W::show_it_in_the_motion, &[Char('x')])),
+        within(Tables, entry(A::Tables(T::Left), "left", W::left, W::the_figure_to_the_left, &[Char('H')])),
+        within(Tables, entry(A::Tables(T::Right), "right", W::right, W::the_figure_to_the_right, &[Char('L')])),
+        within(Plots, entry(A::Plots(P::Choose), "choose-plots", W::choose_plots, W::choose_what_is_plotted, &[Char('x'), Key::Enter])),
+        within(Plots, entry(A::Plots(P::Abscissa), "abscissa", W::abscissa, W::what_stands_along_x, &[Char('X')])),
+        within(Plots, entry(A::Plots(P::Extrema), "extrema", W::extrema, W::mark_the_extrema, &[Char('m')])),
         ] },
-        Section { title: "The scene", entries: &[
-        within(Scene, entry(A::Scene(S::Edit), "edit", "type another value", &[Key::Enter])),
-        within(Scene, entry(A::Scene(S::NudgeDown), "nudge down", "a little less", &[Char('<')])),
-        within(Scene, entry(A::Scene(S::NudgeUp), "nudge up", "a little more", &[Char('>')])),
-        within(Scene, entry(A::Scene(S::FinerNudge), "finer", "nudge by less", &[Char('{')])),
-        within(Scene, entry(A::Scene(S::CoarserNudge), "coarser", "nudge by more", &[Char('}')])),
-        entry(A::Undo, "undo", "take an edit back", &[Char('u')]),
-        entry(A::Redo, "redo", "make it again", &[Ctrl('r')]),
-        entry(A::Save, "save", "write to the file", &[Char('w')]),
-        entry(A::SaveAs, "save as", "write to another file", &[Char('W')]),
-        entry(A::Reload, "reload", "read the file again", &[Char('R')]),
-        entry(A::Open, "open", "open a preset or file", &[Char('o')]),
-        entry(A::NextPreset, "next", "the next preset", &[Char('n')]),
-        entry(A::PreviousPreset, "previous", "the preset before", &[Char('p')]),
-        entry(A::Compare, "compare", "beside another scene", &[Char('D')]),
+        Section { title: W::the_scene, entries: &[
+        within(Scene, entry(A::Scene(S::Edit), "edit", W::edit, W::type_another_value, &[Key::Enter])),
+        within(Scene, entry(A::Scene(S::NudgeDown), "nudge-down", W::nudge_down, W::a_little_less, &[Char('<')])),
+        within(Scene, entry(A::Scene(S::NudgeUp), "nudge-up", W::nudge_up, W::a_little_more, &[Char('>')])),
+        within(Scene, entry(A::Scene(S::FinerNudge), "finer", W::finer, W::nudge_by_less, &[Char('{')])),
+        within(Scene, entry(A::Scene(S::CoarserNudge), "coarser", W::coarser, W::nudge_by_more, &[Char('}')])),
+        entry(A::Undo, "undo", W::undo, W::take_an_edit_back, &[Char('u')]),
+        entry(A::Redo, "redo", W::redo, W::make_it_again, &[Ctrl('r')]),
+        entry(A::Save, "save", W::save, W::write_to_the_file, &[Char('w')]),
+        entry(A::SaveAs, "save-as", W::save_as, W::write_to_another_file, &[Char('W')]),
+        entry(A::Reload, "reload", W::reload, W::read_the_file_again, &[Char('R')]),
+        entry(A::Open, "open", W::open, W::open_a_preset_or_file, &[Char('o')]),
+        entry(A::NextPreset, "next", W::next, W::the_next_preset, &[Char('n')]),
+        entry(A::PreviousPreset, "previous", W::previous, W::the_preset_before, &[Char('p')]),
+        entry(A::Compare, "compare", W::compare, W::beside_another_scene, &[Char('D')]),
         ] },
-        Section { title: "Taking things out", entries: &[
-        entry(A::Copy, "copy", "copy to the clipboard", &[Char('y')]),
-        entry(A::Csv, "csv", "write a CSV file", &[Char('Y')]),
-        entry(A::Picture, "picture", "write the screen", &[Char('P')]),
-        entry(A::Svg, "svg", "write an SVG file", &[Char('S')]),
+        Section { title: W::taking_things_out, entries: &[
+        entry(A::Copy, "copy", W::copy, W::copy_to_the_clipboard, &[Char('y')]),
+        entry(A::Csv, "csv", W::csv, W::write_a_csv_file, &[Char('Y')]),
+        entry(A::Picture, "picture", W::picture, W::write_the_screen, &[Char('P')]),
+        entry(A::Svg, "svg", W::svg, W::write_an_svg_file, &[Char('S')]),
         ] },
-        Section { title: "The program", entries: &[
-        entry(A::Glyphs, "glyphs", "ASCII, lines, Braille", &[Char('t')]),
-        entry(A::Colours, "colours", "how many colours", &[Char('C')]),
-        entry(A::Help, "help", "show or hide this help", &[Char('?'), Function(1)]),
-        entry(A::Tour, "tour", "the tour", &[Char('I'), Function(2)]),
-        entry(A::Back, "back", "one level back", &[Key::Escape]),
-        entry(A::Redraw, "redraw", "draw everything again", &[Ctrl('l')]),
-        entry(A::Suspend, "suspend", "stop; fg goes on", &[Ctrl('z')]),
-        entry(A::Quit, "quit", "leave", &[Char('q')]),
-        entry(A::Leave, "leave", "leave from anywhere", &[Ctrl('c')]),
+        Section { title: W::the_program, entries: &[
+        entry(A::Glyphs, "glyphs", W::glyphs, W::ascii_lines_braille, &[Char('t')]),
+        entry(A::Colours, "colours", W::colours, W::how_many_colours, &[Char('C')]),
+        entry(A::Help, "help", W::help, W::show_or_hide_this_help, &[Char('?'), Function(1)]),
+        entry(A::Tour, "tour", W::tour, W::the_tour, &[Char('I'), Function(2)]),
+        entry(A::Back, "back", W::back, W::one_level_back, &[Key::Escape]),
+        entry(A::Redraw, "redraw", W::redraw, W::draw_everything_again, &[Ctrl('l')]),
+        entry(A::Suspend, "suspend", W::suspend, W::stop_and_fg_goes_on, &[Ctrl('z')]),
+        entry(A::Quit, "quit", W::quit, W::leave, &[Char('q')]),
+        entry(A::Leave, "leave", W::leave, W::leave_from_anywhere, &[Ctrl('c')]),
         ] },
     ]
 };
@@ -363,6 +369,7 @@ pub(crate) fn listed(keys: &[Key]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::wording::words;
     use std::collections::HashSet;
 
     #[test]
@@ -386,11 +393,8 @@ mod tests {
         for entry in entries() {
             let keys = listed(entry.keys);
             assert!(keys.len() <= 12, "{keys}");
-            assert!(
-                entry.help.is_ascii() && entry.help.len() <= 23,
-                "{}",
-                entry.help
-            );
+            let help = (entry.help)(words());
+            assert!(help.is_ascii() && help.len() <= 23, "{help}");
         }
     }
 }

@@ -4,6 +4,7 @@
 use crate::tui::commands::action::{self, Action, Entry, Place};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::view::View;
+use crate::wording::words;
 
 /// The keys of every action.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,7 +61,7 @@ impl Keymap {
     /// The same as messages name it, also where a person took it away.
     pub(crate) fn told(&self, action: Action) -> String {
         self.key(action)
-            .map_or_else(|| "(no key)".into(), |key| key.to_string())
+            .map_or_else(|| words().no_key().into(), |key| key.to_string())
     }
 
     /// Every row of the table with its keys.

@@ -5,20 +5,17 @@ use crate::nearest::did_you_mean;
 use crate::tui::commands::action::{self, Action, Entry};
 use crate::tui::commands::key::{self, Key};
 use crate::tui::commands::keymap::Keymap;
+use crate::wording::words;
 
 /// The section as it is written: for each action a list of keys, or one key in its place.
 pub(super) type Section = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
-/// What an action is called in the configuration: its name in one word.
-pub(super) fn name_of(entry: &Entry) -> String {
-    entry.name.replace(' ', "-")
-}
-
-/// The key that an action keeps, and what it always does: nobody should be locked in.
-fn kept(action: Action) -> Option<(Key, &'static str)> {
+/// The key that an action keeps, and what that always does: nobody should be locked in.
+fn kept(action: Action) -> Option<(Key, String)> {
+    let (leave, back) = (Key::Ctrl('c'), Key::Escape);
     match action {
-        Action::Leave => Some((Key::Ctrl('c'), "always leaves")),
-        Action::Back => Some((Key::Escape, "always goes back")),
+        Action::Leave => Some((leave, words().always_leaves(&leave))),
+        Action::Back => Some((back, words().always_goes_back(&back))),
         _ => None,
     }
 }
@@ -53,9 +50,9 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &Section, keymap: &mut Keym
         let keys = keys_of(reader, text, value);
         if keys.is_empty() && is_needed(entry.action) && reader.found.len() == before {
             reader.report(
-                Diagnostic::new(format!("{} must have a key", quoted(text)))
-                    .at(value.span.clone(), "no key")
-                    .help(format!("by default it has {}", action::listed(entry.keys))),
+                Diagnostic::new(words().must_have_a_key(&quoted(text)))
+                    .at(value.span.clone(), words().no_key_here())
+                    .help(words().by_default(&action::listed(entry.keys))),
             );
         }
         keymap.set(entry.action, keys.iter().map(|(key, _)| *key).collect());
@@ -71,28 +68,25 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &Section, keymap: &mut Keym
 }
 
 fn action_of(reader: &mut Reader<'_>, name: &str, place: Span) -> Option<&'static Entry> {
-    let found = action::entries().find(|entry| name_of(entry) == name);
+    let found = action::entries().find(|entry| entry.name == name);
     let Some(entry) = found else {
-        let names: Vec<String> = action::entries()
-            .filter(|e| is_free(e))
-            .map(name_of)
-            .collect();
-        let near = did_you_mean(name, names.iter().map(String::as_str));
-        let listed = || "`krank config` lists all actions".to_owned();
+        let free = action::entries().filter(|entry| is_free(entry));
+        let near = did_you_mean(name, free.map(|entry| entry.name));
+        let listed = || words().config_lists_actions().to_owned();
         reader.report(
-            Diagnostic::new(format!("[keys]: unknown action {}", quoted(name)))
-                .at(place, "unknown action")
+            Diagnostic::new(words().unknown_action(&quoted(name)))
+                .at(place, words().unknown_action_here())
                 .help(near.unwrap_or_else(listed)),
         );
         return None;
     };
-    let Some((key, does)) = kept(entry.action) else {
+    let Some((_, always)) = kept(entry.action) else {
         return Some(entry);
     };
     reader.report(
-        Diagnostic::new(format!("[keys]: {} keeps its key", quoted(name)))
-            .at(place, "cannot be changed")
-            .help(format!("{key} {does}")),
+        Diagnostic::new(words().keeps_its_key(&quoted(name)))
+            .at(place, words().cannot_be_changed())
+            .help(always),
     );
     None
 }
@@ -118,8 +112,8 @@ fn keys_of(
 
 /// Reports what stands where a key should.
 fn no_key(reader: &mut Reader<'_>, of: &str, found: &Found, place: &Span) -> Option<(Key, Span)> {
-    let fault = reader.wrong_type(&quoted(of), "a key or a list of keys", found, place);
-    reader.report(fault.help(format!("for example: {of} = [\"space\", \"F5\"]")));
+    let fault = reader.wrong_type(&quoted(of), words().a_key_or_keys(), found, place);
+    reader.report(fault.help(words().for_example_keys(of)));
     None
 }
 
@@ -129,27 +123,23 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &Span) -> Option<(Key, Spa
         let names = key::names();
         let near = did_you_mean(text, names.iter().map(String::as_str));
         reader.report(
-            fault(format!("no key is called {}", quoted(text)), "unknown key")
+            fault(words().no_key_called(&quoted(text)), words().unknown_key())
                 .maybe_help(near)
-                .help(
-                    "a key is a printable ASCII character, or is called as the help shows it:\n\
-                     space, Enter, Tab, Shift-Tab, Backspace, Left, Right, Up, Down, Home, End,\n\
-                     PgUp, PgDn, F1 to F24, Ctrl-A to Ctrl-Z",
-                ),
+                .help(words().how_keys_are_called()),
         );
         return None;
     };
-    if let Some((_, does)) = action::entries()
+    if let Some((_, always)) = action::entries()
         .filter_map(|entry| kept(entry.action))
         .find(|(own, _)| *own == key)
     {
-        let message = format!("{key} {does}");
-        reader.report(fault(message, "cannot be given away").help("choose another key"));
+        let fault = fault(always, words().cannot_be_given_away());
+        reader.report(fault.help(words().choose_another_key()));
         return None;
     }
     if let Some(sent) = key.sent_as() {
-        let message = format!("terminals send {key} as {sent}");
-        reader.report(fault(message, "never seen").help("choose another key"));
+        let fault = fault(words().sent_as(&key, &sent), words().never_seen());
+        reader.report(fault.help(words().choose_another_key()));
         return None;
     }
     Some((key, place.clone()))
@@ -164,26 +154,22 @@ fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[Given]) {
                 .filter(|g| g.entry.action == entry.action && g.key == clash.key);
             mine.map(|g| g.place.clone()).collect::<Vec<_>>()
         };
-        let [first, second] =
-            [clash.first, clash.second].map(|entry| (name_of(entry), places(entry)));
+        let [first, second] = [clash.first, clash.second].map(|entry| (entry.name, places(entry)));
         let key = clash.key;
         let fault = Diagnostic::new(if first.0 == second.0 {
-            format!("the key {key} is given to `{}` twice", first.0)
+            words().key_given_twice(&key, first.0)
         } else {
-            format!(
-                "the key {key} is given to `{}` and to `{}`",
-                first.0, second.0
-            )
+            words().key_given_to_both(&key, first.0, second.0)
         });
         reader.report(match (&first.1[..], &second.1[..]) {
             ([one, other, ..], _) if first.0 == second.0 => fault
-                .at(other.clone(), "once more")
-                .and(one.clone(), "here"),
-            ([one, ..], [other, ..]) => {
-                fault.at(other.clone(), "here too").and(one.clone(), "here")
-            }
-            ([one, ..], []) => by_default(fault, one, &second.0),
-            ([], [one, ..]) => by_default(fault, one, &first.0),
+                .at(other.clone(), words().once_more())
+                .and(one.clone(), words().here()),
+            ([one, ..], [other, ..]) => fault
+                .at(other.clone(), words().here_too())
+                .and(one.clone(), words().here()),
+            ([one, ..], []) => by_default(fault, one, second.0),
+            ([], [one, ..]) => by_default(fault, one, first.0),
             // The keys that are built in do not clash.
             ([], []) => fault,
         });
@@ -192,6 +178,6 @@ fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[Given]) {
 
 fn by_default(fault: Diagnostic, place: &Span, other: &str) -> Diagnostic {
     fault
-        .at(place.clone(), format!("`{other}` has it by default"))
-        .help(format!("give `{other}` another key, or none: {other} = []"))
+        .at(place.clone(), words().has_it_by_default(other))
+        .help(words().give_another_key(other))
 }

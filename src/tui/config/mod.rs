@@ -13,6 +13,7 @@ use crate::files::places;
 use crate::nearest::did_you_mean;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
+use crate::wording::words;
 use serde::Deserialize;
 use std::path::PathBuf;
 
@@ -106,7 +107,7 @@ impl Config {
         let mut reader = Reader::new(text);
         let mut config = Config::default();
         if let Some(root) = document::parse::<File>(&mut reader, mend) {
-            reader.only("the configuration", &root);
+            reader.only(words().the_configuration(), &root);
             if let Some(file) = root.get() {
                 config.take(&mut reader, file);
             }
@@ -148,10 +149,10 @@ fn choice<T: Copy>(
         let names = || known.iter().map(|(name, _)| *name);
         let all: Vec<&str> = names().collect();
         reader.report(
-            Diagnostic::new(format!("`{key}` cannot be {given}"))
-                .at(given.span.clone(), "unknown value")
+            Diagnostic::new(words().value_cannot_be(key, &given))
+                .at(given.span.clone(), words().unknown_value())
                 .maybe_help(did_you_mean(given.text, names()))
-                .help(format!("known values: \"{}\"", all.join("\", \""))),
+                .help(words().known_values(&format!("\"{}\"", all.join("\", \"")))),
         );
     }
     found.map(|(_, meaning)| *meaning)
@@ -160,9 +161,9 @@ fn choice<T: Copy>(
 /// What was mostly meant where the configuration is not valid TOML.
 fn mend(_text: &str, message: &str, _place: &Span) -> Option<String> {
     let help = if message.starts_with("string values must be quoted") {
-        "texts and keys are quoted: \"space\""
+        words().quote_texts_and_keys()
     } else if message.starts_with("key with no value") {
-        "write name = value"
+        words().write_name_and_value()
     } else {
         return None;
     };

@@ -3,6 +3,7 @@
 use super::{COLOURS, GLYPHS, Named, THEMES, keys};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::keys::groups;
+use crate::wording::words;
 
 /// Column in which comments begin.
 const COMMENT: usize = 36;
@@ -12,47 +13,24 @@ const COMMENT: usize = 36;
 /// Lines that set something begin with `#` and no blank: without it they are what is built in.
 #[must_use]
 pub fn template() -> String {
-    let mut text = "\
-# The configuration of krank, read from $XDG_CONFIG_HOME/krank/config.toml, or from
-# ~/.config/krank/config.toml where that is not set. krank never writes it.
-#
-# Everything here is commented out and says what is built in: take away the # before a
-# line to change it. What is wrong is told with its line when krank starts.
-
-"
-    .to_owned();
+    let mut text = words().template_head().to_owned();
     let mut set = |key: &str, value: &str, what: &str| text.push_str(&line(key, value, what));
     set(
         "glyphs",
         "\"auto\"",
-        &format!("to draw with: {}", values(&GLYPHS)),
+        &words().to_draw_with(&values(&GLYPHS)),
     );
     set("colour", "\"auto\"", &values(&COLOURS));
-    set(
-        "theme",
-        "\"auto\"",
-        &format!("for a ground: {}", values(&THEMES)),
-    );
-    set(
-        "tour",
-        "true",
-        "the tour is shown on the first start: true or false",
-    );
-    text.push_str(
-        "
-[keys]
-# A key or a list of keys for each action, written as the help shows them: \"g\", \"space\",
-# \"F5\", \"Ctrl-R\", \"PgUp\". An empty list takes the keys away. Ctrl-C always leaves, and Esc
-# always goes back.
-",
-    );
+    set("theme", "\"auto\"", &words().for_a_ground(&values(&THEMES)));
+    set("tour", "true", words().tour_on_first_start());
+    text.push_str(words().template_keys());
     for (title, entries) in groups(None) {
         text.push_str(&format!("\n# {title}\n"));
         for entry in entries.into_iter().filter(|entry| keys::is_free(entry)) {
             text.push_str(&line(
-                &keys::name_of(entry),
+                entry.name,
                 &keys_text(entry.keys),
-                entry.help,
+                (entry.help)(words()),
             ));
         }
     }

@@ -5,6 +5,7 @@
 //! done between two keys; on one that hangs everything else goes on. Without a thread, as tests have it, a
 //! job is done where it is given.
 
+use crate::wording::words;
 use rustix::io::{Errno, read, write};
 use std::collections::VecDeque;
 use std::fmt;
@@ -169,7 +170,7 @@ fn rings(written: Result<usize, Errno>) -> bool {
 
 /// What follows from a job that panicked: the rest goes on.
 fn broken<T: Client>() -> Then<T> {
-    Box::new(|client: &mut T, _| client.fail(&Error::other("krank is broken there")))
+    Box::new(|client: &mut T, _| client.fail(&Error::other(words().broken_there())))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use crate::scene::{Scene, figure};
 use crate::solver::{Condition, Fault, Order, Solver};
 use crate::tui::Opened;
 use crate::tui::player::open_scene::OpenScene;
+use crate::wording::words;
 
 /// The scene after a change.
 #[derive(Debug)]
@@ -31,8 +32,8 @@ pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<Edited, Stri
     }
     let kept = shown.carried_over(at, &scene.mechanism);
     let kept = kept.map_err(|fault| match &plain {
-        Ok(_) => format!("this assembly {}", words(&scene, &fault)),
-        Err(fault) => words(&scene, fault),
+        Ok(_) => words().this_assembly(&hindrance(&scene, &fault)),
+        Err(fault) => hindrance(&scene, fault),
     })?;
     if let Ok(solver) = plain
         && agree(&scene, &kept, &solver)
@@ -40,7 +41,7 @@ pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<Edited, Stri
         return Ok(edited(open_scene, scene, solver, false));
     }
     let text = scene.with_start_of(&kept, scene.mechanism.driver().start);
-    let text = text.ok_or("no [start] could tell this assembly from the others")?;
+    let text = text.ok_or(words().no_start_tells_it())?;
     let edited = reopened(open_scene, &text)?;
     Ok(Edited {
         started: true,
@@ -53,7 +54,7 @@ pub(crate) fn reopened(open_scene: &OpenScene, text: &str) -> Result<Edited, Str
     let scene = parsed(open_scene, text)?;
     match Solver::new(&scene.mechanism) {
         Ok(solver) => Ok(edited(open_scene, scene, solver, false)),
-        Err(fault) => Err(words(&scene, &fault)),
+        Err(fault) => Err(hindrance(&scene, &fault)),
     }
 }
 
@@ -104,12 +105,12 @@ fn agree(scene: &Scene, one: &Solver, other: &Solver) -> bool {
 }
 
 /// What hinders it, in as few words as a line has room for.
-fn words(scene: &Scene, fault: &Fault) -> String {
+fn hindrance(scene: &Scene, fault: &Fault) -> String {
     match fault {
         Fault::Open { point, gap, .. } => {
-            let name = scene.point_name(*point).unwrap_or("a joint");
+            let name = scene.point_name(*point).unwrap_or(words().a_joint());
             let (gap, unit) = (figure(*gap), scene.unit.symbol());
-            format!("{name} out of reach by {gap} {unit}")
+            words().joint_out_of_reach(name, &gap, unit)
         }
         Fault::Mobility { .. }
         | Fault::OverConstrained { .. }

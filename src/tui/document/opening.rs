@@ -5,6 +5,7 @@ use crate::scene::presets::Preset;
 use crate::scene::{Diagnostics, LARGEST_FILE, Scene};
 use crate::solver::Solver;
 use crate::tui::{Opened, Origin};
+use crate::wording::words;
 use std::path::Path;
 
 /// Why a file cannot be opened.
@@ -20,7 +21,7 @@ impl Unopened {
     /// What is wrong, or wrong first.
     pub(crate) fn first_words(self) -> String {
         match self {
-            Unopened::Unread(why) => format!("cannot be read: {why}"),
+            Unopened::Unread(why) => words().cannot_be_read(&why),
             Unopened::Wrong(diagnostics) => diagnostics.first_words().to_owned(),
         }
     }
@@ -29,13 +30,7 @@ impl Unopened {
 /// Opens a preset; in words what is wrong with it, which a test keeps from happening.
 pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
     let origin = Origin::Preset(preset.name.to_owned());
-    let fault = |d: Diagnostics| {
-        format!(
-            "the preset {} cannot be opened: {}",
-            preset.name,
-            d.first_words()
-        )
-    };
+    let fault = |d: Diagnostics| words().preset_cannot_be_opened(preset.name, &d.first_words());
     text(preset.text, origin).map_err(fault)
 }
 

@@ -3,6 +3,7 @@
 use crate::files::{Saving, Trouble, save};
 use crate::scene::LARGEST_FILE;
 use crate::tui::document::disk::{BYTE_ORDER_MARK, unmarked};
+use crate::wording::words;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -65,26 +66,23 @@ impl Errand {
 /// Why nothing was written, and of what: of a folder that is not there, the folder.
 pub(crate) fn refused(trouble: &Trouble, to: &Path) -> String {
     if is_folder(trouble) {
-        return A_FOLDER.into();
+        return words().add_a_name().into();
     }
     let missing = matches!(trouble, Trouble::Io(e) if e.kind() == io::ErrorKind::NotFound);
     let named = match to.parent().filter(|_| missing) {
         Some(folder) => folder.to_string_lossy(),
         None => to.file_name().unwrap_or(to.as_os_str()).to_string_lossy(),
     };
-    format!("not written, {}: {named}", why(trouble))
+    words().not_written_to(&named, &why(trouble))
 }
 
 /// The same where the name of the file stands before it.
 pub(crate) fn refused_there(trouble: &Trouble) -> String {
     match is_folder(trouble) {
-        true => A_FOLDER.into(),
-        false => format!("not written: {}", why(trouble)),
+        true => words().add_a_name().into(),
+        false => words().not_written(&why(trouble)),
     }
 }
-
-/// What is said where no name was typed behind that of a folder.
-const A_FOLDER: &str = "that is a folder: add a name";
 
 fn is_folder(trouble: &Trouble) -> bool {
     matches!(trouble, Trouble::Io(e) if e.kind() == io::ErrorKind::IsADirectory)
@@ -96,11 +94,11 @@ fn why(trouble: &Trouble) -> String {
         return trouble.to_string();
     };
     match error.kind() {
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "the disk is full".into(),
-        io::ErrorKind::FileTooLarge => "a file may not be so large".into(),
-        io::ErrorKind::PermissionDenied => "no permission".into(),
-        io::ErrorKind::ReadOnlyFilesystem => "the disk is read-only".into(),
-        io::ErrorKind::NotFound => "no such folder".into(),
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => words().disk_full().into(),
+        io::ErrorKind::FileTooLarge => words().file_too_large().into(),
+        io::ErrorKind::PermissionDenied => words().no_permission().into(),
+        io::ErrorKind::ReadOnlyFilesystem => words().disk_read_only().into(),
+        io::ErrorKind::NotFound => words().no_such_folder().into(),
         _ => error.to_string(),
     }
 }

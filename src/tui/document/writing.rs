@@ -3,6 +3,7 @@
 use crate::files::Trouble;
 use crate::tui::commands::line::Line;
 use crate::tui::document::saving::Leave;
+use crate::wording::words;
 use std::path::PathBuf;
 
 /// What is to be written.
@@ -63,13 +64,13 @@ impl Doubt {
         }
     }
 
-    /// What is asked, before and after the name of the file.
-    pub(crate) fn words(self) -> [&'static str; 2] {
+    /// What is asked about a file of this name.
+    pub(crate) fn question(self, name: &str) -> String {
         match self {
-            Doubt::Exists => ["write over ", "?"],
-            Doubt::Changed => ["", " has changed on disk: write over it?"],
-            Doubt::Older => ["", " is newer than these edits: write over it?"],
-            Doubt::ReadOnly => ["", " is read-only: write it?"],
+            Doubt::Exists => words().write_over(name),
+            Doubt::Changed => words().write_over_changed(name),
+            Doubt::Older => words().write_over_newer(name),
+            Doubt::ReadOnly => words().write_read_only(name),
         }
     }
 }

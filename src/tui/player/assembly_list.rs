@@ -5,6 +5,7 @@ use crate::assembly::pick_text;
 use crate::drawing::Reach;
 use crate::scene::Scene;
 use crate::solver::{Choice, GroupId, Solver, State};
+use crate::wording::words;
 
 /// Digits of places in the list: a tenth of what a person reads off a drawing.
 const DIGITS: f64 = 4.0;
@@ -57,7 +58,7 @@ impl AssemblyList {
                         format!("({x}, {y})")
                     }
                     Some(Element::Link(link)) => {
-                        format!("{} deg", figure(choice.state.known().angle(link), 2))
+                        words().degrees(&figure(choice.state.known().angle(link), 2))
                     }
                     Some(Element::Slide(_) | Element::Driver) | None => String::new(),
                 };

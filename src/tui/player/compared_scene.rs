@@ -10,6 +10,7 @@ use crate::tui::figures::format::short;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::{OpenScene, solved};
+use crate::wording::words;
 use crate::{Ball, Input};
 
 /// Of the places that figures are fitted to, differences are fitted to one of so many.
@@ -210,15 +211,13 @@ fn samples(open_scene: &OpenScene, other: &mut Other, pairing: &Pairing) -> Vec<
 /// Two scenes are held against each other at the same coordinate: they need one of the same kind.
 fn comparable(name: &str, other: &Scene, this: &Scene) -> Result<(), String> {
     let driven = |scene: &Scene| match scene.mechanism.driver().input {
-        Input::Turn(_) => "a link that turns",
-        Input::Push(_) => "a slide",
+        Input::Turn(_) => words().a_link_that_turns(),
+        Input::Push(_) => words().a_slide(),
     };
     let [other, this] = [other, this].map(driven);
     if other == this {
         Ok(())
     } else {
-        Err(format!(
-            "{name} is driven by {other}, this scene by {this}: no coordinate is common"
-        ))
+        Err(words().no_common_coordinate(name, other, this))
     }
 }

@@ -4,6 +4,7 @@
 use crate::solver::{Motion, Range};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::DriverRange;
+use crate::wording::words;
 
 /// Near is within so many degrees, or this part of a slide's travel.
 const NEAR_TURNING: f64 = 15.0;
@@ -70,9 +71,9 @@ impl NextSingularity {
     /// `dead point in 3.2 deg`.
     pub(crate) fn text(self, driver_range: &DriverRange, unit: &str) -> String {
         let kind = match self.kind {
-            Kind::DeadPoint => "dead point",
-            Kind::ChangePoint => "change point",
-            Kind::Limit => "limit",
+            Kind::DeadPoint => words().dead_point(),
+            Kind::ChangePoint => words().change_point(),
+            Kind::Limit => words().limit(),
         };
         let decimals = if driver_range.turns() {
             DECIMALS
@@ -81,9 +82,10 @@ impl NextSingularity {
         };
         let least = 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(0));
         if self.distance < least {
-            return format!("{kind} within {} {unit}", coordinate(least, decimals));
+            return words().near_within(kind, &coordinate(least, decimals), unit);
         }
-        format!("{kind} in {:.decimals$} {unit}", self.distance)
+        let distance = format!("{:.decimals$}", self.distance);
+        words().near_in(kind, &distance, unit)
     }
 }
 

@@ -1,5 +1,6 @@
 //! The clipboard of the terminal that the person sits at, which may be far from here: OSC 52.
 
+use crate::wording::words;
 use thiserror::Error;
 
 /// Many terminals drop a sequence of more than 100,000 bytes, and some of more than this in base64.
@@ -9,7 +10,7 @@ const MOST_BYTES: usize = MOST_BASE64 / 4 * 3;
 
 /// More than a terminal takes.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
-#[error("too much to copy, {bytes} B")]
+#[error("{}", words().too_much_to_copy(*bytes))]
 pub(crate) struct TooLarge {
     bytes: usize,
 }

@@ -11,6 +11,7 @@ use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::player::assembly_list::Row;
 use crate::tui::player::open_scene::shown;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -88,9 +89,9 @@ fn render_row(
     put(&pick_text(row.choice.pick), widths.pick, part(Part::Text));
     put(&row.place, widths.place, part(Part::Text));
     let says = match (row.choice.is_current, row.choice.closes) {
-        (true, _) => "now",
+        (true, _) => words().shown_now(),
         (false, true) => "",
-        (false, false) => "open",
+        (false, false) => words().does_not_close(),
     };
     put(says, 0, part(Part::Quiet));
 }

@@ -31,6 +31,7 @@ use super::app::{App, Mode, View};
 use crate::drawing::Raster;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::figures::sheet::Line;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Position, Rect, Size};
 use ratatui::style::Style;
@@ -98,7 +99,7 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     let area = whole(app.size());
     if !has_room(app.size()) {
         let Size { width, height } = SMALLEST;
-        let text = format!("krank needs {width} x {height} characters");
+        let text = words().screen_too_small(width, height);
         print(buffer, 0, 0, area.width, &text, theme::part(Part::Text));
         return;
     }

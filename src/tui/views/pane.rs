@@ -7,6 +7,7 @@
 use super::Sketch;
 use crate::tui::app::App;
 use crate::tui::commands::action::Action;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -79,7 +80,7 @@ pub(crate) trait Pane {
 
     /// What is written as SVG and what that is, or why it cannot be.
     fn svg(&self, _app: &App) -> Result<(&'static str, String), String> {
-        Err("there is no drawing in this view".into())
+        Err(words().no_drawing_here().into())
     }
 
     /// What stands in the names of its files, where it shows more than one place of the motion.

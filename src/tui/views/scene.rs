@@ -16,6 +16,7 @@ use crate::tui::appearance::theme::{self, Part};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::document::editor::Editor;
 use crate::tui::player::open_scene::shown;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -79,11 +80,11 @@ impl Pane for SceneView {
     }
 
     fn about(&self) -> &'static str {
-        "What the scene gives"
+        words().what_the_scene_gives()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the scene view"
+        words().in_the_scene_view()
     }
 
     fn needs(&self) -> Need {
@@ -188,20 +189,20 @@ impl Columns {
     fn head(&self, editor: &Editor, area: Rect, buffer: &mut Buffer) {
         let style = theme::part(Part::Quiet);
         let Some(value) = editor.value() else {
-            let text = "the scene has no numbers";
+            let text = words().no_numbers();
             print(buffer, area.x, area.y, area.width, text, style);
             return;
         };
-        let nudge = format!("nudge by {} {}", editor.notch(), value.unit);
+        let nudge = words().nudge_by(&editor.notch().to_string(), &value.unit);
         print(buffer, area.x + CURSOR, area.y, area.width, &nudge, style);
         // A narrow list has no column for what is in the file.
         let is_wide = area.width >= self.width();
         let filed = editor.in_file(value).filter(|_| !is_wide);
         let says = match (editor.changes(), filed) {
             (0, _) => String::new(),
-            (_, Some(filed)) => format!("file: {}", filed.literal),
-            (_, None) if is_wide => "in the file".into(),
-            (n, None) => format!("{n} changed"),
+            (_, Some(filed)) => words().value_in_file(&filed.literal),
+            (_, None) if is_wide => words().in_the_file().into(),
+            (n, None) => words().values_changed(n),
         };
         let width = if is_wide { self.width() } else { self.values() };
         let right = area.x + width.min(area.width);

@@ -10,6 +10,7 @@ use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::open_scene::shown;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -63,36 +64,30 @@ fn against(app: &App) -> String {
     let Some(compared) = app.compared() else {
         return String::new();
     };
-    let missing = if compared.is_assembled() {
-        ""
-    } else {
-        ": no assembly here"
+    let name = cut(compared.name(), LONGEST_NAME);
+    let against = match compared.is_assembled() {
+        true => words().against(&name),
+        false => words().against_without_assembly(&name),
     };
-    format!(" against {}{missing}", cut(compared.name(), LONGEST_NAME))
+    format!(" {against}")
 }
 
 /// The most important first.
 fn settings(app: &App) -> Vec<String> {
     let (open_scene, playback) = (app.open_scene(), app.playback());
-    let sweep = if open_scene.driver_range().turns() {
-        "1 turn"
-    } else {
-        "1 sweep"
-    };
-    let backwards = if playback.is_backwards() {
-        ", backwards"
-    } else {
-        ""
-    };
     let step = coordinate(app.steps().size(), 0);
     let mut settings = vec![
-        format!("step {step} {}", open_scene.unit()),
-        format!("{sweep} in {} s{backwards}", playback.seconds()),
+        words().step_of(&step, open_scene.unit()),
+        words().plays_in(
+            open_scene.driver_range().turns(),
+            &playback.seconds(),
+            playback.is_backwards(),
+        ),
     ];
     settings.push(match playback.ratio(open_scene.driver_range()) {
-        None => "the driver stands still".into(),
-        Some(ratio) if ratio < 1.0 => format!("1/{} of real time", short(1.0 / ratio)),
-        Some(ratio) => format!("{} times real time", short(ratio)),
+        None => words().driver_stands_still().into(),
+        Some(ratio) if ratio < 1.0 => words().slower_than_real(&short(1.0 / ratio)),
+        Some(ratio) => words().faster_than_real(&short(ratio)),
     });
     settings
 }

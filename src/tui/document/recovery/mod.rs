@@ -12,6 +12,7 @@ pub(crate) use record::Session;
 use crate::files::{Draft, is_held, limited, make_private, open_to_read};
 use crate::scene::LARGEST_FILE;
 use crate::tui::Origin;
+use crate::wording::words;
 use record::{LONGEST_HEAD, Record, sum};
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -166,10 +167,7 @@ impl Recovery {
                 None
             }
             Err(_) if std::mem::replace(&mut self.told, true) => None,
-            Err(error) => Some(format!(
-                "edits are not kept for recovery: {}: {error}",
-                self.folder.display()
-            )),
+            Err(error) => Some(words().edits_not_kept(&self.folder.display(), &error)),
         }
     }
 

@@ -3,6 +3,7 @@
 use crate::tui::app::View;
 use crate::tui::commands::action::{self, Entry, Place};
 use crate::tui::commands::keymap::Keymap;
+use crate::wording::words;
 
 /// The rows of the table by what they are for: those of a view alone first, what all views have in common, then
 /// those of the other views.
@@ -17,7 +18,7 @@ pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Ent
     let common = action::SECTIONS.iter().map(|section| {
         let everywhere = |entry: &&Entry| entry.place == Place::Everywhere;
         let entries: Vec<_> = section.entries.iter().filter(everywhere).collect();
-        (section.title, entries)
+        ((section.title)(words()), entries)
     });
     let others = View::ALL.into_iter().filter(|view| Some(*view) != first);
     let all = first.into_iter().map(of).chain(common);
@@ -30,7 +31,7 @@ pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Ent
 /// purpose.
 pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> {
     groups(None).into_iter().flat_map(|(title, entries)| {
-        let row = move |entry: &Entry| (title, action::listed(entry.keys), entry.help);
+        let row = move |entry: &Entry| (title, action::listed(entry.keys), (entry.help)(words()));
         entries.into_iter().map(row)
     })
 }
@@ -49,7 +50,7 @@ pub(super) fn rows_of(keymap: &Keymap) -> String {
             let keys: Vec<_> = keys.map(|key| format!("`{key}`")).collect();
             // A bar would part the cells.
             let keys = keys.join(" ").replace('|', r"\|");
-            (!keys.is_empty()).then(|| format!("| {keys} | {} |\n", entry.help))
+            (!keys.is_empty()).then(|| format!("| {keys} | {} |\n", (entry.help)(words())))
         });
         let told: String = told.collect();
         if !told.is_empty() {

@@ -13,26 +13,34 @@ pub(crate) mod text;
 
 use super::popup::{self, BORDER};
 use super::table::UNSURE;
-use super::{cut, print, print_right};
+use super::{columns, cut, print, print_right};
 use crate::capability::Colours;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
-use crate::tui::commands::action::Action;
+use crate::tui::commands::action::{Action, entries};
 use crate::tui::figures::sheet::FOUND;
 use crate::tui::views::help::text::{Help, HelpLine};
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of the keys, and of what they do.
+/// Columns of the keys.
 const KEYS: u16 = 13;
-const HELP: u16 = 23;
 /// Blanks between two columns of lines.
 const GAP: u16 = 2;
 /// More columns than this are no help.
 const MOST_COLUMNS: u16 = 3;
 
 /// What is said where no key was found.
-const NOTHING: [&str; 2] = ["no key does that", "Esc shows all keys"];
+fn nothing() -> [&'static str; 2] {
+    [words().no_key_does_that(), words().esc_shows_all_keys()]
+}
+
+/// Columns of a line: of the keys and of the longest that is said of them.
+fn line_columns() -> u16 {
+    let help = entries().map(|entry| columns((entry.help)(words())));
+    KEYS + help.max().unwrap_or(0)
+}
 
 pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     if let Some(topic) = help.topic() {
@@ -40,15 +48,15 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     }
     let lines = help.lines(app.view(), app.keymap());
     let place = popup::centred(area, width(area), height(area, lines.len()));
-    let end = popup::frame(app.glyphs(), place, "Help", buffer);
+    let end = popup::frame(app.glyphs(), place, words().help_title(), buffer);
     match help.words() {
-        Some(words) => searched(words, help.is_typing(), end, place, buffer),
+        Some(sought) => searched(sought, help.is_typing(), end, place, buffer),
         None => manual_behind(app, place, buffer),
     }
     footer(app, help, lines.len(), place, buffer);
     let inner = popup::within(place);
     if lines.is_empty() {
-        for (y, text) in (inner.top()..inner.bottom()).zip(NOTHING) {
+        for (y, text) in (inner.top()..inner.bottom()).zip(nothing()) {
             print(
                 buffer,
                 inner.x,
@@ -61,7 +69,7 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     }
     let per_column = usize::from(inner.height).max(1);
     let seen = lines.get(help.scroll..).unwrap_or_default();
-    let xs = (inner.x..).step_by((KEYS + HELP + GAP).into());
+    let xs = (inner.x..).step_by((line_columns() + GAP).into());
     for (x, lines) in xs.zip(seen.chunks(per_column)).take(count(area).into()) {
         for (y, line) in (inner.y..).zip(lines) {
             show(line, x, y, buffer);
@@ -73,22 +81,30 @@ fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
     match line {
         HelpLine::Blank => {}
         HelpLine::Title(title) => {
-            print(buffer, x, y, KEYS + HELP, title, theme::part(Part::Title));
+            print(
+                buffer,
+                x,
+                y,
+                line_columns(),
+                title,
+                theme::part(Part::Title),
+            );
         }
         HelpLine::Keys(keys, help) => {
             let keys = cut(keys, usize::from(KEYS) - 1);
             // Bold keys would be a third of what the help takes of a slow line.
             print(buffer, x, y, KEYS, &keys, theme::part(Part::Text));
-            print(buffer, x + KEYS, y, HELP, help, theme::part(Part::Text));
+            let room = line_columns() - KEYS;
+            print(buffer, x + KEYS, y, room, help, theme::part(Part::Text));
         }
     }
 }
 
 /// What is searched for, in the upper border; of long words the end is seen.
-fn searched(words: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer) {
+fn searched(sought: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer) {
     let room = place.right().saturating_sub(x + 5);
-    let skipped = words.len().saturating_sub(room.into());
-    let text = format!("/{}", words.get(skipped..).unwrap_or_default());
+    let skipped = sought.len().saturating_sub(room.into());
+    let text = format!("/{}", sought.get(skipped..).unwrap_or_default());
     let room = room + 1;
     let x = print(buffer, x, place.y, room, &text, theme::part(Part::Text));
     let caret = if typing { Part::Caret } else { Part::Text };
@@ -101,7 +117,7 @@ fn manual_behind(app: &App, place: Rect, buffer: &mut Buffer) {
         && let Some(key) = app.keymap().key(Action::NextView)
     {
         let style = theme::part(Part::Quiet);
-        let manual = format!(" {key} manual ");
+        let manual = format!(" {} ", words().turns_to_manual(&key));
         print_right(buffer, place.right() - 2, place.y, &manual, style);
     }
 }
@@ -111,24 +127,24 @@ fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer
     let (y, style) = (place.bottom() - 1, theme::part(Part::Quiet));
     let inner = popup::within(place);
     let seen = usize::from(inner.height) * usize::from(count(place));
-    let legend = legend(app.colours(), inner.width > KEYS + HELP);
+    let legend = legend(app.colours(), inner.width > line_columns());
     print(buffer, place.x + 2, y, inner.width, &legend, style);
     if help.scroll + seen < lines
         && let Some(key) = app.keymap().key(Action::LineDown)
     {
-        let more = format!(" {key} for more ");
+        let more = format!(" {} ", words().shows_more(&key));
         print_right(buffer, place.right() - 2, y, &more, style);
     }
 }
 
 /// What the marks beside figures mean; of digits only where there is room.
 fn legend(colours: Colours, wide: bool) -> String {
-    let digits = match (wide, colours) {
-        (false, _) => String::new(),
-        (true, Colours::None) => format!("; {UNSURE} for digits that are not proved"),
-        (true, _) => "; dim digits are not proved".into(),
+    let marks = match (wide, colours) {
+        (false, _) => words().marks_of_figures(FOUND),
+        (true, Colours::None) => words().marks_of_figures_and_digits(FOUND, UNSURE),
+        (true, _) => words().marks_of_figures_and_dim_digits(FOUND),
     };
-    format!(" {FOUND} found, rest given{digits} ")
+    format!(" {marks} ")
 }
 
 /// Where the box is.
@@ -153,16 +169,16 @@ pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
 /// Columns of lines for which there is room.
 fn count(area: Rect) -> u16 {
     let room = (area.width + GAP).saturating_sub(BORDER.0);
-    (room / (KEYS + HELP + GAP)).clamp(1, MOST_COLUMNS)
+    (room / (line_columns() + GAP)).clamp(1, MOST_COLUMNS)
 }
 
 fn width(area: Rect) -> u16 {
     let count = count(area);
-    count * (KEYS + HELP) + (count - 1) * GAP
+    count * line_columns() + (count - 1) * GAP
 }
 
 /// Rows of so many lines; also while a search finds few of them, the words must have their place.
 fn height(area: Rect, lines: usize) -> u16 {
-    let rows = lines.div_ceil(count(area).into()).max(NOTHING.len());
+    let rows = lines.div_ceil(count(area).into()).max(nothing().len());
     u16::try_from(rows).unwrap_or(u16::MAX)
 }

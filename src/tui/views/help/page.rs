@@ -12,11 +12,10 @@ use super::{print, print_right, searched};
 use crate::manual::{Kind, Line, TOPICS, Topic, folded, lines};
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::commands::keymap::Keymap;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// What is said where no topic has the words.
-const NOWHERE: &str = " nowhere ";
 /// Rows of the heading.
 const HEADING: u16 = 1;
 /// Columns of the marks that there is more above and below. They stand in the heading: code may take whole lines.
@@ -41,7 +40,8 @@ pub(super) fn render(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer
 }
 
 fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
-    let text = format!(" Help: {}  {}/{} ", topic.name, help.page(), TOPICS.len());
+    let text = words().help_topic(topic.name, help.page(), TOPICS.len());
+    let text = format!(" {text} ");
     let style = theme::part(Part::Title);
     let end = print(buffer, area.x, area.y, area.width, &text, style);
     let place = Rect {
@@ -53,7 +53,8 @@ fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
     }
     if help.is_nowhere() {
         let style = theme::part(Part::Warning);
-        print_right(buffer, place.right(), area.y, NOWHERE, style);
+        let nowhere = format!(" {} ", words().nowhere());
+        print_right(buffer, place.right(), area.y, &nowhere, style);
     }
     let (lines, rows) = extent(help, area);
     let marks = [("^", help.scroll > 0), ("v", help.scroll + rows < lines)];

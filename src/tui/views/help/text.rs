@@ -8,6 +8,7 @@ use crate::tui::app::View;
 use crate::tui::commands::action;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::Line;
+use crate::wording::words;
 
 /// The help overlay.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -184,8 +185,8 @@ impl Help {
         for (title, entries) in groups(Some(view)) {
             let rows = entries.into_iter().filter_map(|entry| {
                 let keys = keymap.keys(entry.action);
-                let row = (action::listed(keys), entry.help);
-                let is_meant = finds(&wanted, &[&row.0, row.1, entry.name, title]);
+                let row = (action::listed(keys), (entry.help)(words()));
+                let is_meant = finds(&wanted, &[&row.0, row.1, (entry.hint)(words()), title]);
                 (is_meant && !keys.is_empty()).then_some(row)
             });
             let mut rows = rows.peekable();

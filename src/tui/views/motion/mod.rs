@@ -14,6 +14,7 @@ use crate::tui::commands::action::{Action, MotionAction};
 use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::player::edition::Edition;
 use crate::tui::views::motion::viewport::Setting;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use std::borrow::Cow;
@@ -241,11 +242,11 @@ impl Pane for MotionView {
     }
 
     fn about(&self) -> &'static str {
-        "The drawing, with live tables"
+        words().drawing_with_live_tables()
     }
 
     fn help_title(&self) -> &'static str {
-        "What the motion view shows"
+        words().what_the_motion_view_shows()
     }
 
     fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {
@@ -290,7 +291,7 @@ impl Pane for MotionView {
                 upwards(bound, 1),
                 open_scene.scene().unit.symbol()
             ),
-            None => "no bound".into(),
+            None => words().no_bound().into(),
         };
         let both = open_scene.cost().map(|cost| format!("{cost}, {bound}"));
         Some(both.filter(|both| columns(both) <= room).unwrap_or(bound))
@@ -301,7 +302,7 @@ impl Pane for MotionView {
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
-        Ok(("the drawing", app.viewport().svg(app.open_scene())))
+        Ok((words().the_drawing(), app.viewport().svg(app.open_scene())))
     }
 }
 

@@ -7,6 +7,7 @@ use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, View, Wa
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::motion::followed::FollowedPoints;
+use crate::wording::words;
 use crate::{PointId, Vec2};
 
 /// Positions of the linkage that are shown elsewhere in its motion.
@@ -44,9 +45,9 @@ impl Names {
     /// In words.
     pub(crate) fn text(self) -> &'static str {
         match self {
-            Names::Points => "names of points",
-            Names::PointsAndLinks => "names of points and links",
-            Names::None => "no names",
+            Names::Points => words().names_of_points(),
+            Names::PointsAndLinks => words().names_of_points_and_links(),
+            Names::None => words().no_names(),
         }
     }
 }
@@ -208,8 +209,8 @@ impl Viewport {
         let names = wanted.traces.iter().filter_map(|&p| scene.point_name(p));
         let names: Vec<&str> = names.collect();
         self.traced = match names.len() {
-            0..=MOST_NAMES => format!("trace {}", names.join(",")),
-            more => format!("{more} traces"),
+            0..=MOST_NAMES => words().trace_of(&names.join(",")),
+            more => words().traces_of(more),
         };
         self.made = (!wanted.is_empty()).then_some((open_scene.edition().clone(), wanted));
     }
@@ -273,16 +274,16 @@ impl Viewport {
         let mut entries = self.overlay.legend(view, self.zoom());
         let note = |text: &str| LegendEntry::Note(text.to_owned());
         if self.setting.window != Window::default() {
-            entries.push(LegendEntry::Note(format!("zoom {}", times(self.zoom()))));
+            entries.push(LegendEntry::Note(words().zoomed(&times(self.zoom()))));
         }
         if self.setting.on.has(Layer::Traces) {
             entries.push(note(&self.traced));
         }
         if self.setting.on.has(Layer::Ghosts) {
-            entries.push(LegendEntry::Note(format!("{GHOSTS} positions")));
+            entries.push(LegendEntry::Note(words().ghost_positions(GHOSTS)));
         }
         if self.setting.on.has(Layer::Centres) {
-            entries.push(note("x centre of mass"));
+            entries.push(note(words().a_centre_of_mass()));
         }
         entries
     }
@@ -294,7 +295,7 @@ impl Viewport {
         let snug = View::snug(reach, cols, most, PICTURE_ASPECT);
         let view = snug.zoomed(reach, self.zoom(), self.setting.window.shift);
         let at = open_scene.driver_range().on_grid(open_scene.at());
-        let title = format!("{} at {at} {}", open_scene.scene().name, open_scene.unit());
+        let title = words().drawing_of(&open_scene.scene().name, &at, open_scene.unit());
         drawing::svg(&self.figure(open_scene), &view, &title, &self.legend(&view))
     }
 }

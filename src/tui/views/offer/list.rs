@@ -3,6 +3,7 @@
 
 use crate::tui::document::difference::difference;
 use crate::tui::document::recovery::{Generation, Others};
+use crate::wording::words;
 
 /// What is offered, and where the cursor is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,7 +45,7 @@ impl Offer {
     pub(crate) fn look(&mut self) {
         let lines = |chosen: &Generation| chosen.text.lines().map(str::to_owned).collect();
         self.page = self.chosen().map(|chosen| Page {
-            title: "The edited text",
+            title: words().the_edited_text(),
             lines: lines(chosen),
             scroll: 0,
         });
@@ -53,7 +54,7 @@ impl Offer {
     /// Reads what they change of the text that the file has now.
     pub(crate) fn compare(&mut self, present: &str) {
         self.page = self.chosen().map(|chosen| Page {
-            title: "What the edits change",
+            title: words().what_the_edits_change(),
             lines: difference(present, &chosen.text),
             scroll: 0,
         });

@@ -19,6 +19,7 @@ use crate::tui::document::recovery::{Alive, Generation};
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::offer::list::{Offer, Page};
 use crate::tui::views::tour::screens::wrapped;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -31,8 +32,8 @@ pub(super) fn render(app: &App, offer: &Offer, area: Rect, buffer: &mut Buffer) 
     let Layout { place, lines, keys } = Layout::of(offer, area);
     let title = match &offer.page {
         Some(page) => page.title,
-        None if offer.others.left.is_empty() => "Open elsewhere",
-        None => "Unsaved edits of this scene",
+        None if offer.others.left.is_empty() => words().open_elsewhere(),
+        None => words().unsaved_edits_here(),
     };
     popup::frame(app.glyphs(), place, title, buffer);
     let inner = popup::within(place);
@@ -69,7 +70,7 @@ impl Layout {
             Some(_) => room,
             None => LIST.min(room),
         };
-        let keys = hints(keys(offer), columns.into());
+        let keys = hints(&keys(offer), columns.into());
         let most = area.height.saturating_sub(BORDER.1 + rows(&keys));
         let lines = match &offer.page {
             Some(page) => read(page, offer, most),
@@ -92,25 +93,38 @@ fn rows<T>(lines: &[T]) -> u16 {
 }
 
 /// The keys that matter, and what they do.
-fn keys(offer: &Offer) -> &'static [&'static str] {
-    match (&offer.page, offer.others.left.is_empty(), offer.asks) {
-        (Some(_), ..) => &["c compare", "t take", "Esc back"],
-        (None, true, _) => &["Enter go on"],
-        (None, false, true) => &["d again drops them for ever,", "any other key does not"],
-        (None, false, false) => &["Enter look", "c compare", "t take", "d drop", "Esc later"],
-    }
+fn keys(offer: &Offer) -> Vec<String> {
+    let [compare, take] = [("c", words().compare()), ("t", words().take())];
+    let keys = match (&offer.page, offer.others.left.is_empty(), offer.asks) {
+        (Some(_), ..) => vec![compare, take, ("Esc", words().back())],
+        (None, true, _) => vec![("Enter", words().go_on())],
+        (None, false, true) => {
+            let drops = ("d", words().drops_for_ever());
+            return vec![told(drops), words().any_other_key_does_not().into()];
+        }
+        (None, false, false) => {
+            let [look, drop] = [("Enter", words().look()), ("d", words().drop_them())];
+            vec![look, compare, take, drop, ("Esc", words().later())]
+        }
+    };
+    keys.into_iter().map(told).collect()
+}
+
+/// A key and what it does.
+fn told((key, does): (&str, &str)) -> String {
+    format!("{key} {does}")
 }
 
 /// Two blanks apart, in as many lines as they take.
-fn hints(keys: &[&str], width: usize) -> Vec<String> {
+fn hints(keys: &[String], width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for key in keys {
         match lines.last_mut() {
-            Some(line) if line.len() + 2 + key.len() <= width => {
+            Some(line) if line.chars().count() + 2 + key.chars().count() <= width => {
                 line.push_str("  ");
                 line.push_str(key);
             }
-            _ => lines.push((*key).to_owned()),
+            _ => lines.push(key.clone()),
         }
     }
     lines
@@ -139,12 +153,15 @@ fn listed(offer: &Offer, columns: u16, most: u16) -> Vec<Line> {
 fn row(found: &Generation, is_chosen: bool) -> Line {
     let mark = if is_chosen { '>' } else { ' ' };
     let says = match (found.is_older, found.is_stale) {
-        (true, _) => "  older than the file",
-        (false, true) => "  made on another text",
+        (true, _) => words().older_than_file(),
+        (false, true) => words().made_on_another_text(),
         (false, false) => "",
     };
     let part = if is_chosen { Part::Key } else { Part::Text };
-    (format!("{mark} {}{says}", found.time), part)
+    (
+        format!("{mark} {}  {says}", found.time).trim_end().into(),
+        part,
+    )
 }
 
 fn elsewhere(other: &Alive) -> String {
@@ -153,16 +170,13 @@ fn elsewhere(other: &Alive) -> String {
         host,
         time,
     } = other;
-    format!(
-        "krank has it open too: process {process} on {host}, since {time}. Its edits are left alone; \
-         who saves second is asked."
-    )
+    words().open_elsewhere_too(process, host, time)
 }
 
 /// The lines of a page from where it is scrolled to.
 fn read(page: &Page, offer: &Offer, most: u16) -> Vec<Line> {
     let time = offer.chosen().map_or("", |chosen| &chosen.time);
-    let head = (format!("of {time}"), Part::Quiet);
+    let head = (words().of_time(time), Part::Quiet);
     let lines = page.lines.iter().skip(page.scroll);
     let lines = lines.map(|line| (line.clone(), Part::Text));
     std::iter::once(head)

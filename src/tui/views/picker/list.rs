@@ -4,6 +4,7 @@ use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, is_harmful};
 use crate::tui::Origin;
 use crate::tui::views::picker::folder::{Folder, name_of};
+use crate::wording::words;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
@@ -101,7 +102,7 @@ impl Reading {
     /// Reads a folder, which may take long.
     pub(crate) fn of(folder: &Path) -> Reading {
         let folder = whole(folder);
-        let found = Folder::read(&folder).map_err(|why| format!("cannot be read: {why}"));
+        let found = Folder::read(&folder).map_err(|why| words().cannot_be_read(&why));
         Reading { folder, found }
     }
 }
@@ -111,7 +112,7 @@ impl Default for Reading {
     fn default() -> Self {
         Reading {
             folder: PathBuf::new(),
-            found: Err("the folder is being read".into()),
+            found: Err(words().folder_being_read().into()),
         }
     }
 }
@@ -158,7 +159,8 @@ impl Picker {
         self.search.clear();
         self.items.clear();
         if self.original {
-            self.items.push(Item::new(Place::Original, "as opened", ""));
+            self.items
+                .push(Item::new(Place::Original, words().as_opened(), ""));
         }
         let above = self.folder.parent().map(Path::to_owned);
         let above = above.map(|above| Item::new(Place::Folder(above), ABOVE, ""));
@@ -178,8 +180,8 @@ impl Picker {
     /// Lists what was found in the folder; what is to be said about it.
     fn take(&mut self, found: Folder) -> Option<String> {
         let note = match (found.is_cut, found.scenes.is_empty()) {
-            (true, _) => Some("more than can be listed"),
-            (false, true) => Some("no scene file here"),
+            (true, _) => Some(words().more_than_can_be_listed()),
+            (false, true) => Some(words().no_scene_file_here()),
             (false, false) => None,
         };
         for path in found.folders {

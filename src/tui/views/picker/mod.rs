@@ -21,6 +21,7 @@ use crate::tui::appearance::theme::{self, Part};
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::picker::list::{Item, Picker, Purpose, Row};
 use crate::tui::views::picker::preview::{Fault, Preview, Sample};
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -76,8 +77,8 @@ pub(super) fn extent(picker: &Picker, area: Rect) -> (usize, usize) {
 /// The first line: what is typed, and how much is left by it.
 fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let what = match picker.purpose() {
-        Purpose::Open => "Open a scene",
-        Purpose::Compare => "Compare with",
+        Purpose::Open => words().open_a_scene(),
+        Purpose::Compare => words().compare_with(),
     };
     let right = area.right().saturating_sub(1);
     let put = |buffer: &mut Buffer, x: u16, text: &str, part| {
@@ -85,11 +86,11 @@ fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
         print(buffer, x, area.y, room, text, theme::part(part))
     };
     let x = put(buffer, area.x + 1, what, Part::Title);
-    let x = put(buffer, x + 2, "search: ", Part::Quiet);
+    let x = put(buffer, x + 2, words().search_for(), Part::Quiet);
     let x = put(buffer, x, &shown(picker.search(), app.glyphs()), Part::Text);
     let x = put(buffer, x, " ", Part::Caret);
     let (found, all) = picker.count();
-    let count = format!("{found} of {all}");
+    let count = words().some_of(found, all);
     if x + columns(&count) < right {
         print_right(buffer, right, area.y, &count, theme::part(Part::Quiet));
     }
@@ -98,9 +99,8 @@ fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
 fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let rows = picker.rows();
     if rows.is_empty() {
-        let words = "nothing matches; Ctrl-U clears what was typed";
         let style = theme::part(Part::Text);
-        paragraph(app, words, area, style, buffer);
+        paragraph(app, words().nothing_matches(), area, style, buffer);
         return;
     }
     // The cursor is seen, with as much above it as below.
@@ -126,7 +126,7 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
                     buffer,
                 );
             }
-            Row::Presets => heading("presets", line, buffer),
+            Row::Presets => heading(words().presets(), line, buffer),
             Row::Note(note) => {
                 let text = cut(&shown(note, app.glyphs()), usize::from(area.width) - 2);
                 print(
@@ -263,7 +263,7 @@ fn faulty(app: &App, fault: &Fault, area: Rect, buffer: &mut Buffer) {
     let area = split(area, 1).1;
     let area = paragraph(
         app,
-        "cannot be opened",
+        words().cannot_be_opened(),
         area,
         theme::part(Part::Warning),
         buffer,
@@ -271,14 +271,14 @@ fn faulty(app: &App, fault: &Fault, area: Rect, buffer: &mut Buffer) {
     let area = paragraph(app, &fault.what, area, theme::part(Part::Text), buffer);
     let mut area = area;
     if let Some((line, column)) = fault.at {
-        let place = format!("line {line}, column {column}");
+        let place = words().line_and_column(line, column);
         area = paragraph(app, &place, area, theme::part(Part::Quiet), buffer);
     }
     if let Some(mend) = &fault.mend {
         area = paragraph(app, mend, split(area, 1).1, theme::part(Part::Text), buffer);
     }
     if fault.more > 0 {
-        let more = format!("{} more below it", fault.more);
+        let more = words().more_below(fault.more);
         paragraph(app, &more, area, theme::part(Part::Quiet), buffer);
     }
 }
@@ -286,7 +286,7 @@ fn faulty(app: &App, fault: &Fault, area: Rect, buffer: &mut Buffer) {
 fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
     let area = split(area, 1).1;
     if names.is_empty() {
-        let none = "no scene file in it";
+        let none = words().no_scene_file_in_it();
         paragraph(app, none, area, theme::part(Part::Quiet), buffer);
         return;
     }
@@ -309,7 +309,7 @@ fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
         );
     }
     if !is_whole && area.height > 0 {
-        let more = format!("and {} more", names.len() - seen);
+        let more = words().and_more(names.len() - seen);
         let style = theme::part(Part::Quiet);
         print(buffer, area.x, area.bottom() - 1, area.width, &more, style);
     }

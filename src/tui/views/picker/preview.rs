@@ -9,6 +9,7 @@ use crate::tui::player::driver_range::DriverRange;
 use crate::tui::views::picker::folder::{Folder, name_of};
 use crate::tui::views::picker::list::Place;
 use crate::tui::{Opened, Origin};
+use crate::wording::words;
 use std::fs;
 use std::path::Path;
 
@@ -71,7 +72,7 @@ impl Previews {
                 self.made.remove(0);
             }
             self.made
-                .push((place.clone(), Preview::Unseen("being read".into())));
+                .push((place.clone(), Preview::Unseen(words().being_read().into())));
         }
         is_new
     }
@@ -123,7 +124,7 @@ fn of_file(path: &Path) -> Preview {
     // What is too large for any scene is refused without being read to its end.
     if (LARGEST + 1..=LARGEST_FILE as u64).contains(&size) {
         let size = size.div_ceil(1 << 10);
-        return Preview::Unseen(format!("{size} KiB: too large for a preview"));
+        return Preview::Unseen(words().too_large_for_preview(size));
     }
     match opening::scene_of(path) {
         Ok(opened) => Preview::Scene(Box::new(Sample::of(opened))),
@@ -144,7 +145,7 @@ fn of_folder(path: &Path) -> Preview {
             let scenes = found.scenes.iter().map(|p| name_of(p));
             Preview::Folder(folders.chain(scenes).collect())
         }
-        Err(why) => Preview::Unseen(format!("cannot be read: {why}")),
+        Err(why) => Preview::Unseen(words().cannot_be_read(&why)),
     }
 }
 
@@ -178,16 +179,12 @@ impl Fault {
 
 fn parts(scene: &Scene) -> String {
     let mechanism = &scene.mechanism;
-    let counted = [
-        (mechanism.links().len(), "link"),
-        (mechanism.slides().len(), "slide"),
-    ];
-    let counted = counted.into_iter().filter(|(count, _)| *count > 0);
-    let mut words: Vec<String> = counted
-        .map(|(count, what)| format!("{count} {what}{}", if count == 1 { "" } else { "s" }))
-        .collect();
-    words.push(format!("unit {}", scene.unit.symbol()));
-    words.join(", ")
+    let (links, slides) = (mechanism.links().len(), mechanism.slides().len());
+    let links = (links > 0).then(|| words().count_of_links(links));
+    let slides = (slides > 0).then(|| words().count_of_slides(slides));
+    let mut parts: Vec<String> = links.into_iter().chain(slides).collect();
+    parts.push(words().unit(scene.unit.symbol()));
+    parts.join(", ")
 }
 
 fn range(scene: &Scene, solver: &Solver) -> String {
@@ -197,12 +194,13 @@ fn range(scene: &Scene, solver: &Solver) -> String {
     };
     match solver.motion().range {
         Range::Full { period } if period > crate::angle::TURN => {
-            format!("{name} turns fully; the motion repeats after {period} deg")
+            words().turns_fully_and_repeats(name, &period)
         }
-        Range::Full { .. } => format!("{name} turns fully"),
+        Range::Full { .. } => words().turns_fully(name),
         Range::Limited { low, high } => {
             let decimals = DriverRange::new(scene, solver).decimals();
-            format!("{name} from {low:.decimals$} to {high:.decimals$} {unit}")
+            let [low, high] = [low, high].map(|end| format!("{end:.decimals$}"));
+            words().moves_between(name, &low, &high, unit)
         }
     }
 }

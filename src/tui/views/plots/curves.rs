@@ -11,6 +11,7 @@ use crate::solver::{Solver, State};
 use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
+use crate::wording::words;
 
 /// What stands along x, by name: another scene has other quantities.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -147,9 +148,9 @@ impl Plots {
         self.along = all.swap_remove(next);
         self.sampled = None;
         match &self.along {
-            Along::Driver => format!("over {}", Catalogue::new(scene).driver().name),
-            Along::Time => "over time: 0 s is where the scene opens".into(),
-            Along::Figure(name) => format!("against {name}"),
+            Along::Driver => words().over(&Catalogue::new(scene).driver().name),
+            Along::Time => words().over_time().into(),
+            Along::Figure(name) => words().against_figure(name),
         }
     }
 
@@ -249,7 +250,7 @@ fn sampled(
         }
     };
     if figures.is_empty() {
-        return Err("nothing is plotted yet".into());
+        return Err(words().nothing_plotted().into());
     }
     let curves = Curves::new(scene, solver, &figures, abscissa, None).map_err(|e| e.to_string())?;
     if curves
@@ -259,12 +260,14 @@ fn sampled(
     {
         let names: Vec<&str> = figures.iter().map(|q| q.name.as_str()).collect();
         let hidden = curves.hidden.as_ref();
-        let why = hidden.map(|hidden| format!("; {}", hidden.text(&curves.driver.unit)));
-        return Err(format!(
-            "no value anywhere in this motion: {}{}",
-            names.join(", "),
-            why.unwrap_or_default()
-        ));
+        let names = names.join(", ");
+        return Err(match hidden {
+            Some(hidden) => {
+                let why = hidden.text(&curves.driver.unit);
+                words().no_value_anywhere_because(&names, &why)
+            }
+            None => words().no_value_anywhere(&names),
+        });
     }
     Ok(curves)
 }

@@ -18,11 +18,10 @@ use crate::tui::commands::action::{Action, PlotsAction};
 use crate::tui::figures::copying;
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::plots::list::PlotList;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Why there is nothing to take out.
-const NOTHING_PLOTTED: &str = "nothing is plotted that could be written";
 /// Columns of the list beside a plot; on a screen narrower than this it stands alone.
 const LIST: u16 = 30;
 const BOTH: u16 = 70;
@@ -75,11 +74,11 @@ impl Pane for PlotsView {
     }
 
     fn about(&self) -> &'static str {
-        "Figures over the motion"
+        words().plotted_over_the_motion()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the plots"
+        words().in_the_plots()
     }
 
     fn needs(&self) -> Need {
@@ -126,12 +125,15 @@ impl Pane for PlotsView {
     }
 
     fn csv(&self, app: &App) -> Result<String, String> {
-        app.plots().csv().ok_or_else(|| NOTHING_PLOTTED.into())
+        app.plots()
+            .csv()
+            .ok_or_else(|| words().nothing_plotted_to_write().into())
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
         let text = app.plots().svg(app.open_scene());
-        Ok(("the plot", text.ok_or(NOTHING_PLOTTED)?))
+        let text = text.ok_or(words().nothing_plotted_to_write())?;
+        Ok((words().the_plot(), text))
     }
 
     fn file_part(&self) -> Option<&'static str> {
@@ -194,8 +196,8 @@ fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
         Some(format!("{key}  {what}"))
     };
     let leads = [
-        (PlotsAction::Choose, "choose what is plotted"),
-        (PlotsAction::Abscissa, "put something else along x"),
+        (PlotsAction::Choose, words().choose_what_is_plotted()),
+        (PlotsAction::Abscissa, words().put_something_else_along_x()),
     ];
     let leads: Vec<String> = leads.into_iter().filter_map(lead).collect();
     let width = usize::from(area.width);
@@ -224,8 +226,15 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
     let quiet = theme::part(Part::Quiet);
     match list.search() {
         None => {
-            print(buffer, area.x, area.y, area.width, "plot what?", quiet);
-            let count = format!("{} of {all}", app.plots().count());
+            print(
+                buffer,
+                area.x,
+                area.y,
+                area.width,
+                words().plot_what(),
+                quiet,
+            );
+            let count = words().some_of(app.plots().count(), all);
             print_right(buffer, area.right(), area.y, &count, quiet);
         }
         Some((text, typing)) => {
@@ -251,7 +260,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
             rows.x,
             rows.y,
             rows.width,
-            "no figure has that",
+            words().no_figure_has_that(),
             quiet,
         );
         return;

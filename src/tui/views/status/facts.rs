@@ -4,41 +4,43 @@ use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::Part;
+use crate::tui::commands::action::{Action, entry_of};
 use crate::tui::document::writing::{Content, Prompt, Question};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::next_singularity::ahead;
 use crate::tui::player::open_scene::{OpenScene, shown};
 use crate::tui::views::picker::list::Purpose;
+use crate::wording::words;
 
 /// More turns than this are told with an exponent.
 const MANY_TURNS: f64 = 1e7;
 
 pub(super) fn mode(app: &App) -> &'static str {
     match app.mode() {
-        Mode::Help(_) => "help",
-        Mode::Tour(_) => "tour",
-        Mode::GoTo(_) => "go to",
-        Mode::Assemblies(_) | Mode::PlotList(_) => "choose",
+        Mode::Help(_) => words().help(),
+        Mode::Tour(_) => words().tour(),
+        Mode::GoTo(_) => words().go_to(),
+        Mode::Assemblies(_) | Mode::PlotList(_) => words().choosing(),
         Mode::FileName(Prompt { content, .. }) | Mode::Confirm(Question { content, .. }) => {
             match content {
-                Content::Scene => "save",
-                Content::Text(_) => "write",
+                Content::Scene => words().save(),
+                Content::Text(_) => words().writing(),
             }
         }
         Mode::Pick(picker) => match picker.purpose() {
-            Purpose::Open => "open",
-            Purpose::Compare => "compare",
+            Purpose::Open => words().open(),
+            Purpose::Compare => words().compare(),
         },
-        Mode::Search(_) => "search",
-        Mode::Copy => "copy",
+        Mode::Search(_) => words().search(),
+        Mode::Copy => words().copy(),
         Mode::Unsaved(asked) => match asked {
-            Unsaved::Quit => "quit",
-            Unsaved::Open => "open",
-            Unsaved::Reload => "reload",
+            Unsaved::Quit => words().quit(),
+            Unsaved::Open => words().open(),
+            Unsaved::Reload => words().reload(),
         },
-        Mode::Recovery(_) => "recover",
-        Mode::Value(_) => "edit",
-        Mode::Normal => app.view().pane().name(),
+        Mode::Recovery(_) => words().recovering(),
+        Mode::Value(_) => words().edit(),
+        Mode::Normal => (entry_of(Action::Look(app.view())).hint)(words()),
     }
 }
 
@@ -70,13 +72,13 @@ pub(super) fn driver(open_scene: &OpenScene) -> String {
     if turns == 0.0 {
         format!("{text:>6} {unit}")
     } else {
-        let plural = if turns.abs() == 1.0 { "" } else { "s" };
+        let is_one = turns.abs() == 1.0;
         let turns = if turns.abs() < MANY_TURNS {
             format!("{turns:+}")
         } else {
             format!("{turns:+.3e}")
         };
-        format!("{text:>6} {unit} {turns} turn{plural}")
+        format!("{text:>6} {unit} {}", words().whole_turns(&turns, is_one))
     }
 }
 
@@ -89,12 +91,12 @@ pub(super) fn progress(app: &App) -> Option<String> {
 /// In one word, and with what follows from it where there is room.
 pub(super) fn state(condition: Condition, narrow: bool) -> (&'static str, Part) {
     match condition {
-        Condition::Ok => ("ok", Part::Text),
-        Condition::ChangePoint => ("change point", Part::Warning),
-        Condition::DeadPoint if narrow => ("dead point", Part::Warning),
-        Condition::DeadPoint => ("dead point: no rates", Part::Warning),
-        Condition::NoAssembly if narrow => ("no assembly", Part::Warning),
-        Condition::NoAssembly => ("no assembly here", Part::Warning),
+        Condition::Ok => (words().ok(), Part::Text),
+        Condition::ChangePoint => (words().change_point(), Part::Warning),
+        Condition::DeadPoint if narrow => (words().dead_point(), Part::Warning),
+        Condition::DeadPoint => (words().dead_point_without_rates(), Part::Warning),
+        Condition::NoAssembly if narrow => (words().no_assembly(), Part::Warning),
+        Condition::NoAssembly => (words().no_assembly_here(), Part::Warning),
     }
 }
 

@@ -7,9 +7,7 @@ use crate::tui::commands::key::Key;
 use crate::tui::views::accuracy::study_run::Phase;
 use crate::tui::views::most_scroll;
 use crate::tui::views::motion::FIT;
-
-/// What Enter does in the list of plots, where there is room to say all of it.
-const PLOT: &str = "plot it or not";
+use crate::wording::words;
 
 /// The key that comes first, and what it does.
 pub(super) fn first(app: &App) -> (String, &'static str) {
@@ -22,19 +20,16 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         && help.is_typing()
     {
         let (back, on) = match help.topic() {
-            None => ("all keys", "keep"),
-            Some(_) => ("back", "next"),
+            None => (words().all_keys(), words().keep()),
+            Some(_) => (words().back(), words().next()),
         };
         line.hint(&Key::Escape.to_string(), back);
         line.hint(&Key::Enter.to_string(), on);
         return;
     }
     if let Mode::PlotList(list) = app.mode() {
-        for (key, name) in list_hints(list.is_typing()) {
-            let name = match *name {
-                PLOT if app.size().width < ROOM_FOR_GAPS => "plot",
-                name => name,
-            };
+        let narrow = app.size().width < ROOM_FOR_GAPS;
+        for (key, name) in list_hints(list.is_typing(), narrow) {
             line.hint(&key.to_string(), name);
         }
         return;
@@ -42,7 +37,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     let listing = is_listing(app);
     let can_scroll = listing || most_scroll(app) > 0;
     if listing {
-        line.hint(&Key::Enter.to_string(), "take");
+        line.hint(&Key::Enter.to_string(), words().take());
     }
     for &action in offered(app) {
         if (action == Action::LineDown && !can_scroll) || (action == FIT && app.viewport().fits()) {
@@ -81,35 +76,42 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
     let key = app.keymap().key(action)?;
     let is_looked_at = action == Action::Look(app.view());
     let name = match action {
-        Action::Play if app.playback().is_playing() => "pause",
-        Action::Scene(SceneAction::NudgeDown) => "less",
-        Action::Scene(SceneAction::NudgeUp) => "more",
-        Action::Back if matches!(app.mode(), Mode::Tour(_)) => "end",
-        Action::Back if app.is_working() && *app.mode() == Mode::Normal => "stop",
-        Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => "next",
+        Action::Play if app.playback().is_playing() => words().pause(),
+        Action::Scene(SceneAction::NudgeDown) => words().less(),
+        Action::Scene(SceneAction::NudgeUp) => words().more(),
+        Action::Back if matches!(app.mode(), Mode::Tour(_)) => words().end(),
+        Action::Back if app.is_working() && *app.mode() == Mode::Normal => words().stop(),
+        Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => words().next(),
         Action::NextView if let Mode::Help(help) = app.mode() => match help.topic() {
-            None => "manual",
-            Some(_) => "next topic",
+            None => words().manual(),
+            Some(_) => words().next_topic(),
         },
-        Action::Plots(PlotsAction::Choose) => "choose",
-        Action::Plots(PlotsAction::Abscissa) => "along x",
-        Action::Look(_) if app.study_run().phase() == Phase::Stopped && is_looked_at => "go on",
-        Action::Look(_) if app.study_run().phase() == Phase::Done && is_looked_at => "again",
-        _ => entry_of(action).name,
+        Action::Plots(PlotsAction::Choose) => words().choose(),
+        Action::Plots(PlotsAction::Abscissa) => words().along_x(),
+        Action::Look(_) if app.study_run().phase() == Phase::Stopped && is_looked_at => {
+            words().go_on()
+        }
+        Action::Look(_) if app.study_run().phase() == Phase::Done && is_looked_at => {
+            words().again()
+        }
+        _ => (entry_of(action).hint)(words()),
     };
     Some((key.to_string(), name))
 }
 
 /// The keys of the list in which is chosen what is plotted.
-fn list_hints(typing: bool) -> &'static [(Key, &'static str)] {
+fn list_hints(typing: bool, narrow: bool) -> Vec<(Key, &'static str)> {
     if typing {
-        &[(Key::Enter, "keep"), (Key::Escape, "all")]
-    } else {
-        &[
-            (Key::Enter, PLOT),
-            (Key::Escape, "done"),
-            (Key::Char('/'), "search"),
-            (Key::Char('c'), "none"),
-        ]
+        return vec![(Key::Enter, words().keep()), (Key::Escape, words().all())];
     }
+    let plot = match narrow {
+        true => words().plot(),
+        false => words().plot_it_or_not(),
+    };
+    vec![
+        (Key::Enter, plot),
+        (Key::Escape, words().done()),
+        (Key::Char('/'), words().search()),
+        (Key::Char('c'), words().none()),
+    ]
 }

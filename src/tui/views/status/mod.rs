@@ -16,6 +16,7 @@ use crate::solver::Condition;
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::Part;
 use crate::tui::player::open_scene::shown;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use writer::Writer;
@@ -27,8 +28,7 @@ const SHORTEST_SCENE: u16 = 6;
 /// Narrower lines have single blanks between their parts.
 const ROOM_FOR_GAPS: u16 = 60;
 
-/// Columns of what can lie ahead, and of the hints that are worth more than the cost of a state.
-const NEAR: u16 = 24;
+/// Columns of the hints that are worth more than the cost of a state.
 const HINTS: u16 = 26;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
@@ -116,7 +116,7 @@ fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     let reserved = if narrow || !facts::can_come_near(app) {
         0
     } else {
-        NEAR
+        columns_ahead()
     };
     let from = line.x() + reserved + gap;
     let of_trust = trust.as_deref().map_or(0, |trust| columns(trust) + gap);
@@ -140,6 +140,13 @@ fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     if reserved > 0 && line.room_from(from) >= needed {
         line.go_to(from);
     }
+}
+
+/// Columns of what can lie ahead: `change point in 90.5 deg`.
+fn columns_ahead() -> u16 {
+    let kinds = [words().dead_point(), words().change_point()];
+    let longest = kinds.map(|kind| columns(&words().near_in(kind, "90.5", "deg")));
+    longest.into_iter().max().unwrap_or(0)
 }
 
 fn is_listing(app: &App) -> bool {

@@ -11,6 +11,7 @@ use crate::tui::player::open_scene::shown;
 use crate::tui::views::picker::list::{Picker, Place};
 use crate::tui::views::picker::preview::Preview;
 use crate::tui::views::{columns, cut};
+use crate::wording::words;
 
 /// The name of a file that is asked about keeps so many characters.
 const SHORTEST_FILE: u16 = 12;
@@ -36,15 +37,13 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
 
 /// Where a coordinate is typed.
 fn coordinate(app: &App, typed: &Line, line: &mut Writer<'_>) {
-    let what = if app.open_scene().driver_range().turns() {
-        "angle"
-    } else {
-        "position"
+    let unit = app.open_scene().unit();
+    let what = match app.open_scene().driver_range().turns() {
+        true => words().angle_in(unit),
+        false => words().position_in(unit),
     };
-    line.say(
-        &format!(" {what} [{}]: ", app.open_scene().unit()),
-        Part::Text,
-    );
+    line.gap(1);
+    line.say(&what, Part::Text);
     line.say(typed.text(), Part::Text);
     line.say(" ", Part::Caret);
     line.gap(3);
@@ -52,13 +51,14 @@ fn coordinate(app: &App, typed: &Line, line: &mut Writer<'_>) {
         line.tell(message, app);
         return;
     }
-    line.hint(&Key::Enter.to_string(), "go");
-    line.hint(&Key::Escape.to_string(), "cancel");
+    line.hint(&Key::Enter.to_string(), words().go());
+    line.hint(&Key::Escape.to_string(), words().cancel());
 }
 
 /// Where the name of a file is typed; of a long one its end is seen.
 fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
-    line.say(" write to: ", Part::Text);
+    line.gap(1);
+    line.say(words().write_to(), Part::Text);
     let room = usize::from(line.room().saturating_sub(1));
     let text = shown(typed.text(), app.glyphs());
     let skipped = text.chars().count().saturating_sub(room);
@@ -68,20 +68,21 @@ fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
     if object(app, line) {
         return;
     }
-    line.hint(&Key::Enter.to_string(), "write");
-    line.hint(&Key::Escape.to_string(), "cancel");
+    line.hint(&Key::Enter.to_string(), words().writing());
+    line.hint(&Key::Escape.to_string(), words().cancel());
 }
 
 /// Where a name is typed that is sought.
 fn sought(app: &App, typed: &Line, line: &mut Writer<'_>) {
-    line.say(" name: ", Part::Text);
+    line.gap(1);
+    line.say(words().name(), Part::Text);
     line.say(typed.text(), Part::Text);
     line.say(" ", Part::Caret);
     if object(app, line) {
         return;
     }
-    line.hint(&Key::Enter.to_string(), "keep");
-    line.hint(&Key::Escape.to_string(), "back");
+    line.hint(&Key::Enter.to_string(), words().keep());
+    line.hint(&Key::Escape.to_string(), words().back());
 }
 
 /// Which value is typed: it stands in its row.
@@ -93,11 +94,11 @@ fn value(app: &App, line: &mut Writer<'_>) {
     }
     if let Some(value) = app.editor().value() {
         let units = value.units().join(", ");
-        line.say(&format!("{} in {units}", value.name), Part::Text);
+        line.say(&words().value_in(&value.name, &units), Part::Text);
         line.gap(2);
     }
-    line.hint(&Key::Enter.to_string(), "take");
-    line.hint(&Key::Escape.to_string(), "cancel");
+    line.hint(&Key::Enter.to_string(), words().take());
+    line.hint(&Key::Escape.to_string(), words().cancel());
 }
 
 /// What is under the cursor of a list of scenes, in a few words, and what can be done with it.
@@ -105,10 +106,10 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     line.gap(1);
     let enter = match picker.chosen().map(|item| &item.place) {
         None => None,
-        Some(Place::Folder(_)) => Some("look inside"),
+        Some(Place::Folder(_)) => Some(words().look_inside()),
         Some(Place::Original | Place::File(_) | Place::Preset(_)) => Some(mode(app)),
     };
-    let keys = [(Key::Enter, enter), (Key::Escape, Some("back"))];
+    let keys = [(Key::Enter, enter), (Key::Escape, Some(words().back()))];
     let keys = keys.map(|(key, name)| Some((key.to_string(), name?)));
     let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + 2;
     // Where there is no room for a preview, the title alone tells what it would show.
@@ -121,8 +122,8 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
         Some(Preview::Scene(sample)) => (sample.scene.name.as_str(), Part::Text),
         Some(Preview::Fault(fault)) => (fault.what.as_str(), Part::Warning),
         Some(Preview::Unseen(why)) => (why.as_str(), Part::Quiet),
-        Some(Preview::Folder(names)) if names.is_empty() => ("no scene in it", Part::Quiet),
-        Some(Preview::Folder(_)) => ("a folder", Part::Quiet),
+        Some(Preview::Folder(names)) if names.is_empty() => (words().no_scene_in_it(), Part::Quiet),
+        Some(Preview::Folder(_)) => (words().a_folder(), Part::Quiet),
         None => ("", Part::Quiet),
     };
     let longest = line.room().saturating_sub(hints + 1);
@@ -137,22 +138,34 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
 /// How much of the tables is copied.
 fn how_much(line: &mut Writer<'_>) {
     line.gap(1);
-    for (key, name) in [("v", "value"), ("r", "row"), ("t", "table")] {
+    for (key, name) in [
+        ("v", words().value()),
+        ("r", words().row()),
+        ("t", words().table()),
+    ] {
         line.hint(key, name);
     }
-    line.hint(&Key::Escape.to_string(), "back");
+    line.hint(&Key::Escape.to_string(), words().back());
 }
 
 /// What is to become of unsaved edits.
 fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
     let edits = match asked {
-        Unsaved::Quit | Unsaved::Open => "unsaved edits".to_owned(),
-        Unsaved::Reload => "read it over unsaved edits?".to_owned(),
+        Unsaved::Quit | Unsaved::Open => words().unsaved_edits(),
+        Unsaved::Reload => words().read_over_edits(),
     };
     let keys = match asked {
-        Unsaved::Quit => [("w", "save"), ("q", "drop, quit"), ("Esc", "stay")],
-        Unsaved::Open => [("w", "save"), ("d", "drop, open"), ("Esc", "stay")],
-        Unsaved::Reload => [("Enter", "read"), ("Esc", "keep"), ("", "")],
+        Unsaved::Quit => [
+            ("w", words().save()),
+            ("q", words().drop_and_quit()),
+            ("Esc", words().stay()),
+        ],
+        Unsaved::Open => [
+            ("w", words().save()),
+            ("d", words().drop_and_open()),
+            ("Esc", words().stay()),
+        ],
+        Unsaved::Reload => [("Enter", words().read()), ("Esc", words().keep()), ("", "")],
     };
     let keys = || keys.iter().filter(|(key, _)| !key.is_empty());
     let needed = |(key, name): &(&str, &str)| columns(key) + 1 + columns(name) + 2;
@@ -161,12 +174,8 @@ fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
         .room()
         .saturating_sub(keys().map(needed).sum::<u16>() + 1);
     line.gap(1);
-    let edits = if columns(&edits) > room {
-        String::new()
-    } else {
-        edits
-    };
-    line.say(&shown(&edits, app.glyphs()), Part::Text);
+    let edits = if columns(edits) > room { "" } else { edits };
+    line.say(&shown(edits, app.glyphs()), Part::Text);
     line.gap(if edits.is_empty() { 0 } else { 2 });
     for (key, name) in keys() {
         line.hint(key, name);
@@ -178,7 +187,7 @@ fn offered(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     match app.message() {
         Some(message) => line.tell(message, app),
-        None => line.say("edits of this scene by other sessions", Part::Quiet),
+        None => line.say(words().edits_by_others(), Part::Quiet),
     }
 }
 
@@ -187,15 +196,23 @@ fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let to = &asked.to;
     let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
     let name = shown(&name, app.glyphs());
-    let [before, after] = asked.doubt.words();
     // The keys are what a question is good for.
-    let rest = columns(before) + columns(after) + columns("   Enter write  Esc cancel");
+    let keys = [
+        (Key::Enter.to_string(), words().writing()),
+        (Key::Escape.to_string(), words().cancel()),
+    ];
+    let needed = keys
+        .iter()
+        .map(|(key, name)| columns(key) + columns(name) + 3);
+    let rest = columns(&asked.doubt.question("")) + needed.sum::<u16>() + 1;
     let room = line.room().saturating_sub(rest);
     let name = cut(&name, usize::from(room.max(SHORTEST_FILE)));
-    line.say(&format!(" {before}{name}{after}"), Part::Text);
+    line.gap(1);
+    line.say(&asked.doubt.question(&name), Part::Text);
     line.gap(2);
-    line.hint(&Key::Enter.to_string(), "write");
-    line.hint(&Key::Escape.to_string(), "cancel");
+    for (key, name) in &keys {
+        line.hint(key, name);
+    }
 }
 
 /// Says behind a line that is typed in what is wrong with it, if something is.

@@ -14,6 +14,7 @@ use super::{print, print_right};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::views::tour::screens::{SCREENS, Screen, screen, wrapped};
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -25,7 +26,7 @@ const ROOM_BESIDE: u16 = 70;
 pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) {
     let screen = screen(number, app.keymap());
     let (place, text) = laid_out(&screen, area);
-    let title = format!("Tour {}/{SCREENS}: {}", number + 1, screen.title);
+    let title = words().tour_title(number + 1, SCREENS, screen.title);
     popup::frame(app.glyphs(), place, &title, buffer);
     let inner = popup::within(place);
     for (y, line) in (inner.top()..inner.bottom()).zip(&text) {
@@ -38,8 +39,11 @@ pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) 
             theme::part(Part::Text),
         );
     }
-    let next = if number + 1 < SCREENS { "next" } else { "done" };
-    let keys = format!(" Enter {next}  Left back  Esc end ");
+    let next = match number + 1 < SCREENS {
+        true => words().next(),
+        false => words().done(),
+    };
+    let keys = format!(" {} ", words().tour_keys(next));
     let style = theme::part(Part::Quiet);
     print_right(buffer, place.right() - 1, place.bottom() - 1, &keys, style);
 }

@@ -5,6 +5,7 @@ use crate::files::places;
 use crate::tui::app::View;
 use crate::tui::commands::action::Action;
 use crate::tui::commands::keymap::Keymap;
+use crate::wording::words;
 use std::fs::{self, File};
 use std::path::PathBuf;
 
@@ -25,69 +26,57 @@ pub(crate) struct Screen {
 /// A screen, from 0, with the keys that a person has.
 pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
     use Action as A;
+    let look = |view| keymap.told(A::Look(view));
     let key = |action| keymap.told(action);
     let (title, text) = match number {
         0 => (
-            "What krank shows",
-            "A crank turns a linkage. The drawing is to scale; the tables have position, velocity \
-             and acceleration of each part, * marks what krank has found.\nThe last line says \
-             where the crank stands, and which keys matter now."
-                .to_owned(),
+            words().tour_of_the_screen(),
+            words().tour_of_the_screen_text().to_owned(),
         ),
-        1 => (
-            "Moving the crank",
-            format!(
-                "{} and {} step: try it now. {} plays, once the tour is over.\n{} and {} change \
-                 the step, {} and {} the pace, {} the direction. {} goes where you type, {} back \
-                 to the opening.",
-                key(A::StepForward),
-                key(A::StepBack),
-                key(A::Play),
-                key(A::SmallerStep),
-                key(A::LargerStep),
-                key(A::Slower),
-                key(A::Faster),
-                key(A::Reverse),
-                key(A::GoTo),
-                key(A::Opening),
-            ),
-        ),
+        1 => {
+            let keys = [
+                A::StepForward,
+                A::StepBack,
+                A::Play,
+                A::SmallerStep,
+                A::LargerStep,
+                A::Slower,
+                A::Faster,
+                A::Reverse,
+                A::GoTo,
+                A::Opening,
+            ];
+            let text = words().tour_of_the_crank_text(&keys.map(key));
+            (words().tour_of_the_crank(), text)
+        }
         2 => (
-            "Tables, plots, trust",
-            format!(
-                "{} has all tables, {} plots, {} the motion again.\nFigures have a proved \
-                 bound where there is one: digits beyond it are dim, or dots. What does not exist is -. {} measures methods, {} what each length does.",
-                key(A::Look(View::Tables)),
-                key(A::Look(View::Plots)),
-                key(A::Look(View::Motion)),
-                key(A::Look(View::Accuracy)),
-                key(A::Look(View::Lengths)),
+            words().tour_of_figures(),
+            words().tour_of_figures_text(
+                &look(View::Tables),
+                &look(View::Plots),
+                &look(View::Motion),
+                &look(View::Accuracy),
+                &look(View::Lengths),
             ),
         ),
         3 => (
-            "Editing and saving",
-            format!(
-                "{} opens a preset or a file; {} shows the next preset.\n{} lists every number of \
-                 the scene to be edited, and the linkage follows. {} takes an edit back. Nothing \
-                 is written before you press {}.",
-                key(A::Open),
-                key(A::NextPreset),
-                key(A::Look(View::Scene)),
-                key(A::Undo),
-                key(A::Save),
+            words().tour_of_editing(),
+            words().tour_of_editing_text(
+                &key(A::Open),
+                &key(A::NextPreset),
+                &look(View::Scene),
+                &key(A::Undo),
+                &key(A::Save),
             ),
         ),
         _ => (
-            "Where help is",
-            format!(
-                "{} lists the keys of the view, then all others; {} searches them. {} goes one \
-                 level back, {} leaves.\n{} brings this tour back. Without a terminal: krank \
-                 --help, krank man.",
-                key(A::Help),
-                key(A::Search),
-                key(A::Back),
-                key(A::Quit),
-                key(A::Tour),
+            words().tour_of_help(),
+            words().tour_of_help_text(
+                &key(A::Help),
+                &key(A::Search),
+                &key(A::Back),
+                &key(A::Quit),
+                &key(A::Tour),
             ),
         ),
     };

@@ -1,0 +1,22 @@
+//! The help over the view.
+
+use super::English;
+use std::fmt::Display;
+
+catalogue! {
+    /// The help, and the manual behind it.
+    trait Helping for English {
+        help_title = "Help";
+        help_topic(topic: &str, page: usize, pages: usize) = "Help: {topic}  {page}/{pages}";
+        no_key_does_that = "no key does that";
+        esc_shows_all_keys = "Esc shows all keys";
+        turns_to_manual(key: &dyn Display) = "{key} manual";
+        shows_more(key: &dyn Display) = "{key} for more";
+        nowhere = "nowhere";
+        marks_of_figures(found: char) = "{found} found, rest given";
+        marks_of_figures_and_digits(found: char, unsure: char) =
+            "{found} found, rest given; {unsure} for digits that are not proved";
+        marks_of_figures_and_dim_digits(found: char) =
+            "{found} found, rest given; dim digits are not proved";
+    }
+}

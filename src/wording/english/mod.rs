@@ -1,0 +1,38 @@
+//! English: the sentences by what they are about.
+
+mod actions;
+mod configuration;
+mod editing;
+mod files;
+mod helping;
+mod hints;
+mod motion;
+mod offering;
+mod picking;
+mod plots;
+mod taking;
+mod tour;
+mod views;
+
+pub(super) use actions::Actions;
+pub(super) use configuration::Configuration;
+pub(super) use editing::Editing;
+pub(super) use files::Files;
+pub(super) use helping::Helping;
+pub(super) use hints::Hints;
+pub(super) use motion::Motion;
+pub(super) use offering::Offering;
+pub(super) use picking::Picking;
+pub(super) use plots::Plots;
+pub(super) use taking::Taking;
+pub(super) use tour::Tour;
+pub(super) use views::Views;
+
+/// The language that krank was written in.
+#[derive(Debug)]
+pub(super) struct English;
+
+/// `1 link`, `3 links`.
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}

@@ -1,0 +1,84 @@
+//! The driver and where it stands, the assembly, and how the motion is drawn.
+
+use super::English;
+use std::fmt::Display;
+
+catalogue! {
+    /// The motion and its drawing.
+    trait Motion for English {
+        // Where the driver goes.
+        motion_ends = "the motion ends here";
+        no_number_of(unit: &str, typed: &str) = "not a number of {unit}: {typed}";
+        taken_as(at: &str, unit: &str) = "taken as {at} {unit}";
+        out_of_reach(low: &str, high: &str, unit: &str) = "out of reach: {low} to {high} {unit}";
+        no_longer_in_reach(at: &str, unit: &str) = "{at} {unit} is out of reach now";
+        whole_turns(turns: &str, is_one: bool) = {
+            format!("{turns} turn{}", if is_one { "" } else { "s" })
+        };
+
+        // How it is played.
+        step_of(step: &str, unit: &str) = "step {step} {unit}";
+        plays_in(turns: bool, seconds: &dyn Display, backwards: bool) = {
+            let sweep = if turns { "turn" } else { "sweep" };
+            format!("1 {sweep} in {seconds} s{}", if backwards { ", backwards" } else { "" })
+        };
+        driver_stands_still = "the driver stands still";
+        slower_than_real(times: &str) = "1/{times} of real time";
+        faster_than_real(times: &str) = "{times} times real time";
+
+        // How the mechanism stands.
+        ok = "ok";
+        change_point = "change point";
+        dead_point = "dead point";
+        dead_point_without_rates = "dead point: no rates";
+        limit = "limit";
+        no_assembly = "no assembly";
+        no_assembly_here = "no assembly here";
+        near_within(what: &str, distance: &str, unit: &str) = "{what} within {distance} {unit}";
+        near_in(what: &str, distance: &str, unit: &str) = "{what} in {distance} {unit}";
+        no_bound = "no bound";
+
+        // Its assemblies.
+        no_other_assembly = "there is no other assembly here";
+        rest_does_not_close(choice: &dyn Display) = "the rest does not close with {choice}";
+        assembly_now(choice: &dyn Display) = "{choice} now";
+        assembly_now_untold(choice: &dyn Display) = {
+            format!("{choice} now; no [start] can tell it, so that it cannot be saved")
+        };
+        assembly_now_saved_by(choice: &dyn Display, key: &dyn Display) = "{choice} now; {key} saves it";
+        shown_now = "now";
+        does_not_close = "open";
+        degrees(figure: &str) = "{figure} deg";
+
+        // How it is drawn.
+        drawn_with(glyphs: &str) = "drawn with {glyphs}";
+        glyphs_ascii = "ASCII";
+        glyphs_lines = "lines";
+        glyphs_braille = "Braille";
+        no_colours = "no colours";
+        sixteen_colours = "the 16 colours of the terminal's palette";
+        colours_of_256 = "colours of the 256";
+        true_colours = "colours of 24 bits";
+        switched_on(what: &str) = "{what} on";
+        switched_off(what: &str) = "{what} off";
+        no_more_to_zoom = "there is no more to zoom";
+        zoomed(times: &str) = "zoom {times}";
+        names_of_points = "names of points";
+        names_of_points_and_links = "names of points and links";
+        no_names = "no names";
+        trace_of(names: &str) = "trace {names}";
+        traces_of(count: usize) = "{count} traces";
+        ghost_positions(count: u16) = "{count} positions";
+        a_centre_of_mass = "x centre of mass";
+        arrows_without_scale(letter: &str) = "{letter} 0: the driver stands still";
+        drawing_of(scene: &str, at: &dyn Display, unit: &str) = "{scene} at {at} {unit}";
+
+        // What is followed in it.
+        nothing_to_search = "there is nothing to search here";
+        never_moves(name: &str) = "{name} never moves: nothing to follow";
+        all_of(names: &[&str]) = { names.join(" and ") };
+        no_longer_chosen(names: &str) = "{names} no longer chosen";
+        chosen_for_motion(names: &str) = "{names} chosen for the motion view";
+        no_row_named(typed: &str) = "no row is named {typed}";
+    }
+}

@@ -1,0 +1,39 @@
+//! The list of scenes, and the preview beside it.
+
+use super::{English, counted};
+use std::fmt::Display;
+
+catalogue! {
+    /// Scenes to be opened.
+    trait Picking for English {
+        open_a_scene = "Open a scene";
+        compare_with = "Compare with";
+        search_for = "search: ";
+        some_of(some: usize, all: usize) = "{some} of {all}";
+        nothing_matches = "nothing matches; Ctrl-U clears what was typed";
+        presets = "presets";
+        as_opened = "as opened";
+        folder_being_read = "the folder is being read";
+        more_than_can_be_listed = "more than can be listed";
+        no_scene_file_here = "no scene file here";
+        no_scene_in_it = "no scene in it";
+        a_folder = "a folder";
+
+        // The preview.
+        being_read = "being read";
+        too_large_for_preview(kib: u64) = "{kib} KiB: too large for a preview";
+        cannot_be_opened = "cannot be opened";
+        line_and_column(line: usize, column: usize) = "line {line}, column {column}";
+        more_below(count: usize) = "{count} more below it";
+        no_scene_file_in_it = "no scene file in it";
+        and_more(count: usize) = "and {count} more";
+        count_of_links(count: usize) = { counted(count, "link", "links") };
+        count_of_slides(count: usize) = { counted(count, "slide", "slides") };
+        unit(symbol: &str) = "unit {symbol}";
+        turns_fully(link: &str) = "{link} turns fully";
+        turns_fully_and_repeats(link: &str, period: &dyn Display) =
+            "{link} turns fully; the motion repeats after {period} deg";
+        moves_between(name: &str, low: &str, high: &str, unit: &str) =
+            "{name} from {low} to {high} {unit}";
+    }
+}

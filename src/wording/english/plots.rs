@@ -1,0 +1,22 @@
+//! Figures over the motion.
+
+use super::English;
+
+catalogue! {
+    /// Plots, and what is plotted.
+    trait Plots for English {
+        over(name: &str) = "over {name}";
+        over_time = "over time: 0 s is where the scene opens";
+        against_figure(name: &str) = "against {name}";
+        extrema_marked = "maxima and minima are marked";
+        extrema_not_marked = "maxima and minima are not marked";
+        nothing_plotted = "nothing is plotted yet";
+        nothing_plotted_to_write = "nothing is plotted that could be written";
+        no_value_anywhere(names: &str) = "no value anywhere in this motion: {names}";
+        no_value_anywhere_because(names: &str, why: &str) =
+            "no value anywhere in this motion: {names}; {why}";
+        put_something_else_along_x = "put something else along x";
+        plot_what = "plot what?";
+        no_figure_has_that = "no figure has that";
+    }
+}

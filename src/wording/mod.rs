@@ -1,0 +1,43 @@
+//! What krank says, by what it means: one catalogue, and what each language makes of it.
+//!
+//! A sentence is a function: of nothing where it is always the same, of the names and figures in it where it is
+//! not. They come as they are to be read, figures written by `report::number`, units as words of their own; what
+//! grammar asks for (a plural, an order of words) is the affair of the language. Names of actions in a
+//! configuration, of columns and of keys are promises, and no wording.
+//!
+//! A second language is a folder beside `english` with `catalogue! { impl .. }` for each of its parts, and a line
+//! in [`words`]; while a sentence is missing in it, it does not build.
+
+#[macro_use]
+mod catalogue;
+mod english;
+
+use english::*;
+
+/// Every sentence, in one language.
+pub(crate) trait Words:
+    Actions
+    + Configuration
+    + Editing
+    + Files
+    + Helping
+    + Hints
+    + Motion
+    + Offering
+    + Picking
+    + Plots
+    + Taking
+    + Tour
+    + Views
+{
+}
+
+impl Words for English {}
+
+/// A sentence that is chosen where nothing is said yet, as in a table of actions.
+pub(crate) type Wording = fn(&'static dyn Words) -> &'static str;
+
+/// The sentences in the language that is spoken.
+pub(crate) fn words() -> &'static dyn Words {
+    &English
+}
