@@ -3,6 +3,7 @@
 //! into the shell.
 
 use crate::drawing::Glyphs;
+use crate::wording::words;
 
 /// How many colours may be used.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -175,28 +176,24 @@ impl Judgement {
     /// The characters to draw with.
     pub(crate) fn glyphs(&self) -> Found<Glyphs> {
         if !self.is_utf8() {
-            return found(Glyphs::Ascii, "the locale is not UTF-8");
+            return found(Glyphs::Ascii, words().locale_not_utf8());
         }
         match self.kind() {
-            Kind::Unknown => found(Glyphs::Ascii, "TERM is not set"),
-            Kind::Dumb | Kind::Old => {
-                found(Glyphs::Ascii, format!("TERM={} has no others", self.term))
-            }
-            Kind::Console => found(Glyphs::Line, "console fonts have lines, but no Braille"),
-            Kind::Emulator => found(Glyphs::Braille, "an emulator in a UTF-8 locale"),
+            Kind::Unknown => found(Glyphs::Ascii, words().term_not_set()),
+            Kind::Dumb | Kind::Old => found(Glyphs::Ascii, words().term_has_no_others(&self.term)),
+            Kind::Console => found(Glyphs::Line, words().console_has_no_braille()),
+            Kind::Emulator => found(Glyphs::Braille, words().emulator_in_utf8()),
         }
     }
 
     /// The colours to draw with.
     pub(crate) fn colours(&self) -> Found<Colours> {
         if self.no_color.is_some() {
-            return found(Colours::None, "NO_COLOR is set");
+            return found(Colours::None, words().no_color_set());
         }
         match (self.kind(), self.colorterm.as_deref()) {
-            (Kind::Unknown, _) => found(Colours::None, "TERM is not set"),
-            (Kind::Dumb | Kind::Old, _) => {
-                found(Colours::None, format!("TERM={} has none", self.term))
-            }
+            (Kind::Unknown, _) => found(Colours::None, words().term_not_set()),
+            (Kind::Dumb | Kind::Old, _) => found(Colours::None, words().term_has_none(&self.term)),
             (Kind::Console | Kind::Emulator, Some(many @ ("truecolor" | "24bit"))) => {
                 found(Colours::True, format!("COLORTERM={many}"))
             }
@@ -213,7 +210,7 @@ impl Judgement {
         } else if self.term.contains("256color") {
             found(Colours::Indexed, why)
         } else {
-            found(Colours::Sixteen, format!("{why} promises no more"))
+            found(Colours::Sixteen, words().promises_no_more(&why))
         }
     }
 
@@ -236,7 +233,7 @@ impl Judgement {
     pub(crate) fn variables(&self) -> [(&'static str, Option<&str>); 4] {
         let (name, locale) = match &self.locale {
             Some((name, value)) => (*name, Some(value.as_str())),
-            None => ("locale", None),
+            None => (words().row_locale(), None),
         };
         let term = (!self.term.is_empty()).then_some(self.term.as_str());
         [

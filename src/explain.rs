@@ -2,6 +2,7 @@
 
 use crate::scene::{Diagnostic, Diagnostics, Scene, coordinate_key, figure, key};
 use crate::solver::Fault;
+use crate::wording::words;
 use crate::{Body, Element, LinkId, PointId, SlideId, Slider, Vec2};
 
 /// Elements that one message points at.
@@ -46,79 +47,70 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
     };
     let (mobility, redundant) = (*mobility, *redundant);
     let mut item = Diagnostic::new(match mobility {
-        0 => "the mobility is 0, not 1: nothing can move".to_owned(),
-        1 => {
-            "the mobility is 1, but the driver is held, and other links move without it".to_owned()
-        }
-        n => format!("the mobility is {n}, not 1: the driver does not determine every link"),
+        0 => words().mobility_of_none().to_owned(),
+        1 => words().mobility_elsewhere().to_owned(),
+        n => words().mobility_of_many(n),
     });
     item = match floating.split_first() {
-        None => item.at(scene.place(Element::Driver), "driven here"),
+        None => item.at(scene.place(Element::Driver), words().driven_here()),
         Some((&first, rest)) => {
-            let label = |link| format!("{} floats", link_name(scene, link));
+            let label = |link| words().floats(&link_name(scene, link));
             let mut item = item.at(scene.place(Element::Link(first)), label(first));
             for &link in rest.iter().take(POINTED_AT - 1) {
                 item = item.and(scene.place(Element::Link(link)), label(link));
             }
-            item.note(format!("links that float: {}", link_list(scene, floating)))
+            item.note(words().links_that_float(&link_list(scene, floating)))
         }
     };
     if redundant > 0 {
-        let count = plural(
-            redundant,
-            "constraint repeats others and holds nothing",
-            "constraints repeat others and hold nothing",
-        );
+        let count = words().constraints_repeat(redundant);
         item = item.note(if repeating.is_empty() {
             count
         } else {
-            format!("{count}, among {}", element_list(scene, repeating))
+            words().among(&count, &element_list(scene, repeating))
         });
     }
     if *is_unclear {
-        item = item.note(UNCLEAR);
+        item = item.note(words().mobility_unclear());
     }
     if mobility == 0 {
-        return item.help("take out a link or a joint: one that holds what should move");
+        return item.help(words().take_out_a_part());
     }
     for (one, other) in loose_ends(scene, floating) {
         let (name, twin) = (point_name(scene, one), point_name(scene, other));
         item = item
-            .and(scene.place(Element::Point(one)), "named nowhere else")
-            .and(scene.place(Element::Point(other)), "is this the same?")
-            .help(format!(
-                "if {name} and {twin} are the same point, give it one name"
-            ));
+            .and(
+                scene.place(Element::Point(one)),
+                words().named_nowhere_else(),
+            )
+            .and(
+                scene.place(Element::Point(other)),
+                words().is_this_the_same(),
+            )
+            .help(words().give_it_one_name(&name, &twin));
     }
     if let Some(help) = parallel_guides(scene, repeating) {
         return item.help(help);
     }
-    let missing = plural(mobility.max(2) - 1, "constraint is", "constraints are");
-    let item = item.help(format!(
-        "{missing} missing: join a floating link to another by a common point, or add a slide"
-    ));
+    let item = item.help(words().constraints_missing(mobility.max(2) - 1));
     if redundant == 0 {
         return item;
     }
-    item.help("what repeats others may be what is missing elsewhere: are its dimensions meant to be equal?")
+    item.help(words().are_dimensions_equal())
 }
-
-/// Why a rank may be told wrongly.
-const UNCLEAR: &str = "this cannot be told for certain: dimensions that differ by rounding alone would hold what seems free";
 
 /// The mend where guides repeat each other.
 fn parallel_guides(scene: &Scene, elements: &[Element]) -> Option<&'static str> {
     let of_slides = elements.iter().filter(|e| matches!(e, Element::Slide(_)));
     let all = guides(scene, elements);
-    (of_slides.count() >= 2 && all.len() >= 2)
-        .then_some("guides that are parallel hold nothing along them: turn one by its `angle`")
+    (of_slides.count() >= 2 && all.len() >= 2).then(|| words().turn_a_guide())
 }
 
 fn element_list(scene: &Scene, elements: &[Element]) -> String {
     let named = elements.iter().take(4 * POINTED_AT);
     let mut names: Vec<String> = named.map(|&e| element_name(scene, e)).collect();
     if elements.len() > names.len() {
-        names.push(format!("and {} more", elements.len() - names.len()));
+        names.push(words().and_more(elements.len() - names.len()));
     }
     names.join(", ")
 }
@@ -165,31 +157,19 @@ fn over_constrained(
         return frame_as_link(scene, link, pins, misfit);
     }
     let name = element_name(scene, element);
-    let mut item = Diagnostic::new(format!(
-        "over-constrained: with {name} nothing can move, it does not fit the others by {}",
-        length(scene, misfit)
-    ))
-    .at(
-        scene.place(element),
-        "holds what others hold already, but not equally",
-    )
-    .note(format!(
-        "found with the driver at {}",
-        coordinate(scene, at)
-    ));
+    let mut item = Diagnostic::new(words().over_constrained(&name, &length(scene, misfit)))
+        .at(scene.place(element), words().holds_what_is_held())
+        .note(words().found_at(&coordinate(scene, at)));
     if !others.is_empty() {
-        item = item.note(format!("the others are {}", element_list(scene, others)));
+        item = item.note(words().the_others_are(&element_list(scene, others)));
     }
-    let item =
-        item.help("correct its dimensions so that they agree with the others, or take it out");
+    let item = item.help(words().correct_its_dimensions());
     // A misfit grows on the way: what is proposed is a power of ten of at least this many times its size.
     let accepted = 10.0_f64.powf((GROWTH * misfit).log10().ceil());
     if accepted > FEW_DIGITS * longest(scene) {
         return item;
     }
-    item.help(format!(
-        "or accept what a drawing of few digits leaves:\n[redundant]\nmisfit = {accepted:e}"
-    ))
+    item.help(words().accept_few_digits(&format!("[redundant]\nmisfit = {accepted:e}")))
 }
 
 const GROWTH: f64 = 5.0;
@@ -219,63 +199,42 @@ fn frame_as_link(
     let name = link_name(scene, link);
     let (tail, head) = (bare_name(scene, one), bare_name(scene, other));
     let vector = format!("{} = [\"{tail}\", \"{head}\"]", key(scene.link_name(link)));
-    Diagnostic::new(format!(
-        "over-constrained: link {name} does not fit by {} between the ground points `{tail}` and `{head}`",
-        length(scene, misfit)
-    ))
-    .at(scene.place(Element::Link(link)), "cannot move")
-    .note(format!(
-        "`{tail}` and `{head}` are {} apart",
-        length(scene, (to - at).norm())
-    ))
-    .help(format!(
-        "the frame needs no link; to see it in the tables, move it to [vectors]: {vector}"
-    ))
+    let distance = length(scene, (to - at).norm());
+    let misfit = length(scene, misfit);
+    Diagnostic::new(words().frame_does_not_fit(&name, &misfit, &tail, &head))
+        .at(scene.place(Element::Link(link)), words().cannot_move())
+        .note(words().are_apart(&tail, &head, &distance))
+        .help(words().frame_needs_no_link(&vector))
 }
 
 fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic {
     let name = point_name(scene, point);
     let missing = length(scene, gap);
-    let item = Diagnostic::new(format!(
-        "the linkage cannot close at the start: {name} is out of reach by {missing}"
-    ))
-    .at(
+    let item = Diagnostic::new(words().cannot_close(&name, &missing)).at(
         scene.place(Element::Point(point)),
-        format!("{name} cannot be placed"),
+        words().cannot_be_placed(&name),
     );
     let item = links.iter().take(POINTED_AT).fold(item, |item, &link| {
         let reach = match scene.mechanism.link(link).ends {
-            Some(_) => format!("{} has to reach it", link_name(scene, link)),
-            None => format!("{} has to meet it", link_name(scene, link)),
+            Some(_) => words().has_to_reach_it(&link_name(scene, link)),
+            None => words().has_to_meet_it(&link_name(scene, link)),
         };
         item.and(scene.place(Element::Link(link)), reach)
     });
     let driver = scene.mechanism.driver();
-    item.note(format!(
-        "the driver stands at {}",
-        coordinate(scene, driver.start)
-    ))
-    .help("change a length or a ground point by that much, or open the scene at another position of the driver")
+    item.note(words().driver_stands_at(&coordinate(scene, driver.start)))
+        .help(words().change_a_length())
 }
 
 fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
     let name = point_name(scene, point);
     let places: Vec<String> = choices.iter().map(|&c| pair(c, "(", ")")).collect();
-    let item = Diagnostic::new(format!(
-        "the start does not say which assembly is meant: {name} can be at {} {}",
-        places.join(" or "),
-        scene.unit.symbol()
-    ))
-    .at(
-        scene.place(Element::Point(point)),
-        format!("where is {name}?"),
-    );
+    let places = words().either(&places);
+    let item = Diagnostic::new(words().start_is_vague(&name, &places, scene.unit.symbol()))
+        .at(scene.place(Element::Point(point)), words().where_is(&name));
     let given = scene.mechanism.start().iter().find(|(p, _)| *p == point);
     let item = match given {
-        Some(&(_, near)) => item.note(format!(
-            "[start] has {name} at {}, which is as near to one as to the other",
-            pair(near, "(", ")")
-        )),
+        Some(&(_, near)) => item.note(words().start_is_between(&name, &pair(near, "(", ")"))),
         None => item,
     };
     let bare = bare_name(scene, point);
@@ -284,70 +243,58 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
         .iter()
         .map(|&c| format!("{key} = {}", pair(c, "[", "]")))
         .collect();
-    item.help(format!(
-        "give a rough position, one of:\n[start]\n{}",
-        lines.join("   # or\n")
-    ))
+    item.help(words().give_one_position(&lines))
 }
 
 fn change_point(scene: &Scene, group: Element) -> Diagnostic {
     let name = element_name(scene, group);
     let option = |sign| format!("`--assembly {}={sign}`", group_text(scene, group));
     let coordinate = coordinate_key(&scene.mechanism);
-    Diagnostic::new(format!(
-        "the scene opens at a change point, where the two assemblies of {name} meet and both lead on"
-    ))
-    .at(scene.place(group), "which way does it go on?")
-    .help(format!(
-        "choose the side beyond it by {} or {}",
-        option('+'),
-        option('-')
-    ))
-    .help(format!(
-        "or open the scene elsewhere, at another `{coordinate}` of the driver"
-    ))
+    Diagnostic::new(words().opens_at_change_point(&name))
+        .at(scene.place(group), words().which_way())
+        .help(words().choose_the_side(&option('+'), &option('-')))
+        .help(words().open_at_another(coordinate))
 }
 
 /// A group as the command line names it.
 fn group_text(scene: &Scene, group: Element) -> String {
-    element_name(scene, group)
-        .rsplit(' ')
-        .next()
-        .unwrap_or_default()
-        .trim_matches('`')
-        .to_owned()
+    let of_link = |link| scene.link_name(link);
+    let of_point = |point| scene.point_name(point);
+    let name = match group {
+        Element::Point(point) => {
+            of_point(point).or_else(|| carrier_of_origin(scene, point).map(of_link))
+        }
+        Element::Link(link) => Some(of_link(link)),
+        Element::Slide(slide) => Some(scene.slide_name(slide)),
+        Element::Driver => None,
+    };
+    name.unwrap_or("NAME").to_owned()
 }
 
 fn no_choice(scene: &Scene, group: Element, found: usize) -> Diagnostic {
     let name = element_name(scene, group);
     let says = match found {
-        0 => format!("{name} names no group that could be assembled in another way"),
-        1 => format!("{name} has one assembly alone here"),
-        n => format!("{name} has {n} assemblies here, numbered from 1 to {n}"),
+        0 => words().names_no_choice(&name),
+        1 => words().has_one_assembly(&name),
+        n => words().has_assemblies(&name, n),
     };
-    Diagnostic::new(says).at(scene.place(group), "picked here")
+    Diagnostic::new(says).at(scene.place(group), words().picked_here())
 }
 
 fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
     let names: Vec<String> = points.iter().map(|&p| point_name(scene, p)).collect();
-    let mut item = Diagnostic::new(format!(
-        "no assembly was found near the start: {} miss their places by at least {}",
-        names.join(", "),
-        length(scene, gap)
-    ));
+    let (names, gap) = (names.join(", "), length(scene, gap));
+    let mut item = Diagnostic::new(words().no_assembly_near(&names, &gap));
     for (i, &point) in points.iter().take(POINTED_AT).enumerate() {
         let place = scene.place(Element::Point(point));
         item = if i == 0 {
-            item.at(place, "solved together")
+            item.at(place, words().solved_together())
         } else {
-            item.and(place, "with this")
+            item.and(place, words().with_this())
         };
     }
     if points.is_empty() {
-        item = item.at(
-            scene.place(Element::Driver),
-            "at this position of the driver",
-        );
+        item = item.at(scene.place(Element::Driver), words().at_this_position());
     }
     let missing: Vec<String> = points
         .iter()
@@ -356,10 +303,9 @@ fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
         .map(|name| format!("{} = [x, y]", key(name)))
         .collect();
     let help = if missing.is_empty() {
-        "bring the positions in [start] nearer to an assembly, or check the lengths".to_owned()
+        words().bring_start_nearer().to_owned()
     } else {
-        let lines = missing.join("\n");
-        format!("give rough positions, or check the lengths:\n[start]\n{lines}")
+        words().give_positions(&missing.join("\n"))
     };
     item.help(help)
 }
@@ -368,31 +314,25 @@ fn singular(scene: &Scene, elements: &[Element], is_here_only: bool) -> Diagnost
     let guides = guides(scene, elements);
     let elements = if guides.len() >= 2 { &guides } else { elements };
     let names: Vec<String> = elements.iter().map(|&e| element_name(scene, e)).collect();
-    let mut item = Diagnostic::new(if is_here_only {
-        format!(
-            "the scene opens where {} determine no position: at a change point or a dead point",
-            names.join(" and ")
-        )
-    } else {
-        format!(
-            "{} never determine a position, wherever the driver stands",
-            names.join(" and ")
-        )
+    let names = words().together(&names);
+    let mut item = Diagnostic::new(match is_here_only {
+        true => words().opens_singular(&names),
+        false => words().never_determine(&names),
     });
     for (i, &element) in elements.iter().take(POINTED_AT).enumerate() {
         let place = scene.place(element);
         item = if i == 0 {
-            item.at(place, "these together leave a motion free")
+            item.at(place, words().leave_a_motion_free())
         } else {
-            item.and(place, "with this")
+            item.and(place, words().with_this())
         };
     }
     if is_here_only {
-        item.help("open the scene elsewhere, at another `angle` or `position` of the driver")
+        item.help(words().open_elsewhere_in_motion())
     } else if guides.len() >= 2 {
-        item.help("guides that are parallel hold nothing along them: turn one by its `angle`")
+        item.help(words().turn_a_guide())
     } else {
-        item.help("no dimension mends this: join these parts in another way")
+        item.help(words().join_in_another_way())
     }
 }
 
@@ -420,8 +360,8 @@ fn point_name(scene: &Scene, point: PointId) -> String {
     match scene.point_name(point) {
         Some(name) => format!("`{name}`"),
         None => match carrier_of_origin(scene, point) {
-            Some(link) => format!("the origin of {}", link_name(scene, link)),
-            None => "a joint".to_owned(),
+            Some(link) => words().origin_of(&link_name(scene, link)),
+            None => words().a_joint().to_owned(),
         },
     }
 }
@@ -449,23 +389,19 @@ fn link_list(scene: &Scene, links: &[LinkId]) -> String {
     let named = links.iter().take(4 * POINTED_AT);
     let mut names: Vec<String> = named.map(|&link| link_name(scene, link)).collect();
     if links.len() > names.len() {
-        names.push(format!("and {} more", links.len() - names.len()));
+        names.push(words().and_more(links.len() - names.len()));
     }
     names.join(", ")
 }
 
 fn element_name(scene: &Scene, element: Element) -> String {
-    let slide = |slide: SlideId| format!("slide `{}`", scene.slide_name(slide));
+    let slide = |slide: SlideId| words().slide_named(scene.slide_name(slide));
     match element {
         Element::Point(point) => point_name(scene, point),
-        Element::Link(link) => format!("link {}", link_name(scene, link)),
+        Element::Link(link) => words().a_link(&link_name(scene, link)),
         Element::Slide(id) => slide(id),
-        Element::Driver => "the driver".to_owned(),
+        Element::Driver => words().the_driver().to_owned(),
     }
-}
-
-fn plural(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 fn length(scene: &Scene, value: f64) -> String {
@@ -474,7 +410,7 @@ fn length(scene: &Scene, value: f64) -> String {
 
 fn coordinate(scene: &Scene, at: f64) -> String {
     match scene.mechanism.driver().input {
-        crate::Input::Turn(_) => format!("{} deg", figure(at)),
+        crate::Input::Turn(_) => words().degrees(&figure(at)),
         crate::Input::Push(_) => length(scene, at),
     }
 }

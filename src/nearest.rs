@@ -1,5 +1,7 @@
 //! Which known word a mistyped one was probably meant to be.
 
+use crate::wording::words;
+
 /// Characters of a text beyond which it is no slip of the pen: comparing costs the product of the
 /// lengths.
 const LONGEST: usize = 64;
@@ -33,7 +35,7 @@ pub(crate) fn did_you_mean<'k>(
     text: &str,
     known: impl IntoIterator<Item = &'k str>,
 ) -> Option<String> {
-    nearest(text, known).map(|word| format!("did you mean `{word}`?"))
+    nearest(text, known).map(|word| words().did_you_mean(word))
 }
 
 #[cfg(test)]

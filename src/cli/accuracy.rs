@@ -9,6 +9,7 @@ use super::source::{Opened, open_for};
 use crate::drawing::{Glyphs, trade_off};
 use crate::report::{Accuracy, accuracy_notes};
 use crate::study::{Findings, Study};
+use crate::wording::words;
 use std::time::{Duration, Instant};
 
 /// Between two looks at how far it has come.
@@ -39,7 +40,7 @@ pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failur
 fn measured(mut study: Study, screen: Screen) -> Findings {
     let begun = Instant::now();
     // Results come only at the end: the line stands in nobody's way.
-    let mut progress = Progress::new(PARTS, "parts", screen, false);
+    let mut progress = Progress::new(PARTS, words().parts(), screen, false);
     while study.advance(&mut || begun.elapsed(), SLICE) {
         #[expect(
             clippy::cast_possible_truncation,

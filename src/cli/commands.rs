@@ -12,6 +12,7 @@ use crate::report::{
 };
 use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
+use crate::wording::words;
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 
@@ -102,10 +103,7 @@ pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: Sc
     let catalogue = Catalogue::new(scene);
     let unit = &catalogue.driver().unit;
     let limits = limits_text(range, catalogue.driver());
-    note(
-        &format!("{typed} {unit} is taken as {at} {unit}: the driver covers {limits}"),
-        screen,
-    );
+    note(&words().taken_within(&typed, &at, unit, &limits), screen);
     at
 }
 
@@ -113,11 +111,8 @@ pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: Sc
 pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
     let catalogue = Catalogue::new(scene);
     let driver = catalogue.driver();
-    Failure::Cannot(format!(
-        "the mechanism cannot be assembled at {at} {}: the driver covers {}",
-        driver.unit,
-        limits_text(solver.motion().range, driver)
-    ))
+    let covered = limits_text(solver.motion().range, driver);
+    Failure::Cannot(words().cannot_be_assembled(&at, &driver.unit, &covered))
 }
 
 /// Refuses more derivatives by lengths than there is memory and time for.
@@ -126,20 +121,15 @@ pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
     if lengths.saturating_mul(figures) <= MOST_DERIVATIVES {
         return Ok(());
     }
-    Err(Failure::Usage(format!(
-        "--sensitivity: {figures} figures by {lengths} lengths are too many; `krank sweep --columns` names fewer"
-    )))
+    Err(Failure::Usage(
+        words().too_many_sensitivities(figures, lengths),
+    ))
 }
 
 /// Says how many of what was written have no bound, and why.
 pub(super) fn note_unproved(unproved: u64, figures: u64, screen: Screen) {
     if unproved > 0 {
-        note(
-            &format!(
-                "{unproved} of {figures} figures have no bound: too close to a dead point or a change point for a proof"
-            ),
-            screen,
-        );
+        note(&words().unproved(&unproved, &figures), screen);
     }
 }
 
@@ -159,9 +149,7 @@ pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
     let start = scene.mechanism.driver().start;
     match scene.with_start_of(&solver, start) {
         Some(text) => write_scene(args.output.output.as_deref(), &text),
-        None => Err(Failure::Cannot(
-            "no start positions tell this assembly from the others where the scene opens".into(),
-        )),
+        None => Err(Failure::Cannot(words().no_start_tells_assembly().into())),
     }
 }
 
@@ -187,6 +175,6 @@ pub(super) fn man(command: Option<&str>) -> Result<(), Failure> {
 fn page_of(krank: &Command, name: &str) -> Result<Command, Failure> {
     match krank.find_subcommand(name) {
         Some(command) => Ok(command.clone()),
-        None => Err(Failure::Usage(format!("krank has no command `{name}`"))),
+        None => Err(Failure::Usage(words().krank_has_no_command(name))),
     }
 }

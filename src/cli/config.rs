@@ -5,6 +5,7 @@ use super::output::write_text;
 use crate::files::{from_home, read_file};
 use crate::scene::LARGEST_FILE;
 use crate::tui::{self, Config};
+use crate::wording::words;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
@@ -35,6 +36,8 @@ pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
     match read_file(&path, LARGEST_FILE) {
         Ok(bytes) => Config::read(&bytes, &shown).map_err(Failure::Scene),
         Err(e) if named.is_none() && is_absent(&e) => Ok(Config::default()),
-        Err(e) => Err(Failure::Usage(format!("cannot read `{shown}`: {e}"))),
+        Err(e) => Err(Failure::Usage(
+            words().cannot_read(&format!("`{shown}`"), &e),
+        )),
     }
 }

@@ -10,31 +10,34 @@ use crate::capability::{Colours, Found, Judgement};
 use crate::drawing::Glyphs;
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
+use crate::wording::words;
 use std::env;
 use std::io::{IsTerminal, stderr, stdin, stdout};
 use std::path::PathBuf;
-
-/// Columns of the names.
-const NAMES: usize = 17;
 
 /// Prints it; it works in a pipe as well, and without any terminal.
 pub(super) fn diagnose(args: &WorkbenchArgs) -> Result<(), Failure> {
     let (judgement, options) = (judgement(), options(args)?);
     let mut rows = Vec::new();
     for (name, value) in judgement.variables() {
-        rows.push((name, value.map_or_else(|| "not set".into(), quoted)));
+        rows.push((name, value.map_or_else(|| words().not_set().into(), quoted)));
     }
     rows.extend(streams());
     rows.extend(Terminal::find().map_or_else(no_terminal, |found| about(&found)));
     rows.extend(chosen(&judgement, &options));
     rows.push((
-        "configuration",
+        words().row_configuration(),
         place("XDG_CONFIG_HOME", ".config", "config.toml"),
     ));
-    rows.push(("state", place("XDG_STATE_HOME", ".local/state", "")));
+    rows.push((
+        words().row_state(),
+        place("XDG_STATE_HOME", ".local/state", ""),
+    ));
     let mut text = format!("krank {}\n", env!("CARGO_PKG_VERSION"));
+    let longest = rows.iter().map(|(name, _)| name.chars().count()).max();
+    let names = longest.unwrap_or(0) + 2;
     for (name, what) in rows {
-        text += &format!("{name:NAMES$}{}\n", sanitized(&what, true));
+        text += &format!("{name:names$}{}\n", sanitized(&what, true));
     }
     write_text(None, &text)
 }
@@ -48,38 +51,42 @@ type Row = (&'static str, String);
 fn streams() -> [Row; 3] {
     let of = |is_terminal: bool| {
         let what = if is_terminal {
-            "a terminal"
+            words().a_terminal()
         } else {
-            "no terminal"
+            words().no_terminal()
         };
         what.to_owned()
     };
     [
-        ("standard input", of(stdin().is_terminal())),
-        ("standard output", of(stdout().is_terminal())),
-        ("standard error", of(stderr().is_terminal())),
+        (words().standard_input(), of(stdin().is_terminal())),
+        (words().standard_output(), of(stdout().is_terminal())),
+        (words().standard_error(), of(stderr().is_terminal())),
     ]
 }
 
 fn no_terminal() -> Vec<Row> {
-    vec![("screen", "there is none, and no /dev/tty either".into())]
+    vec![(words().row_screen(), words().no_screen().into())]
 }
 
 fn about(found: &Terminal) -> Vec<Row> {
     let size = match found.size {
-        (0, _) | (_, 0) => "no size is told; 80 x 24 is assumed".to_owned(),
-        (columns, rows) => format!("{columns} x {rows} characters"),
+        (0, _) | (_, 0) => words().no_size_told().to_owned(),
+        (columns, rows) => words().size_in_characters(columns, rows),
     };
     let cell = match found.cell {
-        Some((width, height)) => format!("{width} x {height} pixels"),
-        None => "no pixels are told; twice as high as wide is assumed".to_owned(),
+        Some((width, height)) => words().size_in_pixels(width, height),
+        None => words().no_pixels_told().to_owned(),
     };
     let line = match found.baud {
-        Some(baud) => format!("serial, {baud} baud: at most {} bytes a frame", baud / 40),
-        None if found.console => "a console of this machine".to_owned(),
-        None => "a pseudo-terminal; its speed is measured while frames are sent".to_owned(),
+        Some(baud) => words().serial_line(baud, baud / 40),
+        None if found.console => words().console_here().to_owned(),
+        None => words().pseudo_terminal().to_owned(),
     };
-    vec![("screen", size), ("cells", cell), ("line", line)]
+    vec![
+        (words().row_screen(), size),
+        (words().row_cells(), cell),
+        (words().row_line(), line),
+    ]
 }
 
 /// What the workbench would use, and why.
@@ -90,15 +97,15 @@ fn chosen(judgement: &Judgement, options: &Options) -> Vec<Row> {
     let colours = wished(colours, judgement.colours(), Colours::name);
     let modern = judgement.capability(None, None).map(|c| c.modern);
     let frames = match modern {
-        None => "none: TERM=dumb cannot show the workbench",
-        Some(true) => "whole at once (?2026), pasted text is marked (?2004)",
-        Some(false) => "plain; pasted text cannot be told from keys",
+        None => words().frames_none(),
+        Some(true) => words().frames_whole(),
+        Some(false) => words().frames_plain(),
     };
     vec![
-        ("glyphs", glyphs),
-        ("colours", colours),
-        ("theme", options.theme.name().to_owned()),
-        ("frames", frames.to_owned()),
+        (words().glyphs(), glyphs),
+        (words().colours(), colours),
+        (words().row_theme(), options.theme.name().to_owned()),
+        (words().row_frames(), frames.to_owned()),
     ]
 }
 
@@ -109,12 +116,7 @@ fn wished<T: Copy + PartialEq>(
 ) -> String {
     match wish {
         None => format!("{}: {}", name(found.value), found.why),
-        Some(wish) => format!(
-            "{}: asked for; else {}: {}",
-            name(wish),
-            name(found.value),
-            found.why
-        ),
+        Some(wish) => words().asked_for(name(wish), name(found.value), &found.why),
     }
 }
 
@@ -135,13 +137,12 @@ fn place(variable: &str, below_home: &str, file: &str) -> String {
         Some(PathBuf::from(home).join(below_home))
     });
     let Some(folder) = folder else {
-        return format!("nowhere: neither {variable} nor HOME is set");
+        return words().nowhere_to_be(variable);
     };
     let path = folder.join("krank").join(file);
-    let there = if path.exists() {
-        ""
-    } else {
-        " (there is none)"
-    };
-    format!("{}{there}", path.display())
+    let shown = path.display().to_string();
+    match path.exists() {
+        true => shown,
+        false => words().there_is_none(&shown),
+    }
 }

@@ -12,6 +12,7 @@ use crate::nearest::nearest;
 use crate::quantity::Catalogue;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State};
+use crate::wording::words;
 use crate::{Mechanism, PointId};
 
 /// Columns of an SVG, and the rows that it has at most.
@@ -28,10 +29,7 @@ pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
     match solver.solve(at, Order::Acceleration, &mut state) {
         Condition::NoAssembly => return Err(out_of_reach(&scene, &solver, at)),
         Condition::DeadPoint if args.velocities.is_some() || args.accelerations.is_some() => {
-            note(
-                "there are no arrows: at a dead point there are no rates",
-                screen,
-            );
+            note(words().no_arrows(), screen);
         }
         Condition::DeadPoint | Condition::Ok | Condition::ChangePoint => {}
     }
@@ -99,7 +97,7 @@ impl<'a> Picture<'a> {
         };
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
-        let title = format!("{} at {at} {unit}", self.scene.name);
+        let title = words().drawing_of(&self.scene.name, &at, unit);
         drawing::svg(
             &self.figure,
             &view,
@@ -158,9 +156,9 @@ fn point(scene: &Scene, option: &str, name: &str) -> Result<PointId, Failure> {
         let names = scene.mechanism.point_ids();
         let names = names.filter_map(|id| scene.point_name(id));
         let mend = match nearest(name, names) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None => "`krank check SCENE` names the points".into(),
+            Some(meant) => words().did_you_mean(meant),
+            None => words().check_names_points().into(),
         };
-        Failure::Usage(format!("{option}: the scene has no point `{name}`; {mend}"))
+        Failure::Usage(words().no_point(option, name, &mend))
     })
 }

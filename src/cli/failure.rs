@@ -2,6 +2,7 @@
 
 use super::screen::Screen;
 use crate::scene::{Diagnostics, sanitized};
+use crate::wording::words;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -38,9 +39,9 @@ impl Failure {
             Failure::PipeClosed => return,
             Failure::Scene(diagnostics) => diagnostics.render(screen.ascii, screen.colour),
             Failure::Usage(message) | Failure::Cannot(message) => error(message, screen),
-            Failure::Output(None, e) => error(&format!("cannot write the results: {e}"), screen),
+            Failure::Output(None, e) => error(&words().cannot_write_results(e), screen),
             Failure::Output(Some(path), e) => {
-                error(&format!("cannot write `{}`: {e}", path.display()), screen)
+                error(&words().cannot_write(&path.display(), e), screen)
             }
         };
         say(&text);
@@ -48,12 +49,12 @@ impl Failure {
 }
 
 fn error(message: &str, screen: Screen) -> String {
-    format!("error: {}\n", sanitized(message, screen.ascii))
+    words().error(&sanitized(message, screen.ascii)) + "\n"
 }
 
 /// A note on standard error: something the reader of the results should know.
 pub(super) fn note(message: &str, screen: Screen) {
-    say(&format!("note: {}\n", sanitized(message, screen.ascii)));
+    say(&(words().note(&sanitized(message, screen.ascii)) + "\n"));
 }
 
 /// Text for standard error.

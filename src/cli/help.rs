@@ -9,6 +9,7 @@ use crate::manual::{self, Kind, TOPICS, Topic};
 use crate::nearest::nearest;
 #[cfg(feature = "tui")]
 use crate::tui::key_rows;
+use crate::wording::words;
 use clap::{Command, CommandFactory};
 
 /// Columns where nobody tells how many there are.
@@ -53,10 +54,12 @@ fn contents() -> String {
     let commands = krank.get_subcommands().filter(|c| !c.is_hide_set());
     let commands = commands.map(|c| (c.get_name(), about(c)));
     format!(
-        "# Topics: krank help TOPIC\n\n| | |\n|---|---|\n{}\n# Commands: krank help COMMAND\n\n| | |\n|---|---|\n{}\n\
-         `krank --help` tells of the workbench and its options.\n",
+        "# {}\n\n| | |\n|---|---|\n{}\n# {}\n\n| | |\n|---|---|\n{}\n{}\n",
+        words().topics_heading(),
         rows(topics.collect()),
+        words().commands_heading(),
         rows(commands.collect()),
+        words().help_of_workbench(),
     )
 }
 
@@ -80,13 +83,12 @@ fn of_command(word: &str) -> Result<String, Failure> {
 fn unknown(word: &str, krank: &Command) -> Failure {
     let topics = || TOPICS.iter().map(|topic: &Topic| topic.name);
     let commands = krank.get_subcommands().map(Command::get_name);
-    let mend = nearest(word, topics().chain(commands))
-        .map_or_else(String::new, |near| format!("did you mean `{near}`? "));
-    let topics: Vec<_> = topics().collect();
-    Failure::Usage(format!(
-        "there is no topic and no command `{word}`; {mend}the topics are {}",
-        topics.join(", ")
-    ))
+    let near = nearest(word, topics().chain(commands));
+    let topics = topics().collect::<Vec<_>>().join(", ");
+    Failure::Usage(match near {
+        Some(near) => words().no_topic_but_near(word, near, &topics),
+        None => words().no_topic_and_no_command(word, &topics),
+    })
 }
 
 /// Without the workbench there are no keys.

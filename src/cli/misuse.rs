@@ -2,6 +2,7 @@
 
 use super::args::Cli;
 use super::source::meant_command;
+use crate::wording::words;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Error};
 use std::ffi::OsString;
@@ -26,15 +27,11 @@ fn second_word(error: &Error, arguments: &[OsString]) -> Option<String> {
         return None;
     };
     if Cli::command().find_subcommand(second).is_some() {
-        return Some(format!("the command comes first: `krank {second} SCENE`"));
+        return Some(words().command_comes_first(second));
     }
     let first = arguments.get(1)?.to_string_lossy();
     Some(match meant_command(&first) {
-        Some(command) => {
-            format!("there is no command `{first}`; did you mean the command `{command}`?")
-        }
-        None => format!(
-            "`{second}` is too much: krank opens one scene, and `krank --help` names its commands"
-        ),
+        Some(command) => words().no_such_command(&first, &command),
+        None => words().one_scene_alone(second),
     })
 }

@@ -33,6 +33,7 @@ mod workbench;
 
 use crate::files::mend;
 use crate::scene::sanitized;
+use crate::wording::words;
 use args::{Cli, Command};
 use clap::Parser;
 use failure::Failure;
@@ -68,11 +69,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 /// A kill while a file was written in its place has left half of each text there.
 fn complete_what_was_cut_off(screen: Screen) {
     for file in output::records().iter().flat_map(|folder| mend(folder)) {
-        let name = file.display();
-        failure::note(
-            &format!("`{name}` was cut off while it was written, and is whole again"),
-            screen,
-        );
+        failure::note(&words().file_was_mended(&file.display()), screen);
     }
 }
 

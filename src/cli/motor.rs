@@ -12,7 +12,9 @@ use crate::report::{MotorReport, MotorWishes, limits_text};
 use crate::scene::{Motor, Scene};
 use crate::solver::{Range, Solver};
 use crate::study::motor::{Duty, NoDuty, is_within};
+use crate::wording::words;
 use crate::{Body, SlideId};
+use std::fmt::Display;
 
 pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
     let Opened { scene, solver } = args.scene.open_for(&args.output)?;
@@ -34,9 +36,9 @@ pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
     match &report.duty {
         Ok(_) | Err(NoDuty::Withheld(_)) => {}
         Err(NoDuty::NothingActs) if args.format == Format::Csv || report.ram.is_err() => {
-            return Err(Failure::Cannot(NOTHING_ACTS.into()));
+            return Err(Failure::Cannot(words().nothing_acts_on_it().into()));
         }
-        Err(NoDuty::NothingActs) => note(NOTHING_ACTS, screen),
+        Err(NoDuty::NothingActs) => note(words().nothing_acts_on_it(), screen),
     }
     match args.format {
         Format::Text => write_text(output, &report.to_text(screen.ascii))?,
@@ -56,12 +58,13 @@ pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
 /// What the scene says of its motor, where no option says otherwise.
 fn given(args: &MotorArgs, scene: &Scene) -> Result<Motor, Failure> {
     let known = scene.motor.unwrap_or_default();
+    let wrong = |why: &dyn Display| Failure::Usage(words().of_option("--speed", why));
     let speed = match &args.speed {
         None => known.speed,
         Some(text) => match scene.speed(text) {
             Ok(speed) if speed > 0.0 => Some(speed),
-            Ok(_) => return Err(Failure::Usage("--speed: it must be greater than 0".into())),
-            Err(why) => return Err(Failure::Usage(format!("--speed: {why}"))),
+            Ok(_) => return Err(wrong(&words().must_be_positive())),
+            Err(why) => return Err(wrong(&why)),
         },
     };
     let motor = Motor {
@@ -80,13 +83,10 @@ fn refused(motor: &Motor) -> Option<String> {
     if let (Some(rated), Some(peak)) = (motor.rated, motor.peak)
         && peak < rated
     {
-        return Some(format!(
-            "--peak: {peak} is less than the rated {rated}; the peak is what the motor gives for a short while, at least as much as without end"
-        ));
+        return Some(words().peak_less_than_rated(peak, rated));
     }
-    motor.fluctuation.filter(|share| *share > 1.0).map(|share| {
-        format!("--fluctuation: {share} is above 1; it is (greatest - least) / mean of the speed: 0.02 is 2 %")
-    })
+    let uneven = motor.fluctuation.filter(|share| *share > 1.0);
+    uneven.map(|share| words().fluctuation_above_one(share))
 }
 
 /// The slide that is meant.
@@ -96,20 +96,16 @@ fn ram(scene: &Scene, name: &str) -> Result<SlideId, Failure> {
     let on_ground = |id: &SlideId| mechanism.slide(*id).on == Body::Ground;
     match all.find(|&id| scene.slide_name(id) == name) {
         Some(slide) if on_ground(&slide) => Ok(slide),
-        Some(_) => Err(Failure::Usage(format!(
-            "--ram: the guide of `{name}` is not on the ground; a ram's is"
-        ))),
+        Some(_) => Err(Failure::Usage(words().guide_of_ram_moves(name))),
         None => {
             let names = mechanism.slide_ids().filter(on_ground);
             let names: Vec<&str> = names.map(|id| scene.slide_name(id)).collect();
             let mend = match nearest(name, names.iter().copied()) {
-                Some(near) => format!("did you mean `{near}`?"),
-                None if names.is_empty() => "no slide has its guide on the ground".into(),
-                None => format!("there are {}", names.join(", ")),
+                Some(near) => words().did_you_mean(near),
+                None if names.is_empty() => words().no_slide_on_ground().into(),
+                None => words().there_are(&names.join(", ")),
             };
-            Err(Failure::Usage(format!(
-                "--ram: no slide is named `{name}`; {mend}"
-            )))
+            Err(Failure::Usage(words().no_slide_named(name, &mend)))
         }
     }
 }
@@ -138,18 +134,15 @@ fn between(
     };
     let (low, high) = (from.min(to), from.max(to));
     if low == high || !(high - low).is_finite() {
-        return Err(Failure::Usage(
-            "--from and --to must be finite and differ: the driver goes from one to the other and back"
-                .into(),
-        ));
+        return Err(Failure::Usage(words().must_go_from_one_to_another().into()));
     }
     match range {
         Range::Limited { .. } if !is_within(range, low, high) => {
             let catalogue = Catalogue::new(scene);
             let covers = limits_text(range, catalogue.driver());
-            Err(Failure::Cannot(format!(
-                "--from {from} --to {to} leads out of the motion: the driver covers {covers}"
-            )))
+            Err(Failure::Cannot(
+                words().leads_out_of_motion(from, to, &covers),
+            ))
         }
         Range::Limited { .. } | Range::Full { .. } => Ok(Some((low, high))),
     }
@@ -159,19 +152,14 @@ fn between(
 fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: Screen) {
     let asked = args.ram.is_some() || args.height.is_some() || args.torque.is_some();
     if let (true, Err(why)) = (asked || args.tolerance.is_some(), &report.ram) {
-        note(&format!("no ram: {why}; --ram names one"), screen);
+        note(&words().no_ram(why), screen);
     }
 }
-
-/// Alone it is a failure: there is nothing to tell. A ram is something.
-const NOTHING_ACTS: &str = "nothing acts on the mechanism: it has no load, spring or mass; [[loads]] in the scene, or `mass` of a link, would";
 
 /// A study whose integrals cannot be believed has failed, though its figures are there to be looked at.
 fn judge(duty: &Duty) -> Result<(), Failure> {
     if duty.cycle.has_converged() {
         return Ok(());
     }
-    Err(Failure::Cannot(
-        "what the driver must do has no integrals that can be believed over this cycle".into(),
-    ))
+    Err(Failure::Cannot(words().no_believable_integrals().into()))
 }

@@ -2,14 +2,12 @@
 
 use super::args::{USUAL_SCENE, WorkbenchArgs};
 use super::failure::Failure;
+use crate::wording::words;
 use std::path::Path;
 
 /// Says that there is none, and what to use instead.
 pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
     let scene = args.scene.as_deref().unwrap_or(Path::new(USUAL_SCENE));
     let scene = scene.display();
-    Err(Failure::Usage(format!(
-        "this krank was built without the workbench (the feature `tui`); \
-         `krank table {scene}` prints the tables"
-    )))
+    Err(Failure::Usage(words().no_workbench(&scene)))
 }

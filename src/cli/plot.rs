@@ -13,6 +13,7 @@ use crate::drawing::plot::{Look, Plot};
 use crate::quantity::{Abscissa, Catalogue, Curves, Quantity, UnknownColumn};
 use crate::report::limits_text;
 use crate::solver::{Condition, Range};
+use crate::wording::words;
 
 /// An SVG where no size was asked for, and the size of a character in its units.
 const SVG: Size = Size {
@@ -30,15 +31,15 @@ pub(super) fn plot(args: &PlotArgs, screen: Screen) -> Result<(), Failure> {
         .filter(|q| q != catalogue.driver())
         .collect();
     if figures.is_empty() {
-        return Err(Failure::Usage(
-            "--columns: these are no figures to plot; C.vx or r4.omega would be".into(),
-        ));
+        return Err(Failure::Usage(words().no_figures_to_plot().into()));
     }
     let abscissa = abscissa(&catalogue, &args.against)?;
     let range = solver.motion().range;
     let window = window(args, range)?;
-    let curves = Curves::new(&scene, &solver, &figures, abscissa, window)
-        .map_err(|e| Failure::Cannot(format!("--against time: {e}")))?;
+    let curves = Curves::new(&scene, &solver, &figures, abscissa, window).map_err(|e| {
+        let option = format!("--against {}", args.against.trim());
+        Failure::Cannot(words().of_option(&option, &e))
+    })?;
     judge(&curves, &limits_text(range, catalogue.driver()), screen)?;
     tell_of_near_misses(&scene, &solver, screen);
     let drawn = Plot::of(&curves);
@@ -71,17 +72,12 @@ fn text(args: &PlotArgs, plot: &Plot, screen: Screen) -> Result<String, Failure>
         first: 0,
     };
     if !plot.fits(&look) {
-        return Err(Failure::Usage(format!(
-            "--size: {cols}x{rows} is too small for a plot; 40x12 is enough for one panel"
-        )));
+        return Err(Failure::Usage(words().too_small_for_plot(cols, rows)));
     }
     let hidden = plot.panels.len() - plot.panels_in(look.rows);
     if hidden > 0 {
         let all = plot.least_rows();
-        note(
-            &format!("{hidden} more panels have no room: --size {cols}x{all} shows all"),
-            screen,
-        );
+        note(&words().panels_without_room(hidden, cols, all), screen);
     }
     Ok(plot.render(&look, None).text())
 }
@@ -95,14 +91,11 @@ fn abscissa(catalogue: &Catalogue, name: &str) -> Result<Abscissa, Failure> {
     if name == "time" {
         return Ok(Abscissa::Time);
     }
-    let unknown = |e: UnknownColumn| Failure::Usage(format!("--against: {e}"));
+    let unknown = |e: UnknownColumn| Failure::Usage(words().of_option("--against", &e));
     let mut named = catalogue.select(&[name]).map_err(unknown)?;
     match (named.pop(), named.len()) {
         (Some(figure), 0) => Ok(Abscissa::Figure(figure)),
-        (_, more) => Err(Failure::Usage(format!(
-            "--against: `{name}` names {} figures, and one stands along x",
-            more + 1
-        ))),
+        (_, more) => Err(Failure::Usage(words().one_along_x(name, more + 1))),
     }
 }
 
@@ -114,9 +107,7 @@ fn window(args: &PlotArgs, range: Range) -> Result<Option<(f64, f64)>, Failure> 
     let from = args.from.map_or(first(range, false), |from| from.value());
     let to = args.to.map_or(last(range, false, from), |to| to.value());
     if from == to {
-        return Err(Failure::Usage(format!(
-            "--from and --to are both {from}: there is no way between to plot over"
-        )));
+        return Err(Failure::Usage(words().no_way_between(from)));
     }
     Ok(Some((from, to)))
 }
@@ -127,20 +118,15 @@ fn judge(curves: &Curves, range: &str, screen: Screen) -> Result<(), Failure> {
     let outside = |c: &&Condition| **c == Condition::NoAssembly;
     let outside = curves.conditions.iter().filter(outside).count();
     if outside == all {
-        return Err(Failure::Cannot(format!(
-            "no place of the plot lies within the motion: the driver covers {range}"
-        )));
+        return Err(Failure::Cannot(words().plot_outside(range)));
     }
     if outside > 0 {
-        note(
-            &format!("a part of the plot lies outside the motion: the driver covers {range}"),
-            screen,
-        );
+        note(&words().plot_partly_outside(range), screen);
     }
     for curve in &curves.curves {
         if curve.values.iter().all(Option::is_none) {
             let name = &curve.quantity.name;
-            note(&format!("{name} has no value anywhere"), screen);
+            note(&words().has_no_value_anywhere(name), screen);
         }
     }
     Ok(())

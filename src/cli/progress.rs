@@ -7,6 +7,7 @@
 
 use super::failure::say;
 use super::screen::Screen;
+use crate::wording::words;
 use rustix::process::getpgrp;
 use rustix::termios::{tcgetpgrp, tcgetwinsize};
 use signal_hook::consts::{SIGINT, SIGQUIT, SIGTERM};
@@ -154,7 +155,7 @@ impl Counted {
         let percent = format!("{percent:3} %");
         let left = format!("  {}", self.left());
         let (done, total) = (in_groups(self.done), in_groups(self.total));
-        let count = format!("  {done} of {total} {}", self.unit);
+        let count = format!("  {}", words().done_of(&done, &total, self.unit));
         let room = width.saturating_sub(FREE);
         let all = format!("{percent}{count}{left}");
         let tails = [all, percent.clone() + &left, percent];
@@ -185,11 +186,11 @@ impl Counted {
         let seconds = (self.elapsed.as_secs_f64() * rest / self.done.max(1) as f64).ceil();
         let (minutes, hours) = ((seconds / 60.0).floor(), (seconds / 3600.0).floor());
         if minutes < 1.0 {
-            format!("{seconds} s left")
+            words().seconds_left(seconds)
         } else if hours < 1.0 {
-            format!("{minutes} min {} s left", seconds % 60.0)
+            words().minutes_left(minutes, seconds % 60.0)
         } else {
-            format!("{hours} h {} min left", minutes % 60.0)
+            words().hours_left(hours, minutes % 60.0)
         }
     }
 }

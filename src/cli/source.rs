@@ -9,6 +9,7 @@ use crate::nearest::nearest;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{LARGEST_FILE, Scene};
 use crate::solver::{Fault, Plan, Solver};
+use crate::wording::words;
 use clap::{Command, CommandFactory};
 use std::io::{self, stdin};
 use std::path::{Path, PathBuf, is_separator};
@@ -56,7 +57,7 @@ fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
         return Solver::new(&scene.mechanism).map_err(|fault| broken(&fault));
     }
     let plan = Plan::of(&scene.mechanism).map_err(|fault| broken(&fault))?;
-    let misread = |e| Failure::Usage(format!("--assembly: {e}"));
+    let misread = |e| Failure::Usage(words().of_option("--assembly", &e));
     let picks = scene.picks(&plan, wishes).map_err(misread)?;
     Solver::with_assembly(&scene.mechanism, &picks).map_err(|fault| {
         // The scene is sound if it opens without the wish: then it cannot fulfil that.
@@ -66,7 +67,8 @@ fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
         let wishes: Vec<String> = wishes.iter().map(ToString::to_string).collect();
         let fault = scene.explain(&fault);
         let why = fault.first_words();
-        Failure::Cannot(format!("--assembly {}: {why}", wishes.join(",")))
+        let option = format!("--assembly {}", wishes.join(","));
+        Failure::Cannot(words().of_option(&option, &why))
     })
 }
 
@@ -88,7 +90,7 @@ fn read(source: &Source) -> Result<Scene, Failure> {
         Source::Preset(preset) => Scene::parse(preset.text, preset.name),
         Source::Stdin => {
             let bytes = limited(stdin(), LARGEST_FILE);
-            let bytes = bytes.map_err(|e| unreadable("standard input", &e))?;
+            let bytes = bytes.map_err(|e| unreadable(words().standard_input(), &e))?;
             Scene::read(&bytes, "stdin")
         }
         Source::File(path) => {
@@ -110,14 +112,12 @@ fn keep_apart(source: &Source, output: Option<&Path>) -> Result<(), Failure> {
     };
     match is_same_file(read, output::file(output)) {
         false => Ok(()),
-        true => Err(Failure::Usage(
-            "the output is the scene that is read: it would be lost; write to another file".into(),
-        )),
+        true => Err(Failure::Usage(words().output_is_the_scene().into())),
     }
 }
 
 fn unreadable(what: &str, error: &io::Error) -> Failure {
-    Failure::Usage(format!("cannot read {what}: {error}"))
+    Failure::Usage(words().cannot_read(what, error))
 }
 
 /// A file wins over a preset only by path: a bare name that is a preset means the preset.
@@ -141,10 +141,10 @@ fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<Source, Failure
 
 fn unknown(name: &str) -> Failure {
     let mend = meant_command(name)
-        .map(|command| format!("did you mean the command `{command}`?"))
-        .or_else(|| meant_preset(name).map(|p| format!("did you mean the preset `{p}`?")))
-        .unwrap_or_else(|| "`krank list` names the presets".into());
-    Failure::Usage(format!("there is no preset and no file `{name}`; {mend}"))
+        .map(|command| words().did_you_mean_command(&command))
+        .or_else(|| meant_preset(name).map(|p| words().did_you_mean_preset(p)))
+        .unwrap_or_else(|| words().list_names_presets().into());
+    Failure::Usage(words().no_preset_and_no_file(name, &mend))
 }
 
 /// The command that was probably meant: a mistyped one is read as the name of a scene.

@@ -15,6 +15,7 @@ use crate::report::{
 use crate::scene::Scene;
 use crate::solver::{Order, Range};
 use crate::study::motor;
+use crate::wording::words;
 
 /// A pushed slide takes the largest step of 1, 2 or 5 times a power of ten that gives at least so
 /// many steps over the sweep.
@@ -50,7 +51,12 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
         format,
     };
     let path = args.output.output.as_deref();
-    let mut progress = Progress::new(steps.count(), "rows", screen, goes_to_terminal(path));
+    let mut progress = Progress::new(
+        steps.count(),
+        words().rows(),
+        screen,
+        goes_to_terminal(path),
+    );
     let outcome = write_to(path, |out| {
         sweep.write(out, &mut |rows| progress.tell(rows))
     });
@@ -61,11 +67,10 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     judge(&outcome, &limits_text(range, driver), screen)?;
     match &outcome.first_hidden {
         None => Ok(()),
-        Some(first) => Err(Failure::Cannot(format!(
-            "in {} of {} rows figures are withheld; {}",
+        Some(first) => Err(Failure::Cannot(words().rows_withheld(
             outcome.hidden,
             outcome.rows,
-            first.text(&driver.unit)
+            &first.text(&driver.unit),
         ))),
     }
 }
@@ -81,7 +86,7 @@ pub(super) fn figures(
     }
     let patterns = patterns.iter().map(|p| p.trim());
     let named: Vec<_> = patterns.filter(|p| *p != "state").collect();
-    let unknown = |e: UnknownColumn| Failure::Usage(format!("--columns: {e}"));
+    let unknown = |e: UnknownColumn| Failure::Usage(words().of_option("--columns", &e));
     catalogue.select(&named).map_err(unknown)
 }
 
@@ -98,17 +103,10 @@ fn judge(outcome: &Outcome, range: &str, screen: Screen) -> Result<(), Failure> 
         return Ok(());
     }
     if valued == 0 {
-        return Err(Failure::Cannot(format!(
-            "no row of the sweep lies within the motion: the driver covers {range}"
-        )));
+        return Err(Failure::Cannot(words().no_row_in_motion(range)));
     }
     let outside = rows - valued;
-    note(
-        &format!(
-            "{outside} of {rows} rows lie outside the motion and have no values: the driver covers {range}"
-        ),
-        screen,
-    );
+    note(&words().rows_outside(outside, rows, range), screen);
     Ok(())
 }
 
@@ -117,7 +115,10 @@ fn note_missing(missing: Missing, valued: u64, screen: Screen) {
     note_unproved(missing.unproved, missing.figures, screen);
     if missing.unanswered > 0 {
         let rows = missing.unanswered;
-        note(&format!("in {rows} of {valued} rows {NO_ANSWER}"), screen);
+        note(
+            &words().rows_without_answer(rows, valued, NO_ANSWER),
+            screen,
+        );
     }
 }
 
@@ -159,7 +160,7 @@ fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
 
 /// Limits are finite, so that they have a decimal.
 fn decimal(value: f64) -> Result<Decimal, Failure> {
-    Decimal::of(value).ok_or_else(|| Failure::Cannot("the motion has no finite limits".into()))
+    Decimal::of(value).ok_or_else(|| Failure::Cannot(words().no_finite_limits().into()))
 }
 
 /// Where a sweep begins that was not told.

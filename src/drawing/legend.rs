@@ -7,6 +7,7 @@
 use super::arrow;
 use super::figure::Role;
 use super::render::Glyphs;
+use crate::wording::words;
 
 /// An entry of a legend.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,7 +49,7 @@ impl LegendEntry {
                 text: format!("{letter} {} {unit}", plain(value)),
                 cells: value * cells_each,
             },
-            None => LegendEntry::Note(format!("{letter} 0: the driver stands still")),
+            None => LegendEntry::Note(words().arrows_without_scale(letter)),
         }
     }
 

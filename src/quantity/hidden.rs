@@ -2,6 +2,7 @@
 
 use super::{Aspect, Quantity, Share, Subject};
 use crate::solver::{Check, Order, State, Withheld};
+use crate::wording::words;
 
 /// Why some figures of a state are not shown.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,24 +73,18 @@ impl Hidden {
     /// The reason in a sentence without its full stop; `unit` is that of the driver's coordinate.
     #[must_use]
     pub fn text(&self, unit: &str) -> String {
-        let at = format!("at {} {unit}", self.at);
+        let at = format!("{} {unit}", self.at);
         match &self.why {
             Reason::Unbalanced {
                 residual: [name, unit],
                 missed,
                 most,
-            } => format!(
-                "the forces {at} are withheld: {name} is {missed:.1e} {unit}, and rounding explains no more than \
-                 {most:.1e}; two ways to find them disagree, which is a fault of krank and not of the scene: please \
-                 report it"
-            ),
-            Reason::Forces => format!(
-                "the forces {at} are withheld: some are too large for a number; choose ordinary speeds, masses and \
-                 loads"
-            ),
-            Reason::Figure(name) => {
-                format!("{name} {at} is too large for a number; choose ordinary lengths and speeds")
+            } => {
+                let [missed, most] = [missed, most].map(|size| format!("{size:.1e}"));
+                words().forces_disagree(&at, name, &format!("{missed} {unit}"), &most)
             }
+            Reason::Forces => words().forces_too_large(&at),
+            Reason::Figure(name) => words().figure_too_large(name, &at),
         }
     }
 }

@@ -17,8 +17,11 @@ use english::*;
 /// Every sentence, in one language.
 pub(crate) trait Words:
     Actions
+    + Commands
     + Configuration
     + Editing
+    + Faults
+    + Figures
     + Files
     + Helping
     + Hints
@@ -27,6 +30,7 @@ pub(crate) trait Words:
     + Picking
     + Plots
     + Taking
+    + Terminals
     + Tour
     + Views
 {

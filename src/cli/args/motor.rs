@@ -1,6 +1,7 @@
 //! The motor over a cycle.
 
 use super::{Format, OutputArgs, SceneArgs};
+use crate::wording::words;
 use clap::Args;
 
 #[derive(Debug, Args)]
@@ -59,13 +60,15 @@ pub(in crate::cli) struct MotorArgs {
 
 fn positive(text: &str) -> Result<f64, String> {
     let value = not_negative(text)?;
-    let wrong = || "it must be greater than 0".to_owned();
+    let wrong = || words().must_be_positive().to_owned();
     (value > 0.0).then_some(value).ok_or_else(wrong)
 }
 
 fn not_negative(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "it must be a number".to_owned())?;
-    let wrong = || "it must be a finite number that is not negative".to_owned();
+    let value: f64 = text
+        .parse()
+        .map_err(|_| words().must_be_a_number().to_owned())?;
+    let wrong = || words().must_not_be_negative().to_owned();
     (value.is_finite() && value >= 0.0)
         .then_some(value)
         .ok_or_else(wrong)

@@ -2,6 +2,7 @@
 
 use super::{OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::Decimal;
+use crate::wording::words;
 use clap::{Args, ValueEnum};
 use std::str::FromStr;
 
@@ -51,9 +52,7 @@ impl FromStr for Size {
                 rows: side(rows)?,
             })
         });
-        size.ok_or_else(|| {
-            format!("columns x rows are meant, such as 80x24, each 1 to {LARGEST_SIDE}")
-        })
+        size.ok_or_else(|| words().size_is_meant(&LARGEST_SIDE))
     }
 }
 

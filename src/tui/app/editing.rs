@@ -3,8 +3,7 @@
 
 use super::super::views::Need;
 use super::{App, Mode};
-use crate::Input;
-use crate::scene::{Measure, Value};
+use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::commands::line::Line;
 use crate::tui::document::edited::{self, Edited};
@@ -106,10 +105,7 @@ impl App {
 
     /// Whether a value is where the driver opens: then the linkage follows it there.
     fn is_opening(&self, value: &Value) -> bool {
-        let key = match self.player.open_scene.scene().mechanism.driver().input {
-            Input::Turn(_) => "angle",
-            Input::Push(_) => "position",
-        };
+        let key = coordinate_key(&self.player.open_scene.scene().mechanism);
         value.name.strip_prefix("driver ") == Some(key)
     }
 

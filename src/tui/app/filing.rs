@@ -161,7 +161,7 @@ impl App {
             }
             Err(faults) => {
                 let fault = faults.first_words();
-                self.shell.say(words().is_broken_not_shown(name, &fault));
+                self.shell.say(words().is_broken_not_shown(name, fault));
             }
         }
     }

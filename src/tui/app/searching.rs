@@ -144,7 +144,7 @@ impl App {
         let moving = followed::moving(self.player.open_scene.scene(), part, row);
         if moving.is_empty() {
             let name = part.name(self.player.open_scene.tables(), row);
-            self.shell.say(words().never_moves(&name));
+            self.shell.say(words().never_moves(name));
             return;
         }
         let all = moving

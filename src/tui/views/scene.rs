@@ -193,7 +193,7 @@ impl Columns {
             print(buffer, area.x, area.y, area.width, text, style);
             return;
         };
-        let nudge = words().nudge_by(&editor.notch().to_string(), &value.unit);
+        let nudge = words().nudge_by(&editor.notch().to_string(), value.unit);
         print(buffer, area.x + CURSOR, area.y, area.width, &nudge, style);
         // A narrow list has no column for what is in the file.
         let is_wide = area.width >= self.width();

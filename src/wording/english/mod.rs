@@ -1,8 +1,11 @@
 //! English: the sentences by what they are about.
 
 mod actions;
+mod commands;
 mod configuration;
 mod editing;
+mod faults;
+mod figures;
 mod files;
 mod helping;
 mod hints;
@@ -11,12 +14,16 @@ mod offering;
 mod picking;
 mod plots;
 mod taking;
+mod terminals;
 mod tour;
 mod views;
 
 pub(super) use actions::Actions;
+pub(super) use commands::Commands;
 pub(super) use configuration::Configuration;
 pub(super) use editing::Editing;
+pub(super) use faults::Faults;
+pub(super) use figures::Figures;
 pub(super) use files::Files;
 pub(super) use helping::Helping;
 pub(super) use hints::Hints;
@@ -25,6 +32,7 @@ pub(super) use offering::Offering;
 pub(super) use picking::Picking;
 pub(super) use plots::Plots;
 pub(super) use taking::Taking;
+pub(super) use terminals::Terminals;
 pub(super) use tour::Tour;
 pub(super) use views::Views;
 

@@ -1,0 +1,171 @@
+//! Every sentence stands in the catalogue: in the rooms of [`SAID`] no text outside `wording` has two words.
+
+use super::{files, is_test, module_path, source_folder, tokens, without_tests};
+use std::fs;
+
+/// The rooms whose sentences have been moved into the catalogue.
+const SAID: [&[&str]; 26] = [
+    &["capability"],
+    &["cli"],
+    &["drawing", "legend"],
+    &["explain"],
+    &["files"],
+    &["nearest"],
+    &["quantity"],
+    &["study"],
+    &["tui", "app"],
+    &["tui", "appearance"],
+    &["tui", "commands"],
+    &["tui", "config"],
+    &["tui", "document"],
+    &["tui", "player"],
+    &["tui", "terminal"],
+    &["tui", "views", "assemblies"],
+    &["tui", "views", "help"],
+    &["tui", "views", "motion"],
+    &["tui", "views", "offer"],
+    &["tui", "views", "pane"],
+    &["tui", "views", "picker"],
+    &["tui", "views", "plots"],
+    &["tui", "views", "scene"],
+    &["tui", "views", "status"],
+    &["tui", "views", "title"],
+    &["tui", "views", "tour"],
+];
+
+/// Files in those rooms with texts that are not of the catalogue.
+const OTHERS: [&[&str]; 3] = [
+    // The help of the command line is written where its options are.
+    &["cli", "args"],
+    // What a shell is told.
+    &["cli", "pager"],
+    // An error of the library has its own text.
+    &["quantity", "catalogue"],
+];
+
+/// Whose texts nobody is told: they speak to whoever reads the code, or are compared with what others say.
+const UNSAID: [&str; 10] = [
+    "assert",
+    "assert_eq",
+    "assert_ne",
+    "debug_assert",
+    "debug_assert_eq",
+    "debug_assert_ne",
+    "expect",
+    "panic",
+    "starts_with",
+    "unreachable",
+];
+
+/// The texts of a file that are read as sentences, and stand where people would be told them.
+fn sentences(tokens: &[String]) -> Vec<&str> {
+    let at = |i: usize| tokens.get(i).map_or("", String::as_str);
+    let mut found = Vec::new();
+    let mut i = 0;
+    while i < tokens.len() {
+        i = match at(i) {
+            "#" if at(i + 1) == "[" => behind(tokens, i + 1),
+            "#" if at(i + 1) == "!" && at(i + 2) == "[" => behind(tokens, i + 2),
+            name if UNSAID.contains(&name) && at(i + 1) == "(" => behind(tokens, i + 1),
+            name if UNSAID.contains(&name) && at(i + 1) == "!" => behind(tokens, i + 2),
+            // An error's own text is the library's.
+            "Display" if at(i + 1) == "for" => behind(tokens, i + 3),
+            text => {
+                found.extend(text.strip_prefix('"').filter(|text| is_sentence(text)));
+                i + 1
+            }
+        };
+    }
+    found
+}
+
+/// Behind what the next bracket encloses.
+fn behind(tokens: &[String], from: usize) -> usize {
+    let mut depth = 0;
+    for (i, token) in tokens.iter().enumerate().skip(from) {
+        match token.as_str() {
+            "(" | "[" | "{" => depth += 1,
+            ")" | "]" | "}" => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 && matches!(token.as_str(), ")" | "]" | "}") {
+            return i + 1;
+        }
+    }
+    tokens.len()
+}
+
+/// Whether there is a blank between two words, of two letters at the least: formulas have shorter ones. What is
+/// filled in is not counted.
+fn is_sentence(text: &str) -> bool {
+    let mut depth = 0;
+    let own = text.chars().filter(|&c| {
+        depth += i32::from(c == '{');
+        let is_own = depth == 0;
+        depth -= i32::from(c == '}');
+        is_own
+    });
+    let is_letter: Vec<Option<bool>> = own
+        .map(|c| (c == ' ' || c.is_alphabetic()).then_some(c != ' '))
+        .collect();
+    let words = [true, true, false, true, true].map(Some);
+    is_letter.windows(words.len()).any(|seen| seen == words)
+}
+
+/// The first of the rooms in which a module is.
+fn room_of(path: &[String], rooms: &[&[&str]]) -> Option<usize> {
+    let holds =
+        |room: &&[&str]| path.len() >= room.len() && path.iter().zip(*room).all(|(a, b)| a == b);
+    rooms.iter().position(holds)
+}
+
+#[test]
+fn sentences_stand_in_the_catalogue() {
+    let mut found = Vec::new();
+    files(&source_folder(), &mut found);
+    let mut faults = Vec::new();
+    let mut seen = [false; SAID.len()];
+    for file in found {
+        let path = module_path(&file);
+        let Some(room) = room_of(&path, &SAID).filter(|_| room_of(&path, &OTHERS).is_none()) else {
+            continue;
+        };
+        seen[room] = true;
+        if is_test(&path) {
+            continue;
+        }
+        let tokens = without_tests(&tokens(&fs::read_to_string(&file).unwrap()));
+        let sentences = sentences(&tokens);
+        faults.extend(
+            sentences
+                .iter()
+                .map(|s| format!("{}: {s}", path.join("::"))),
+        );
+    }
+    assert_eq!(seen, [true; SAID.len()], "a room has gone");
+    assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
+}
+
+#[test]
+fn the_checker_finds_sentences_and_nothing_else() {
+    let found = |text: &str| sentences(&without_tests(&tokens(text))).len();
+    for bad in [
+        "fn f() { say(\"not written\"); }",
+        "fn f() { say(format!(\"{name} is gone\")); }",
+        "const TOLD: &str = r#\"two words\"#;",
+        "#[doc = \"no matter\"] fn f() -> &'static str { \"is said\" }",
+    ] {
+        assert_eq!(found(bad), 1, "{bad}");
+    }
+    for good in [
+        "fn f() { say(words().not_written()); } // two words",
+        "fn f() { let line = format!(\"{key} {value}\"); put(\"--unit\", \"|  |\"); }",
+        "#[error(\"two words\")] struct Fault;",
+        "fn f() { debug_assert!(x > 0, \"is positive\"); x.expect(\"is there\"); }",
+        "fn f() { is_known = message.starts_with(\"string values must be quoted\"); }",
+        "impl fmt::Display for Fault { fn f() { w.write_str(\"two words\") } }",
+        "#[cfg(test)] mod tests { fn f() { say(\"two words\"); } }",
+    ] {
+        assert_eq!(found(good), 0, "{good}");
+    }
+}
