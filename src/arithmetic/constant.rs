@@ -8,9 +8,12 @@ use super::number::Number;
 use super::vec2::Vec2;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// The last bits of a double: where all of them are zero, a person has typed a number that a double
-/// holds exactly, such as 250 or 0.625.
+/// The last bits of a double: where all of them are zero, a person may have typed a number that a double
+/// holds exactly, such as 250 or 0.625. So may one in a million of those that it does not hold.
 const LAST_BITS: u64 = (1 << 20) - 1;
+/// A rate that was given in rpm or degrees has been converted: reading, two operations and the constant
+/// pi round by less than 3.4 u in all, and u is up to two halves of an ulp.
+const CONVERSION: f64 = 7.0;
 /// Roundings in a coordinate that a program gives: it has been computed.
 const ROUNDED: f64 = 8.0;
 /// What is lost in twice the precision, with room.
@@ -41,11 +44,16 @@ pub struct Constant {
 /// How far what a person typed can be from the double that it was read as.
 #[must_use]
 pub(crate) fn typed_radius(value: f64) -> f64 {
-    if value.to_bits() & LAST_BITS == 0 {
+    if is_exact(value) {
         0.0
     } else {
         half_ulp(value)
     }
+}
+
+/// Whether what a person typed is the double that it was read as.
+fn is_exact(value: f64) -> bool {
+    value.to_bits() & LAST_BITS == 0 && Decimal::of(value).is_double
 }
 
 impl Constant {
@@ -57,6 +65,23 @@ impl Constant {
             lo: 0.0,
             radius: typed_radius(value),
             slope: 0.0,
+        }
+    }
+
+    /// A number that was given, in another unit: divided by a power of two. Where its half ulp is no double,
+    /// that of the quotient is.
+    pub(crate) fn given_in(value: f64, unit: f64) -> Constant {
+        let hi = value / unit;
+        let radius = if is_exact(value) { 0.0 } else { half_ulp(hi) };
+        Constant::new(Double::exactly(hi), radius)
+    }
+
+    /// A rate that was given in another unit and converted.
+    pub(crate) fn converted(self) -> Constant {
+        let radius = CONVERSION * half_ulp(self.hi);
+        Constant {
+            radius: if self.hi == 0.0 { 0.0 } else { radius },
+            ..self
         }
     }
 
@@ -287,7 +312,8 @@ mod tests {
         for exact in [0.0, 250.0, -0.625, 400.0, 1e6 + 1.0] {
             assert!(Constant::given(exact).off() <= TWICE * 1e7, "{exact}");
         }
-        for rounded in [0.1, 39.3, 1.000_000_001] {
+        // The last one has twenty zeros at its end.
+        for rounded in [0.1, 39.3, 1.000_000_001, 9.47615610808134] {
             let off = Constant::given(rounded).off();
             assert!(
                 off > 0.4 * U * rounded && off < 1.1 * U * rounded,

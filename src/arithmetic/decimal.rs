@@ -18,6 +18,8 @@ pub(crate) struct Decimal {
     pub(crate) rounding: f64,
     /// Whether it has 15 digits or more: a number that long was rounded by whoever typed it.
     pub(crate) is_long: bool,
+    /// Whether a double holds it, or it has more than 15 digits and is the double that it reads as.
+    pub(crate) is_double: bool,
 }
 
 impl Decimal {
@@ -29,6 +31,7 @@ impl Decimal {
             roundings: 0,
             rounding: 0.0,
             is_long: false,
+            is_double: value == 0.0,
         };
         let size = value.abs();
         // Written so that NaN and infinities are themselves, and what has no 15 digits left.
@@ -54,6 +57,7 @@ impl Decimal {
             },
             rounding: 0.5 * times_power(Double::ONE, unit).hi,
             is_long: !is_read_so || digits % 10.0 != 0.0,
+            is_double: !is_read_so || decimal.lo == 0.0,
         }
     }
 }
@@ -108,6 +112,17 @@ mod tests {
         let fifteen = Decimal::of(123.456789012345);
         assert!(fifteen.is_long && fifteen.value.lo != 0.0);
         assert!((fifteen.rounding / 5e-13 - 1.0).abs() < 1e-12);
+    }
+
+    /// The nearest doubles to the first two have twenty zeros at their ends, and are not these decimals.
+    #[test]
+    fn whether_a_double_holds_a_decimal_is_no_question_of_its_last_bits() {
+        for rounded in [9.47615610808134, 9.98348635993898, 0.1, 1e-9] {
+            assert!(!Decimal::of(rounded).is_double, "{rounded}");
+        }
+        for exact in [250.0, 0.625, -1.25, 1e6 + 1.0, 0.1 + 0.2] {
+            assert!(Decimal::of(exact).is_double, "{exact}");
+        }
     }
 
     #[test]

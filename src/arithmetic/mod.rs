@@ -20,10 +20,11 @@ mod sharp;
 mod vec2;
 
 pub use ball::Ball;
-pub(crate) use ball::INFLATION;
+pub(crate) use ball::{INFLATION, half_ulp};
 pub(crate) use both::Both;
 pub use constant::Constant;
 pub(crate) use constant::typed_radius;
+pub(crate) use decimal::Decimal;
 pub use double::Double;
 pub(crate) use double::two_sum;
 pub use dual::Dual;

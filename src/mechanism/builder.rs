@@ -24,6 +24,7 @@ pub struct Builder {
     metres: f64,
     misfit: f64,
     decimals: bool,
+    converted_rates: bool,
 }
 
 impl Default for Builder {
@@ -39,6 +40,7 @@ impl Default for Builder {
             metres: 1.0,
             misfit: 0.0,
             decimals: false,
+            converted_rates: false,
         }
     }
 }
@@ -192,6 +194,12 @@ impl Builder {
         self.decimals = true;
     }
 
+    /// Says that the driver's speed and acceleration were given in another unit and converted: bounds of errors
+    /// then cover the rounding of that.
+    pub fn converted_rates(&mut self) {
+        self.converted_rates = true;
+    }
+
     /// Checks every element by itself.
     ///
     /// # Errors
@@ -211,6 +219,7 @@ impl Builder {
                     metres: self.metres,
                     misfit: self.misfit,
                     decimals: self.decimals,
+                    converted_rates: self.converted_rates,
                 }),
             }),
             _ => Err(Defects { list: defects }),

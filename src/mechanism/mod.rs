@@ -207,6 +207,7 @@ struct Parts {
     metres: f64,
     misfit: f64,
     decimals: bool,
+    converted_rates: bool,
 }
 
 impl Mechanism {
@@ -269,6 +270,12 @@ impl Mechanism {
     #[must_use]
     pub fn misfit(&self) -> f64 {
         self.parts.misfit
+    }
+
+    /// Whether its driver's speed and acceleration were given in another unit and converted.
+    #[must_use]
+    pub fn has_converted_rates(&self) -> bool {
+        self.parts.converted_rates
     }
 
     /// Whether its lengths and coordinates stand for the decimals that they were typed as.

@@ -1,6 +1,6 @@
 //! Tables of differences: what one scene's figures are more than another's.
 
-use super::tables::{Entry, Plane, PointRow, Tables, VectorColumn, seen};
+use super::tables::{Entry, Plane, PointRow, Tables, VectorColumn, seen, seen_bound};
 use crate::Vec2;
 use crate::angle::TURN;
 use std::collections::{HashMap, HashSet};
@@ -169,12 +169,10 @@ fn turned(a: Entry, b: Entry) -> Entry {
 const ROUNDED_UP: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 fn entry(value: f64, bound: Option<f64>, given: bool) -> Entry {
-    let shown = seen(value, bound);
     Entry {
-        value: Some(shown),
+        value: Some(seen(value, bound)),
         given,
-        // What is shown as 0 is off by what was left out, too.
-        bound: bound.map(|bound| bound + (value - shown).abs()),
+        bound: seen_bound(value, bound),
     }
 }
 

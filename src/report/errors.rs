@@ -2,7 +2,7 @@
 //! alone, and apart from their way.
 
 use super::columns::{Columns, Source};
-use super::tables::seen;
+use super::tables::{seen, seen_bound};
 use crate::Ball;
 use crate::quantity::{Quantity, Sensitivity, Subject};
 use crate::scene::Scene;
@@ -59,9 +59,19 @@ impl<'a> Errors<'a> {
         for (quantity, source) in columns.quantities.iter().zip(&columns.sources) {
             cells.push(match source {
                 Source::Figure => self.figure(quantity, state),
-                Source::Bound => quantity.bound(state, &self.enclosure),
+                Source::Bound => self.bound(quantity, state),
                 Source::Sensitivity(figure) => derivatives.as_ref().and_then(|d| d.worst(*figure)),
             });
+        }
+    }
+
+    fn bound(&self, quantity: &Quantity, state: &State) -> Option<f64> {
+        let bound = quantity.bound(state, &self.enclosure);
+        match quantity.value(state) {
+            Some(value) if self.rounded && quantity.subject != Subject::Driver => {
+                seen_bound(value, bound)
+            }
+            _ => bound,
         }
     }
 

@@ -124,7 +124,11 @@ impl Forces {
         if !scene.mechanism.has_forces() {
             return None;
         }
-        let reading = Reading { state, enclosure };
+        let reading = Reading {
+            mechanism: &scene.mechanism,
+            state,
+            enclosure,
+        };
         let (joints, guides) = (joints(scene, &reading), guides(scene, &reading));
         Some(Forces {
             least: Least::new(scene, solver, state, (&joints, &guides)),

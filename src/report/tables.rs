@@ -50,6 +50,12 @@ impl Entry {
     pub fn seen(&self) -> Option<f64> {
         self.value.map(|value| seen(value, self.bound))
     }
+
+    /// What the error of the value does not exceed as a reader sees it: a zero is off by what it hides, too.
+    #[must_use]
+    pub fn seen_bound(&self) -> Option<f64> {
+        seen_bound(self.value?, self.bound)
+    }
 }
 
 /// Larger figures are shown even where the bound does not tell them from zero. Close to a change point
@@ -62,6 +68,15 @@ const NOTHING: f64 = 1e-15;
 pub(super) fn seen(value: f64, bound: Option<f64>) -> f64 {
     let nought = value.abs() <= bound.map_or(NOTHING, |bound| bound.min(NOISE));
     if nought { 0.0 } else { value }
+}
+
+/// What the error of a value does not exceed as a reader sees it.
+pub(super) fn seen_bound(value: f64, bound: Option<f64>) -> Option<f64> {
+    let hidden = (value - seen(value, bound)).abs();
+    bound.map(|bound| match hidden {
+        0.0 => bound,
+        hidden => (bound + hidden).next_up(),
+    })
 }
 
 /// A vector's column in the tables: entries by [`Order`].
@@ -225,7 +240,11 @@ impl Tables {
     }
 
     fn of(scene: &Scene, state: &State, enclosure: Option<&State<Ball>>) -> Self {
-        let reading = Reading { state, enclosure };
+        let reading = Reading {
+            mechanism: &scene.mechanism,
+            state,
+            enclosure,
+        };
         let mechanism = &scene.mechanism;
         let named = scene.vectors.iter();
         let vectors = named.map(|vector| vector_column(mechanism, vector, &reading));
@@ -252,6 +271,7 @@ impl Tables {
 
 /// A state, and what is proved of its figures.
 pub(super) struct Reading<'a> {
+    pub(super) mechanism: &'a Mechanism,
     pub(super) state: &'a State,
     pub(super) enclosure: Option<&'a State<Ball>>,
 }
@@ -267,6 +287,18 @@ impl Reading<'_> {
 
     pub(super) fn bound(&self, subject: Subject, aspect: Aspect) -> Option<f64> {
         bound(subject, aspect, self.state, self.enclosure?)
+    }
+
+    /// A rate of the driver: given, but in another unit perhaps, and converted.
+    fn driver_rate(&self, aspect: Aspect, rate: f64) -> Entry {
+        let given = Entry::given(rate);
+        if !self.mechanism.has_converted_rates() {
+            return given;
+        }
+        Entry {
+            bound: self.bound(Subject::Driver, aspect),
+            ..given
+        }
     }
 }
 
@@ -340,8 +372,8 @@ fn read(subject: Subject, aspects: [Aspect; 3], known: Known, reading: &Reading<
         Known::Nothing => (entry(rate), entry(accel)),
         Known::Fixed => (Entry::given(0.0), Entry::given(0.0)),
         Known::Driven => (
-            Entry::given(state.driver_speed()),
-            Entry::given(state.driver_acceleration()),
+            reading.driver_rate(rate, state.driver_speed()),
+            reading.driver_rate(accel, state.driver_acceleration()),
         ),
     };
     [entry(position), rate, accel]
@@ -370,9 +402,18 @@ fn turning(mechanism: &Mechanism, link: LinkId, reading: &Reading<'_>) -> [Entry
     let known = known_direction(mechanism, Body::Link(link));
     let mut entries = read(Subject::Link(link), Aspect::TURNING, known, reading);
     if known == Known::Driven && entries[0].value.is_some() {
-        // As it was asked, without the detour over the direction's components.
-        entries[0].value = Some(angle::wrapped(reading.state.at()));
-        entries[0].bound = Some(0.0);
+        // As it was asked, without the detour over the direction's components; but a coordinate that is not
+        // within one turn is no longer the number that was typed.
+        let at = reading.state.at();
+        let wrapped = angle::wrapped(at);
+        let away = entries[0].value.map(|value| (value - wrapped).abs());
+        let away = away.map(|away| away.min((angle::TURN - away).abs()));
+        let bound = entries[0].bound.zip(away);
+        entries[0].value = Some(wrapped);
+        entries[0].bound = match wrapped == at {
+            true => Some(0.0),
+            false => bound.map(|(bound, away)| (bound + away) * ROUNDED_UP),
+        };
     }
     entries
 }
@@ -451,4 +492,55 @@ pub(super) fn shared_body(
         let local = |point| mechanism.link(link).local(point);
         Some((Body::Link(link), local(head)? - local(tail)?))
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+    use crate::solver::Solver;
+
+    /// The table of the lecture's four-bar with another speed, at a coordinate.
+    fn tables(speed: &str, at: f64) -> Tables {
+        let text = presets::find("four-bar").unwrap().text;
+        let text = text.replacen("15 rad/s", speed, 1);
+        let scene = Scene::parse(&text, "four-bar").unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+        let _ = solver.solve(at, Order::Acceleration, &mut state);
+        solver.enclose(&mut state, Order::Acceleration, &mut enclosure);
+        Tables::bounded(&scene, &state, &enclosure)
+    }
+
+    /// The driver's own figures are given, but not always in the form that is shown.
+    #[test]
+    fn what_is_given_in_another_form_has_the_bound_of_its_conversion() {
+        let driver = |speed: &str, at: f64| {
+            let tables = tables(speed, at);
+            tables.vectors[0]
+                .direction
+                .map(|entry| entry.bound.unwrap())
+        };
+        assert_eq!(driver("15 rad/s", 60.0), [0.0; 3]);
+        // 2 pi as a double is off by 2.4e-16, and 359.9 by 2.27373675443e-14.
+        let [angle, omega, _] = driver("60 rpm", -0.1);
+        assert!((2.273_736_754_43e-14..2e-13).contains(&angle), "{angle:e}");
+        assert!((2.4e-16..1e-14).contains(&omega), "{omega:e}");
+    }
+
+    #[test]
+    fn a_zero_is_off_by_what_it_hides() {
+        let entry = Entry {
+            value: Some(3e-17),
+            given: false,
+            bound: Some(4e-17),
+        };
+        assert_eq!(entry.seen(), Some(0.0));
+        assert!(entry.seen_bound() >= Some(7e-17));
+        let entry = Entry {
+            value: Some(5e-17),
+            ..entry
+        };
+        assert_eq!(entry.seen_bound(), entry.bound);
+    }
 }

@@ -1,6 +1,6 @@
 //! Reads the driver.
 
-use super::rate::{self, Degree, Kind, Misfit};
+use super::rate::{self, Degree, Kind, Misfit, Rate};
 use super::reader::{Name, Reader, Span};
 use super::{Unit, keys};
 use crate::Mechanism;
@@ -26,6 +26,8 @@ pub(super) struct Driver<'t> {
     pub(super) start: f64,
     pub(super) speed: f64,
     pub(super) acceleration: f64,
+    /// Whether one of these was typed in another unit.
+    pub(super) is_converted: bool,
 }
 
 #[derive(Debug)]
@@ -120,6 +122,8 @@ pub(super) fn driver<'v>(
     let speed = rate("speed", Degree::Speed, &table.speed);
     let acceleration = rate("acceleration", Degree::Acceleration, &table.acceleration);
     let name = name?;
+    let rates = [speed, acceleration];
+    let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
     Some(Driver {
         input: match kind {
             Kind::Turn => Input::Link(name),
@@ -128,6 +132,7 @@ pub(super) fn driver<'v>(
         start: start.unwrap_or(0.0),
         speed: speed.unwrap_or(UNIT_SPEED),
         acceleration: acceleration.unwrap_or(0.0),
+        is_converted: rates.into_iter().flatten().any(|rate| rate.is_converted),
     })
 }
 
@@ -200,7 +205,7 @@ pub(super) fn rate(
     kind: Kind,
     degree: Degree,
     value: &Lenient<String>,
-) -> Option<f64> {
+) -> Option<Rate> {
     let literal = reader.literal(&value.span);
     let bare = literal.trim_matches(['`', '"', '\'', ' ']);
     let misfit = match &value.read {

@@ -38,7 +38,8 @@ impl Scene {
             crate::Input::Turn(_) => Kind::Turn,
             crate::Input::Push(_) => Kind::Push(self.unit),
         };
-        rate::parse(text, kind, Degree::Speed).map_err(|_| {
+        let rate = rate::parse(text, kind, Degree::Speed);
+        rate.map(|rate| rate.value).map_err(|_| {
             let units = rate::units(kind, Degree::Speed).join(", ");
             format!("`{text}` is no speed of this driver: a number with one of {units}")
         })
@@ -86,7 +87,8 @@ pub(super) fn read(
         fluctuation: positive("fluctuation", "", &table.fluctuation),
         tolerance: positive("tolerance", "", &table.tolerance),
         speed: table.speed.as_ref().and_then(|speed| {
-            input::rate(reader, "the motor", "speed", kind, Degree::Speed, speed)
+            let rate = input::rate(reader, "the motor", "speed", kind, Degree::Speed, speed);
+            rate.map(|rate| rate.value)
         }),
     };
     check(reader, table, form.effort, &motor);

@@ -22,6 +22,14 @@ pub(super) enum Degree {
     Acceleration,
 }
 
+/// A rate as a mechanism has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Rate {
+    pub(super) value: f64,
+    /// Whether it was typed in another unit: the conversion rounds.
+    pub(super) is_converted: bool,
+}
+
 /// Why a text is no rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Misfit<'t> {
@@ -46,7 +54,7 @@ pub(super) fn units(kind: Kind, degree: Degree) -> &'static [&'static str] {
 }
 
 /// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`.
-pub(super) fn parse(text: &str, kind: Kind, degree: Degree) -> Result<f64, Misfit<'_>> {
+pub(super) fn parse(text: &str, kind: Kind, degree: Degree) -> Result<Rate, Misfit<'_>> {
     let text = text.trim();
     let (number, unit) = text.split_at(number_length(text));
     let number: f64 = number.parse().map_err(|_| Misfit::NoNumber)?;
@@ -57,27 +65,29 @@ pub(super) fn parse(text: &str, kind: Kind, degree: Degree) -> Result<f64, Misfi
     if !units(kind, degree).contains(&unit) {
         return Err(Misfit::Unit(unit));
     }
-    let value = converted(number, unit, kind);
-    value.is_finite().then_some(value).ok_or(Misfit::NotFinite)
+    let converted = converted(number, unit, kind);
+    let value = converted.unwrap_or(number);
+    let is_converted = converted.is_some();
+    let rate = Rate {
+        value,
+        is_converted,
+    };
+    value.is_finite().then_some(rate).ok_or(Misfit::NotFinite)
 }
 
-/// Turned into radians or the scene's unit; a value in the unit that is kept is not touched.
-fn converted(number: f64, unit: &str, kind: Kind) -> f64 {
+/// Turned into radians or the scene's unit; `None` for a value in the unit that is kept.
+fn converted(number: f64, unit: &str, kind: Kind) -> Option<f64> {
     let base = unit.split('/').next().unwrap_or(unit);
     match kind {
         Kind::Turn => match base {
-            "deg" => angle::radians(number),
-            "rpm" => number / 30.0 * PI,
-            _ => number,
+            "deg" => Some(angle::radians(number)),
+            "rpm" => Some(number / 30.0 * PI),
+            _ => None,
         },
         Kind::Push(scene) => {
             let from = Unit::ALL.into_iter().find(|u| u.symbol() == base);
-            let from = from.unwrap_or(scene);
-            if from == scene {
-                number
-            } else {
-                number * from.tenths_of_mm() / scene.tenths_of_mm()
-            }
+            let from = from.filter(|from| *from != scene)?;
+            Some(number * from.tenths_of_mm() / scene.tenths_of_mm())
         }
     }
 }
@@ -117,7 +127,7 @@ mod tests {
         for kind in [Kind::Turn, PUSH] {
             for degree in [Degree::Speed, Degree::Acceleration] {
                 for unit in units(kind, degree) {
-                    let value = parse(&format!("2 {unit}"), kind, degree).unwrap();
+                    let value = parse(&format!("2 {unit}"), kind, degree).unwrap().value;
                     assert!(value > 0.0, "{unit}");
                 }
             }
@@ -126,19 +136,22 @@ mod tests {
 
     #[test]
     fn values_are_converted_with_one_or_two_roundings() {
-        let turn = |text| parse(text, Kind::Turn, Degree::Speed).unwrap();
+        let turn = |text| parse(text, Kind::Turn, Degree::Speed).unwrap().value;
         assert_eq!(turn("15 rad/s"), 15.0);
         assert_eq!(turn("-1.5e1rad/s"), -15.0);
         assert_eq!(turn(" 60  rpm "), 2.0 * PI);
         assert_eq!(turn("180 deg/s"), PI);
-        let push = |text| parse(text, PUSH, Degree::Speed).unwrap();
+        let push = |text| parse(text, PUSH, Degree::Speed).unwrap().value;
         assert_eq!(push("0.05 m/s"), 50.0);
         assert_eq!(push("2 in/s"), 50.8);
         assert_eq!(push("5 cm/s"), 50.0);
         assert_eq!(push(".5 mm/s"), 0.5);
         assert_eq!(push("0 m/s"), 0.0);
         let metres = Kind::Push(Unit::Metre);
-        assert_eq!(parse("50 mm/s^2", metres, Degree::Acceleration), Ok(0.05));
+        let rate = parse("50 mm/s^2", metres, Degree::Acceleration).unwrap();
+        assert_eq!((rate.value, rate.is_converted), (0.05, true));
+        let rate = parse("50 m/s^2", metres, Degree::Acceleration).unwrap();
+        assert_eq!((rate.value, rate.is_converted), (50.0, false));
     }
 
     #[test]

@@ -170,6 +170,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
                 acceleration: driver.acceleration,
             });
         }
+        if driver.is_converted {
+            self.builder.converted_rates();
+        }
     }
 
     fn driven_slide(&mut self, name: &Name<'t>) -> Option<SlideId> {

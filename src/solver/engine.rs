@@ -13,10 +13,6 @@ use super::{Demand, Order};
 use crate::{Constant, Input, LinkId, Mechanism, Number, PointId, Vec2, angle, vectorized};
 use std::sync::Arc;
 
-/// A rate may have been given in rpm or degrees and converted: reading, two operations and the constant
-/// pi round by less than 3.4 u in all, and u is up to two halves of an ulp.
-const CONVERSION: f64 = 7.0;
-
 /// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
 /// in units of about the longest link.
 const MISFIT: f64 = 1e-11;
@@ -35,7 +31,7 @@ pub(super) struct Engine {
     /// By how much more a watched constraint may miss, in the solver's unit.
     accepted: f64,
     /// The driver's speed and acceleration, in radians or scaled lengths.
-    driver_rates: [f64; 2],
+    driver_rates: [Constant; 2],
 }
 
 impl Engine {
@@ -46,8 +42,7 @@ impl Engine {
             Input::Push(_) => None,
         };
         let turns = driven.is_some();
-        let inner = |v: f64| if turns { v } else { frame.length(v) };
-        let driver_rates = [inner(driver.speed), inner(driver.acceleration)];
+        let driver_rates = rates(mechanism, &frame);
         let mut engine = Engine {
             signs: vec![1.0; program.group_starts.len()],
             left_out: None,
@@ -73,11 +68,10 @@ impl Engine {
         engine
     }
 
-    /// The same at another speed and acceleration of the driver, in the scene's units.
-    pub(super) fn at_speed(&self, speed: f64, acceleration: f64) -> Engine {
-        let inner = |v: f64| if self.turns { v } else { self.frame.length(v) };
+    /// The same at the speed and acceleration that the driver of a mechanism has, alike otherwise.
+    pub(super) fn at_speed_of(&self, mechanism: &Mechanism) -> Engine {
         Engine {
-            driver_rates: [inner(speed), inner(acceleration)],
+            driver_rates: rates(mechanism, &self.frame),
             ..self.clone()
         }
     }
@@ -86,7 +80,7 @@ impl Engine {
     pub(super) fn state<T: Number>(&self, slides: usize) -> Workspace<T> {
         let fixed_point = |&p: &_| PointState::fixed(Vec2::of(p));
         let fixed_link = |&d: &_| LinkState::fixed(Vec2::of(d));
-        let [speed, acceleration] = self.driver_rates.map(converted);
+        let [speed, acceleration] = self.driver_rates;
         let rates = Rates::new(speed, acceleration);
         let state = State {
             condition: Condition::NoAssembly,
@@ -411,11 +405,19 @@ fn look_closer(step: &Step, q: f64, state: &mut State) -> Outcome {
     dyad.map_or(Outcome::Open, |dyad| dyad.stretch(q, state))
 }
 
-/// A rate of the driver: given in any unit, and converted.
-fn converted(rate: f64) -> Constant {
-    let mut given = Constant::given(rate);
-    given.radius *= CONVERSION;
-    given
+/// The driver's speed and acceleration in the solver's units.
+fn rates(mechanism: &Mechanism, frame: &Frame) -> [Constant; 2] {
+    let driver = mechanism.driver();
+    let unit = match driver.input {
+        Input::Turn(_) => 1.0,
+        Input::Push(_) => frame.scale,
+    };
+    let given = [driver.speed, driver.acceleration].map(|rate| Constant::given_in(rate, unit));
+    if mechanism.has_converted_rates() {
+        given.map(Constant::converted)
+    } else {
+        given
+    }
 }
 
 impl Gauge {

@@ -111,7 +111,7 @@ impl Frame {
     pub(super) fn local(&self, local: Vec2) -> Vec2<Constant> {
         match self.reading {
             // Scaled first: the smallest doubles know no half of an ulp.
-            Reading::Given => local.map(|v| Constant::given(v / self.scale)),
+            Reading::Given => local.map(|v| Constant::given_in(v, self.scale)),
             Reading::Meant { .. } => self.read(local).map(|v| self.inwards(v)),
         }
     }

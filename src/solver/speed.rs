@@ -9,9 +9,10 @@ impl Solver {
     /// they are those of the way back.
     #[must_use]
     pub fn at_speed(&self, speed: f64, acceleration: f64) -> Solver {
+        let mechanism = self.mechanism.at_speed(speed, acceleration);
         Solver {
-            mechanism: self.mechanism.at_speed(speed, acceleration),
-            engine: self.engine.at_speed(speed, acceleration),
+            engine: self.engine.at_speed_of(&mechanism),
+            mechanism,
             ..self.clone()
         }
     }

@@ -1,7 +1,7 @@
 //! What the driver's own coordinate can be off by, and the direction that it gives a crank.
 
 use super::errors::LinkError;
-use crate::arithmetic::{Halves, Product, U, typed_radius};
+use crate::arithmetic::{Decimal, Halves, Product, U, half_ulp, typed_radius};
 use crate::{Ball, Double, Vec2, angle};
 
 /// Decimals of 15 digits are whole numbers from the one to below the other, in some unit;
@@ -25,6 +25,9 @@ pub(super) fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
     if at.abs() < MOST_DIGITS && at == at.trunc() {
         return 0.0;
     }
+    if at.abs() >= MOST_DIGITS {
+        return typed_radius_of_many(at);
+    }
     let Some(unit) = unit_of(at.abs()) else {
         return typed_radius(at);
     };
@@ -35,6 +38,16 @@ pub(super) fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
         ((whole - hi) - lo).abs() * (1.0 / unit) * (1.0 + 4.0 * U)
     } else {
         0.0
+    }
+}
+
+/// From here on a decimal of 15 digits need not be a double, whole as it is.
+#[cold]
+fn typed_radius_of_many(at: f64) -> f64 {
+    if Decimal::of(at).is_double {
+        0.0
+    } else {
+        half_ulp(at)
     }
 }
 
@@ -108,5 +121,9 @@ mod tests {
         assert!(off > 2.84e-15 && off < 2.85e-15, "{off:e}");
         assert_eq!(asked_radius::<false>(-39.3), off);
         assert_eq!(asked_radius::<false>(1e-12), typed_radius(1e-12));
+        // 1e23 is no double, nor is the other; 1e22 is one.
+        assert!(asked_radius::<false>(1e23) > 8e6);
+        assert!(asked_radius::<false>(-1.234_567_890_123_45e17) >= 5.0);
+        assert_eq!(asked_radius::<false>(1e22), 0.0);
     }
 }

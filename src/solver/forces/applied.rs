@@ -298,7 +298,7 @@ fn act(
             from: *from,
             to: *to,
             stiffness: Constant::given(*stiffness),
-            length: Constant::given(frame.length(*length)),
+            length: Constant::given_in(*length, frame.scale),
             damping: Constant::given(*damping),
         },
     }
