@@ -17,7 +17,7 @@
 //!   -> quantity   everything that has a name, a unit and a value
 //!   -> study      every method that could solve it, timed and held against a reference; the motor
 //!                 over a cycle
-//!   -> report     tables, CSV, JSON      -> drawing, tui   the linkage in characters, live tables
+//!   -> report     pages, CSV, JSON       -> drawing, tui   the linkage in characters, live tables
 //! ```
 //!
 //! How each room of the solver finds what it does, with the derivations, stands in the [`guide`].
@@ -96,6 +96,7 @@ mod manual;
 mod mechanism;
 mod nearest;
 mod numeric;
+pub mod page;
 pub mod quantity;
 pub mod report;
 pub mod scene;

@@ -6,11 +6,9 @@ use super::failure::Failure;
 use super::output::write_text;
 use super::screen::Screen;
 use super::source::Opened;
-use crate::report::{TextStyle, Working};
+use crate::page::TextStyle;
+use crate::report::Working;
 use crate::solver::{Condition, Order};
-
-/// Columns of plain text.
-const WIDTH: usize = 80;
 
 /// Writes the working; where there is no assembly, what can still be said, and why there is none.
 pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure> {
@@ -22,11 +20,8 @@ pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure>
     let working = Working::new(&scene, &solver);
     let worked = working.of(&scene, &solver, &state, usize::from(args.digits));
     let text = match args.format {
-        TextFormat::Text => worked.document.to_text(TextStyle {
-            ascii: screen.ascii,
-            width: WIDTH,
-        }),
-        TextFormat::Markdown => worked.document.to_markdown(screen.ascii),
+        TextFormat::Text => worked.page.to_text(TextStyle::plain(screen.ascii)),
+        TextFormat::Markdown => worked.page.to_markdown(screen.ascii),
     };
     write_text(args.output.output.as_deref(), &text)?;
     if condition == Condition::NoAssembly {

@@ -2,7 +2,7 @@
 
 use super::markdown::{Block, Content, blocks};
 use super::table;
-use crate::report::wrapped;
+use crate::page::wrapped;
 
 /// What a line is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use super::number::{concise, significant};
 use super::rows::plain;
-use super::text::{WIDTH, wrapped};
 use crate::PointId;
-use crate::scene::{Scene, sanitized};
+use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextStyle};
+use crate::scene::Scene;
 use crate::solver::{Method, Start, Unfit};
 use crate::study::{Errors, Figures, Finding, Findings, Spread, Verdict};
 use serde_json::{Map, Value, json};
@@ -14,12 +14,8 @@ use std::io::{self, Write};
 const ERROR_DIGITS: usize = 2;
 /// Significant digits of a time.
 pub const TIME_DIGITS: usize = 3;
-/// Columns of the text.
-const NAME: usize = 19;
-const TIME: usize = 7;
-const SPREAD: usize = 11;
-const ERROR: usize = 7;
-const FAILED: usize = 7;
+/// Columns of a letter, its mark and a name.
+const NAME: usize = 22;
 /// Significant digits of the longest length.
 const LENGTH_DIGITS: usize = 6;
 
@@ -120,28 +116,51 @@ impl Accuracy<'_> {
             longest, positions, ..
         } = self.findings;
         let longest = concise(*longest, LENGTH_DIGITS);
-        let mut text = format!(
-            "{}\n{positions} positions over the cycle; the longest length is {longest} {}\n\n{}",
-            sanitized(&self.scene.name, ascii),
-            self.scene.unit.symbol(),
-            heading(),
-        );
-        for finding in &self.findings.methods {
-            text.push_str(&self.line(finding));
-        }
-        text
+        let unit = self.scene.unit.symbol();
+        let mut page = Page::default();
+        page.title(&self.scene.name);
+        page.text_below(format!(
+            "{positions} positions over the cycle; the longest length is {longest} {unit}"
+        ));
+        page.table(self.table(&Measure::ALL));
+        page.to_text(TextStyle::plain(ascii))
     }
 
-    fn line(&self, finding: &Finding) -> String {
-        let name = method_name(finding.method);
-        let best = if finding.best { '*' } else { ' ' };
-        let told = match &finding.verdict {
-            Verdict::Measured(figures) => cells(figures),
-            Verdict::Unfit(unfit) => format!("  - {}", unfit_text(*unfit, self.scene)),
-            Verdict::Pending => "  - not measured".into(),
-        };
-        let line = format!("{} {best} {name:NAME$}{told}", finding.key);
-        line.trim_end().to_owned() + "\n"
+    /// A row per method, with these figures.
+    #[must_use]
+    pub fn table(&self, measures: &[Measure]) -> Table {
+        let heads = measures.iter().map(|measure| measure.name());
+        let mut table = Table::new("   method", heads).set(Setting {
+            names: NAME,
+            least: measures.iter().map(|measure| measure.width()).collect(),
+            rest: Rest::LeftOut,
+            ..Setting::default()
+        });
+        for finding in &self.findings.methods {
+            let best = if finding.best { '*' } else { ' ' };
+            let mark = format!("{}{best}", finding.key);
+            let name = method_name(finding.method);
+            table.rows.push(match &finding.verdict {
+                Verdict::Measured(figures) => Row::Figures {
+                    mark,
+                    name,
+                    more: None,
+                    cells: measures
+                        .iter()
+                        .map(|m| Some(m.text(figures).into()))
+                        .collect(),
+                },
+                Verdict::Unfit(unfit) => {
+                    let words = unfit_text(*unfit, self.scene);
+                    Row::Told { mark, name, words }
+                }
+                Verdict::Pending => {
+                    let words = "not measured".into();
+                    Row::Told { mark, name, words }
+                }
+            });
+        }
+        table
     }
 
     /// Writes a row per method; what does not exist is an empty cell.
@@ -213,13 +232,16 @@ impl Accuracy<'_> {
 /// How the figures are meant.
 #[must_use]
 pub fn accuracy_notes() -> String {
-    let lines = NOTES.iter().flat_map(|(name, note)| {
-        let lines = wrapped(note, WIDTH - NOTE);
-        let names = std::iter::once(*name).chain(std::iter::repeat(""));
-        let told = |(name, line): (&str, String)| format!("{name:NOTE$}{line}\n");
-        names.zip(lines).map(told).collect::<Vec<_>>()
-    });
-    lines.collect()
+    let mut facts = Facts {
+        names: NOTE,
+        ..Facts::default()
+    };
+    for (name, note) in NOTES {
+        facts.tell(name, [note.to_owned()]);
+    }
+    let mut page = Page::default();
+    page.add(Content::Facts(facts));
+    page.to_text(TextStyle::plain(true))
 }
 
 /// Columns of what a note is about.
@@ -276,29 +298,67 @@ const COLUMNS: [&str; 12] = [
     "reason",
 ];
 
-fn heading() -> String {
-    format!(
-        "    {:NAME$}  {:>TIME$}  {:>SPREAD$}  {:>ERROR$}  {:>ERROR$}  {:>ERROR$}{:>FAILED$}\n",
-        "method", "time", "quartiles", "pos", "vel", "acc", "fail"
-    )
+/// What was measured of a method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Measure {
+    /// How long one position takes.
+    Time,
+    /// Between what half of all samples of that lie.
+    Quartiles,
+    /// The largest error of positions.
+    Position,
+    /// Of velocities.
+    Velocity,
+    /// Of accelerations.
+    Acceleration,
+    /// How often it failed.
+    Failures,
 }
 
-fn cells(figures: &Figures) -> String {
-    let time = figures
-        .time
-        .map(|t| (time_text(t.median, TIME_DIGITS), spread_text(&t)));
-    let (time, spread) = time.unwrap_or_else(|| ("-".into(), "-".into()));
-    let error = |part: fn(&Errors) -> f64| {
-        let error = figures.errors.as_ref().map(part);
-        error.map_or_else(|| "-".into(), error_text)
-    };
-    format!(
-        "  {time:>TIME$}  {spread:>SPREAD$}  {:>ERROR$}  {:>ERROR$}  {:>ERROR$}{:>FAILED$}",
-        error(|e| e.position),
-        error(|e| e.velocity),
-        error(|e| e.acceleration),
-        figures.failures,
-    )
+impl Measure {
+    /// All of them.
+    pub const ALL: [Measure; 6] = [
+        Measure::Time,
+        Measure::Quartiles,
+        Measure::Position,
+        Measure::Velocity,
+        Measure::Acceleration,
+        Measure::Failures,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            Measure::Time => "time",
+            Measure::Quartiles => "quartiles",
+            Measure::Position => "pos",
+            Measure::Velocity => "vel",
+            Measure::Acceleration => "acc",
+            Measure::Failures => "fail",
+        }
+    }
+
+    /// The columns that its figures take, so that they stay where they are while they come in.
+    fn width(self) -> usize {
+        match self {
+            Measure::Quartiles => 11,
+            Measure::Failures => 5,
+            Measure::Time | Measure::Position | Measure::Velocity | Measure::Acceleration => 7,
+        }
+    }
+
+    fn text(self, figures: &Figures) -> String {
+        let error = |part: fn(&Errors) -> f64| figures.errors.as_ref().map(part).map(error_text);
+        let time = figures.time.as_ref();
+        let text = match self {
+            Measure::Time => time.map(|t| time_text(t.median, TIME_DIGITS)),
+            Measure::Quartiles => time.map(spread_text),
+            Measure::Position => error(|e| e.position),
+            Measure::Velocity => error(|e| e.velocity),
+            Measure::Acceleration => error(|e| e.acceleration),
+            Measure::Failures => Some(figures.failures.to_string()),
+        };
+        text.unwrap_or_else(|| "-".into())
+    }
 }
 
 #[cfg(test)]
@@ -368,24 +428,24 @@ mod tests {
             finding('d', Method::Single, Verdict::Pending),
         ]);
         let expected = [
-            "a * closed form          71.0 ns    63.9-78.1  2.3e-16   5.0e-7        0      0",
-            "b   bisection            4.00 us    3.60-4.40        -        -        -   3600",
+            "a* closed form          71.0 ns    63.9-78.1  2.3e-16   5.0e-7        0      0",
+            "b  bisection            4.00 us    3.60-4.40        -        -        -   3600",
         ];
         assert_eq!(lines[..2], expected);
         assert!(
-            lines[2].starts_with("c   closed and polished  - the group at "),
+            lines[2].starts_with("c  closed and polished  - the group at "),
             "{}",
             lines[2]
         );
         assert!(lines[2].ends_with(" has no closed form"), "{}", lines[2]);
-        assert_eq!(lines[3], "d   single precision     - not measured");
+        assert_eq!(lines[3], "d  single precision     - not measured");
     }
 
     #[test]
     fn names_fit_their_column_and_need_no_quotes() {
         for method in crate::study::all_methods(crate::study::USUAL_CYCLES) {
             let name = method_name(method);
-            assert!(name.len() <= NAME && !name.contains(','), "{name}");
+            assert!(name.len() <= NAME - 3 && !name.contains(','), "{name}");
         }
     }
 

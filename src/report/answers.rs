@@ -3,8 +3,7 @@
 
 use super::number::significant;
 use super::tables_data::number;
-use super::tables_text::TableStyle;
-use super::text::{Grid, WIDTH, wrapped};
+use crate::page::{Content, Setting, Table};
 use crate::quantity::Sensitivity;
 use serde_json::{Map, Value, json};
 
@@ -82,34 +81,40 @@ impl Answers {
             .find(|answer| answer.name == name)
     }
 
-    /// A line per figure that is worth reading.
-    pub(super) fn to_text(&self, style: TableStyle) -> String {
-        let step = if style.units {
+    /// A row per figure; or why there are none.
+    #[must_use]
+    pub fn content(&self, units: bool) -> Content {
+        let step = if units {
             format!("change for 1 {}", self.unit)
         } else {
             "change for a length of 1".to_owned()
         };
-        if self.list.is_none() {
-            let lines = wrapped(&format!("{step}: {NO_ANSWER}"), WIDTH);
-            return lines.iter().map(|line| format!("{line}\n")).collect();
+        let Some(list) = &self.list else {
+            return Content::Text(format!("{step}: {NO_ANSWER}"));
+        };
+        let names = step.len() + 2;
+        let heads = ["in every length", "in one", "in which"];
+        let mut table = Table::new(step, heads).set(Setting {
+            names,
+            least: vec![DIGITS + 2],
+            ..Setting::default()
+        });
+        for answer in list {
+            let (most, length) = answer.most();
+            table.row(answer.name(units), [answer.worst(), most, length]);
         }
-        let mut grid = Grid::new(step.len() + 2, DIGITS + 2);
-        let titles = ["in every length", "in one", "in which"];
-        grid.row(std::iter::once(step).chain(titles.map(str::to_owned)));
-        for answer in self.clone().worth_reading().list.iter().flatten() {
-            let name = if style.units {
-                format!("{} [{}]", answer.name, answer.unit)
-            } else {
-                answer.name.clone()
-            };
-            let worst = significant(answer.worst, DIGITS);
-            let (length, most) = match &answer.most {
-                Some((length, most)) => (length.clone(), significant(*most, DIGITS)),
-                None => ("-".into(), "0".into()),
-            };
-            grid.row([name, worst, most, length]);
+        Content::Table(table)
+    }
+
+    /// The same where there is little room: how much each figure changes, and with which length most.
+    #[must_use]
+    pub fn short_table(&self) -> Option<Table> {
+        let heads = ["in all", "most in"];
+        let mut table = Table::new(format!("1 {}", self.unit), heads);
+        for answer in self.list.as_ref()? {
+            table.row(answer.name(false), [answer.worst(), answer.most().1]);
         }
-        grid.render()
+        Some(table)
     }
 
     /// An object per figure, keyed by its name; `null` where there are none.
@@ -132,6 +137,28 @@ impl Answers {
             object.insert(answer.name.clone(), figure.into());
         }
         Value::Object(object)
+    }
+}
+
+impl Answer {
+    fn name(&self, units: bool) -> String {
+        if units {
+            format!("{} [{}]", self.name, self.unit)
+        } else {
+            self.name.clone()
+        }
+    }
+
+    fn worst(&self) -> String {
+        significant(self.worst, DIGITS)
+    }
+
+    /// The largest derivative, and the length that it is by.
+    fn most(&self) -> (String, String) {
+        match &self.most {
+            Some((length, most)) => (significant(*most, DIGITS), length.clone()),
+            None => ("0".into(), "-".into()),
+        }
     }
 }
 

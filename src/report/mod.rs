@@ -9,30 +9,29 @@
 mod accuracy;
 mod answers;
 mod check;
-mod check_text;
+mod check_page;
 mod choice_facts;
 mod columns;
 mod curves;
 mod difference;
 mod errors;
 mod forces;
-mod forces_text;
+mod forces_page;
 mod least;
 mod loop_facts;
 mod motor;
-mod motor_text;
+mod motor_page;
 mod number;
 mod rows;
 mod steps;
 mod sweep;
 mod tables;
 mod tables_data;
-mod tables_text;
-mod text;
+mod tables_page;
 mod working;
 
 pub use accuracy::{
-    Accuracy, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text, unfit_text,
+    Accuracy, Measure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text, unfit_text,
 };
 pub use answers::{Answer, Answers, NO_ANSWER};
 pub use check::{
@@ -47,14 +46,10 @@ pub use errors::Missing;
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};
-pub use motor_text::MotorLine;
 pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
 pub use sweep::{Outcome, RowFormat, Sweep};
 pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
-pub use tables_text::TableStyle;
-pub(crate) use text::wrapped;
-pub use working::{
-    Agreement, Block, Document, Equation, LineKind, Table, TextStyle, Worked, Working,
-};
+pub use tables_page::TableStyle;
+pub use working::{Agreement, Worked, Working};
 #[cfg(feature = "tui")]
-pub(crate) use {forces_text::missed, number::shortest, number::upwards};
+pub(crate) use {forces_page::missed, number::shortest, number::upwards};

@@ -5,7 +5,7 @@ use super::forces::Forces;
 use super::number::shortest;
 use super::rows::plain;
 use super::tables::{Entry, ORDERS, PointRow, Tables, VectorColumn};
-use super::tables_text::{TableStyle, index};
+use super::tables_page::{TableStyle, index};
 use crate::quantity::{Aspect, state_word};
 use crate::solver::Order;
 use serde_json::{Map, Value, json};

@@ -131,10 +131,7 @@ fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
             continue;
         }
         let worked = working.of(scene, &solver, &state, 6);
-        assert!(
-            !worked.document.to_markdown(true).contains("NaN"),
-            "at {at}"
-        );
+        assert!(!worked.page.to_markdown(true).contains("NaN"), "at {at}");
         for point in mechanism.point_ids() {
             let place = state.position(point).unwrap();
             assert!(

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 21] = [
+const PLACES: [(&str, u8); 22] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
@@ -21,6 +21,7 @@ const PLACES: [(&str, u8); 21] = [
     ("nearest", 1),
     ("files", 1),
     ("document", 2),
+    ("page", 3),
     ("mechanism", 3),
     ("scene", 4),
     ("solver", 4),

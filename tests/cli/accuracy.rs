@@ -23,7 +23,7 @@ fn the_text_is_a_table_a_chart_and_what_they_mean() {
     );
     let table = parts.next().unwrap();
     assert_eq!(table.lines().count(), 1 + 22, "{table}");
-    assert!(table.contains("\na * closed form"), "{table}");
+    assert!(table.contains("\na* closed form"), "{table}");
     assert!(
         table.contains("- not needed: every group has a closed form\n"),
         "{table}"

@@ -1,6 +1,7 @@
 //! The working shown: it can be followed line by line, is complete, and says what the solver says.
 
-use krank::report::{Block, LineKind, TextStyle, Worked, Working};
+use krank::page::{Content, Line, TextStyle};
+use krank::report::{Worked, Working};
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver, Workspace};
 
@@ -53,7 +54,7 @@ impl Bench {
 }
 
 fn text(worked: &Worked) -> String {
-    worked.document.to_text(PLAIN)
+    worked.page.to_text(PLAIN)
 }
 
 // ---- the solver's figures
@@ -230,7 +231,7 @@ fn every_presets_working_names_everything_and_is_plain() {
             for number in 1..=bench.solver.plan().groups.len() {
                 assert!(text.contains(&format!("Group {number}, ")), "{context}");
             }
-            let markdown = worked.document.to_markdown(true);
+            let markdown = worked.page.to_markdown(true);
             assert!(
                 markdown.is_ascii() && markdown.starts_with("# "),
                 "{markdown}"
@@ -248,12 +249,13 @@ fn lines_keep_within_their_width() {
         for width in [20, 38, 78, 118] {
             for ascii in [false, true] {
                 let style = TextStyle { ascii, width };
-                for (kind, line) in worked.document.lines(style) {
+                for line in worked.page.lines(style) {
+                    let (role, line) = (line.role(), line.text());
                     let columns = line.chars().count();
                     let name = preset.name;
                     assert!(
                         columns <= width,
-                        "{name}: {columns} of {width}: {kind:?} {line}"
+                        "{name}: {columns} of {width}: {role:?} {line}"
                     );
                     assert_eq!(line, line.trim_end(), "{name}");
                 }
@@ -265,8 +267,8 @@ fn lines_keep_within_their_width() {
 /// Nothing of a formula is lost where it is broken into lines.
 #[test]
 fn broken_lines_hold_every_word() {
-    let words = |lines: Vec<(LineKind, String)>| -> String {
-        let all = lines.into_iter().map(|(_, line)| line);
+    let words = |lines: Vec<Line>| -> String {
+        let all = lines.into_iter().map(|line| line.text());
         all.flat_map(|line| {
             line.chars()
                 .filter(|c| !c.is_whitespace())
@@ -278,16 +280,16 @@ fn broken_lines_hold_every_word() {
     let mut worked = bench.at(60.0, 9);
     // Tables repeat their first column.
     worked
-        .document
+        .page
         .blocks
-        .retain(|block| !matches!(block, Block::Table(_)));
+        .retain(|block| !matches!(block.content, Content::Table(_)));
     let style = |width| TextStyle {
         ascii: false,
         width,
     };
-    let whole = words(worked.document.lines(style(10_000)));
+    let whole = words(worked.page.lines(style(10_000)));
     for width in [12, 20, 38, 60, 80] {
-        assert_eq!(words(worked.document.lines(style(width))), whole, "{width}");
+        assert_eq!(words(worked.page.lines(style(width))), whole, "{width}");
     }
 }
 
@@ -349,7 +351,7 @@ fn long_lines(name: &str, at: f64) -> String {
         ascii: true,
         width: 10_000,
     };
-    Bench::of(name).at(at, 9).document.to_text(wide)
+    Bench::of(name).at(at, 9).page.to_text(wide)
 }
 
 /// The figure at the end of the line of a symbol, below a heading; with `at`, the direction behind it.

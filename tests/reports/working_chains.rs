@@ -1,6 +1,7 @@
 //! Every chain of equal sides with numbers in it is true as it stands on the page.
 
-use krank::report::{Block, Document, TextStyle, Working};
+use krank::page::{Block, Content, Page, TextStyle};
+use krank::report::Working;
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver};
 
@@ -93,13 +94,13 @@ impl<'a> Reader<'a> {
 }
 
 /// Counts the chains of points and forces, each of which must be true to its printed digits.
-fn hold(document: &Document, context: &str) -> usize {
-    let begins = |block: &Block| matches!(block, Block::Heading(1, text) if text.starts_with("7 "));
-    let ends = |block: &Block| matches!(block, Block::Heading(1, text) if text.ends_with("Check"));
-    let blocks = document.blocks.iter().skip_while(|b| !begins(b));
+fn hold(page: &Page, context: &str) -> usize {
+    let begins = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.starts_with("7 "));
+    let ends = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.ends_with("Check"));
+    let blocks = page.blocks.iter().skip_while(|b| !begins(b));
     let mut count = 0;
     for block in blocks.take_while(|b| !ends(b)) {
-        let Block::Equations(equations) = block else {
+        let Content::Equations(equations) = &block.content else {
             continue;
         };
         for equation in equations {
@@ -136,8 +137,8 @@ fn follow(name: &str, text: &str) -> Vec<String> {
             ascii: true,
             width: 10_000,
         };
-        texts.push(worked.document.to_text(style));
-        count += hold(&worked.document, &format!("{name} at {at}"));
+        texts.push(worked.page.to_text(style));
+        count += hold(&worked.page, &format!("{name} at {at}"));
     }
     assert!(count > 23, "{name}: {count}");
     texts

@@ -1,21 +1,22 @@
 //! The check: how well the loops close, and how far the working is from the solver's state.
 
+use super::draft::{Context, Draft};
 use super::equations::{Axis, Member, Piece};
 use super::figures::Sum;
-use super::page::{Context, Page};
 use crate::solver::Order;
 
 /// Every loop with all numbers in place, and the largest difference between the working and the state.
-pub(super) fn check(context: &Context<'_>, page: &mut Page) {
-    page.document.part("Check");
+pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
+    draft.page.part("Check");
     if !context.has_positions() {
-        page.document
+        draft
+            .page
             .text("Without an assembly there is nothing to check.");
         return;
     }
-    closure(context, page);
-    super::forces::check(context, page);
-    if let Some(worst) = page
+    closure(context, draft);
+    super::forces::check(context, draft);
+    if let Some(worst) = draft
         .agreements
         .iter()
         .max_by(|a, b| a.part().total_cmp(&b.part()))
@@ -31,16 +32,17 @@ pub(super) fn check(context: &Context<'_>, page: &mut Page) {
              most (at {symbol})."
             )
         };
-        page.document.text(text);
+        draft.page.text(text);
     }
 }
 
-fn closure(context: &Context<'_>, page: &mut Page) {
+fn closure(context: &Context<'_>, draft: &mut Draft) {
     let f = context.figures;
     if context.polygon.loops.is_empty() {
         return;
     }
-    page.document
+    draft
+        .page
         .text("What is left of the loop equations with all numbers in place:");
     for stage in context.stages {
         for &number in &stage.loops {
@@ -66,7 +68,7 @@ fn closure(context: &Context<'_>, page: &mut Page) {
                     .iter()
                     .for_each(|p| sum.push_figure(&f.beside(p.value, size)));
                 let left: f64 = pieces.iter().map(|p| p.value).sum();
-                page.document.equation([
+                draft.page.equation([
                     format!("{name}{label}"),
                     sum.text(),
                     if left == 0.0 {

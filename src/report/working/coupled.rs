@@ -1,6 +1,6 @@
 //! A coupled group: its unknowns, and what the last step of Newton's method had before it.
 
-use super::page::{Context, Page};
+use super::draft::{Context, Draft};
 use super::stages::Stage;
 use super::symbols;
 use crate::PointId;
@@ -10,24 +10,24 @@ use crate::solver::{Newton, NewtonRow, NewtonUnknown};
 const MOST_COLUMNS: usize = 12;
 
 /// Positions of a group that is solved at once.
-pub(super) fn position(context: &Context<'_>, page: &mut Page, stage: &Stage) {
+pub(super) fn position(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     let newton = context.solver.newton(&context.state);
     let own = newton
         .into_iter()
         .find(|newton| Some(newton.group.index()) == stage.group);
     match own {
-        Some(newton) => last_step(context, page, &newton),
-        None if context.has_positions() => solved(context, page, stage),
-        None => page
-            .document
+        Some(newton) => last_step(context, draft, &newton),
+        None if context.has_positions() => solved(context, draft, stage),
+        None => draft
+            .page
             .text("It is solved at once, by Newton's method, where it can be assembled."),
     }
 }
 
 /// What is sought, where it stands and what is left of every equation, then the matrix.
-fn last_step(context: &Context<'_>, page: &mut Page, newton: &Newton) {
+fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     let f = context.figures;
-    page.document.text(
+    draft.page.text(
         "No part of it can be solved alone: all equations f(z) = 0 are solved at once, by Newton's method, \
          z - dz with J dz = f, J the derivatives of f by z. Where it stopped:",
     );
@@ -38,7 +38,7 @@ fn last_step(context: &Context<'_>, page: &mut Page, newton: &Newton) {
         .collect();
     for ((unknown, name), value) in newton.unknowns.iter().zip(&names).zip(&newton.values) {
         let figure = f.number(*value);
-        page.document.equation([
+        draft.page.equation([
             name.clone(),
             match unknown {
                 NewtonUnknown::X(_) | NewtonUnknown::Y(_) => format!("{figure} {}", f.unit),
@@ -48,8 +48,7 @@ fn last_step(context: &Context<'_>, page: &mut Page, newton: &Newton) {
             },
         ]);
     }
-    page.document
-        .text("The equations, and what is left of them:");
+    draft.page.text("The equations, and what is left of them:");
     for (i, (row, left)) in newton.rows.iter().zip(&newton.residuals).enumerate() {
         let (text, unit) = row_text(context, row);
         let left = if *left == 0.0 {
@@ -57,20 +56,22 @@ fn last_step(context: &Context<'_>, page: &mut Page, newton: &Newton) {
         } else {
             format!("{left:.1e}")
         };
-        page.document
+        draft
+            .page
             .equation([format!("f{}", i + 1), text, format!("{left} {unit}")]);
     }
-    matrix(context, page, newton, &names);
+    matrix(context, draft, newton, &names);
 }
 
-fn matrix(context: &Context<'_>, page: &mut Page, newton: &Newton, names: &[String]) {
+fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[String]) {
     let n = names.len();
     if n > MOST_COLUMNS {
-        page.document
+        draft
+            .page
             .text(format!("J has {n} x {n} entries, which nobody would read."));
         return;
     }
-    page.document.text("J, a row for every equation:");
+    draft.page.text("J, a row for every equation:");
     let head = std::iter::once("J".to_owned()).chain(names.iter().cloned());
     let rows = newton
         .jacobian
@@ -83,7 +84,7 @@ fn matrix(context: &Context<'_>, page: &mut Page, newton: &Newton, names: &[Stri
                 .chain(cells)
                 .collect()
         });
-    page.document.wide_table(head.collect(), rows.collect());
+    draft.wide_table(head.collect(), rows.collect());
 }
 
 fn unknown_name(context: &Context<'_>, unknown: NewtonUnknown) -> String {
@@ -131,8 +132,8 @@ fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
 }
 
 /// A form without a name that is no coupled group: what was found.
-fn solved(context: &Context<'_>, page: &mut Page, stage: &Stage) {
-    page.document.text("Found together:");
+fn solved(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
+    draft.page.text("Found together:");
     let terms = stage
         .loops
         .iter()
@@ -147,12 +148,14 @@ fn solved(context: &Context<'_>, page: &mut Page, stage: &Stage) {
         let f = context.figures;
         if member.sought[0] {
             let r = f.number(member.reading.r);
-            page.document
+            draft
+                .page
                 .equation([member.side.name.clone(), format!("{r} {}", f.unit)]);
         }
         if member.sought[1] {
             let theta = f.direction(member.reading.theta);
-            page.document
+            draft
+                .page
                 .equation([member.side.theta(), format!("{theta} deg")]);
         }
     }

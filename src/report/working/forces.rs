@@ -1,53 +1,54 @@
 //! Forces: what acts, every link and pin in turn, and the driver.
 
-use super::figures::{Sum, factor};
+use super::draft::{Context, Draft};
+use super::expression::Expression;
+use super::figures::Sum;
 use super::free_body::{free_body, largest};
-use super::page::{Context, Page};
 use crate::solver::{Acted, Condition, GroupKind};
 use crate::{Input, Load, PointId, Vec2};
 
 /// Everything about forces; nothing where nothing acts.
-pub(super) fn forces(context: &Context<'_>, page: &mut Page) {
+pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if !context.solver.has_forces() {
         return;
     }
-    page.document.part("Forces");
+    draft.page.part("Forces");
     let Some(torque) = context.state.drive() else {
         let withheld = crate::report::forces::withheld(context.scene, &context.state);
         let absent = || absent(context.state.condition()).to_owned();
-        page.document.text(withheld.unwrap_or_else(absent));
+        draft.page.text(withheld.unwrap_or_else(absent));
         return;
     };
     let acted = context.solver.acted(&context.state);
-    loads(context, page, &acted);
-    super::loads::laws(context, page, &acted);
+    loads(context, draft, &acted);
+    super::loads::laws(context, draft, &acted);
     if context.state.residual().is_none() {
-        page.document.text(
+        draft.page.text(
             "The reactions need not exist at this place; the driver's torque follows from the virtual work.",
         );
     } else {
-        order(context, page);
+        order(context, draft);
         let links = context.scene.mechanism.link_ids();
         let open: Vec<&str> = links
-            .filter(|&link| !free_body(context, page, link, &acted))
+            .filter(|&link| !free_body(context, draft, link, &acted))
             .map(|link| context.scene.link_name(link))
             .collect();
         if !open.is_empty() {
-            page.document.text(format!(
+            draft.page.text(format!(
                 "A redundant linkage leaves reactions open of {}: equilibrium alone does not tell them.",
                 open.join(", ")
             ));
         }
-        super::pins::pins(context, page, &acted);
+        super::pins::pins(context, draft, &acted);
     }
-    driver(context, page, torque, &acted);
+    driver(context, draft, torque, &acted);
 }
 
 /// In which order the reactions are found.
-fn order(context: &Context<'_>, page: &mut Page) {
+fn order(context: &Context<'_>, draft: &mut Draft) {
     let count = context.solver.plan().groups.len();
     let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
-    page.document.text(format!(
+    draft.page.text(format!(
         "The reactions are the unknowns in the equations of motion of the links below. They are found group by \
          group, the last first, since a group hands on what it bears to those before it: {}. The driver's own \
          comes last.",
@@ -55,7 +56,7 @@ fn order(context: &Context<'_>, page: &mut Page) {
     ));
     let groups = &context.solver.plan().groups;
     if groups.iter().any(|group| group.kind == GroupKind::Rrr) {
-        page.document.text(
+        draft.page.text(
             "In a dyad RRR the force F at the inner pin on the first link follows from the moments of each link \
              about its outer pivot: e x F + M1 = 0 and -f x F + M2 = 0, with e and f from the pivots to the inner \
              pin, and M1, M2 the moments of all else on each link, its inertia among it. A load on that pin goes with the second link.",
@@ -76,7 +77,7 @@ fn absent(condition: Condition) -> &'static str {
 }
 
 /// What the loads are at this state.
-fn loads(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
+fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     let mechanism = &context.scene.mechanism;
     let mut rows = Vec::new();
     for (load, acted) in mechanism.loads().iter().zip(acted) {
@@ -96,9 +97,8 @@ fn loads(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
         }
     }
     if !rows.is_empty() {
-        page.document.text("The loads here:");
-        page.document
-            .table(["load", "fx [N]", "fy [N]", "torque [N m]"], rows);
+        draft.page.text("The loads here:");
+        draft.table(["load", "fx [N]", "fy [N]", "torque [N m]"], rows);
     }
 }
 
@@ -122,13 +122,13 @@ pub(super) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a st
 }
 
 /// What the driver must do, and against what.
-fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
+fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted]) {
     let (f, state) = (context.figures, context.state);
     let (what, unit) = match context.scene.mechanism.driver().input {
         Input::Turn(_) => ("torque", "N m"),
         Input::Push(_) => ("force", "N"),
     };
-    page.document.section(format!("The driver's {what}"));
+    draft.page.section(format!("The driver's {what}"));
     if let Some(parts) = state.drive_parts() {
         let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         let mut sum = Sum::default();
@@ -137,7 +137,7 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
             .for_each(|v| sum.push_figure(&f.beside(*v, size)));
         let size_on_the_way = size.max(largest(context, acted));
         let worked = parts.iter().sum();
-        page.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
+        draft.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
         let check = format!(
             "The driver's {what} of {} {unit} follows from the balance of the links. The virtual work of the \
              loads, of gravity and of inertia must give the same, and is its check",
@@ -147,11 +147,11 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
             Some(_) => check,
             None => "By the virtual work of the loads, of gravity and of inertia".to_owned(),
         };
-        page.document.text(format!(
+        draft.page.text(format!(
             "{way}. Each share is the power of its forces, with the other sign, divided by the driver's speed."
         ));
-        super::loads::shares(context, page, acted, parts);
-        page.document.equation([
+        super::loads::shares(context, draft, acted, parts);
+        draft.page.equation([
             format!("driver.{what}"),
             "load + gravity + inertia".into(),
             sum.text(),
@@ -163,17 +163,15 @@ fn driver(context: &Context<'_>, page: &mut Page, drive: f64, acted: &[Acted]) {
             Input::Turn(_) => state.driver_speed(),
             Input::Push(_) => state.driver_speed() * context.scene.mechanism.metres(),
         };
-        let speed = f.given(speed);
-        page.document.equation([
-            "driver.power".to_owned(),
-            format!("{}·{}", factor(&f.number(drive)), factor(&speed)),
-            format!("{} W", f.number(power)),
-        ]);
+        let [drive, speed] = [(f.number(drive), drive), (f.given(speed), speed)]
+            .map(|(figure, value)| Expression::figure(figure, value));
+        let figure = format!("{} W", f.number(power));
+        draft.reckoned("driver.power", &(drive * speed), |_| figure);
     }
 }
 
 /// The two independent checks: power, and the equilibrium of the whole.
-pub(super) fn check(context: &Context<'_>, page: &mut Page) {
+pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
     let state = context.state;
     let (Some(left), Some(force), Some(moment)) =
         (state.residual(), state.frame_force(), state.frame_moment())
@@ -182,7 +180,7 @@ pub(super) fn check(context: &Context<'_>, page: &mut Page) {
     };
     let f = context.figures;
     let [x, y] = components(context, force);
-    page.document.text(format!(
+    draft.page.text(format!(
         "The frame feels {x} N along x, {y} N along y and a moment of {} N m about the origin. What is left of \
          the balance of power and of the equilibrium of the whole, each found by a way of its own:",
         f.number(moment)
@@ -204,7 +202,8 @@ pub(super) fn check(context: &Context<'_>, page: &mut Page) {
         ("forces, y", left.force.y, "N"),
         ("moments", left.moment, "N m"),
     ] {
-        page.document
+        draft
+            .page
             .equation([name.to_owned(), format!("{} {unit}", small(value))]);
     }
 }

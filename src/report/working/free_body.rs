@@ -1,8 +1,9 @@
 //! The free body of a link: what acts on it, and its three equations of motion with numbers.
 
-use super::figures::{Sum, factor};
+use super::draft::{Context, Draft};
+use super::expression::{Expression, Function};
+use super::figures::Sum;
 use super::forces::point_name;
-use super::page::{Context, Page};
 use crate::report::forces::partner;
 use crate::solver::Acted;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
@@ -20,7 +21,7 @@ pub(super) struct Row {
 /// The forces on a link, and its three equations with numbers; `false` where some of them are left open.
 pub(super) fn free_body(
     context: &Context<'_>,
-    page: &mut Page,
+    draft: &mut Draft,
     id: LinkId,
     acted: &[Acted],
 ) -> bool {
@@ -40,15 +41,15 @@ pub(super) fn free_body(
     let Some(rows) = body.rows() else {
         return false;
     };
-    page.document.section(format!("Link {name}"));
-    body.table(page, &rows);
+    draft.page.section(format!("Link {name}"));
+    body.table(draft, &rows);
     let point = point_name(context, about);
     let text = format!("x and y from {point}, moments about it. The equations of motion");
-    page.document.text(match body.acceleration() {
+    draft.page.text(match body.acceleration() {
         Some(_) => format!("{text}, with the acceleration of {point} in m/s^2:"),
         None => format!("{text}:"),
     });
-    body.equations(page, &rows);
+    body.equations(draft, &rows);
     true
 }
 
@@ -58,9 +59,7 @@ struct Balance {
     /// The largest that a term can be.
     size: f64,
     /// The right side.
-    symbols: String,
-    numbers: String,
-    value: f64,
+    motion: Expression,
     unit: &'static str,
 }
 
@@ -98,7 +97,7 @@ impl FreeBody<'_> {
     }
 
     /// Every force with its arm and its moment.
-    fn table(&self, page: &mut Page, rows: &[Row]) {
+    fn table(&self, draft: &mut Draft, rows: &[Row]) {
         let f = self.context.figures;
         let [largest, reach] = self.sizes(rows);
         let cells = rows.iter().map(|row| {
@@ -116,7 +115,7 @@ impl FreeBody<'_> {
             ]
         });
         let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{}]", f.unit));
-        page.document.table(
+        draft.table(
             ["on it", "fx [N]", "fy [N]", &x, &y, "moment [N m]"],
             cells.collect(),
         );
@@ -129,54 +128,46 @@ impl FreeBody<'_> {
     }
 
     /// The sums of forces and of moments, and what they make of the link's motion.
-    fn equations(&self, page: &mut Page, rows: &[Row]) {
+    fn equations(&self, draft: &mut Draft, rows: &[Row]) {
         let (f, state) = (self.context.figures, self.context.state);
         let link = self.mechanism().link(self.id);
         let a = state.acceleration(self.about) * self.mechanism().metres();
         let [largest, reach] = self.sizes(rows);
         if let Some(a) = self.acceleration() {
-            let length = f.number(a.norm());
-            let direction = f.direction(crate::angle::degrees(a));
-            for (name, function, value) in [("ax", "cos", a.x), ("ay", "sin", a.y)] {
-                page.document.equation([
-                    name.to_owned(),
-                    format!("{length}·{function}({direction})"),
-                    format!("{} m/s^2", f.beside(value, a.norm())),
-                ]);
+            let (length, direction) = (a.norm(), crate::angle::degrees(a));
+            for (name, function) in [("ax", Function::Cos), ("ay", Function::Sin)] {
+                let at = Expression::figure(f.direction(direction), direction);
+                let along =
+                    Expression::figure(f.number(length), length) * Expression::of(function, [at]);
+                draft.reckoned(name, &along, |v| format!("{} m/s^2", f.beside(v, length)));
             }
         }
         let force = |axis: &str, a_axis: f64, values: Vec<f64>| Balance {
             values,
             size: largest,
-            symbols: format!("m a{axis}"),
-            numbers: format!(
-                "{}·{}",
-                f.given(link.mass),
-                factor(&f.beside(a_axis, a.norm()))
-            ),
-            value: link.mass * a_axis,
+            motion: Expression::known("m", f.given(link.mass), link.mass)
+                * Expression::known(format!("a{axis}"), f.beside(a_axis, a.norm()), a_axis),
             unit: "N",
         };
         let alpha = state.alpha(self.id);
         let turning = Balance {
             values: rows.iter().map(|row| self.moment(row)).collect(),
             size: reach,
-            symbols: "I α".into(),
-            numbers: format!("{}·{}", f.given(link.inertia), factor(&f.number(alpha))),
-            value: link.inertia * alpha,
+            motion: Expression::known("I", f.given(link.inertia), link.inertia)
+                * Expression::known("α", f.number(alpha), alpha),
             unit: "N m",
         };
         let x = force("x", a.x, rows.iter().map(|row| row.force.x).collect());
         let y = force("y", a.y, rows.iter().map(|row| row.force.y).collect());
         for balance in [x, y, turning] {
-            self.write(page, balance);
+            self.write(draft, balance);
         }
     }
 
     /// `12.5 - 3.2 = m ax = 2*4.65 = 9.3 N`; without mass what is left is 0.
-    fn write(&self, page: &mut Page, balance: Balance) {
+    fn write(&self, draft: &mut Draft, balance: Balance) {
         let f = self.context.figures;
-        let (size, value) = (balance.size, balance.value);
+        let (size, value) = (balance.size, balance.motion.value());
         let mut sum = Sum::default();
         for &term in &balance.values {
             let figure = f.beside(term, size);
@@ -185,16 +176,17 @@ impl FreeBody<'_> {
             }
         }
         let name = self.context.scene.link_name(self.id);
-        let symbol = format!("{} of {name}", balance.symbols);
+        let symbols = balance.motion.symbols();
+        let symbol = format!("{symbols} of {name}");
         let worked = balance.values.iter().sum();
-        page.agree(&symbol, worked, value, size.max(value.abs()));
+        draft.agree(&symbol, worked, value, size.max(value.abs()));
         let right = format!("{} {}", f.beside(value, size), balance.unit);
         let link = self.mechanism().link(self.id);
         if link.mass > 0.0 || link.inertia > 0.0 {
-            let sides = [sum.text(), balance.symbols, balance.numbers, right];
-            page.document.equation(sides);
+            let sides = [sum.text(), symbols, balance.motion.numbers(), right];
+            draft.page.equation(sides);
         } else {
-            page.document.equation([sum.text(), right]);
+            draft.page.equation([sum.text(), right]);
         }
     }
 

@@ -1,14 +1,14 @@
 //! How the loads come about: the factor of a load over the driver, the law of a spring; and what share of
 //! the driver's effort each of them has.
 
-use super::figures::factor;
+use super::draft::{Context, Draft};
+use super::expression::Expression;
 use super::forces::{kind, point_name};
-use super::page::{Context, Page};
 use crate::solver::Acted;
 use crate::{Body, Input, Load, PointId, Vec2};
 
 /// The laws of loads that are not constant.
-pub(super) fn laws(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
+pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     let (f, mechanism) = (context.figures, &context.scene.mechanism);
     for (load, acted) in mechanism.loads().iter().zip(acted) {
         match *load {
@@ -26,7 +26,7 @@ pub(super) fn laws(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
                 let part = whole.dot(now) / whole.dot(whole);
                 let name = format!("force at {}", point_name(context, point));
                 let sizes = [part, force.norm(), now.norm().copysign(part)];
-                scaled(context, page, name, sizes, "N");
+                scaled(context, draft, name, sizes, "N");
             }
             Load::Torque {
                 link,
@@ -35,7 +35,7 @@ pub(super) fn laws(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
             } if !over.is_one() && torque != 0.0 => {
                 let now = acted.couple.map_or(0.0, |couple| couple.1);
                 let name = format!("torque on {}", context.scene.link_name(link));
-                scaled(context, page, name, [now / torque, torque, now], "N m");
+                scaled(context, draft, name, [now / torque, torque, now], "N m");
             }
             Load::Spring {
                 from,
@@ -46,8 +46,6 @@ pub(super) fn laws(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
             } => {
                 let spring = Spring::of(context, from, to);
                 let metres = mechanism.metres();
-                let force =
-                    stiffness * (spring.length - length) * metres + damping * spring.rate * metres;
                 let name = format!(
                     "L from {} to {}",
                     point_name(context, from),
@@ -55,26 +53,23 @@ pub(super) fn laws(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
                 );
                 let l = f.number(spring.length);
                 let rate = f.beside(spring.rate, context.fastest[0]);
-                page.document
+                draft
+                    .page
                     .text("Of a spring, its pull with the lengths in m:");
-                page.document.equation([name, format!("{l} {}", f.unit)]);
-                page.document
+                draft.page.equation([name, format!("{l} {}", f.unit)]);
+                draft
+                    .page
                     .equation(["dL/dt".to_owned(), format!("{rate} {}", f.length_unit(1))]);
                 let [l, l0] = [spring.length, length].map(|v| v * metres);
-                let rate = f.beside(spring.rate * metres, context.fastest[0] * metres);
-                page.document.equation([
-                    "pull".to_owned(),
-                    "k (L - L0) + c dL/dt".to_owned(),
-                    format!(
-                        "{}·({} - {}) + {}·{}",
-                        f.given(stiffness),
-                        f.number(l),
-                        f.given(l0),
-                        f.given(damping),
-                        factor(&rate)
-                    ),
-                    format!("{} N", f.number(force)),
-                ]);
+                let l = Expression::known("L", f.number(l), l);
+                let l0 = Expression::known("L0", f.given(l0), l0);
+                let k = Expression::known("k", f.given(stiffness), stiffness);
+                let c = Expression::known("c", f.given(damping), damping);
+                let rate = spring.rate * metres;
+                let figure = f.beside(rate, context.fastest[0] * metres);
+                let rate = Expression::known("dL/dt", figure, rate);
+                let pull = k * (l - l0) + c * rate;
+                draft.worked("pull", &pull, |pull| format!("{} N", f.number(pull)));
             }
             Load::Force { .. } | Load::Torque { .. } | Load::Press { .. } => {}
         }
@@ -84,16 +79,18 @@ pub(super) fn laws(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
 /// `0.565*32000 = 18080 N`: a load by its factor at this coordinate.
 fn scaled(
     context: &Context<'_>,
-    page: &mut Page,
+    draft: &mut Draft,
     name: String,
     [part, whole, now]: [f64; 3],
     unit: &str,
 ) {
     let f = context.figures;
-    page.document.equation([
+    let product = Expression::known("factor", f.number(part), part)
+        * Expression::figure(f.given(whole), whole);
+    draft.page.equation([
         name,
-        format!("factor·{}", f.given(whole)),
-        format!("{}·{}", factor(&f.number(part)), factor(&f.given(whole))),
+        product.symbols(),
+        product.numbers(),
         format!("{} {unit}", f.number(now)),
     ]);
 }
@@ -120,7 +117,7 @@ impl Spring {
 }
 
 /// The power of everything that acts, and the share of the driver's effort that is against it.
-pub(super) fn shares(context: &Context<'_>, page: &mut Page, acted: &[Acted], parts: [f64; 3]) {
+pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], parts: [f64; 3]) {
     let (f, state) = (context.figures, context.state);
     let mechanism = &context.scene.mechanism;
     let metres = mechanism.metres();
@@ -165,7 +162,7 @@ pub(super) fn shares(context: &Context<'_>, page: &mut Page, acted: &[Acted], pa
         add(2, name, "-m a v - I α ω", -moving - turning);
     }
     if !rows.is_empty() {
-        page.document.table(["of", "power", "[W]"], rows);
+        draft.table(["of", "power", "[W]"], rows);
     }
     let unit = match mechanism.driver().input {
         Input::Turn(_) => "N m",
@@ -174,16 +171,12 @@ pub(super) fn shares(context: &Context<'_>, page: &mut Page, acted: &[Acted], pa
     let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let names = ["load", "gravity", "inertia"];
     for ((name, power), part) in names.into_iter().zip(powers).zip(parts) {
-        let power = f.beside(power, size * speed.abs());
-        if power == "0" {
-            page.document
-                .equation([name.to_owned(), format!("0 {unit}")]);
+        let figure = f.beside(power, size * speed.abs());
+        if figure == "0" {
+            draft.page.equation([name.to_owned(), format!("0 {unit}")]);
             continue;
         }
-        page.document.equation([
-            name.to_owned(),
-            format!("-{}/{}", factor(&power), factor(&f.given(speed))),
-            format!("{} {unit}", f.beside(part, size)),
-        ]);
+        let share = -Expression::figure(figure, power) / Expression::figure(f.given(speed), speed);
+        draft.reckoned(name, &share, |_| format!("{} {unit}", f.beside(part, size)));
     }
 }

@@ -7,17 +7,16 @@
 
 mod check;
 mod coupled;
-mod document;
+mod draft;
 mod equations;
+mod expression;
 mod figures;
 mod forces;
 mod free_body;
 mod guided;
 mod loads;
 mod loop_finder;
-mod markdown;
 mod opening;
-mod page;
 mod pins;
 mod place;
 mod points;
@@ -27,17 +26,15 @@ mod sides;
 mod solution;
 mod stages;
 mod symbols;
-mod text;
 mod triangle;
 
-pub use document::{Block, Document, Equation, Table};
-pub use page::Agreement;
-pub use text::{LineKind, TextStyle};
+pub use draft::Agreement;
 
+use crate::page::Page;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
+use draft::{Context, Draft};
 use figures::Figures;
-use page::{Context, Page};
 use polygon::Polygon;
 use stages::{Schedule, Stage};
 
@@ -53,7 +50,7 @@ pub struct Working {
 #[derive(Clone, Debug)]
 pub struct Worked {
     /// What is to be read.
-    pub document: Document,
+    pub page: Page,
     /// Every figure that was worked out by a printed formula, beside the solver's.
     pub agreements: Vec<Agreement>,
 }
@@ -93,20 +90,20 @@ impl Working {
         };
         context.read_sides();
         context.find_fastest();
-        let mut page = Page::default();
-        opening::heading(&context, &mut page);
-        opening::polygons(&context, &mut page);
-        opening::position_table(&context, &mut page);
-        place::equations(&context, &mut page);
-        place::solutions(&context, &mut page);
-        rates::rates(&context, &mut page, Order::Velocity);
-        rates::rates(&context, &mut page, Order::Acceleration);
-        points::points(&context, &mut page);
-        forces::forces(&context, &mut page);
-        check::check(&context, &mut page);
+        let mut draft = Draft::default();
+        opening::heading(&context, &mut draft);
+        opening::polygons(&context, &mut draft);
+        opening::position_table(&context, &mut draft);
+        place::equations(&context, &mut draft);
+        place::solutions(&context, &mut draft);
+        rates::rates(&context, &mut draft, Order::Velocity);
+        rates::rates(&context, &mut draft, Order::Acceleration);
+        points::points(&context, &mut draft);
+        forces::forces(&context, &mut draft);
+        check::check(&context, &mut draft);
         Worked {
-            document: page.document,
-            agreements: page.agreements,
+            page: draft.page,
+            agreements: draft.agreements,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How the working begins: the driver, the state, the vector polygons and the position table.
 
+use super::draft::{Context, Draft};
 use super::figures::Sum;
-use super::page::{Context, Page};
 use super::polygon::Loop;
 use super::sides::{Side, Turns};
 use super::symbols;
@@ -11,14 +11,14 @@ use crate::solver::Condition;
 use crate::{Input, LinkId};
 
 /// The title, and where the driver is.
-pub(super) fn heading(context: &Context<'_>, page: &mut Page) {
+pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
     let Context {
         scene,
         state,
         figures,
         ..
     } = context;
-    page.document.title(&scene.name);
+    draft.page.title(&scene.name);
     let (name, kind, units) = match scene.mechanism.driver().input {
         Input::Turn(link) => (
             scene.link_name(link),
@@ -31,7 +31,7 @@ pub(super) fn heading(context: &Context<'_>, page: &mut Page) {
         }
     };
     let [at, speed, acceleration] = units;
-    page.document.text(format!(
+    draft.page.text(format!(
         "State: {}. The driver {name} {kind}: at {} {at}, with {} {speed} and {} {acceleration}.",
         state_word(state.condition()),
         crate::report::number::concise(state.at(), usize::MAX),
@@ -39,7 +39,7 @@ pub(super) fn heading(context: &Context<'_>, page: &mut Page) {
         figures.given(state.driver_acceleration()),
     ));
     if let Some(text) = condition_text(context) {
-        page.document.text(text);
+        draft.page.text(text);
     }
 }
 
@@ -69,21 +69,23 @@ fn condition_text(context: &Context<'_>) -> Option<String> {
 }
 
 /// The closed loops, and what no loop goes along.
-pub(super) fn polygons(context: &Context<'_>, page: &mut Page) {
+pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
     let polygon = context.polygon;
-    page.document.part("Vector polygons");
+    draft.page.part("Vector polygons");
     for (number, of) in polygon.loops.iter().enumerate() {
-        page.document.equation([sum_text(context, of), "0".into()]);
+        draft.page.equation([sum_text(context, of), "0".into()]);
         let name = if polygon.loops.len() == 1 {
             String::new()
         } else {
             format!("Loop {}: ", number + 1)
         };
-        page.document
+        draft
+            .page
             .text(format!("{name}{}{}", polygon.walk(of), closer(context, of)));
     }
     if polygon.loops.is_empty() {
-        page.document
+        draft
+            .page
             .text("There is no closed loop: the driver alone places everything.");
     }
     let between: Vec<String> = polygon
@@ -101,14 +103,15 @@ pub(super) fn polygons(context: &Context<'_>, page: &mut Page) {
         })
         .collect();
     if !between.is_empty() {
-        page.document.text(format!(
+        draft.page.text(format!(
             "Beside the scene's vectors: {}.",
             between.join("; ")
         ));
     }
     let riders: Vec<&str> = polygon.riders().map(|side| side.name.as_str()).collect();
     if !riders.is_empty() {
-        page.document
+        draft
+            .page
             .text(format!("In no loop: {}.", riders.join(", ")));
     }
 }
@@ -145,8 +148,8 @@ fn place(context: &Context<'_>, side: &Side) -> String {
 }
 
 /// Length and angle of every vector; what is given, what goes with the driver, what is sought.
-pub(super) fn position_table(context: &Context<'_>, page: &mut Page) {
-    page.document.part("Position table");
+pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
+    draft.page.part("Position table");
     let figures = context.figures;
     let mut rows = Vec::new();
     for (side, reading) in context.polygon.sides.iter().zip(&context.readings) {
@@ -176,8 +179,7 @@ pub(super) fn position_table(context: &Context<'_>, page: &mut Page) {
     }
     rows.extend(bodies_without_ends(context));
     let r = format!("r [{}]", figures.unit);
-    page.document
-        .table(["vector", "from, to", &r, "r is", "θ [deg]", "θ is"], rows);
+    draft.table(["vector", "from, to", &r, "r is", "θ [deg]", "θ is"], rows);
 }
 
 fn length_mark(context: &Context<'_>, side: &Side) -> &'static str {

@@ -1,14 +1,14 @@
 //! Pins on which a load acts: how it is shared between the links that meet there.
 
+use super::draft::{Context, Draft};
 use super::figures::Sum;
 use super::forces::{components, kind, point_name};
 use super::free_body::{Row, guided, is_joint, pin_name};
-use super::page::{Context, Page};
 use crate::solver::Acted;
 use crate::{PointId, Slider, Vec2};
 
 /// The balance of every pin of several bodies on which a load or a spring acts.
-pub(super) fn pins(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
+pub(super) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
     let mechanism = &context.scene.mechanism;
     // What acts on a ground pin goes into the ground.
     let moving = mechanism
@@ -25,9 +25,10 @@ pub(super) fn pins(context: &Context<'_>, page: &mut Page, acted: &[Acted]) {
         if !loads.is_empty()
             && let Some(rows) = rows(context, point, loads)
         {
-            page.document
+            draft
+                .page
                 .section(format!("Pin {}", point_name(context, point)));
-            balance(context, page, point, &rows);
+            balance(context, draft, point, &rows);
         }
     }
 }
@@ -52,15 +53,14 @@ fn rows(
     Some(rows)
 }
 
-fn balance(context: &Context<'_>, page: &mut Page, point: PointId, rows: &[(String, Vec2)]) {
+fn balance(context: &Context<'_>, draft: &mut Draft, point: PointId, rows: &[(String, Vec2)]) {
     let f = context.figures;
     let cells = rows.iter().map(|(name, force)| {
         let [x, y] = components(context, *force);
         [name.clone(), x, y]
     });
-    page.document
-        .table(["on it", "fx [N]", "fy [N]"], cells.collect());
-    page.document.text(
+    draft.table(["on it", "fx [N]", "fy [N]"], cells.collect());
+    draft.page.text(
         "A load at a pin acts on the pin, which has no mass; it acts on the links against what they bear there:",
     );
     let size = rows
@@ -76,7 +76,7 @@ fn balance(context: &Context<'_>, page: &mut Page, point: PointId, rows: &[(Stri
         }
         let left = rows.iter().map(|(_, force)| pick(*force)).sum();
         let name = format!("forces along {axis} at {}", point_name(context, point));
-        page.agree(&name, left, 0.0, size);
-        page.document.equation([sum.text(), "0 N".to_owned()]);
+        draft.agree(&name, left, 0.0, size);
+        draft.page.equation([sum.text(), "0 N".to_owned()]);
     }
 }

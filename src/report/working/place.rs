@@ -1,44 +1,45 @@
 //! Positions: the loop equations in components and projected, and each group's solution by the formula of
 //! its form, with every figure on the way.
 
+use super::draft::{Context, Draft};
 use super::equations::{Axis, Heading, Member, Piece, in_figures, in_symbols};
 use super::figures::Figures;
 use super::opening::sum_text;
-use super::page::{Context, Page};
 use super::polygon::{Loop, Term};
 use super::solution::Solution;
 use super::stages::{Form, Stage};
 use crate::solver::Order;
 
 /// The equations of every loop.
-pub(super) fn equations(context: &Context<'_>, page: &mut Page) {
+pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
     }
-    page.document.part("Loop equations");
+    draft.page.part("Loop equations");
     for stage in context.stages {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
-            loop_heading(context, page, number, of);
+            loop_heading(context, draft, number, of);
             let members = context.members(of, stage);
             for axis in [Axis::X, Axis::Y] {
                 let pieces = pieces(&members, &axis, context.figures);
-                page.document.equation([in_symbols(&pieces), "0".into()]);
+                draft.page.equation([in_symbols(&pieces), "0".into()]);
             }
             for axis in [Axis::X, Axis::Y] {
                 let pieces = pieces(&members, &axis, context.figures);
                 let figures = in_figures(&pieces, context.figures);
-                page.document.equation([figures, "0".into()]);
+                draft.page.equation([figures, "0".into()]);
             }
-            projected(context, page, stage, &members);
+            projected(context, draft, stage, &members);
         }
     }
 }
 
-pub(super) fn loop_heading(context: &Context<'_>, page: &mut Page, number: usize, of: &Loop) {
+pub(super) fn loop_heading(context: &Context<'_>, draft: &mut Draft, number: usize, of: &Loop) {
     let sum = sum_text(context, of);
     if context.polygon.loops.len() > 1 {
-        page.document
+        draft
+            .page
             .section(format!("Loop {}: {sum} = 0", number + 1));
     }
 }
@@ -49,7 +50,7 @@ pub(super) fn pieces(members: &[Member<'_>], axis: &Axis, figures: Figures) -> V
 }
 
 /// The equations multiplied by unit vectors that remove a side each.
-fn projected(context: &Context<'_>, page: &mut Page, stage: &Stage, members: &[Member<'_>]) {
+fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &[Member<'_>]) {
     let removed: Vec<Term> = match &stage.form {
         Form::Triangle(a, b) => [a, b].into_iter().filter_map(|arm| single(arm)).collect(),
         Form::Quadratic(_, slide) => vec![*slide],
@@ -60,15 +61,15 @@ fn projected(context: &Context<'_>, page: &mut Page, stage: &Stage, members: &[M
         let own = context.member(term, stage);
         let axis = Axis::Across(Heading::of(&own));
         let pieces = pieces(members, &axis, context.figures);
-        page.document.text(format!(
+        draft.page.text(format!(
             "Multiplied by n({}), at right angles to {}, which removes {}:",
             own.side.theta(),
             own.side.name,
             own.side.name
         ));
         let figures = in_figures(&pieces, context.figures);
-        page.document.equation([in_symbols(&pieces), "0".into()]);
-        page.document.equation([figures, "0".into()]);
+        draft.page.equation([in_symbols(&pieces), "0".into()]);
+        draft.page.equation([figures, "0".into()]);
     }
 }
 
@@ -80,13 +81,13 @@ pub(super) fn single(arm: &[Term]) -> Option<Term> {
 }
 
 /// The solution of every group, in the plan's order.
-pub(super) fn solutions(context: &Context<'_>, page: &mut Page) {
-    page.document.part("Positions, group by group");
+pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
+    draft.page.part("Positions, group by group");
     for stage in context.stages {
         match stage.group {
             Some(number) => {
                 let text = context.group_text(number);
-                page.document.section(text);
+                draft.page.section(text);
             }
             None => {
                 let side = stage
@@ -96,45 +97,48 @@ pub(super) fn solutions(context: &Context<'_>, page: &mut Page) {
                 let names: Vec<&str> = side
                     .map(|t| context.polygon.sides[t.side].name.as_str())
                     .collect();
-                page.document
+                draft
+                    .page
                     .section(format!("The vector {}", names.join(", ")));
             }
         }
-        solve(context, page, stage);
+        solve(context, draft, stage);
     }
 }
 
-fn solve(context: &Context<'_>, page: &mut Page, stage: &Stage) {
+fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     let Some(solution) = Solution::new(context, stage) else {
-        return without_loop(context, page, stage);
+        return without_loop(context, draft, stage);
     };
     let is_found = context.has_positions() || solution.is_known();
     if !is_found && !matches!(stage.form, Form::Nothing) {
-        page.document
+        draft
+            .page
             .text("Not without the positions of the groups before it.");
         return;
     }
     match &stage.form {
-        Form::Nothing => repeated(page),
-        Form::Triangle(a, b) => solution.triangle(page, a, b),
-        Form::Quadratic(arm, slide) => solution.quadratic(page, arm, *slide),
-        Form::Swing(arm, slide) => solution.swing(page, arm, *slide),
-        Form::Guides(a, b) => solution.guides(page, *a, *b),
-        Form::Sum(term) => solution.sum(page, *term),
-        Form::System => super::coupled::position(context, page, stage),
+        Form::Nothing => repeated(draft),
+        Form::Triangle(a, b) => solution.triangle(draft, a, b),
+        Form::Quadratic(arm, slide) => solution.quadratic(draft, arm, *slide),
+        Form::Swing(arm, slide) => solution.swing(draft, arm, *slide),
+        Form::Guides(a, b) => solution.guides(draft, *a, *b),
+        Form::Sum(term) => solution.sum(draft, *term),
+        Form::System => super::coupled::position(context, draft, stage),
     }
 }
 
 /// A group whose loop seeks nothing.
-fn repeated(page: &mut Page) {
-    page.document
+fn repeated(draft: &mut Draft) {
+    draft
+        .page
         .text("Its loop repeats others: nothing is sought in it.");
 }
 
 /// The driver's group, and whatever follows without a loop.
-fn without_loop(context: &Context<'_>, page: &mut Page, stage: &Stage) {
+fn without_loop(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     if matches!(stage.form, Form::System) {
-        return super::coupled::position(context, page, stage);
+        return super::coupled::position(context, draft, stage);
     }
     let Some(group) = stage
         .group
@@ -155,15 +159,15 @@ fn without_loop(context: &Context<'_>, page: &mut Page, stage: &Stage) {
         }
     }
     if stage.loops.is_empty() && rows.is_empty() {
-        page.document.text("Nothing is sought.");
+        draft.page.text("Nothing is sought.");
     } else if stage.loops.is_empty() {
-        page.document.text("The driver places:");
+        draft.page.text("The driver places:");
     } else {
-        repeated(page);
+        repeated(draft);
     }
     if !rows.is_empty() {
         let unit = context.figures.unit;
-        page.document.table(
+        draft.table(
             ["point", &format!("x [{unit}]"), &format!("y [{unit}]")],
             rows,
         );

@@ -1,8 +1,8 @@
 //! Velocities and accelerations of joints, centres of mass and further points: about a pivot, or about
 //! another joint of the link, by their tangential and normal parts; on a guide along it.
 
-use super::figures::{Sum, factor};
-use super::page::{Context, Page};
+use super::draft::{Context, Draft};
+use super::expression::{Expression, Function};
 use super::sides::Turns;
 use super::symbols::{self, of_point};
 use crate::solver::Sliding;
@@ -18,8 +18,8 @@ enum Seat {
 }
 
 /// Every point that moves.
-pub(super) fn points(context: &Context<'_>, page: &mut Page) {
-    page.document.part("Points");
+pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
+    draft.page.part("Points");
     let mechanism = &context.scene.mechanism;
     let moving = mechanism
         .point_ids()
@@ -29,7 +29,8 @@ pub(super) fn points(context: &Context<'_>, page: &mut Page) {
         .filter_map(|point| Some((point, seat(mechanism, &places, point)?)))
         .collect();
     if !context.has_rates() {
-        page.document
+        draft
+            .page
             .text("Their velocities and accelerations do not exist here.");
         return;
     }
@@ -38,8 +39,8 @@ pub(super) fn points(context: &Context<'_>, page: &mut Page) {
             continue;
         };
         match seat {
-            Seat::Link(link, base) => on_link(context, page, (point, name), link, base),
-            Seat::Guide(slide) => on_guide(context, page, (point, name), slide),
+            Seat::Link(link, base) => on_link(context, draft, (point, name), link, base),
+            Seat::Guide(slide) => on_guide(context, draft, (point, name), slide),
         }
     }
 }
@@ -114,49 +115,48 @@ impl Scribe<'_> {
         [symbol.into(), format!("{length} {unit} at {direction} deg")]
     }
 
-    /// A part by its formula: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
-    fn part(&self, page: &mut Page, symbol: String, formula: &str, numbers: String, value: Vec2) {
+    /// A part by its size: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
+    fn part(&self, draft: &mut Draft, symbol: String, size: &Expression, value: Vec2) {
         let [symbol, figure] = self.polar(symbol, value);
-        page.document
-            .equation([symbol, formula.to_owned(), numbers, figure]);
+        let worked = draft.worked(&symbol, size, |_| figure);
+        draft.agree(&symbol, worked, value.norm(), self.size);
     }
 
     /// Along x and along y the sum of the parts: `vCx = 587.462*cos(299.379) + 1500*cos(150) = -1010.83`.
-    fn components(&self, page: &mut Page, name: &str, parts: &[Vec2]) {
+    fn components(&self, draft: &mut Draft, name: &str, parts: &[Vec2]) {
         let f = self.context.figures;
-        let sum = parts.iter().fold(Vec2::ZERO, |sum, &part| sum + part);
-        for (axis, function, value) in [("x", "cos", sum.x), ("y", "sin", sum.y)] {
-            let mut terms = Sum::default();
-            for part in parts {
+        let unit = f.length_unit(self.order);
+        for (axis, function) in [("x", Function::Cos), ("y", Function::Sin)] {
+            let terms = parts.iter().filter_map(|part| {
                 let length = f.beside(part.norm(), self.size);
-                if length != "0" {
-                    let direction = f.direction(angle::degrees(*part));
-                    terms.push(false, &format!("{length}·{function}({direction})"));
+                let direction = angle::degrees(*part);
+                let at = Expression::figure(f.direction(direction), direction);
+                let along = Expression::of(function, [at]);
+                (length != "0").then(|| Expression::figure(length, part.norm()) * along)
+            });
+            let symbol = part_symbol(self.figure, name, axis);
+            let figure = |value| format!("{} {unit}", f.beside(value, self.size));
+            match Expression::total(terms) {
+                Some(sum) => {
+                    draft.reckoned(&symbol, &sum, figure);
                 }
+                None => draft.page.equation([symbol, "0".into(), figure(0.0)]),
             }
-            let figure = f.beside(value, self.size);
-            let unit = f.length_unit(self.order);
-            page.document.equation([
-                part_symbol(self.figure, name, axis),
-                terms.text(),
-                format!("{figure} {unit}"),
-            ]);
         }
     }
 
     /// The whole, from two lengths at right angles: its parts, or its components.
-    fn whole(&self, page: &mut Page, name: &str, sum: Vec2, parts: [f64; 2]) {
+    fn whole(&self, draft: &mut Draft, name: &str, sum: Vec2, parts: [f64; 2]) {
         let f = self.context.figures;
         let [symbol, text] = self.polar(of_point(self.figure, name), sum);
-        let [x, y] = parts.map(|v| factor(&f.beside(v, self.size)));
-        page.document
-            .equation([symbol, format!("sqrt({x}^2 + {y}^2)"), text]);
+        let [x, y] = parts.map(|v| Expression::figure(f.beside(v, self.size), v));
+        draft.reckoned(&symbol, &(x.squared() + y.squared()).sqrt(), |_| text);
     }
 
     /// Notes how far a sum of parts is from the solver's vector.
-    fn agree(&self, page: &mut Page, name: &str, worked: Vec2, solved: Vec2) {
+    fn agree(&self, draft: &mut Draft, name: &str, worked: Vec2, solved: Vec2) {
         let symbol = of_point(self.figure, name);
-        page.agree(&symbol, (worked - solved).norm(), 0.0, self.size);
+        draft.agree(&symbol, (worked - solved).norm(), 0.0, self.size);
     }
 }
 
@@ -179,7 +179,7 @@ struct OnLink<'a> {
 
 fn on_link(
     context: &Context<'_>,
-    page: &mut Page,
+    draft: &mut Draft,
     (point, name): (PointId, &str),
     link: LinkId,
     base: PointId,
@@ -205,19 +205,21 @@ fn on_link(
         base_name,
         ..
     } = on;
-    page.document
+    draft
+        .page
         .section(format!("{name} on {link_name} about {base_name}"));
     if on.r == 0.0 {
-        page.document
+        draft
+            .page
             .text(format!("It lies on {base_name} and moves as that does."));
     } else if context.polygon.locks.turns(Body::Link(link), 0.0) == Turns::Never {
-        page.document.text(format!(
+        draft.page.text(format!(
             "{link_name} does not turn: all of it moves as {base_name} does."
         ));
     } else {
-        on.arm(page);
-        on.velocity(page);
-        on.acceleration(page);
+        on.arm(draft);
+        on.velocity(draft);
+        on.acceleration(draft);
     }
 }
 
@@ -228,11 +230,11 @@ fn arm(mechanism: &Mechanism, link: LinkId, from: PointId, to: PointId) -> Optio
 }
 
 impl OnLink<'_> {
-    fn arm(&self, page: &mut Page) {
+    fn arm(&self, draft: &mut Draft) {
         let f = self.context.figures;
         let direction = f.direction(angle::degrees(self.e));
         let text = format!("{} {} at {direction} deg", f.given(self.r), f.unit);
-        page.document.equation(["r".to_owned(), text]);
+        draft.page.equation(["r".to_owned(), text]);
     }
 
     /// The size of a rate as a factor; the driver's have no more digits than the scene gives them, and
@@ -246,12 +248,16 @@ impl OnLink<'_> {
         }
     }
 
+    /// The length of the arm.
+    fn length(&self) -> Expression {
+        Expression::known("r", self.context.figures.given(self.r), self.r)
+    }
+
     /// v = v of the base + omega k x e.
-    fn velocity(&self, page: &mut Page) {
+    fn velocity(&self, draft: &mut Draft) {
         let state = self.context.state;
         let w = state.omega(self.link);
         let turning = self.e.perp() * w;
-        let formula = format!("{} r", size_of(&symbols::omega(self.link_name), w));
         let (v, base) = (state.velocity(self.point), state.velocity(self.base));
         let scribe = Scribe {
             context: self.context,
@@ -259,32 +265,25 @@ impl OnLink<'_> {
             order: 1,
             size: turning.norm().max(self.context.fastest[0]),
         };
-        let (rate, r) = (
-            self.rate(w, scribe.size),
-            self.context.figures.given(self.r),
-        );
-        let numbers = format!("{rate}·{r}");
+        let rate = size_of(&symbols::omega(self.link_name), w);
+        let rate = Expression::known(rate, self.rate(w, scribe.size), w.abs());
+        let size = rate * self.length();
         let sum = base + turning;
-        scribe.agree(page, self.name, sum, v);
+        scribe.agree(draft, self.name, sum, v);
         if self.is_pivot {
-            return scribe.part(page, of_point("v", self.name), &formula, numbers, turning);
+            return scribe.part(draft, of_point("v", self.name), &size, turning);
         }
-        scribe.part(
-            page,
-            part_symbol("v", self.name, "t"),
-            &formula,
-            numbers,
-            turning,
-        );
-        page.document
+        scribe.part(draft, part_symbol("v", self.name, "t"), &size, turning);
+        draft
+            .page
             .equation(scribe.polar(of_point("v", self.base_name), base));
-        scribe.components(page, self.name, &[turning, base]);
-        scribe.whole(page, self.name, sum, [sum.x, sum.y]);
+        scribe.components(draft, self.name, &[turning, base]);
+        scribe.whole(draft, self.name, sum, [sum.x, sum.y]);
     }
 
     /// a = a of the base + alpha k x e - omega^2 e.
-    fn acceleration(&self, page: &mut Page) {
-        let (f, state) = (self.context.figures, self.context.state);
+    fn acceleration(&self, draft: &mut Draft) {
+        let state = self.context.state;
         let (w, alpha) = (state.omega(self.link), state.alpha(self.link));
         let (tangential, normal) = (self.e.perp() * alpha, -self.e * (w * w));
         let (a, base) = (
@@ -298,53 +297,42 @@ impl OnLink<'_> {
             order: 2,
             size: parts.max(self.context.fastest[1]),
         };
-        let r = f.given(self.r);
-        let formula = format!("{} r", size_of(&symbols::alpha(self.link_name), alpha));
-        let numbers = format!("{}·{r}", self.rate(alpha, scribe.size));
-        scribe.part(
-            page,
-            part_symbol("a", self.name, "t"),
-            &formula,
-            numbers,
-            tangential,
-        );
-        let formula = format!("{}^2 r", symbols::omega(self.link_name));
-        let numbers = format!("{}^2·{r}", self.rate(w, 0.0));
-        scribe.part(
-            page,
-            part_symbol("a", self.name, "n"),
-            &formula,
-            numbers,
-            normal,
-        );
+        let rate = size_of(&symbols::alpha(self.link_name), alpha);
+        let rate = Expression::known(rate, self.rate(alpha, scribe.size), alpha.abs());
+        let size = rate * self.length();
+        scribe.part(draft, part_symbol("a", self.name, "t"), &size, tangential);
+        let rate = symbols::omega(self.link_name);
+        let rate = Expression::known(rate, self.rate(w, 0.0), w.abs());
+        let size = rate.squared() * self.length();
+        scribe.part(draft, part_symbol("a", self.name, "n"), &size, normal);
         let sum = base + tangential + normal;
-        scribe.agree(page, self.name, sum, a);
+        scribe.agree(draft, self.name, sum, a);
         if self.is_pivot {
             let parts = [tangential.norm(), normal.norm()];
-            scribe.whole(page, self.name, sum, parts);
-            return self.between(page, parts, scribe.size);
+            scribe.whole(draft, self.name, sum, parts);
+            return self.between(draft, parts, scribe.size);
         }
-        page.document
+        draft
+            .page
             .equation(scribe.polar(of_point("a", self.base_name), base));
-        scribe.components(page, self.name, &[tangential, normal, base]);
-        scribe.whole(page, self.name, sum, [sum.x, sum.y]);
+        scribe.components(draft, self.name, &[tangential, normal, base]);
+        scribe.whole(draft, self.name, sum, [sum.x, sum.y]);
     }
 
     /// The angle between an acceleration about a pivot and its normal part.
-    fn between(&self, page: &mut Page, [t, n]: [f64; 2], size: f64) {
+    fn between(&self, draft: &mut Draft, [t, n]: [f64; 2], size: f64) {
         if !(t > NOUGHT * size && n > 0.0) {
             return;
         }
         let f = self.context.figures;
-        let beta = f.number(t.atan2(n).to_degrees());
-        page.document.equation([
-            "β".to_owned(),
-            format!("atan({}/{})", f.number(t), f.number(n)),
+        let [t, n] = [t, n].map(|v| Expression::figure(f.number(v), v));
+        let whole = of_point("a", self.name);
+        draft.reckoned("β", &Expression::of(Function::Atan, [t / n]), |beta| {
             format!(
-                "{beta} deg, between {} and its normal part",
-                of_point("a", self.name)
-            ),
-        ]);
+                "{} deg, between {whole} and its normal part",
+                f.number(beta)
+            )
+        });
     }
 }
 
@@ -370,7 +358,7 @@ fn part_symbol(figure: &str, name: &str, part: &str) -> String {
 /// What slides along a guide: along it, and with a guide that turns across it, too.
 fn on_guide(
     context: &Context<'_>,
-    page: &mut Page,
+    draft: &mut Draft,
     (point, name): (PointId, &str),
     slide: SlideId,
 ) {
@@ -381,7 +369,8 @@ fn on_guide(
         Body::Ground => "the ground",
         Body::Link(link) => context.scene.link_name(link),
     };
-    page.document
+    draft
+        .page
         .section(format!("{name} along the guide of {slide_name} on {body}"));
     let Sliding {
         guide: t,
@@ -405,9 +394,9 @@ fn on_guide(
             (scribe("v", 1, context.fastest[0]), rate_name, along, v),
             (scribe("a", 2, context.fastest[1]), accel_name, second, a),
         ] {
-            scribe.agree(page, name, value, solved);
+            scribe.agree(draft, name, value, solved);
             let [whole, text] = scribe.polar(of_point(scribe.figure, name), value);
-            page.document.equation([whole, symbol, text]);
+            draft.page.equation([whole, symbol, text]);
         }
         return;
     }
@@ -420,24 +409,23 @@ fn on_guide(
         of_v.polar(rate_name.clone(), along),
         of_v.polar(of_point("v", name), guide_v + along),
     ] {
-        page.document.equation(line);
+        draft.page.equation(line);
     }
     let of_a = scribe("a", 2, coriolis.norm().max(context.fastest[1]));
     let turning = size_of(&symbols::omega(body), omega);
     let f = context.figures;
-    let [rates, factors] = [
-        format!("2 {turning} {rate_name}"),
-        format!("2·{}·{}", f.number(omega.abs()), f.number(rate.abs())),
-    ];
-    page.document
+    let size = Expression::Number(2.0)
+        * Expression::known(turning, f.number(omega.abs()), omega.abs())
+        * Expression::known(rate_name, f.number(rate.abs()), rate.abs());
+    draft
+        .page
         .equation(of_a.polar(format!("a of {body} under {name}"), guide_a));
     let [symbol, figure] = of_a.polar(part_symbol("a", name, "c"), coriolis);
-    page.document
-        .equation([format!("{symbol} (Coriolis)"), rates, factors, figure]);
+    draft.worked(&format!("{symbol} (Coriolis)"), &size, |_| figure);
     for line in [
         of_a.polar(accel_name, second),
         of_a.polar(of_point("a", name), guide_a + coriolis + second),
     ] {
-        page.document.equation(line);
+        draft.page.equation(line);
     }
 }

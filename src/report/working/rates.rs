@@ -1,10 +1,10 @@
 //! Velocities and accelerations: the loop equations differentiated, multiplied by the unit vector that
 //! removes one unknown, and solved with the numbers in place.
 
+use super::draft::{Context, Draft};
 use super::equations::{
     Axis, Heading, Member, Piece, coefficient, in_figures, in_numbers, in_symbols, known,
 };
-use super::page::{Context, Page};
 use super::place::loop_heading;
 use super::sides::{Shape, Turns};
 use super::stages::{Form, Stage, Unknown};
@@ -14,29 +14,29 @@ use crate::solver::{Condition, Order};
 use crate::{LinkId, Vec2, angle};
 
 /// Velocities, or accelerations.
-pub(super) fn rates(context: &Context<'_>, page: &mut Page, order: Order) {
+pub(super) fn rates(context: &Context<'_>, draft: &mut Draft, order: Order) {
     let title = if order == Order::Velocity {
         "Velocities"
     } else {
         "Accelerations"
     };
-    page.document.part(title);
+    draft.page.part(title);
     if let Some(text) = opening_text(context, order) {
-        page.document.text(text);
+        draft.page.text(text);
     }
     for stage in context.stages {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
-            loop_heading(context, page, number, of);
+            loop_heading(context, draft, number, of);
             let members = context.members(of, stage);
-            components(context, page, &members, order);
+            components(context, draft, &members, order);
         }
         if !stage.loops.is_empty() && context.has_rates() {
-            solve(context, page, stage, order);
+            solve(context, draft, stage, order);
         }
     }
     if context.has_rates() {
-        table(context, page, order);
+        table(context, draft, order);
     }
 }
 
@@ -65,34 +65,35 @@ fn pieces(context: &Context<'_>, members: &[Member<'_>], order: Order, axis: &Ax
 }
 
 /// Both components, in symbols and as figures.
-fn components(context: &Context<'_>, page: &mut Page, members: &[Member<'_>], order: Order) {
+fn components(context: &Context<'_>, draft: &mut Draft, members: &[Member<'_>], order: Order) {
     let axes = [Axis::X, Axis::Y];
     for axis in &axes {
         let pieces = pieces(context, members, order, axis);
-        page.document.equation([in_symbols(&pieces), "0".into()]);
+        draft.page.equation([in_symbols(&pieces), "0".into()]);
     }
     if !context.has_rates() {
         return;
     }
     for axis in &axes {
         let pieces = pieces(context, members, order, axis);
-        page.document
+        draft
+            .page
             .equation([in_figures(&pieces, context.figures), "0".into()]);
     }
 }
 
-fn solve(context: &Context<'_>, page: &mut Page, stage: &Stage, order: Order) {
+fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     match stage.form {
-        Form::Nothing => page.document.text("Nothing is sought in it."),
-        Form::System => together(context, page, stage, order),
+        Form::Nothing => draft.page.text("Nothing is sought in it."),
+        Form::System => together(context, draft, stage, order),
         Form::Triangle(..)
         | Form::Quadratic(..)
         | Form::Swing(..)
         | Form::Guides(..)
         | Form::Sum(_) => {
             if let [first, second] = stage.unknowns[..] {
-                removed(context, page, stage, order, first, second);
-                removed(context, page, stage, order, second, first);
+                removed(context, draft, stage, order, first, second);
+                removed(context, draft, stage, order, second, first);
             }
         }
     }
@@ -101,7 +102,7 @@ fn solve(context: &Context<'_>, page: &mut Page, stage: &Stage, order: Order) {
 /// Finds one unknown from the equation in which the other does not stand.
 fn removed(
     context: &Context<'_>,
-    page: &mut Page,
+    draft: &mut Draft,
     stage: &Stage,
     order: Order,
     sought: Unknown,
@@ -124,13 +125,13 @@ fn removed(
     let solved = rate_value(context, sought, order);
     let unit = rate_unit(context, sought, order);
     let f = context.figures;
-    page.document.text(format!(
+    draft.page.text(format!(
         "Multiplied by {}, which removes {other_symbol}:",
         axis.name()
     ));
-    page.document.equation([in_symbols(&pieces), "0".into()]);
-    page.document.equation([in_numbers(&pieces), "0".into()]);
-    page.document.equation([in_figures(&pieces, f), "0".into()]);
+    draft.page.equation([in_symbols(&pieces), "0".into()]);
+    draft.page.equation([in_numbers(&pieces), "0".into()]);
+    draft.page.equation([in_figures(&pieces, f), "0".into()]);
     let worked = -sum / factor;
     let size = pieces.iter().fold(0.0_f64, |most, p| match p.unknown {
         Some(_) => most,
@@ -146,19 +147,20 @@ fn removed(
     };
     if context.state.condition() == Condition::ChangePoint || sine < SINGULAR {
         let text = format!("The factor of {symbol} vanishes; along the motion the limit is:");
-        page.document.text(text);
-        page.document
+        draft.page.text(text);
+        draft
+            .page
             .equation([symbol, format!("{} {unit}", f.number(solved))]);
         return;
     }
-    page.agree(
+    draft.agree(
         &symbol,
         worked,
         solved,
         size / factor.abs() * (1.0 + 1.0 / sine),
     );
     let shown = f.beside(worked, size / factor.abs());
-    page.document.equation([symbol, format!("{shown} {unit}")]);
+    draft.page.equation([symbol, format!("{shown} {unit}")]);
 }
 
 /// Below this sine between both directions the printed quotient has lost half its digits.
@@ -203,9 +205,9 @@ fn together_heading(own: &[&Member<'_>]) -> Option<Heading> {
 }
 
 /// Several loops at once: the equations above together.
-fn together(context: &Context<'_>, page: &mut Page, stage: &Stage, order: Order) {
+fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     let count = stage.unknowns.len();
-    page.document.text(format!(
+    draft.page.text(format!(
         "{} equations for {count} unknowns; solved together:",
         2 * stage.loops.len()
     ));
@@ -213,7 +215,8 @@ fn together(context: &Context<'_>, page: &mut Page, stage: &Stage, order: Order)
         let symbol = rate_symbol(context, unknown, order);
         let value = rate_value(context, unknown, order);
         let unit = rate_unit(context, unknown, order);
-        page.document
+        draft
+            .page
             .equation([symbol, format!("{} {unit}", context.figures.number(value))]);
     }
 }
@@ -262,7 +265,7 @@ fn rate_unit(context: &Context<'_>, unknown: Unknown, order: Order) -> String {
 }
 
 /// The velocity or acceleration table; with the accelerations it says what speeds up.
-fn table(context: &Context<'_>, page: &mut Page, order: Order) {
+fn table(context: &Context<'_>, draft: &mut Draft, order: Order) {
     let f = context.figures;
     let first = order == Order::Velocity;
     let mut rows = Vec::new();
@@ -300,21 +303,19 @@ fn table(context: &Context<'_>, page: &mut Page, order: Order) {
             .into_iter()
             .map(|([name, length, turning, _], _)| [name, length, turning]);
         let length = format!("dr/dt [{length}]");
-        page.document
-            .table(["vector", &length, "ω [rad/s]"], rows.collect());
+        draft.table(["vector", &length, "ω [rad/s]"], rows.collect());
         return;
     }
     let length = format!("d2r/dt2 [{length}]");
     if rows.iter().all(|(_, sliding)| sliding.is_empty()) {
         let rows = rows.into_iter().map(|(row, _)| row).collect();
-        page.document
-            .table(["vector", &length, "α [rad/s^2]", "turning"], rows);
+        draft.table(["vector", &length, "α [rad/s^2]", "turning"], rows);
         return;
     }
     let rows = rows
         .into_iter()
         .map(|([name, r, alpha, turning], sliding)| [name, r, sliding.to_owned(), alpha, turning]);
-    page.document.table(
+    draft.table(
         ["vector", &length, "sliding", "α [rad/s^2]", "turning"],
         rows.collect(),
     );

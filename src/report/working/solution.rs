@@ -1,8 +1,8 @@
 //! A loop about to be solved: what is known in it added up, and what its arms are.
 
+use super::draft::{Context, Draft};
 use super::equations::{Axis, Member, Piece, in_figures, in_symbols, known};
 use super::figures::{Figures, Sum};
-use super::page::{Context, Page};
 use super::place::single;
 use super::polygon::{Loop, Term};
 use super::sides::{Shape, Side, Turns};
@@ -70,7 +70,7 @@ impl<'a> Solution<'a> {
     }
 
     /// The components of what the sought sides must add up to, m = -(known sides), line by line.
-    pub(super) fn write_components(&self, page: &mut Page, names: [&str; 2]) -> Vec2 {
+    pub(super) fn write_components(&self, draft: &mut Draft, names: [&str; 2]) -> Vec2 {
         let m = -self.known;
         let size = self
             .members
@@ -79,7 +79,7 @@ impl<'a> Solution<'a> {
         for (axis, name, value) in [(Axis::X, names[0], m.x), (Axis::Y, names[1], m.y)] {
             let [symbols, figures] = self.known_text(&axis);
             let found = self.figures.beside(value, size);
-            page.document.equation([
+            draft.page.equation([
                 name.to_owned(),
                 format!("-({symbols})"),
                 format!("-({figures})"),
@@ -174,7 +174,7 @@ impl<'a> Solution<'a> {
     }
 
     /// The angle of the link with which a side turns, where it is not the side's own.
-    pub(super) fn write_link_angle(&self, page: &mut Page, side: &Side, theta: f64, loss: f64) {
+    pub(super) fn write_link_angle(&self, draft: &mut Draft, side: &Side, theta: f64, loss: f64) {
         let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
             return;
         };
@@ -183,8 +183,8 @@ impl<'a> Solution<'a> {
         }
         let symbol = super::symbols::theta(self.context.scene.link_name(link));
         let worked = theta - ahead;
-        page.agree_angle(&symbol, worked, self.context.state.angle(link), loss);
-        page.document.equation([
+        draft.agree_angle(&symbol, worked, self.context.state.angle(link), loss);
+        draft.page.equation([
             symbol,
             format!("{} - {}", side.theta(), f.direction(ahead)),
             turn(f, worked),
@@ -227,6 +227,10 @@ impl Arm<'_> {
     pub(super) fn direction(&self) -> Vec2 {
         angle::unit(self.solved + self.ahead)
     }
+}
+
+pub(super) fn length(figures: Figures, value: f64) -> String {
+    format!("{} {}", figures.number(value), figures.unit)
 }
 
 pub(super) fn degrees(figures: Figures, value: f64) -> String {

@@ -130,7 +130,10 @@ impl App {
     }
 
     /// Moves the cursor over the lines of the tables, which scroll after it.
-    pub(super) fn place_cursor(&mut self, there: impl FnOnce(Cursor, &[sheet::Line]) -> Cursor) {
+    pub(super) fn place_cursor(
+        &mut self,
+        there: impl FnOnce(Cursor, &[sheet::TableLine]) -> Cursor,
+    ) {
         let (lines, height) = views::table_lines(self);
         self.cursor = there(self.cursor, &lines).settled(&lines);
         let scroll = &mut self.shell.scroll[View::Tables as usize];

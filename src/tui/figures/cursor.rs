@@ -1,6 +1,6 @@
 //! A place in the tables, and moving it over the lines that they are shown in.
 
-use crate::tui::figures::sheet::{Line, Part};
+use crate::tui::figures::sheet::{Part, TableLine};
 use std::ops::Range;
 
 /// A figure of a row: whatever the width of the screen, it stands for the same one.
@@ -29,31 +29,33 @@ impl Cursor {
     }
 
     /// The columns beside the figure under the cursor, if the line is its.
-    fn chunk_of(self, line: &Line) -> Option<&Range<usize>> {
+    fn chunk_of(self, line: &TableLine) -> Option<&Range<usize>> {
         match line {
-            Line::Row(part, row, chunk) if (*part, *row) == (self.part, self.row) => {
+            TableLine::Row(part, row, chunk) if (*part, *row) == (self.part, self.row) => {
                 chunk.contains(&self.column).then_some(chunk)
             }
-            Line::Row(..) | Line::Names(..) | Line::Units(..) | Line::Blank => None,
+            TableLine::Row(..) | TableLine::Names(..) | TableLine::Units(..) | TableLine::Blank => {
+                None
+            }
         }
     }
 
     /// Which cell of a line the cursor is on.
-    pub(crate) fn cell_of(self, line: &Line) -> Option<usize> {
+    pub(crate) fn cell_of(self, line: &TableLine) -> Option<usize> {
         self.chunk_of(line).map(|chunk| self.column - chunk.start)
     }
 
     /// The line that the cursor is on.
-    pub(crate) fn line(self, lines: &[Line]) -> Option<usize> {
+    pub(crate) fn line(self, lines: &[TableLine]) -> Option<usize> {
         lines.iter().position(|line| self.chunk_of(line).is_some())
     }
 
     /// The same place where these lines have it; else the first figure of its row, or the first row:
     /// what never moves has no rates at some widths, and another scene has other rows.
-    pub(crate) fn settled(self, lines: &[Line]) -> Cursor {
+    pub(crate) fn settled(self, lines: &[TableLine]) -> Cursor {
         let first = lines.iter().find_map(|line| match line {
-            Line::Row(part, row, _) => Some(Cursor::at(*part, *row)),
-            Line::Names(..) | Line::Units(..) | Line::Blank => None,
+            TableLine::Row(part, row, _) => Some(Cursor::at(*part, *row)),
+            TableLine::Names(..) | TableLine::Units(..) | TableLine::Blank => None,
         });
         let places = [self, Cursor::at(self.part, self.row)];
         let found = places.into_iter().find(|c| c.line(lines).is_some());
@@ -62,13 +64,13 @@ impl Cursor {
 
     /// So many lines further down, or up: on the row that is nearest to there on the way, below or above
     /// the figure that it was on.
-    pub(crate) fn moved(self, lines: &[Line], by: isize) -> Cursor {
+    pub(crate) fn moved(self, lines: &[TableLine], by: isize) -> Cursor {
         let Some(here) = self.line(lines) else {
             return self.settled(lines);
         };
         let goal = here.saturating_add_signed(by);
         let rows = |range: Range<usize>| {
-            let rows = range.filter(|&at| matches!(lines.get(at), Some(Line::Row(..))));
+            let rows = range.filter(|&at| matches!(lines.get(at), Some(TableLine::Row(..))));
             rows.collect::<Vec<_>>()
         };
         let target = if by > 0 {
@@ -87,8 +89,8 @@ impl Cursor {
     }
 
     /// On another line, as many figures from its beginning as it was on this one.
-    fn under(self, from: &Line, to: &Line) -> Cursor {
-        let Line::Row(part, row, chunk) = to else {
+    fn under(self, from: &TableLine, to: &TableLine) -> Cursor {
+        let TableLine::Row(part, row, chunk) = to else {
             return self;
         };
         let along = self.cell_of(from).unwrap_or(0);
@@ -100,7 +102,7 @@ impl Cursor {
     }
 
     /// On the next figure of its row, or the one before; it stays where there is none.
-    pub(crate) fn aside(self, lines: &[Line], by: isize) -> Cursor {
+    pub(crate) fn aside(self, lines: &[TableLine], by: isize) -> Cursor {
         let there = Cursor {
             column: self.column.saturating_add_signed(by),
             ..self
@@ -114,10 +116,10 @@ impl Cursor {
 
 /// The lines that are seen when the first `scroll` of so many are scrolled past: where the names of
 /// columns are among these, they stay above their rows.
-pub(crate) fn seen(lines: &[Line], scroll: usize, height: usize) -> Vec<usize> {
+pub(crate) fn seen(lines: &[TableLine], scroll: usize, height: usize) -> Vec<usize> {
     let mut seen: Vec<usize> = (scroll..lines.len()).take(height).collect();
     let heading = heading_above(lines, scroll);
-    let rows_stay = matches!(lines.get(scroll + heading.len()), Some(Line::Row(..)));
+    let rows_stay = matches!(lines.get(scroll + heading.len()), Some(TableLine::Row(..)));
     if rows_stay && heading.len() < seen.len() {
         for (place, at) in seen.iter_mut().zip(heading) {
             *place = at;
@@ -127,9 +129,12 @@ pub(crate) fn seen(lines: &[Line], scroll: usize, height: usize) -> Vec<usize> {
 }
 
 /// The names and units of the columns in this line, if they stand above it.
-fn heading_above(lines: &[Line], at: usize) -> Range<usize> {
-    let is_heading = |line: &Line| matches!(line, Line::Names(..) | Line::Units(..));
-    if !matches!(lines.get(at), Some(Line::Row(..) | Line::Units(..))) {
+fn heading_above(lines: &[TableLine], at: usize) -> Range<usize> {
+    let is_heading = |line: &TableLine| matches!(line, TableLine::Names(..) | TableLine::Units(..));
+    if !matches!(
+        lines.get(at),
+        Some(TableLine::Row(..) | TableLine::Units(..))
+    ) {
         return 0..0;
     }
     let above = &lines[..at];
@@ -145,7 +150,7 @@ fn heading_above(lines: &[Line], at: usize) -> Range<usize> {
 
 /// The scrolling nearest to `scroll` at which the cursor's line is seen, and the names of its columns
 /// above it.
-pub(crate) fn follow(lines: &[Line], cursor: Cursor, scroll: usize, height: usize) -> usize {
+pub(crate) fn follow(lines: &[TableLine], cursor: Cursor, scroll: usize, height: usize) -> usize {
     let most = lines.len().saturating_sub(height);
     let scroll = scroll.min(most);
     let Some(line) = cursor.line(lines) else {
@@ -172,7 +177,7 @@ mod tests {
     use super::*;
 
     /// Two blocks of vectors and one of points, of which the first never moves.
-    fn lines() -> Vec<Line> {
+    fn lines() -> Vec<TableLine> {
         use Part::{Points, Vectors};
         let mut lines = Vec::new();
         let blocks = [
@@ -182,10 +187,10 @@ mod tests {
             (Points, 1..4, 2..5),
         ];
         for (part, rows, chunk) in blocks {
-            lines.push(Line::Names(part, chunk.clone()));
-            lines.push(Line::Units(part, chunk.clone()));
-            lines.extend(rows.map(|row| Line::Row(part, row, chunk.clone())));
-            lines.push(Line::Blank);
+            lines.push(TableLine::Names(part, chunk.clone()));
+            lines.push(TableLine::Units(part, chunk.clone()));
+            lines.extend(rows.map(|row| TableLine::Row(part, row, chunk.clone())));
+            lines.push(TableLine::Blank);
         }
         lines.pop();
         lines
@@ -255,9 +260,10 @@ mod tests {
                 let line = cursor.line(&lines).unwrap();
                 assert!(seen.contains(&line), "{cursor:?} at {height}");
                 let mut names = seen.iter().filter(|&&at| at < line);
-                let names = names.rfind(|&&at| matches!(lines[at], Line::Names(..)));
+                let names = names.rfind(|&&at| matches!(lines[at], TableLine::Names(..)));
                 let names = &lines[*names.unwrap()];
-                let (Line::Row(part, _, chunk), Line::Names(above, of)) = (&lines[line], names)
+                let (TableLine::Row(part, _, chunk), TableLine::Names(above, of)) =
+                    (&lines[line], names)
                 else {
                     panic!("{cursor:?}");
                 };

@@ -1,8 +1,8 @@
 //! Numbers in a fixed place: as many decimals as their column needs over the whole motion, so that a
 //! figure that changes does not make its neighbours dance.
 
+use crate::page::{Cell, Unsure};
 use crate::report::Entry;
-use std::ops::Range;
 
 /// Significant digits of a figure of usual size.
 const DIGITS: i32 = 6;
@@ -84,9 +84,9 @@ impl Format {
     ///
     /// It reads as zero only where its error may be all that it is, or where nothing is known of its
     /// error and so many decimals show none of it.
-    pub(crate) fn write(self, entry: &Entry) -> Written {
+    pub(crate) fn write(self, entry: &Entry) -> Cell {
         let Some(value) = entry.seen().filter(|v| v.is_finite()) else {
-            return Written::sure("-".into());
+            return Cell::sure("-");
         };
         let text = self.text(value, entry.bound.is_some());
         let unsure = match entry.bound {
@@ -98,7 +98,7 @@ impl Format {
             Some(bound) => unsure(&text, bound),
             None => Unsure::Everything,
         };
-        Written { text, unsure }
+        Cell { text, unsure }
     }
 
     fn text(self, value: f64, proved: bool) -> String {
@@ -113,7 +113,7 @@ impl Format {
     }
 
     /// A direction in degrees; one that rounds to 360 is 0.
-    pub(crate) fn write_angle(self, entry: &Entry) -> Written {
+    pub(crate) fn write_angle(self, entry: &Entry) -> Cell {
         let written = self.write(entry);
         if written.text == "360.000" {
             let value = Some(0.0);
@@ -122,32 +122,6 @@ impl Format {
             written
         }
     }
-}
-
-/// A figure in characters.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Written {
-    pub(crate) text: String,
-    pub(crate) unsure: Unsure,
-}
-
-impl Written {
-    /// Text without a digit that might be wrong.
-    pub(crate) fn sure(text: String) -> Written {
-        let unsure = Unsure::Nothing;
-        Written { text, unsure }
-    }
-}
-
-/// Which digits of a figure its bound does not cover.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Unsure {
-    /// None: all of them are proved.
-    Nothing,
-    /// Those at these places of the text.
-    Last(Range<usize>),
-    /// All: there is no bound.
-    Everything,
 }
 
 /// The last digits of a figure: those whose place counts less than twice the bound. Up to the digit
@@ -285,10 +259,7 @@ mod tests {
     #[test]
     fn zero_is_shown_only_where_the_bound_allows_it() {
         let format = Format::of_sizes(vec![100.0]);
-        assert_eq!(
-            format.write(&proved(6e-15, 1e-14)),
-            Written::sure("0.000".into())
-        );
+        assert_eq!(format.write(&proved(6e-15, 1e-14)), Cell::sure("0.000"));
         assert_eq!(format.write(&proved(6e-5, 1e-14)).text, "6.0000e-5");
         assert_eq!(format.write(&proved(-6e-14, 1e-14)).text, "-6.00e-14");
     }
@@ -358,7 +329,7 @@ mod tests {
             let format = Format::of_sizes(vec![scale]);
             let (truth, bound) = (share * scale, scale * 10.0_f64.powi(size));
             let value = truth + off * bound;
-            let Written { text, unsure } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
+            let Cell { text, unsure } = format.write(&proved(value, bound * (1.0 + 1e-9) + 1e-15 * scale));
             let sure = match unsure {
                 Unsure::Nothing => text.clone(),
                 Unsure::Last(digits) => {

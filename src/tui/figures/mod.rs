@@ -2,7 +2,6 @@
 
 pub(crate) mod copying;
 pub(crate) mod cursor;
-pub(crate) mod flow_table;
 pub(crate) mod force_figures;
 pub(crate) mod format;
 pub(crate) mod search;

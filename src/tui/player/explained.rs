@@ -1,7 +1,8 @@
 //! The working of the present state, while it is looked at.
 
 use crate::Ball;
-use crate::report::{Document, Worked, Working};
+use crate::page::Page;
+use crate::report::Working;
 use crate::solver::{Order, Workspace};
 use crate::tui::Opened;
 
@@ -16,7 +17,7 @@ pub(crate) struct Explained {
     working: Working,
     state: Workspace,
     enclosure: Workspace<Ball>,
-    document: Document,
+    page: Page,
 }
 
 impl Explained {
@@ -30,7 +31,7 @@ impl Explained {
             working: Working::new(scene, solver),
             state: solver.state(),
             enclosure: solver.enclosure(),
-            document: Document::default(),
+            page: Page::default(),
         };
         explained.go(opened, at);
         Some(explained)
@@ -41,11 +42,11 @@ impl Explained {
         let Opened { scene, solver, .. } = opened;
         let _ = solver.solve(at, Order::Force, &mut self.state);
         solver.enclose(&mut self.state, Order::Force, &mut self.enclosure);
-        let Worked { document, .. } = self.working.of(scene, solver, &self.state, DIGITS);
-        self.document = document;
+        let worked = self.working.of(scene, solver, &self.state, DIGITS);
+        self.page = worked.page;
     }
 
-    pub(crate) fn document(&self) -> &Document {
-        &self.document
+    pub(crate) fn page(&self) -> &Page {
+        &self.page
     }
 }

@@ -12,18 +12,14 @@
 //! ```
 
 use super::pane::{Copied, Need, Pane};
-use super::table::{columns_of, doubt};
-use super::{Sketch, columns, cut, first_seen, inset, print, print_right};
+use super::{Sketch, inset, page};
+use crate::page::{Cell, Head, Line, Page, Row, Setting, Table, Units};
 use crate::quantity::Aspect;
-use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, upwards, wrapped};
+use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, upwards};
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
 use crate::tui::figures::copying;
-use crate::tui::figures::flow_table::{Block, Columns, Line, Row};
 use crate::tui::figures::force_figures::{ForceFigures, Formats};
-use crate::tui::figures::format::{Format, Written};
-use crate::tui::figures::sheet::Shown;
-use crate::tui::player::open_scene::shown;
+use crate::tui::figures::format::Format;
 use crate::{Mechanism, Vec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -50,17 +46,12 @@ impl Pane for ForcesView {
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let area = inset(body);
-        let (placed, lines) = lines(app, area);
-        let first = first_seen(app, lines.len(), area, buffer);
-        for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(first)) {
-            let height = 1;
-            render_line(app, &placed, line, Rect { y, height, ..area }, buffer);
-        }
+        page::render(app, &lines(app, area), area, buffer);
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let area = inset(body);
-        (lines(app, area).1.len(), area.height.into())
+        (lines(app, area).len(), area.height.into())
     }
 
     /// How far what the driver must do can be from the truth.
@@ -82,35 +73,28 @@ impl Pane for ForcesView {
     }
 }
 
-fn lines(app: &App, area: Rect) -> (Columns, Vec<Line>) {
-    let width = area.width.into();
-    let Some(force_figures) = app.open_scene().force_figures() else {
-        let words = nothing_acts(&app.open_scene().scene().mechanism);
-        let words = words.iter().flat_map(|text| sentence(text, width));
-        return (Columns::fitting(&[], 0, width), words.collect());
-    };
-    let blocks = blocks(force_figures);
-    let placed = Columns::fitting(&blocks, widest(force_figures.formats()), width);
-    let mut lines = placed.lines(&blocks);
-    for remark in force_figures.forces().remarks() {
-        if !lines.is_empty() {
-            lines.push(Line::Blank);
+fn lines(app: &App, area: Rect) -> Vec<Line> {
+    let mut page = Page::aligned();
+    match app.open_scene().force_figures() {
+        Some(force_figures) => {
+            for table in tables(force_figures) {
+                page.table(table);
+            }
+            for remark in force_figures.forces().remarks() {
+                page.text(remark);
+            }
         }
-        lines.extend(sentence(&remark, width));
+        None => {
+            for words in nothing_acts(&app.open_scene().scene().mechanism) {
+                page.text(words);
+            }
+        }
     }
-    (placed, lines)
-}
-
-/// A sentence over as many lines as it needs.
-fn sentence(text: &str, width: usize) -> Vec<Line> {
-    if text.is_empty() {
-        return vec![Line::Blank];
-    }
-    wrapped(text, width).into_iter().map(Line::Words).collect()
+    page::lines(app, &page, area)
 }
 
 /// Why there is nothing to show, and what would change that.
-fn nothing_acts(mechanism: &Mechanism) -> [&'static str; 3] {
+fn nothing_acts(mechanism: &Mechanism) -> [&'static str; 2] {
     let why = if mechanism.gravity() == Vec2::ZERO {
         "Nothing acts on this linkage: the scene has no loads, no springs and no masses."
     } else {
@@ -118,38 +102,49 @@ fn nothing_acts(mechanism: &Mechanism) -> [&'static str; 3] {
     };
     let mend = "Give a link its mass and com, or add [[loads]] or [[springs]] to the file: then this \
                 view shows what the driver must do and what every joint bears.";
-    [why, "", mend]
+    [why, mend]
 }
 
-/// What exists, block by block.
-fn blocks(force_figures: &ForceFigures) -> Vec<Block> {
+/// What exists, table by table: all columns of one width.
+fn tables(force_figures: &ForceFigures) -> Vec<Table> {
     let (forces, formats) = (force_figures.forces(), force_figures.formats());
-    match forces.existence() {
+    let mut tables = match forces.existence() {
         Existence::Nothing => Vec::new(),
         Existence::Withheld => vec![checks(forces)],
         Existence::DriveAlone => vec![driver(forces, formats)],
         Existence::Everything => {
-            let mut blocks = vec![driver(forces, formats), reactions(forces, formats)];
+            let mut tables = vec![driver(forces, formats), reactions(forces, formats)];
             if !forces.guides.is_empty() {
-                blocks.push(guides("guide", &forces.guides, forces.unit, formats));
+                tables.push(guides("guide", &forces.guides, forces.unit, formats));
             }
             if let Some(least) = &forces.least {
                 let joints = open_joints(least, formats);
                 let guides = guides("least norm", &least.guides, forces.unit, formats);
-                blocks.extend(
-                    [joints, guides]
-                        .into_iter()
-                        .filter(|block| !block.rows.is_empty()),
-                );
+                let least = [joints, guides].into_iter();
+                tables.extend(least.filter(|table| !table.rows.is_empty()));
             }
-            blocks.push(checks(forces));
-            blocks
+            tables.push(checks(forces));
+            tables
         }
+    };
+    let heads = tables.iter().flat_map(|table| &table.heads);
+    let heads = heads.flat_map(|head| [&head.name, &head.unit]);
+    let widest = heads.map(|text| text.chars().count()).max();
+    let column = widest.unwrap_or(0).max(widest_figure(formats));
+    for table in &mut tables {
+        table.setting = Setting {
+            least: vec![column],
+            gap: 1,
+            spread: 3,
+            units: Units::Below,
+            ..Setting::default()
+        };
     }
+    tables
 }
 
 /// The widest of all figures.
-fn widest(formats: &Formats) -> usize {
+fn widest_figure(formats: &Formats) -> usize {
     let Formats {
         effort,
         power,
@@ -164,44 +159,54 @@ fn widest(formats: &Formats) -> usize {
         .unwrap_or(0)
 }
 
-/// Names of columns with their units.
-fn heads<const N: usize>(heads: [(&'static str, &str); N]) -> Vec<(&'static str, String)> {
-    heads.map(|(name, unit)| (name, unit.to_owned())).into()
+/// A table without rows: what they are, and the names of its columns with their units.
+fn table<const N: usize>(title: &str, heads: [(&str, &str); N]) -> Table {
+    let head = |(name, unit): (&str, &str)| Head {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+    };
+    Table {
+        title: title.to_owned(),
+        heads: heads.map(head).into(),
+        ..Table::default()
+    }
 }
 
-fn row(name: String, more: Option<String>, cells: Vec<Option<Written>>) -> Row {
-    Row {
-        more: more.unwrap_or_else(|| name.clone()),
+fn row(name: String, more: Option<String>, cells: Vec<Option<Cell>>) -> Row {
+    Row::Figures {
+        mark: String::new(),
         name,
+        more,
         cells,
     }
 }
 
-fn driver(forces: &Forces, formats: &Formats) -> Block {
+fn driver(forces: &Forces, formats: &Formats) -> Table {
     let drive = &forces.drive;
     let unit = drive.aspect.unit(forces.unit);
     let entries = std::iter::once(drive.total).chain(drive.parts);
     let cells = entries.map(|entry| Some(formats.effort.write(&entry)));
     let power = formats.power.write(&drive.power);
-    Block {
-        title: "driver",
-        heads: heads([
+    let mut table = table(
+        "driver",
+        [
             (drive.aspect.name(), &unit),
             ("loads", &unit),
             ("gravity", &unit),
             ("inertia", &unit),
             ("power", "W"),
-        ]),
-        rows: vec![row(
-            drive.name.clone(),
-            None,
-            cells.chain([Some(power)]).collect(),
-        )],
-    }
+        ],
+    );
+    table.rows = vec![row(
+        drive.name.clone(),
+        None,
+        cells.chain([Some(power)]).collect(),
+    )];
+    table
 }
 
 /// What links bear at joints, and below them what the frame feels.
-fn reactions(forces: &Forces, formats: &Formats) -> Block {
+fn reactions(forces: &Forces, formats: &Formats) -> Table {
     let joints = forces.joints.iter().filter(|joint| !joint.repeats);
     let joints = joints.map(|joint| {
         let name = format!("{} at {}", joint.link, joint.point);
@@ -212,20 +217,21 @@ fn reactions(forces: &Forces, formats: &Formats) -> Block {
     let moment = Some(formats.moment.write(&frame.moment));
     let frame = plane(frame.force, formats.force, moment);
     let ground = row("ground".into(), Some("ground by all".into()), frame);
-    Block {
-        title: "force on",
-        heads: heads([
+    let mut table = table(
+        "force on",
+        [
             ("fx", "N"),
             ("fy", "N"),
             ("f", "N"),
             ("dir f", "deg"),
             ("moment", "N m"),
-        ]),
-        rows: joints.chain([ground]).collect(),
-    }
+        ],
+    );
+    table.rows = joints.chain([ground]).collect();
+    table
 }
 
-fn plane(force: Option<Plane>, format: Format, moment: Option<Written>) -> Vec<Option<Written>> {
+fn plane(force: Option<Plane>, format: Format, moment: Option<Cell>) -> Vec<Option<Cell>> {
     let entries = force.map_or([Entry::NONE; 4], |force| force.entries(false));
     let [x, y, size, direction] = entries;
     let figures = [x, y, size].map(|entry| Some(format.write(&entry)));
@@ -234,25 +240,21 @@ fn plane(force: Option<Plane>, format: Format, moment: Option<Written>) -> Vec<O
 }
 
 /// What joints would bear that the equilibrium leaves open.
-fn open_joints(least: &Least, formats: &Formats) -> Block {
+fn open_joints(least: &Least, formats: &Formats) -> Table {
     let joints = least.joints.iter().filter(|joint| !joint.repeats);
     let joints = joints.map(|joint| {
         let name = format!("{} at {}", joint.link, joint.point);
         row(name, None, plane(joint.force, formats.force, None))
     });
-    Block {
-        title: "least norm",
-        heads: heads([("fx", "N"), ("fy", "N"), ("f", "N"), ("dir f", "deg")]),
-        rows: joints.collect(),
-    }
+    let mut table = table(
+        "least norm",
+        [("fx", "N"), ("fy", "N"), ("f", "N"), ("dir f", "deg")],
+    );
+    table.rows = joints.collect();
+    table
 }
 
-fn guides(
-    title: &'static str,
-    guides: &[GuideRow],
-    unit: &'static str,
-    formats: &Formats,
-) -> Block {
+fn guides(title: &str, guides: &[GuideRow], unit: &'static str, formats: &Formats) -> Table {
     let rows = guides.iter().map(|guide| {
         let more = format!("{} on {}", guide.name, guide.slider);
         let cells = vec![
@@ -262,63 +264,25 @@ fn guides(
         ];
         row(guide.name.clone(), Some(more), cells)
     });
-    Block {
-        title,
-        heads: heads([("normal", "N"), ("at", unit), ("moment", "N m")]),
-        rows: rows.collect(),
-    }
+    let mut table = table(title, [("normal", "N"), ("at", unit), ("moment", "N m")]);
+    table.rows = rows.collect();
+    table
 }
 
-fn checks(forces: &Forces) -> Block {
+fn checks(forces: &Forces) -> Table {
     let drive = forces.drive.aspect;
     let checks = &forces.checks;
     let entries = std::iter::once(checks.drive).chain(checks.frame);
-    let cells = entries.map(|entry| Some(Written::sure(missed(&entry))));
-    Block {
-        title: "check",
-        heads: heads([
+    let cells = entries.map(|entry| Some(Cell::sure(missed(&entry))));
+    let mut table = table(
+        "check",
+        [
             (drive.name(), &drive.unit(forces.unit)),
             ("fx", &Aspect::Fx.unit(forces.unit)),
             ("fy", &Aspect::Fy.unit(forces.unit)),
             ("moment", &Aspect::Moment.unit(forces.unit)),
-        ]),
-        rows: vec![row("off by".into(), None, cells.collect())],
-    }
-}
-
-fn render_line(app: &App, placed: &Columns, line: &Line, area: Rect, buffer: &mut Buffer) {
-    let (name, cells, of_name, of_cells) = match line {
-        Line::Blank => return,
-        Line::Words(text) => {
-            let style = theme::part(Part::Text);
-            print(buffer, area.x, area.y, area.width, text, style);
-            return;
-        }
-        Line::Head(name, cells) => (name, cells, Part::Quiet, Part::Quiet),
-        Line::Row(name, cells) => (name, cells, Part::Name, Part::Text),
-    };
-    let name = cut(&shown(name, app.glyphs()), placed.names);
-    print(
-        buffer,
-        area.x,
-        area.y,
-        area.width,
-        &name,
-        theme::part(of_name),
+        ],
     );
-    let mut right = area.x.saturating_add(columns_of(placed.names));
-    for cell in cells {
-        right = right.saturating_add(columns_of(placed.figure));
-        if right > area.right() {
-            break;
-        }
-        print_right(buffer, right, area.y, &cell.text, theme::part(of_cells));
-        let left = right.saturating_sub(columns(&cell.text));
-        let cell = Shown {
-            text: cell.text.clone(),
-            width: placed.figure,
-            unsure: cell.unsure.clone(),
-        };
-        doubt(app.colours(), &cell, left, area.y, buffer);
-    }
+    table.rows = vec![row("off by".into(), None, cells.collect())];
+    table
 }

@@ -15,6 +15,7 @@ mod lengths;
 pub(crate) mod motion;
 pub(crate) mod motor;
 pub(crate) mod offer;
+mod page;
 mod pane;
 pub(crate) mod picker;
 pub(crate) mod plots;
@@ -30,7 +31,7 @@ pub(crate) mod working;
 use super::app::{App, Mode, View};
 use crate::drawing::Raster;
 use crate::tui::appearance::theme::{self, Part};
-use crate::tui::figures::sheet::Line;
+use crate::tui::figures::sheet::TableLine;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Position, Rect, Size};
@@ -126,7 +127,7 @@ pub(crate) fn most_scroll(app: &App) -> usize {
 }
 
 /// The lines of the tables view, and how many of them are seen at once.
-pub(crate) fn table_lines(app: &App) -> (Vec<Line>, usize) {
+pub(crate) fn table_lines(app: &App) -> (Vec<TableLine>, usize) {
     if !has_room(app.size()) {
         return (Vec::new(), 0);
     }

@@ -1,11 +1,11 @@
 //! Figures in columns, live beside or below the drawing.
 
-use super::{columns, cut, mark_more, print, print_right};
+use super::{cut, mark_more, page, print};
 use crate::capability::Colours;
+use crate::page::{Line, Span, Unsure};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
-use crate::tui::figures::format::Unsure;
-use crate::tui::figures::sheet::{self, Line, Shown};
+use crate::tui::figures::sheet::{self, Placed, TableLine};
 use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -14,29 +14,24 @@ use ratatui::layout::Rect;
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     title(app, area, buffer);
     let area = below_title(app, area);
-    let (sheet, glyphs) = (app.sheet(), app.glyphs());
-    let lines = sheet.lines(area.width.into(), glyphs);
+    let placed = placed(app, area);
+    let lines = placed.lines();
     let most = lines.len().saturating_sub(area.height.into());
     let scroll = app.scroll().min(most);
-    let seen = lines.iter().skip(scroll);
     mark_more(area, scroll > 0, scroll < most, buffer);
-    for (y, line) in (area.top()..area.bottom()).zip(seen) {
-        render_line(
-            app,
-            line,
-            Rect {
-                y,
-                height: 1,
-                ..area
-            },
-            buffer,
-        );
+    for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
+        render_line(app, &placed, line, Rect { y, ..area }, buffer);
     }
+}
+
+/// The tables where they stand in an area.
+pub(super) fn placed(app: &App, area: Rect) -> Placed<'_> {
+    app.sheet().placed(area.width.into(), app.glyphs())
 }
 
 /// All lines of the tables at this width, and how many are seen.
 pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
-    let lines = app.sheet().lines(area.width.into(), app.glyphs());
+    let lines = placed(app, area).lines();
     (lines.len(), below_title(app, area).height.into())
 }
 
@@ -65,65 +60,51 @@ pub(super) fn title_lines(app: &App) -> u16 {
 }
 
 /// Whether the row has no partner in what is compared with.
-pub(super) fn is_alone(app: &App, line: &Line) -> bool {
+pub(super) fn is_alone(app: &App, line: &TableLine) -> bool {
     let Some(compared) = app.compared() else {
         return false;
     };
     match *line {
-        Line::Row(sheet::Part::Vectors, row, _) => !compared.pairing().has_vector(row),
-        Line::Row(sheet::Part::Points, row, _) => !compared.pairing().has_point(row),
-        Line::Blank | Line::Names(..) | Line::Units(..) => false,
+        TableLine::Row(sheet::Part::Vectors, row, _) => !compared.pairing().has_vector(row),
+        TableLine::Row(sheet::Part::Points, row, _) => !compared.pairing().has_point(row),
+        TableLine::Blank | TableLine::Names(..) | TableLine::Units(..) => false,
     }
 }
 
-/// One line of the tables in an area of its height.
-pub(super) fn render_line(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
-    let width = usize::from(area.width);
-    let (name, cells) = app.sheet().show(line, app.tables(), width, app.glyphs());
-    let (of_name, of_cells) = match line {
-        Line::Names(..) | Line::Units(..) | Line::Blank => (Part::Quiet, Part::Quiet),
-        Line::Row(..) => (Part::Name, Part::Text),
+/// One line of the tables at the top of an area; what it shows.
+pub(super) fn render_line(
+    app: &App,
+    placed: &Placed<'_>,
+    line: &TableLine,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> Line {
+    let shown = match *line {
+        TableLine::Row(part, row, _) if is_alone(app, line) => placed.told((part, row), ALONE),
+        _ => placed.show(line, app.tables()),
     };
-    let text = shown(&name.text, app.glyphs());
-    print(
-        buffer,
-        area.x,
-        area.y,
-        area.width,
-        &text,
-        theme::part(of_name),
-    );
-    let mut right = area.x.saturating_add(columns_of(name.width));
-    if is_alone(app, line) {
-        let style = theme::part(Part::Quiet);
-        let room = area.right().saturating_sub(right + 1);
-        print(buffer, right + 1, area.y, room, "only here", style);
-        return;
-    }
-    for cell in cells {
-        right = right.saturating_add(columns_of(cell.width));
-        if right > area.right() {
-            break;
-        }
-        debug_assert!(usize::from(columns(&cell.text)) < cell.width);
-        print_right(buffer, right, area.y, &cell.text, theme::part(of_cells));
-        let left = right.saturating_sub(columns(&cell.text));
-        doubt(app.colours(), &cell, left, area.y, buffer);
-    }
+    page::render_line((app.glyphs(), app.colours()), &shown, area, buffer);
+    shown
 }
 
-/// Dims the digits of a cell that nothing proves. Without colours, where dim text may look like any
+/// Said of a row that has no partner.
+const ALONE: &str = "only here";
+
+/// Dims the digits of a figure that nothing proves. Without colours, where dim text may look like any
 /// other, points stand in their place; a figure without any bound is left to the last line to tell.
-pub(super) fn doubt(colours: Colours, cell: &Shown, left: u16, y: u16, buffer: &mut Buffer) {
-    let digits = match &cell.unsure {
+pub(super) fn doubt(colours: Colours, figure: &Span, left: u16, area: Rect, buffer: &mut Buffer) {
+    let digits = match &figure.unsure {
         Unsure::Nothing => return,
         Unsure::Last(digits) => digits.clone(),
         Unsure::Everything if colours == Colours::None => return,
-        Unsure::Everything => 0..cell.text.len(),
+        Unsure::Everything => 0..figure.text.len(),
     };
     for at in digits {
         let x = left.saturating_add(columns_of(at));
-        let place = &mut buffer[(x, y)];
+        if x >= area.right() {
+            return;
+        }
+        let place = &mut buffer[(x, area.y)];
         place.set_style(theme::part(Part::Unsure));
         if colours == Colours::None && place.symbol().bytes().all(|b| b.is_ascii_digit()) {
             place.set_char(UNSURE);

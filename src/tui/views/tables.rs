@@ -11,12 +11,13 @@
 use super::pane::{Copied, List, Pane};
 use super::table::{self, columns_of, render_line};
 use super::{MARGIN, Sketch, columns, first_seen, print};
+use crate::page::Line;
 use crate::report::upwards;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::figures::cursor::seen;
-use crate::tui::figures::sheet::{FOUND, Line, Part as Rows};
+use crate::tui::figures::sheet::{FOUND, Part as Rows, TableLine};
 use crate::tui::views::motion::followed;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -42,15 +43,16 @@ impl Pane for TablesView {
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let (lines, height) = lines(app, body);
         table::title(app, place(body), buffer);
         let body = table::below_title(app, place(body));
+        let placed = table::placed(app, body);
+        let lines = placed.lines();
         let first = first_seen(app, lines.len(), body, buffer);
-        for (y, at) in (body.top()..body.bottom()).zip(seen(&lines, first, height)) {
-            let height = 1;
-            let body = Rect { y, height, ..body };
-            render_line(app, &lines[at], body, buffer);
-            mark(app, &lines[at], body, buffer);
+        let seen = seen(&lines, first, body.height.into());
+        for (y, at) in (body.top()..body.bottom()).zip(seen) {
+            let body = Rect { y, ..body };
+            let shown = render_line(app, &placed, &lines[at], body, buffer);
+            mark(app, &lines[at], &shown, body, buffer);
         }
     }
 
@@ -82,7 +84,7 @@ impl Pane for TablesView {
         let entry = entries.get(cursor.column).copied().flatten()?;
         let unit = sheet.unit(cursor.part, cursor.column)?;
         entry.value?;
-        Some(match entry.bound {
+        Some(match entry.seen_bound() {
             _ if entry.given => "given".into(),
             Some(bound) => format!("+-{} {unit}", upwards(bound, 1)),
             None => "no bound".into(),
@@ -95,10 +97,9 @@ impl Pane for TablesView {
 }
 
 /// All lines of the tables at this width, and how many are seen.
-pub(super) fn lines(app: &App, area: Rect) -> (Vec<Line>, usize) {
+pub(super) fn lines(app: &App, area: Rect) -> (Vec<TableLine>, usize) {
     let area = table::below_title(app, place(area));
-    let lines = app.sheet().lines(area.width.into(), app.glyphs());
-    (lines, area.height.into())
+    (table::placed(app, area).lines(), area.height.into())
 }
 
 /// Where the figures stand: the marks to their left, the margin to their right.
@@ -111,8 +112,8 @@ fn place(area: Rect) -> Rect {
 }
 
 /// The marks of the cursor and of what is chosen.
-fn mark(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
-    let Line::Row(part, row, _) = line else {
+fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buffer) {
+    let TableLine::Row(part, row, _) = line else {
         return;
     };
     let chosen = *part == Rows::Points && {
@@ -132,16 +133,15 @@ fn mark(app: &App, line: &Line, area: Rect, buffer: &mut Buffer) {
     if table::is_alone(app, line) {
         return;
     }
-    let width = area.width.into();
-    let (name, cells) = app.sheet().show(line, app.tables(), width, app.glyphs());
-    let widths = cells.iter().take(cell + 1).map(|cell| cell.width);
-    let right = name.width + widths.sum::<usize>();
-    let right = area.x.saturating_add(columns_of(right));
-    let Some(cell) = cells.get(cell).filter(|_| right <= area.right()) else {
+    // Behind the name.
+    let Some(figure) = shown.spans.get(1 + cell) else {
         return;
     };
-    let text = columns(&cell.text);
-    let left = right.saturating_sub(text);
+    let left = area.x.saturating_add(columns_of(figure.at));
+    let right = left.saturating_add(columns(&figure.text));
+    if right > area.right() {
+        return;
+    }
     // There is a blank at either side of every figure.
     print(buffer, left.saturating_sub(1), area.y, 1, "[", key);
     print(buffer, right, area.y, 1, "]", key);

@@ -7,11 +7,9 @@
 //! ```
 
 use super::pane::{Need, Pane};
-use super::{Sketch, first_seen, inset, print};
-use crate::drawing::Glyphs;
-use crate::report::{LineKind, TextStyle, wrapped};
+use super::{Sketch, inset, page};
+use crate::page::Line;
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -37,18 +35,7 @@ impl Pane for WorkingView {
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let area = inset(body);
-        let lines = lines(app, area);
-        let first = first_seen(app, lines.len(), area, buffer);
-        let seen = lines.iter().skip(first);
-        for (y, (kind, line)) in (area.top()..area.bottom()).zip(seen) {
-            let style = theme::part(match kind {
-                LineKind::Title | LineKind::Part => Part::Title,
-                LineKind::Section => Part::Name,
-                LineKind::Head => Part::Quiet,
-                LineKind::Body => Part::Text,
-            });
-            print(buffer, area.x, y, area.width, line, style);
-        }
+        page::render(app, &lines(app, area), area, buffer);
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
@@ -57,21 +44,11 @@ impl Pane for WorkingView {
     }
 }
 
-fn lines(app: &App, area: Rect) -> Vec<(LineKind, String)> {
-    let width = usize::from(area.width);
-    let Some(explained) = app.open_scene().explained() else {
-        let lines = wrapped(TOO_MANY, width).into_iter();
-        return lines.map(|line| (LineKind::Body, line)).collect();
-    };
-    let style = TextStyle {
-        // Console fonts have no Greek letters.
-        ascii: app.glyphs() != Glyphs::Braille,
-        width,
-    };
-    let lines = explained.document().lines(style).into_iter();
-    // The title stands above the view already.
-    let own = lines.skip_while(|(kind, line)| *kind == LineKind::Title || line.is_empty());
-    own.collect()
+fn lines(app: &App, area: Rect) -> Vec<Line> {
+    match app.open_scene().explained() {
+        Some(explained) => page::lines(app, explained.page(), area),
+        None => page::words(TOO_MANY, area),
+    }
 }
 
 const TOO_MANY: &str = "too many links to follow here: krank explain writes all of it";

@@ -2,9 +2,10 @@
 
 use super::Part;
 use crate::drawing::Glyphs;
+use crate::page::{Cell, Units};
 use crate::quantity::Aspect;
 use crate::report::{Entry, PointRow, Tables, VectorColumn};
-use crate::tui::figures::format::{Format, Written};
+use crate::tui::figures::format::Format;
 
 /// What a column shows, of the order 0 (position), 1 (velocity) or 2 (acceleration).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,15 +39,6 @@ pub(super) struct Column {
 
 /// Stands behind a figure that was found; the others are given by the scene.
 pub(crate) const FOUND: char = '*';
-
-/// Where the units of columns stand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Heading {
-    /// Behind the names: `r [mm]`.
-    One,
-    /// In a line of their own.
-    Two,
-}
 
 pub(super) const VECTOR_FIGURES: [(Figure, bool); 6] = [
     (Figure::Length(0), true),
@@ -113,39 +105,50 @@ impl Column {
         }
     }
 
-    pub(super) fn title(&self, glyphs: Glyphs, heading: Heading) -> String {
+    pub(super) fn title(&self, glyphs: Glyphs, units: Units) -> String {
         let symbol = self.figure.symbol(glyphs);
-        match heading {
-            Heading::One => format!("{symbol} [{}]", self.unit(glyphs)),
-            Heading::Two => symbol.to_owned(),
+        match units {
+            Units::Behind => format!("{symbol} [{}]", self.unit(glyphs)),
+            Units::Below => symbol.to_owned(),
         }
     }
 
-    pub(super) fn width(&self, glyphs: Glyphs, heading: Heading) -> usize {
+    pub(super) fn width(&self, glyphs: Glyphs, units: Units) -> usize {
         // Asked for many times a frame: counted without writing anything.
         let symbol = self.figure.symbol(glyphs).chars().count();
         let unit = match glyphs {
             Glyphs::Ascii | Glyphs::Line => self.unit.len(),
             Glyphs::Braille => self.unit.len() - self.unit.matches("^2").count(),
         };
-        let title = match heading {
-            Heading::One => symbol + unit + " []".len(),
-            Heading::Two => symbol.max(unit),
+        let title = match units {
+            Units::Behind => symbol + unit + " []".len(),
+            Units::Below => symbol.max(unit),
         };
         title.max(self.format.width()) + usize::from(self.starred)
     }
 
-    /// The figure, and the mark of one that was found.
-    pub(super) fn cell(&self, tables: &Tables, part: Part, row: usize) -> (Written, Option<char>) {
+    /// The figure, with the mark of one that was found where there are such marks.
+    pub(super) fn cell(&self, tables: &Tables, part: Part, row: usize) -> Cell {
         let Some(entry) = self.figure.entry(tables, part, row) else {
-            return (Written::sure(String::new()), None);
+            return self.plain(String::new());
         };
-        let text = match self.figure {
+        let mut cell = match self.figure {
             Figure::Turning(0) | Figure::Bearing(_) => self.format.write_angle(&entry),
             _ => self.format.write(&entry),
         };
         let found = entry.value.is_some() && !entry.given;
-        (text, found.then_some(FOUND))
+        if self.starred {
+            cell.text.push(if found { FOUND } else { ' ' });
+        }
+        cell
+    }
+
+    /// Words in the place of a figure.
+    pub(super) fn plain(&self, mut text: String) -> Cell {
+        if self.starred {
+            text.push(' ');
+        }
+        Cell::sure(text)
     }
 }
 

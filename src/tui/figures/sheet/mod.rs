@@ -4,9 +4,9 @@ mod column;
 mod names;
 
 use crate::drawing::Glyphs;
+use crate::page::{Cell, Columns, Line, Rest, Role, Setting, Units};
 use crate::report::{Entry, Tables};
-use crate::tui::figures::format::{Unsure, Written};
-use column::{Column, Heading, POINT_FIGURES, VECTOR_FIGURES};
+use column::{Column, POINT_FIGURES, VECTOR_FIGURES};
 use names::short_names;
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ pub(crate) enum Part {
 
 /// A line of the tables at some width.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Line {
+pub(crate) enum TableLine {
     /// Between two chunks of columns.
     Blank,
     /// The names of columns, with their units where all of them fit into one line.
@@ -32,15 +32,6 @@ pub(crate) enum Line {
     Units(Part, Range<usize>),
     /// The figures of the row with this number.
     Row(Part, usize, Range<usize>),
-}
-
-/// A cell as it is shown: right-aligned in its width, with room for a star behind the figures.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Shown {
-    pub(crate) text: String,
-    pub(crate) width: usize,
-    /// The digits that nothing proves, by their places in the text.
-    pub(crate) unsure: Unsure,
 }
 
 /// The columns of a scene's tables.
@@ -109,39 +100,31 @@ impl Sheet {
         sheet
     }
 
-    /// The lines of both parts at this width.
-    pub(crate) fn lines(&self, width: usize, glyphs: Glyphs) -> Vec<Line> {
-        let mut lines = self.part(Part::Vectors, width, glyphs);
-        let points = self.part(Part::Points, width, glyphs);
-        if !lines.is_empty() && !points.is_empty() {
-            lines.push(Line::Blank);
+    /// The tables at this width.
+    pub(crate) fn placed(&self, width: usize, glyphs: Glyphs) -> Placed<'_> {
+        Placed {
+            sheet: self,
+            glyphs,
+            parts: [Part::Vectors, Part::Points].map(|part| self.place(part, width, glyphs)),
         }
-        lines.extend(points);
-        lines
     }
 
-    /// The lines of one part: chunk by chunk of the columns that fit side by side.
-    fn part(&self, part: Part, width: usize, glyphs: Glyphs) -> Vec<Line> {
-        let mut lines = Vec::new();
-        let heading = self.heading(part, width, glyphs);
-        for chunk in self.chunks(part, width, glyphs) {
-            let rows = self.rows_of(part, &chunk);
-            if rows.is_empty() {
-                continue;
-            }
-            if !lines.is_empty() {
-                lines.push(Line::Blank);
-            }
-            lines.push(Line::Names(part, chunk.clone()));
-            if heading == Heading::Two {
-                lines.push(Line::Units(part, chunk.clone()));
-            }
-            lines.extend(
-                rows.into_iter()
-                    .map(|row| Line::Row(part, row, chunk.clone())),
-            );
+    /// Where the columns of a part stand: with the units behind their names where that leaves as many side by
+    /// side.
+    fn place(&self, part: Part, width: usize, glyphs: Glyphs) -> (Columns, Units) {
+        let columns = self.columns(part);
+        let fit = |units: Units| {
+            let widths = columns.iter().map(|column| column.width(glyphs, units));
+            let opens = |c: usize| columns.get(c).is_none_or(|column| column.opens);
+            Columns::fit(&SETTING, self.names, widths.collect(), opens, width)
+        };
+        let [behind, below] = [Units::Behind, Units::Below].map(fit);
+        let is_same = behind.ranges().eq(below.ranges());
+        if is_same && behind.fits(width) {
+            (behind, Units::Behind)
+        } else {
+            (below, Units::Below)
         }
-        lines
     }
 
     /// The rows that these columns have something to say about: what never moves has positions alone.
@@ -152,55 +135,21 @@ impl Sheet {
             .collect()
     }
 
-    /// Whether all columns of a part have their units behind their names or below them.
-    fn heading(&self, part: Part, width: usize, glyphs: Glyphs) -> Heading {
-        let mut chunks = self.chunks(part, width, glyphs).into_iter();
-        if chunks.all(|chunk| self.needed(part, chunk, glyphs, Heading::One) <= width) {
-            Heading::One
-        } else {
-            Heading::Two
-        }
-    }
-
-    /// How many lines the vectors take at this width.
-    pub(crate) fn vector_lines(&self, width: usize, glyphs: Glyphs) -> usize {
-        self.part(Part::Vectors, width, glyphs).len()
-    }
-
     /// The narrowest width at which what belongs together stands side by side, two by two, and the
     /// width at which all figures of a vector do.
     pub(crate) fn widths(&self, glyphs: Glyphs) -> (usize, usize) {
-        let pairs = |part| {
-            let count = self.columns(part).len() / 2;
-            (0..count).map(move |i| (part, 2 * i..2 * i + 2))
+        let needed = |columns: &[Column]| {
+            let widths = columns
+                .iter()
+                .map(|c| SETTING.gap + c.width(glyphs, Units::Below));
+            self.names + widths.sum::<usize>()
         };
-        let pairs = pairs(Part::Vectors).chain(pairs(Part::Points));
-        let narrow = pairs
-            .map(|(part, pair)| self.needed(part, pair, glyphs, Heading::Two))
-            .max();
-        let all = 0..self.vectors.len();
-        let wide = self.needed(Part::Vectors, all, glyphs, Heading::Two);
-        (narrow.unwrap_or(0), wide)
-    }
-
-    /// Columns that fit side by side, cut where a new order begins if that is possible.
-    fn chunks(&self, part: Part, width: usize, glyphs: Glyphs) -> Vec<Range<usize>> {
-        let columns = self.columns(part);
-        let mut chunks = Vec::new();
-        let mut start = 0;
-        while start < columns.len() {
-            let fits = |end: &usize| self.needed(part, start..*end, glyphs, Heading::Two) <= width;
-            let longest = (start + 1..=columns.len()).take_while(fits).last();
-            // One column is shown even where it does not fit.
-            let longest = longest.unwrap_or(start + 1);
-            let at_order = (start + 1..=longest)
-                .rev()
-                .find(|&end| columns.get(end).is_none_or(|c| c.opens));
-            let end = at_order.unwrap_or(longest);
-            chunks.push(start..end);
-            start = end;
-        }
-        chunks
+        let pairs = self
+            .vectors
+            .chunks_exact(2)
+            .chain(self.points.chunks_exact(2));
+        let narrow = pairs.map(needed).max();
+        (narrow.unwrap_or(0), needed(&self.vectors))
     }
 
     fn columns(&self, part: Part) -> &[Column] {
@@ -209,65 +158,106 @@ impl Sheet {
             Part::Points => &self.points,
         }
     }
+}
 
-    /// The width that the names and these columns need.
-    fn needed(&self, part: Part, chunk: Range<usize>, glyphs: Glyphs, heading: Heading) -> usize {
-        let columns = self.columns(part)[chunk].iter();
-        self.names + columns.map(|c| 1 + c.width(glyphs, heading)).sum::<usize>()
+/// The tables at a width.
+#[derive(Clone, Debug)]
+pub(crate) struct Placed<'s> {
+    sheet: &'s Sheet,
+    glyphs: Glyphs,
+    /// Where the columns of each part stand, and their units.
+    parts: [(Columns, Units); 2],
+}
+
+impl Placed<'_> {
+    /// The lines of both parts.
+    pub(crate) fn lines(&self) -> Vec<TableLine> {
+        let mut lines = self.part(Part::Vectors);
+        let points = self.part(Part::Points);
+        if !lines.is_empty() && !points.is_empty() {
+            lines.push(TableLine::Blank);
+        }
+        lines.extend(points);
+        lines
+    }
+
+    /// How many lines the vectors take.
+    pub(crate) fn vector_lines(&self) -> usize {
+        self.part(Part::Vectors).len()
+    }
+
+    /// The lines of one part: chunk by chunk of the columns that fit side by side.
+    fn part(&self, part: Part) -> Vec<TableLine> {
+        let mut lines = Vec::new();
+        let (columns, units) = &self.parts[part as usize];
+        for chunk in columns.ranges() {
+            let rows = self.sheet.rows_of(part, chunk);
+            if rows.is_empty() {
+                continue;
+            }
+            if !lines.is_empty() {
+                lines.push(TableLine::Blank);
+            }
+            lines.push(TableLine::Names(part, chunk.clone()));
+            if *units == Units::Below {
+                lines.push(TableLine::Units(part, chunk.clone()));
+            }
+            let row = |row| TableLine::Row(part, row, chunk.clone());
+            lines.extend(rows.into_iter().map(row));
+        }
+        lines
     }
 
     /// What a line shows: the name, and the cells behind it.
-    pub(crate) fn show(
-        &self,
-        line: &Line,
-        tables: &Tables,
-        width: usize,
-        glyphs: Glyphs,
-    ) -> (Shown, Vec<Shown>) {
+    pub(crate) fn show(&self, line: &TableLine, tables: &Tables) -> Line {
         let (part, chunk) = match line {
-            Line::Blank => return (self.name(""), Vec::new()),
-            Line::Names(part, chunk) | Line::Units(part, chunk) | Line::Row(part, _, chunk) => {
-                (*part, chunk.clone())
-            }
+            TableLine::Blank => return Line::default(),
+            TableLine::Names(part, chunk)
+            | TableLine::Units(part, chunk)
+            | TableLine::Row(part, _, chunk) => (*part, chunk),
         };
-        let heading = self.heading(part, width, glyphs);
-        let needed = self.needed(part, chunk.clone(), glyphs, heading);
-        // Room to spare widens the gaps between columns, but not so far that rows fall apart.
-        let gap = 1 + (width.saturating_sub(needed) / chunk.len().max(1)).min(WIDEST_GAP);
-        let cells = self.columns(part)[chunk].iter().map(|column| {
-            let (Written { text, unsure }, mark) = match line {
-                Line::Row(_, row, _) => column.cell(tables, part, *row),
-                Line::Units(..) => (Written::sure(column.unit(glyphs)), None),
-                Line::Names(..) | Line::Blank => {
-                    (Written::sure(column.title(glyphs, heading)), None)
-                }
-            };
-            let mark = column.starred.then_some(mark.unwrap_or(' '));
-            Shown {
-                text: text.chars().chain(mark).collect(),
-                width: gap + column.width(glyphs, heading),
-                unsure,
+        let (columns, units) = &self.parts[part as usize];
+        let shown = self.sheet.columns(part).get(chunk.clone());
+        let cells = shown.unwrap_or_default().iter().map(|column| match line {
+            TableLine::Row(_, row, _) => column.cell(tables, part, *row),
+            TableLine::Units(..) => column.plain(column.unit(self.glyphs)),
+            TableLine::Names(..) | TableLine::Blank => {
+                column.plain(column.title(self.glyphs, *units))
             }
         });
-        let name = match line {
-            Line::Row(part, row, _) => self.rows[*part as usize].get(*row).map(String::as_str),
-            Line::Names(part, _) => Some(part.title()),
-            Line::Units(..) | Line::Blank => None,
+        let cells: Vec<Cell> = cells.collect();
+        let (name, roles) = match line {
+            TableLine::Row(part, row, _) => {
+                let name = self.sheet.rows[*part as usize].get(*row);
+                (name.map_or("", String::as_str), [Role::Name, Role::Body])
+            }
+            TableLine::Names(part, _) => (part.title(), [Role::Head; 2]),
+            TableLine::Units(..) | TableLine::Blank => ("", [Role::Head; 2]),
         };
-        (self.name(name.unwrap_or_default()), cells.collect())
+        columns.line(chunk, ("", name), cells.iter().map(Some), roles)
     }
 
-    fn name(&self, name: &str) -> Shown {
-        Shown {
-            text: name.to_owned(),
-            width: self.names,
-            unsure: Unsure::Nothing,
-        }
+    /// The line of a row that has something to say in the place of figures.
+    pub(crate) fn told(&self, row: (Part, usize), words: &str) -> Line {
+        let (part, row) = row;
+        let name = self.sheet.rows[part as usize].get(row);
+        let mut line = Line::of(Role::Name, name.map_or("", String::as_str));
+        line.push(self.sheet.names + SETTING.gap, words, Role::Head);
+        line
     }
 }
 
-/// Beyond one column, and beyond this, room to spare stays at the right.
-const WIDEST_GAP: usize = 4;
+/// How the tables are set: room to spare moves columns apart, but not so far that rows fall apart.
+const SETTING: Setting = Setting {
+    indent: 0,
+    names: 0,
+    least: Vec::new(),
+    gap: 1,
+    spread: 4,
+    units: Units::Below,
+    rest: Rest::Below,
+    called: Role::Name,
+};
 
 impl Part {
     pub(crate) fn title(self) -> &'static str {
@@ -314,9 +304,10 @@ mod tests {
                 let (narrow, wide) = sheet.widths(glyphs);
                 assert!(narrow <= 36, "{}: {narrow}", tables.scene);
                 for width in narrow..=wide + 20 {
-                    let lines = sheet.lines(width, glyphs);
-                    let figures = |row: &Line| sheet.show(row, &tables, width, glyphs).1.len();
-                    let rows = lines.iter().filter(|l| matches!(l, Line::Row(..)));
+                    let placed = sheet.placed(width, glyphs);
+                    let lines = placed.lines();
+                    let figures = |row: &TableLine| placed.show(row, &tables).spans.len() - 1;
+                    let rows = lines.iter().filter(|l| matches!(l, TableLine::Row(..)));
                     let shown: usize = rows.map(figures).sum();
                     let (vectors, points) = (tables.vectors.len(), tables.points.len());
                     let fixed = tables.points.iter().filter(|p| p.fixed).count();
@@ -324,13 +315,15 @@ mod tests {
                     let all = 6 * vectors + 10 * points;
                     assert!((all - 8 * fixed..=all).contains(&shown), "{}", tables.scene);
                     for line in &lines {
-                        let (name, cells) = sheet.show(line, &tables, width, glyphs);
-                        let needed = name.width + cells.iter().map(|c| c.width).sum::<usize>();
-                        assert!(needed <= width, "{}: {needed} of {width}", tables.scene);
-                        for cell in cells {
-                            let columns = cell.text.chars().count();
-                            assert!(columns < cell.width, "{}: {}", tables.scene, cell.text);
+                        let line = placed.show(line, &tables);
+                        let mut end = 0;
+                        for span in &line.spans {
+                            // A blank stands before every figure.
+                            let begin = span.at + usize::from(end == 0);
+                            assert!(begin > end, "{}: {}", tables.scene, span.text);
+                            end = span.at + span.text.chars().count();
                         }
+                        assert!(end <= width, "{}: {end} of {width}", tables.scene);
                     }
                 }
             }

@@ -10,25 +10,20 @@
 pub(crate) mod study_run;
 
 use super::pane::{Need, Pane};
-use super::{MARGIN, Sketch, columns, first_seen, inset, print, print_right, show};
+use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::trade_off;
-use crate::report::{TIME_DIGITS, error_text, method_name, time_text, unfit_text};
-use crate::study::{Errors, Figures, Finding, Findings, Verdict};
+use crate::page::{Line, Page};
+use crate::report::{Accuracy, Measure};
+use crate::study::Findings;
 use crate::tui::app::{App, View};
-use crate::tui::appearance::theme::{self, Part};
 use crate::tui::commands::action::Action;
-use crate::tui::player::open_scene::shown;
 use crate::tui::views::accuracy::study_run::Phase;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of a letter and its mark, of a name, and of a figure with the blank before it.
-const KEY: u16 = 2;
-const NAME: u16 = 19;
-const FIGURE: u16 = 8;
-/// A line of the list: with time and error of position, and with all that there is.
-const NARROW: u16 = KEY + NAME + 2 * FIGURE;
-const WIDE: u16 = NARROW + 3 * FIGURE;
+/// Columns of the list: with time and error of position, and with all that there is.
+const NARROW: u16 = 37;
+const WIDE: u16 = 59;
 /// A chart beside the list has at least so many columns; below that it stands above.
 const LEAST_CHART: u16 = 34;
 /// Where it stands above, it takes half the height, but within these rows.
@@ -96,24 +91,13 @@ impl Pane for AccuracyView {
         };
         let Arrangement { chart, list } = arrange(body);
         render_chart(app, findings, chart, buffer);
-        let lines = lines(app, findings, list.width);
-        let first = first_seen(app, lines.len(), list, buffer);
-        for (y, line) in (list.top()..list.bottom()).zip(lines.iter().skip(first)) {
-            line.render(
-                Rect {
-                    y,
-                    height: 1,
-                    ..list
-                },
-                buffer,
-            );
-        }
+        page::render(app, &lines(app, findings, list), list, buffer);
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let list = arrange(body).list;
         let findings = app.study_run().findings();
-        let lines = findings.map_or(0, |findings| lines(app, findings, list.width).len());
+        let lines = findings.map_or(0, |findings| lines(app, findings, list).len());
         (lines, list.height.into())
     }
 
@@ -152,108 +136,25 @@ fn render_chart(app: &App, findings: &Findings, area: Rect, buffer: &mut Buffer)
     show(&raster, area, buffer);
 }
 
-/// A line of the list.
-struct Line {
-    key: String,
-    name: String,
-    figures: Vec<String>,
-    part: Part,
-}
-
-fn lines(app: &App, findings: &Findings, width: u16) -> Vec<Line> {
-    let is_wide = width >= WIDE;
-    let mut lines = vec![heading(is_wide)];
-    for finding in &findings.methods {
-        lines.push(line(finding, is_wide));
-        if let Verdict::Unfit(unfit) = finding.verdict {
-            let reason = unfit_text(unfit, app.open_scene().scene());
-            lines.extend(told(
-                &shown(&reason, app.glyphs()),
-                width.saturating_sub(KEY),
-            ));
-        }
-    }
-    lines
-}
-
-fn heading(is_wide: bool) -> Line {
-    let narrow = ["time", "error"];
-    let wide = ["time", "pos", "vel", "acc", "fail"];
-    let titles = if is_wide { &wide[..] } else { &narrow[..] };
-    Line {
-        key: String::new(),
-        name: "method".into(),
-        figures: titles.iter().map(|&title| title.to_owned()).collect(),
-        part: Part::Quiet,
-    }
-}
-
-fn line(finding: &Finding, is_wide: bool) -> Line {
-    let best = if finding.best { '*' } else { ' ' };
-    let figures = match &finding.verdict {
-        Verdict::Measured(figures) => cells(figures, is_wide),
-        Verdict::Unfit(_) => Vec::new(),
-        Verdict::Pending => vec!["..".into()],
+/// The methods by their letters: what is most asked for where there is little room.
+fn lines(app: &App, findings: &Findings, list: Rect) -> Vec<Line> {
+    let measures: &[Measure] = match list.width >= WIDE {
+        true => &[
+            Measure::Time,
+            Measure::Position,
+            Measure::Velocity,
+            Measure::Acceleration,
+            Measure::Failures,
+        ],
+        false => &[Measure::Time, Measure::Position],
     };
-    Line {
-        key: format!("{}{best}", finding.key),
-        name: method_name(finding.method),
-        figures,
-        part: Part::Text,
-    }
-}
-
-fn cells(figures: &Figures, is_wide: bool) -> Vec<String> {
-    let time = figures
-        .time
-        .map_or("-".into(), |time| time_text(time.median, TIME_DIGITS));
-    let error = |part: fn(&Errors) -> f64| {
-        let error = figures.errors.as_ref().map(part);
-        error.map_or("-".into(), error_text)
-    };
-    let position = error(|e| e.position);
-    if !is_wide {
-        return vec![time, position];
-    }
-    let rates = [error(|e| e.velocity), error(|e| e.acceleration)];
-    let [velocity, acceleration] = rates;
-    let failures = figures.failures.to_string();
-    vec![time, position, velocity, acceleration, failures]
-}
-
-/// Why a method cannot be used, in lines below its name.
-fn told(reason: &str, width: u16) -> Vec<Line> {
-    let lines = crate::report::wrapped(reason, width.into());
-    let line = |name| Line {
-        key: String::new(),
-        name,
-        figures: Vec::new(),
-        part: Part::Quiet,
-    };
-    lines.into_iter().map(line).collect()
-}
-
-impl Line {
-    fn render(&self, area: Rect, buffer: &mut Buffer) {
-        let Rect { x, y, width, .. } = area;
-        print(
-            buffer,
-            x,
-            y,
-            KEY.min(width),
-            &self.key,
-            theme::part(Part::Key),
-        );
-        let room = width.saturating_sub(KEY);
-        print(buffer, x + KEY, y, room, &self.name, theme::part(self.part));
-        let mut right = x + KEY + NAME;
-        for figure in &self.figures {
-            right += FIGURE;
-            if right > area.right() {
-                break;
-            }
-            debug_assert!(columns(figure) < FIGURE);
-            print_right(buffer, right, y, figure, theme::part(self.part));
-        }
-    }
+    let scene = app.open_scene().scene();
+    let accuracy = Accuracy { scene, findings };
+    let mut table = accuracy.table(measures);
+    // Both figures have room on the smallest screen.
+    (table.setting.gap, table.setting.names) = (1, 0);
+    table.title = "  method".into();
+    let mut page = Page::default();
+    page.table(table);
+    page::lines(app, &page, list)
 }

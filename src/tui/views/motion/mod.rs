@@ -148,13 +148,10 @@ fn columns_used(app: &App, area: Rect) -> u16 {
 
 fn below(app: &App, area: Rect) -> Arrangement {
     let width = usize::from(inset(area).width);
-    let sheet = app.sheet();
-    let [vectors, all] = [
-        sheet.vector_lines(width, app.glyphs()),
-        sheet.lines(width, app.glyphs()).len(),
-    ]
-    .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX))
-    .map(|lines| lines.saturating_add(table::title_lines(app)));
+    let placed = app.sheet().placed(width, app.glyphs());
+    let [vectors, all] = [placed.vector_lines(), placed.lines().len()]
+        .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX))
+        .map(|lines| lines.saturating_add(table::title_lines(app)));
     let share = (area.height / TABLE_SHARE).max(LOWEST_TABLE);
     let rule = u16::from(area.height >= ROOM_FOR_RULE);
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);

@@ -11,12 +11,10 @@
 pub(crate) mod study;
 
 use super::pane::{Copied, Need, Pane};
-use super::{MARGIN, Sketch, first_seen, inset, print, show};
+use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::plot::{Look, Plot};
-use crate::report::MotorLine;
+use crate::page::Line;
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
-use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -98,16 +96,12 @@ impl Pane for MotorView {
         if let Some(plot) = app.motor().plot() {
             render_curve(app, plot, curve, buffer);
         }
-        let lines = lines(app, list.width);
-        let first = first_seen(app, lines.len(), list, buffer);
-        for (y, (text, kind)) in (list.top()..list.bottom()).zip(lines.iter().skip(first)) {
-            render_line(text, *kind, Rect { y, ..list }, buffer);
-        }
+        page::render(app, &lines(app, list), list, buffer);
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let list = arrange(app, body).list;
-        (lines(app, list.width).len(), list.height.into())
+        (lines(app, list).len(), list.height.into())
     }
 
     fn copy(&self, app: &App) -> Copied {
@@ -130,47 +124,9 @@ impl Pane for MotorView {
     }
 }
 
-/// How a line is shown.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Head,
-    Labelled,
-    Plain,
-}
-
-fn lines(app: &App, width: u16) -> Vec<(String, Kind)> {
-    let mut all = Vec::new();
-    for line in app.motor().lines() {
-        let kind = match line {
-            MotorLine::Head(..) => Kind::Head,
-            MotorLine::Figures(..) | MotorLine::Fact(..) => Kind::Labelled,
-            MotorLine::Text(_) | MotorLine::Blank => Kind::Plain,
-        };
-        let texts = line.at_width(width.into()).into_iter();
-        all.extend(texts.map(|text| (shown(&text, app.glyphs()), kind)));
-    }
-    all
-}
-
-/// Labels and the names of columns are dim, so that figures stand out.
-fn render_line(text: &str, kind: Kind, area: Rect, buffer: &mut Buffer) {
-    let width = usize::from(area.width);
-    let (label, rest) = text.split_at(MotorLine::label_end(text, width));
-    let (first, second) = match kind {
-        Kind::Head => (Part::Name, Part::Quiet),
-        Kind::Labelled => (Part::Quiet, Part::Text),
-        Kind::Plain => (Part::Text, Part::Text),
-    };
-    let x = print(
-        buffer,
-        area.x,
-        area.y,
-        area.width,
-        label,
-        theme::part(first),
-    );
-    let room = area.right().saturating_sub(x);
-    print(buffer, x, area.y, room, rest, theme::part(second));
+fn lines(app: &App, list: Rect) -> Vec<Line> {
+    let page = app.motor().page();
+    page.map_or_else(Vec::new, |page| page::lines(app, page, list))
 }
 
 fn render_curve(app: &App, plot: &Plot, area: Rect, buffer: &mut Buffer) {

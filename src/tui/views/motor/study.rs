@@ -4,8 +4,9 @@
 use crate::Vec2;
 use crate::drawing::effort;
 use crate::drawing::plot::Plot;
+use crate::page::Page;
 use crate::quantity::{Catalogue, Here};
-use crate::report::{MotorLine, MotorReport, MotorWishes};
+use crate::report::{MotorReport, MotorWishes};
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 
@@ -20,7 +21,7 @@ struct Studied {
     /// Which scene, in which form.
     of: Edition,
     report: MotorReport,
-    lines: Vec<MotorLine>,
+    page: Page,
     /// `None` where nothing acts.
     plot: Option<Plot>,
 }
@@ -55,15 +56,15 @@ impl MotorStudy {
             .map(|duty| effort(duty, names, what));
         self.studied = Some(Studied {
             of: open_scene.edition().clone(),
-            lines: report.lines(),
+            page: report.page(),
             report,
             plot,
         });
     }
 
-    /// The lines of all that was found.
-    pub(crate) fn lines(&self) -> &[MotorLine] {
-        self.studied.as_ref().map_or(&[], |studied| &studied.lines)
+    /// All that was found.
+    pub(crate) fn page(&self) -> Option<&Page> {
+        self.studied.as_ref().map(|studied| &studied.page)
     }
 
     /// Why there is neither curve nor figures.

@@ -15,7 +15,7 @@ pub(crate) mod preview;
 
 use super::{body, columns, cut, inset, mark_more, print, print_right, row};
 use crate::drawing::{self, Layers};
-use crate::report::wrapped;
+use crate::page::wrapped;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::player::open_scene::shown;

@@ -169,7 +169,7 @@ fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
     let Some(why) = app.plots().hidden() else {
         return area;
     };
-    let lines = crate::report::wrapped(&shown(&why, app.glyphs()), area.width.into());
+    let lines = crate::page::wrapped(&shown(&why, app.glyphs()), area.width.into());
     let height = u16::try_from(lines.len()).unwrap_or(area.height);
     let height = height.min(area.height / 2);
     for (y, line) in (area.top()..area.top() + height).zip(&lines) {
@@ -201,7 +201,7 @@ fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
     ];
     let leads: Vec<String> = leads.into_iter().filter_map(lead).collect();
     let width = usize::from(area.width);
-    let lines = crate::report::wrapped(&shown(why, app.glyphs()), width);
+    let lines = crate::page::wrapped(&shown(why, app.glyphs()), width);
     let rows = u16::try_from(lines.len() + 1 + leads.len()).unwrap_or(area.height);
     let mut y = area.y + area.height.saturating_sub(rows) / 2;
     let block = leads.iter().map(|line| columns(line)).max().unwrap_or(0);

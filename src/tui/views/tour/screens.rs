@@ -2,6 +2,7 @@
 //! keys for the motion work meanwhile.
 
 use crate::files::places;
+use crate::page;
 use crate::tui::app::View;
 use crate::tui::commands::action::Action;
 use crate::tui::commands::keymap::Keymap;
@@ -110,17 +111,7 @@ pub(crate) fn wrapped(text: &str, width: usize, roomy: bool) -> Vec<String> {
         if n > 0 && roomy {
             lines.push(String::new());
         }
-        let mut line = String::new();
-        for word in paragraph.split_whitespace() {
-            if !line.is_empty() && line.len() + 1 + word.len() > width {
-                lines.push(std::mem::take(&mut line));
-            }
-            if !line.is_empty() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-        lines.push(line);
+        lines.extend(page::wrapped(paragraph, width));
     }
     lines
 }

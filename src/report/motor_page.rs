@@ -1,65 +1,43 @@
-//! The motor over a cycle in lines: for a page, and for a view of any width.
+//! The motor over a cycle, to be read.
 
 use super::motor::{MotorReport, NOTHING, RamReport, end_word};
 use super::number::{concise, significant};
-use super::text::{WIDTH, wrapped};
-use crate::scene::sanitized;
-use crate::study::motor::{Asked, Cycle, Duty, Effect, NoDuty, Peak, Rule, SMALL_FLUCTUATION};
+use crate::page::{Content, Facts, Page, Rest, Role, Row, Setting, Table, TextStyle};
+use crate::study::motor::{
+    Asked, Cycle, Duty, Effect, NoDuty, Passing, Peak, Rule, SMALL_FLUCTUATION,
+};
 
 /// Digits of a figure, and decimals of where it is in degrees.
 const DIGITS: usize = 6;
 const DECIMALS: usize = 3;
 /// Decimals of a dead centre: as many as a double has at some hundred degrees.
 const ALL_DECIMALS: usize = 12;
-/// Columns of a label where there is room and where there is little, and of a figure.
+/// Columns of a label, and of a figure behind it.
 const LABEL: usize = 18;
-const SHORT_LABEL: usize = 15;
-const ROOMY: usize = 60;
-const FIGURE: usize = 12;
+const FIGURE: usize = 10;
 /// Turns a minute in 1 rad/s.
 const RPM: f64 = 30.0 / std::f64::consts::PI;
-
-/// A line of what was found.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MotorLine {
-    /// The head of a part, and of its columns.
-    Head(String, Vec<String>),
-    /// A label and its figures, the most important first: a narrow screen shows no more than it can.
-    Figures(String, Vec<String>),
-    /// A label and what is told of it.
-    Fact(String, String),
-    /// Something to read.
-    Text(String),
-    /// Between two parts.
-    Blank,
-}
 
 impl MotorReport {
     /// As text for a person; the title in ASCII alone if asked, everything else always is.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
-        let mut text = sanitized(&self.scene, ascii) + "\n";
-        for line in self.lines() {
-            for line in line.at_width(WIDTH) {
-                text.push_str(line.trim_end());
-                text.push('\n');
-            }
-        }
-        text
+        self.page().to_text(TextStyle::plain(ascii))
     }
 
-    /// The lines of all parts.
+    /// All that was found.
     #[must_use]
-    pub fn lines(&self) -> Vec<MotorLine> {
-        let mut lines = Vec::new();
+    pub fn page(&self) -> Page {
+        let mut page = Page::aligned();
+        page.title(&self.scene);
         match &self.duty {
-            Ok(duty) => self.duty_lines(duty, &mut lines),
-            Err(why) => lines.push(MotorLine::Text(self.nothing(why))),
+            Ok(duty) => self.add_duty(duty, &mut page),
+            Err(why) => page.text_below(self.nothing(why)),
         }
         if let Ok(ram) = &self.ram {
-            self.ram_lines(ram, &mut lines);
+            self.add_ram(ram, &mut page);
         }
-        lines
+        page
     }
 
     /// Why there are no figures.
@@ -74,20 +52,18 @@ impl MotorReport {
         }
     }
 
-    fn duty_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {
+    fn add_duty(&self, duty: &Duty, page: &mut Page) {
         let cycle = &duty.cycle;
-        lines.push(MotorLine::Text(self.asked_text(duty)));
-        lines.extend(self.singular_texts(duty).into_iter().map(MotorLine::Text));
-        lines.push(MotorLine::Blank);
-        self.effect_lines(duty, lines);
-        lines.push(MotorLine::Blank);
-        self.fit_lines(lines);
-        self.evenness_lines(duty, lines);
-        self.frame_lines(cycle, lines);
-        lines.push(MotorLine::Fact(
-            "integrals".into(),
-            rule_text(cycle, self.effort_word()),
-        ));
+        page.text_below(self.asked_text(duty));
+        for text in self.singular_texts(duty) {
+            page.text_below(text);
+        }
+        page.table(self.effects(duty));
+        self.add_fit(page);
+        self.add_evenness(duty, page);
+        self.add_shaking(cycle, page);
+        let rule = rule_text(cycle, self.effort_word());
+        page.add(facts([("integrals", rule)]));
     }
 
     /// What is asked of a motor, in a sentence.
@@ -219,27 +195,17 @@ impl MotorReport {
         texts
     }
 
-    fn effect_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {
+    /// Torque, power and energy, in all and by what acts.
+    fn effects(&self, duty: &Duty) -> Table {
         let cycle = &duty.cycle;
         let [load, gravity, inertia] = &cycle.parts;
         let parts = [("loads", load), ("gravity", gravity), ("inertia", inertia)];
-        let acting: Vec<_> = parts
-            .into_iter()
-            .filter(|(_, e)| !e.is_nothing_beside(&cycle.parts))
-            .collect();
-        let columns: Vec<&Effect> = [&cycle.all]
-            .into_iter()
-            .chain(acting.iter().map(|(_, e)| *e))
-            .collect();
-        let names: Vec<String> = ["all"]
-            .into_iter()
-            .chain(acting.iter().map(|(n, _)| *n))
-            .map(str::to_owned)
-            .collect();
+        let parts = parts.into_iter();
+        let acting = parts.filter(|(_, effect)| !effect.is_nothing_beside(&cycle.parts));
+        let all = std::iter::once(("all", &cycle.all));
+        let (names, columns): (Vec<&str>, Vec<&Effect>) = all.chain(acting).unzip();
         let what = self.effort_word();
-        let row = |label: &str, cell: &dyn Fn(&Effect) -> String| {
-            MotorLine::Figures(label.to_owned(), columns.iter().map(|e| cell(e)).collect())
-        };
+        let mut table = columns_of(format!("{what} [{}]", self.effort_unit()), names);
         let larger = |a: Option<Peak>, b: Option<Peak>| Some(a?.value.abs().max(b?.value.abs()));
         let torque = |e: &Effect| larger(e.largest, e.least);
         let power = |e: &Effect| larger(e.largest_power, e.least_power);
@@ -253,33 +219,31 @@ impl MotorReport {
             let work = cleaned(e.work(), energy(e))?;
             Some(work / duty.seconds()?)
         };
-        lines.push(MotorLine::Head(
-            format!("{what} [{}]", self.effort_unit()),
-            names,
-        ));
-        lines.push(row("  largest", &|e| peak(e.largest, torque(e))));
-        lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
-            place(e, e.largest)
-        }));
-        lines.push(row("  least", &|e| peak(e.least, torque(e))));
-        lines.push(row(&format!("    at [{}]", self.driver_unit), &|e| {
-            place(e, e.least)
-        }));
-        lines.push(row("  mean", &|e| figure(cleaned(e.mean, e.rms))));
-        lines.push(row("  RMS", &|e| figure(e.rms)));
-        lines.push(MotorLine::Head("power [W]".into(), Vec::new()));
-        lines.push(row("  largest", &|e| peak(e.largest_power, power(e))));
-        lines.push(row("  least", &|e| peak(e.least_power, power(e))));
-        lines.push(row("  mean", &|e| figure(mean_power(e))));
-        lines.push(MotorLine::Head("energy [J]".into(), Vec::new()));
-        lines.push(row("  put in", &|e| figure(cleaned(e.put_in, energy(e)))));
-        lines.push(row("  given back", &|e| {
-            figure(cleaned(e.given_back, energy(e)))
-        }));
-        lines.push(row("  work", &|e| figure(cleaned(e.work(), energy(e)))));
+        let at = format!("    at [{}]", self.driver_unit);
+        let cells = |cell: &dyn Fn(&Effect) -> String| -> Vec<String> {
+            columns.iter().map(|effect| cell(effect)).collect()
+        };
+        table.row("  largest", cells(&|e| peak(e.largest, torque(e))));
+        table.row(at.as_str(), cells(&|e| place(e, e.largest)));
+        table.row("  least", cells(&|e| peak(e.least, torque(e))));
+        table.row(at.as_str(), cells(&|e| place(e, e.least)));
+        table.row("  mean", cells(&|e| figure(cleaned(e.mean, e.rms))));
+        table.row("  RMS", cells(&|e| figure(e.rms)));
+        table.rows.push(Row::Part("power [W]".into()));
+        table.row("  largest", cells(&|e| peak(e.largest_power, power(e))));
+        table.row("  least", cells(&|e| peak(e.least_power, power(e))));
+        table.row("  mean", cells(&|e| figure(mean_power(e))));
+        table.rows.push(Row::Part("energy [J]".into()));
+        table.row("  put in", cells(&|e| figure(cleaned(e.put_in, energy(e)))));
+        table.row(
+            "  given back",
+            cells(&|e| figure(cleaned(e.given_back, energy(e)))),
+        );
+        table.row("  work", cells(&|e| figure(cleaned(e.work(), energy(e)))));
+        table
     }
 
-    fn fit_lines(&self, lines: &mut Vec<MotorLine>) {
+    fn add_fit(&self, page: &mut Page) {
         let motor = &self.wishes.motor;
         let is_known = motor.rated.or(motor.peak).or(motor.speed).is_some();
         let is_enough = self.fit.is_enough();
@@ -299,77 +263,71 @@ impl MotorReport {
         };
         let torque = |asked: &Asked| verdict(asked, 1.0, unit);
         let speed = |asked: &Asked| verdict(asked, scale, speeds);
-        lines.push(MotorLine::Head(
-            format!("motor: {verdict_text}"),
-            Vec::new(),
-        ));
-        let facts = [
-            ("  rated for RMS", self.fit.rated.as_ref().map(torque)),
-            ("  peak", self.fit.peak.as_ref().map(torque)),
-            ("  speed", self.fit.speed.as_ref().map(speed)),
-        ];
-        let known = facts
-            .into_iter()
-            .filter_map(|(label, text)| Some((label, text?)));
-        lines.extend(known.map(|(label, text)| MotorLine::Fact(label.into(), text)));
-        if let Some(asked) = &self.with_flywheel() {
-            let text = format!("about the mean: {}", verdict(asked, 1.0, unit));
-            lines.push(MotorLine::Fact("  with flywheel".into(), text));
-        }
-        if let (Some(gear), Some(false)) = (self.fit.geared, is_enough) {
+        let flywheel = self.with_flywheel();
+        let flywheel =
+            flywheel.map(|asked| format!("about the mean: {}", verdict(&asked, 1.0, unit)));
+        let gear = self.fit.geared.filter(|_| is_enough == Some(false));
+        let gear = gear.map(|gear| {
             let does = if gear.is_enough {
                 "would be enough"
             } else {
                 "would not do either"
             };
             let ratio = concise(gear.ratio, 4);
-            let text = format!("{ratio} to 1 brings it down to the driver's speed: it {does}");
-            lines.push(MotorLine::Fact("  with a gear".into(), text));
-        }
-        lines.push(MotorLine::Blank);
+            format!("{ratio} to 1 brings it down to the driver's speed: it {does}")
+        });
+        let told = [
+            ("  rated for RMS", self.fit.rated.as_ref().map(torque)),
+            ("  peak", self.fit.peak.as_ref().map(torque)),
+            ("  speed", self.fit.speed.as_ref().map(speed)),
+            ("  with flywheel", flywheel),
+            ("  with a gear", gear),
+        ];
+        page.heading(format!("motor: {verdict_text}"));
+        let told = told.into_iter();
+        page.add(facts(told.filter_map(|(label, text)| Some((label, text?)))));
     }
 
-    fn evenness_lines(&self, duty: &Duty, lines: &mut Vec<MotorLine>) {
+    fn add_evenness(&self, duty: &Duty, page: &mut Page) {
         let Some(fluctuation) = duty.cycle.fluctuation else {
             return;
         };
         let degrees = |at: f64| format!("{at:.DECIMALS$} {}", self.driver_unit);
-        lines.push(MotorLine::Head("evenness".into(), Vec::new()));
-        let text = format!(
+        let energy = format!(
             "{} J up and down: slowest at {}, fastest at {}",
             significant(fluctuation.energy, DIGITS),
             degrees(fluctuation.slowest),
             degrees(fluctuation.fastest)
         );
-        lines.push(MotorLine::Fact("  energy".into(), text));
         let evenness = self.evenness().unwrap_or_default();
-        if let Some((inertia, fluctuation)) = evenness.with {
-            let text = format!(
+        let flywheel = evenness.with.map(|(inertia, fluctuation)| {
+            format!(
                 "of {} kg m^2 leaves a fluctuation of {}{}",
                 concise(inertia, DIGITS),
                 significant(fluctuation, 4),
                 rough(fluctuation)
-            );
-            lines.push(MotorLine::Fact("  flywheel".into(), text));
-        }
-        if let Some((fluctuation, inertia)) = evenness.wished {
-            let text = format!(
+            )
+        });
+        let wished = evenness.wished.map(|(fluctuation, inertia)| {
+            format!(
                 "of {} takes a flywheel of {} kg m^2{}",
                 concise(fluctuation, DIGITS),
                 significant(inertia, DIGITS),
                 rough(fluctuation)
-            );
-            lines.push(MotorLine::Fact("  fluctuation".into(), text));
-        }
-        lines.push(MotorLine::Blank);
+            )
+        });
+        let told = [
+            ("  energy", Some(energy)),
+            ("  flywheel", flywheel),
+            ("  fluctuation", wished),
+        ];
+        page.heading("evenness");
+        let told = told.into_iter();
+        page.add(facts(told.filter_map(|(label, text)| Some((label, text?)))));
     }
 
-    fn frame_lines(&self, cycle: &Cycle, lines: &mut Vec<MotorLine>) {
+    fn add_shaking(&self, cycle: &Cycle, page: &mut Page) {
         let shaking = &cycle.shaking;
-        lines.push(MotorLine::Head(
-            "on the frame, loads included".into(),
-            Vec::new(),
-        ));
         let none = "no figure: forces in the joints do not exist everywhere".to_owned();
         let size = |v: f64| significant(v, DIGITS);
         // What is as large in the mean as at its largest is so throughout.
@@ -402,32 +360,29 @@ impl MotorReport {
                 behind(&peak, rms, "N m")
             )
         });
-        lines.push(MotorLine::Fact("  force".into(), force));
-        lines.push(MotorLine::Fact("  moment".into(), moment));
-        lines.push(MotorLine::Blank);
+        page.heading("on the frame, loads included");
+        page.add(facts([("  force", force), ("  moment", moment)]));
     }
 
-    fn ram_lines(&self, report: &RamReport, lines: &mut Vec<MotorLine>) {
+    fn add_ram(&self, report: &RamReport, page: &mut Page) {
         let ram = &report.ram;
         let (unit, way) = (self.unit, &self.driver_unit);
-        let fact = |label: &str, text: String| MotorLine::Fact(format!("  {label}"), text);
-        lines.push(MotorLine::Blank);
-        lines.push(MotorLine::Head(format!("ram {}", report.name), Vec::new()));
+        let mut list: Vec<(&str, String)> = Vec::new();
         let convention = if ram.end.is_known {
             ""
         } else {
             ", by convention"
         };
         let end = format!("at its {} position{convention}", end_word(ram.end.end));
-        lines.push(fact("works", end));
-        lines.push(fact("stroke", format!("{} {unit}", concise(ram.stroke, 9))));
-        for (label, centre) in [("bottom", &ram.bottom), ("top", &ram.top)] {
+        list.push(("  works", end));
+        list.push(("  stroke", format!("{} {unit}", concise(ram.stroke, 9))));
+        for (label, centre) in [("  bottom", &ram.bottom), ("  top", &ram.top)] {
             let position = concise(centre.position, 9);
             let text = format!(
                 "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
                 centre.at
             );
-            lines.push(fact(label, text));
+            list.push((label, text));
         }
         for centre in &ram.others {
             let position = concise(centre.position, 9);
@@ -435,7 +390,7 @@ impl MotorReport {
                 "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
                 centre.at
             );
-            lines.push(fact("turns too", text));
+            list.push(("  turns too", text));
         }
         let [closing, opening] = ram.ways;
         let seconds = |share: f64| {
@@ -443,17 +398,17 @@ impl MotorReport {
             seconds.map_or_else(String::new, |s| format!(", {} s", significant(s, DIGITS)))
         };
         let times = |gone: f64| format!("{} {way}{}", significant(gone, DIGITS), seconds(gone));
-        lines.push(fact("closes in", times(closing)));
-        lines.push(fact("opens in", times(opening)));
+        list.push(("  closes in", times(closing)));
+        list.push(("  opens in", times(opening)));
         let ratio = significant(ram.time_ratio(), DIGITS);
-        lines.push(fact("time ratio", format!("{ratio}, closing to opening")));
+        list.push(("  time ratio", format!("{ratio}, closing to opening")));
         if let Some(strokes) = ram.strokes_per_minute() {
-            lines.push(fact(
-                "strokes",
-                format!("{} a minute", significant(strokes, DIGITS)),
-            ));
+            let text = format!("{} a minute", significant(strokes, DIGITS));
+            list.push(("  strokes", text));
         }
-        self.height_lines(report, lines);
+        page.heading(format!("ram {}", report.name));
+        page.add(facts(list));
+        self.add_height(report, page);
         if let Some((tolerance, dwell)) = &report.dwell {
             let within = format!("within {} {unit}", concise(*tolerance, DIGITS));
             let text = dwell.map_or_else(none, |d| {
@@ -466,11 +421,11 @@ impl MotorReport {
                     significant(d.way, DIGITS)
                 )
             });
-            lines.push(fact("dwells", text));
+            page.add_below(facts([("  dwells", text)]));
         }
     }
 
-    fn height_lines(&self, report: &RamReport, lines: &mut Vec<MotorLine>) {
+    fn add_height(&self, report: &RamReport, page: &mut Page) {
         let Some((height, passings)) = &report.height else {
             return;
         };
@@ -479,45 +434,34 @@ impl MotorReport {
         let Some(both) = passings else {
             let stroke = significant(report.ram.stroke, DIGITS);
             let text = format!("the ram is never there: its stroke is {stroke} {unit}");
-            lines.push(MotorLine::Fact(label, text));
+            page.add_below(facts([(label.as_str(), text)]));
             return;
         };
-        let row = |label: String, cell: &dyn Fn(usize) -> String| {
-            MotorLine::Figures(label, vec![cell(0), cell(1)])
-        };
         let sized = |v: f64| figure(Some(v).filter(|v| v.is_finite()));
-        let names = ["closing", "opening"].map(str::to_owned).to_vec();
-        lines.push(MotorLine::Head(label, names));
-        lines.push(row(format!("    driver [{}]", self.driver_unit), &|i| {
-            format!("{:.DECIMALS$}", both[i].at)
-        }));
-        lines.push(row(format!("    place [{unit}]"), &|i| {
-            sized(both[i].position)
-        }));
-        lines.push(row(format!("    v [{unit}/s]"), &|i| {
-            sized(both[i].velocity)
-        }));
-        lines.push(row(format!("    a [{unit}/s^2]"), &|i| {
-            sized(both[i].acceleration)
-        }));
+        let mut table = columns_of(label, ["closing", "opening"]);
+        let mut row = |label: String, cell: &dyn Fn(&Passing) -> String| {
+            table.row(label, both.iter().map(cell));
+        };
+        row(format!("    driver [{}]", self.driver_unit), &|p| {
+            format!("{:.DECIMALS$}", p.at)
+        });
+        row(format!("    place [{unit}]"), &|p| sized(p.position));
+        row(format!("    v [{unit}/s]"), &|p| sized(p.velocity));
+        row(format!("    a [{unit}/s^2]"), &|p| sized(p.acceleration));
         let by = self.effort_unit();
         match report.torque {
-            Some(torque) => {
-                lines.push(row("    force [N]".into(), &|i| {
-                    sized(torque * both[i].leverage)
-                }));
-                let of = format!(
-                    "force: what {} {by} of the driver hold",
-                    concise(torque, DIGITS)
-                );
-                lines.push(MotorLine::Text(format!("    {of}, without friction")));
-            }
-            None => lines.push(row(format!("    N per {by}"), &|i| sized(both[i].leverage))),
+            Some(torque) => row("    force [N]".into(), &|p| sized(torque * p.leverage)),
+            None => row(format!("    N per {by}"), &|p| sized(p.leverage)),
+        }
+        page.add_below(Content::Table(table));
+        if let Some(torque) = report.torque {
+            let torque = concise(torque, DIGITS);
+            page.text_below(format!(
+                "    force: what {torque} {by} of the driver hold, without friction"
+            ));
         }
         if both.iter().any(|passing| !passing.leverage.is_finite()) {
-            lines.push(MotorLine::Text(
-                "    a dead centre: the force has no bound".into(),
-            ));
+            page.text_below("    a dead centre: the force has no bound");
         }
     }
 
@@ -542,49 +486,27 @@ impl MotorReport {
     }
 }
 
-impl MotorLine {
-    /// The line at a width: figures that have no room are left out, words go on below.
-    #[must_use]
-    pub fn at_width(&self, width: usize) -> Vec<String> {
-        match self {
-            MotorLine::Blank => vec![String::new()],
-            MotorLine::Text(text) => {
-                let indent = text.len() - text.trim_start().len();
-                let lines = wrapped(text, width.saturating_sub(indent).max(1)).into_iter();
-                lines.map(|line| format!("{:indent$}{line}", "")).collect()
-            }
-            MotorLine::Head(label, cells) | MotorLine::Figures(label, cells) => {
-                let first = label_width(width);
-                let room = width.saturating_sub(first) / FIGURE;
-                let mut line = format!("{label:first$}");
-                for cell in cells.iter().take(room.max(1)) {
-                    line.push_str(&format!("{cell:>FIGURE$}"));
-                }
-                vec![line]
-            }
-            MotorLine::Fact(label, text) => {
-                let first = label_width(width);
-                let room = width.saturating_sub(first + 1).max(1);
-                let lines = wrapped(text, room).into_iter().enumerate();
-                let label = |i| if i == 0 { label.as_str() } else { "" };
-                lines
-                    .map(|(i, line)| format!("{:first$} {line}", label(i)))
-                    .collect()
-            }
-        }
+/// Labels, and what is told of each.
+fn facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
+    let mut facts = Facts {
+        names: LABEL + 1,
+        ..Facts::default()
+    };
+    for (label, text) in told {
+        facts.tell(label, [text]);
     }
-
-    /// Where in a line of this width, as [`MotorLine::at_width`] gives it, the label ends.
-    #[must_use]
-    pub fn label_end(text: &str, width: usize) -> usize {
-        let end = label_width(width).min(text.len());
-        if text.is_char_boundary(end) { end } else { 0 }
-    }
+    Content::Facts(facts)
 }
 
-/// Columns of a label on a page of this width.
-fn label_width(width: usize) -> usize {
-    if width < ROOMY { SHORT_LABEL } else { LABEL }
+/// A table whose first columns say most: a narrow screen shows no more than it can.
+fn columns_of<'h>(title: String, heads: impl IntoIterator<Item = &'h str>) -> Table {
+    Table::new(title, heads).set(Setting {
+        names: LABEL,
+        least: vec![FIGURE],
+        rest: Rest::LeftOut,
+        called: Role::Label,
+        ..Setting::default()
+    })
 }
 
 /// What stands for a figure that does not exist.

@@ -1,11 +1,12 @@
 //! What every part of the working is written from, and onto.
 
-use super::document::Document;
 use super::equations::Member;
+use super::expression::Expression;
 use super::figures::Figures;
 use super::polygon::{Loop, Polygon, Term};
 use super::sides::{Reading, Shape, Turns};
 use super::stages::{Schedule, Stage};
+use crate::page::{Page, Setting, Table};
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
 use crate::{Mechanism, angle};
@@ -25,10 +26,10 @@ pub(super) struct Context<'a> {
     pub fastest: [f64; 2],
 }
 
-/// The document as it grows, and how far what it works out is from the solver's state.
+/// The page as it grows, and how far what it works out is from the solver's state.
 #[derive(Debug, Default)]
-pub(super) struct Page {
-    pub document: Document,
+pub(super) struct Draft {
+    pub page: Page,
     pub agreements: Vec<Agreement>,
 }
 
@@ -189,7 +190,73 @@ impl super::sides::Side {
     }
 }
 
-impl Page {
+/// Blanks before a table, as before a formula.
+const INDENT: usize = 2;
+
+impl Draft {
+    pub(super) fn table<const N: usize>(&mut self, head: [&str; N], rows: Vec<[String; N]>) {
+        let rows = rows.into_iter().map(Into::into).collect();
+        self.wide_table(head.map(str::to_owned).into(), rows);
+    }
+
+    /// A table of any number of columns.
+    pub(super) fn wide_table(&mut self, head: Vec<String>, rows: Vec<Vec<String>>) {
+        let mut head = head.into_iter();
+        let mut table = Table::new(head.next().unwrap_or_default(), head).set(Setting {
+            indent: INDENT,
+            ..Setting::default()
+        });
+        for row in rows {
+            let mut cells = row.into_iter();
+            table.row(cells.next().unwrap_or_default(), cells);
+        }
+        self.page.table(table);
+    }
+
+    /// `symbol = formula = value`: what comes out.
+    pub(super) fn found(
+        &mut self,
+        symbol: &str,
+        formula: &Expression,
+        figure: impl FnOnce(f64) -> String,
+    ) -> f64 {
+        self.work(symbol, vec![formula.symbols()], formula, figure)
+    }
+
+    /// `symbol = numbers = value`: what comes out.
+    pub(super) fn reckoned(
+        &mut self,
+        symbol: &str,
+        formula: &Expression,
+        figure: impl FnOnce(f64) -> String,
+    ) -> f64 {
+        self.work(symbol, vec![formula.numbers()], formula, figure)
+    }
+
+    /// `symbol = formula = numbers = value`: what comes out.
+    pub(super) fn worked(
+        &mut self,
+        symbol: &str,
+        formula: &Expression,
+        figure: impl FnOnce(f64) -> String,
+    ) -> f64 {
+        let both = vec![formula.symbols(), formula.numbers()];
+        self.work(symbol, both, formula, figure)
+    }
+
+    fn work(
+        &mut self,
+        symbol: &str,
+        forms: Vec<String>,
+        formula: &Expression,
+        figure: impl FnOnce(f64) -> String,
+    ) -> f64 {
+        let value = formula.value();
+        let sides = std::iter::once(symbol.to_owned()).chain(forms);
+        self.page.equation(sides.chain([figure(value)]));
+        value
+    }
+
     /// Notes a figure that was worked out beside the solver's.
     pub(super) fn agree(&mut self, symbol: &str, worked: f64, solved: f64, size: f64) {
         self.agreements.push(Agreement {

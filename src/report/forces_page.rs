@@ -1,11 +1,11 @@
-//! The forces as text, and for other programs.
+//! The forces, to be read and for other programs.
 
 use super::forces::{Existence, Forces, GuideRow, JointRow};
 use super::number::significant;
 use super::tables::{Entry, Plane};
 use super::tables_data::number;
-use super::tables_text::{BOUND, POINT_LABELS, VECTOR_LABELS, Writer};
-use super::text::{Grid, WIDTH, wrapped};
+use super::tables_page::{BOUND, POINT_LABELS, VECTOR_LABELS, Writer, set};
+use crate::page::{Page, Table};
 use crate::quantity::Aspect;
 use serde_json::{Map, Value};
 
@@ -21,67 +21,53 @@ pub(crate) fn missed(entry: &Entry) -> String {
 }
 
 impl Writer<'_> {
-    /// The parts of the text: a table each of what exists, and what is to be said about the rest.
-    pub(super) fn force_parts(&self, forces: &Forces) -> Vec<String> {
-        let remarks = forces.remarks();
-        let remarks = remarks.iter().flat_map(|text| wrapped(text, WIDTH));
-        let mut parts = match forces.existence() {
-            Existence::Nothing => Vec::new(),
-            Existence::Withheld => vec![self.check_table(forces)],
-            Existence::DriveAlone => vec![self.drive_table(forces)],
-            Existence::Everything => vec![
-                self.drive_table(forces),
-                self.joint_table("force at joints", &forces.joints),
-                self.guide_table("force of guides", &forces.guides),
-                self.least_tables(forces),
-                self.frame_table(forces),
-                self.check_table(forces),
-            ],
-        };
-        parts.push(remarks.map(|line| line + "\n").collect());
-        parts
+    /// A table each of what exists, and what is to be said about the rest.
+    pub(super) fn add_forces(&self, forces: &Forces, page: &mut Page) {
+        let mut tables = Vec::new();
+        match forces.existence() {
+            Existence::Nothing => {}
+            Existence::Withheld => tables.push(self.check_table(forces)),
+            Existence::DriveAlone => tables.push(self.drive_table(forces)),
+            Existence::Everything => {
+                tables.push(self.drive_table(forces));
+                tables.extend(self.joint_table("force at joints", &forces.joints));
+                tables.extend(self.guide_table("force of guides", &forces.guides));
+                if let Some(least) = &forces.least {
+                    tables.extend(self.joint_table("of least norm", &least.joints));
+                    tables.extend(self.guide_table("of least norm", &least.guides));
+                }
+                tables.push(self.frame_table(forces));
+                tables.push(self.check_table(forces));
+            }
+        }
+        tables.into_iter().for_each(|table| page.table(table));
+        let mut remarks = forces.remarks().into_iter();
+        if let Some(first) = remarks.next() {
+            page.text(first);
+        }
+        remarks.for_each(|remark| page.text_below(remark));
     }
 
-    fn drive_table(&self, forces: &Forces) -> String {
+    fn drive_table(&self, forces: &Forces) -> Table {
         let drive = &forces.drive;
-        let mut grid = Grid::new(VECTOR_LABELS, self.style.digits + 3);
         let heads = ["in all", "loads", "gravity", "inertia"];
         let title = format!("driver {}", drive.name);
-        grid.row(std::iter::once(title).chain(heads.map(|head| format!("{head} "))));
+        let setting = set(VECTOR_LABELS, self.style.digits + 3);
+        let mut table = Table::new(title, heads.map(|head| format!("{head} "))).set(setting);
         let entries = || std::iter::once(drive.total).chain(drive.parts);
         let label = self.label(drive.aspect.name(), drive.aspect);
-        self.entries(&mut grid, label, entries(), drive.aspect, " ");
+        self.entries(&mut table, label, entries(), drive.aspect, " ");
         let label = self.label("power", Aspect::Power);
-        self.entries(&mut grid, label, [drive.power], Aspect::Power, " ");
-        grid.render()
+        self.entries(&mut table, label, [drive.power], Aspect::Power, " ");
+        table
     }
 
-    /// What is open, of least norm.
-    fn least_tables(&self, forces: &Forces) -> String {
-        let Some(least) = &forces.least else {
-            return String::new();
-        };
-        let joints = self.joint_table("of least norm", &least.joints);
-        let guides = self.guide_table("of least norm", &least.guides);
-        [joints, guides]
-            .into_iter()
-            .filter(|part| !part.is_empty())
-            .collect::<Vec<_>>()
-            .join("\n")
-    }
-
-    fn joint_table(&self, title: &str, joints: &[JointRow]) -> String {
-        let mut grid = Grid::new(POINT_LABELS, self.style.digits + 2);
+    /// `None` where there is no joint to tell of.
+    fn joint_table(&self, title: &str, joints: &[JointRow]) -> Option<Table> {
         let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
-        let direction = self.label("direction", Aspect::Angle);
-        grid.row(
-            std::iter::once(title.to_owned())
-                .chain(heads)
-                .chain([direction]),
-        );
-        let rows = joints.iter().filter(|joint| !joint.repeats);
-        let mut any = false;
-        for joint in rows {
+        let heads = heads.into_iter().chain([self.direction()]);
+        let mut table = Table::new(title, heads).set(set(POINT_LABELS, self.style.digits + 2));
+        for joint in joints.iter().filter(|joint| !joint.repeats) {
             let by = joint.by.as_ref().map(|by| format!(", by {by}"));
             let name = format!(
                 "{} at {}{}",
@@ -89,52 +75,46 @@ impl Writer<'_> {
                 joint.point,
                 by.unwrap_or_default()
             );
-            self.plane(&mut grid, name, joint.force, []);
-            any = true;
+            self.plane(&mut table, name, joint.force, []);
         }
-        if any { grid.render() } else { String::new() }
+        (!table.rows.is_empty()).then_some(table)
     }
 
-    fn guide_table(&self, title: &str, guides: &[GuideRow]) -> String {
-        if guides.is_empty() {
-            return String::new();
-        }
-        let mut grid = Grid::new(POINT_LABELS, self.style.digits + 2);
+    /// `None` where there is no guide.
+    fn guide_table(&self, title: &str, guides: &[GuideRow]) -> Option<Table> {
         let heads = [
             ("normal", Aspect::Normal),
             ("at", Aspect::Length),
             ("moment", Aspect::Moment),
         ];
         let heads = heads.map(|(name, aspect)| self.label(name, aspect));
-        grid.row(std::iter::once(title.to_owned()).chain(heads));
+        let mut table = Table::new(title, heads).set(set(POINT_LABELS, self.style.digits + 2));
         for guide in guides {
             let name = format!("{} on {}", guide.name, guide.slider);
             let cells = [Some(guide.normal), guide.at, guide.moment];
             let texts = cells.map(|cell| cell.map(|entry| self.figure(entry, Aspect::Normal)));
-            grid.row(std::iter::once(name).chain(texts.map(Option::unwrap_or_default)));
+            table.row(name, texts.map(Option::unwrap_or_default));
             if self.style.bounds {
                 let bounds = cells.map(|cell| cell.map(|entry| self.bound(entry)));
-                let bounds = bounds.map(Option::unwrap_or_default);
-                grid.row(std::iter::once(BOUND.to_owned()).chain(bounds));
+                table.row(BOUND, bounds.map(Option::unwrap_or_default));
             }
         }
-        grid.render()
+        (!table.rows.is_empty()).then_some(table)
     }
 
-    fn frame_table(&self, forces: &Forces) -> String {
-        let mut grid = Grid::new(FRAME_LABELS, self.style.digits + 2);
+    fn frame_table(&self, forces: &Forces) -> Table {
         let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
-        let others = [("direction", Aspect::Angle), ("moment", Aspect::Moment)];
-        let others = others.map(|(name, aspect)| self.label(name, aspect));
-        let title = "on the frame".to_owned();
-        grid.row(std::iter::once(title).chain(heads).chain(others));
+        let others = [self.direction(), self.label("moment", Aspect::Moment)];
+        let heads = heads.into_iter().chain(others);
+        let setting = set(FRAME_LABELS, self.style.digits + 2);
+        let mut table = Table::new("on the frame", heads).set(setting);
         let frame = &forces.frame;
-        self.plane(&mut grid, "shaking".to_owned(), frame.force, [frame.moment]);
-        grid.render()
+        let moment = [frame.moment];
+        self.plane(&mut table, "shaking".to_owned(), frame.force, moment);
+        table
     }
 
-    fn check_table(&self, forces: &Forces) -> String {
-        let mut grid = Grid::new(FRAME_LABELS, self.style.digits + 2);
+    fn check_table(&self, forces: &Forces) -> Table {
         let drive = forces.drive.aspect;
         let heads = [
             (drive.name(), drive),
@@ -143,17 +123,17 @@ impl Writer<'_> {
             ("moment", Aspect::Moment),
         ];
         let heads = heads.map(|(name, aspect)| self.label(name, aspect));
-        grid.row(std::iter::once("checks miss by".to_owned()).chain(heads));
+        let setting = set(FRAME_LABELS, self.style.digits + 2);
+        let mut table = Table::new("checks miss by", heads).set(setting);
         let entries = std::iter::once(forces.checks.drive).chain(forces.checks.frame);
-        let cells = entries.map(|entry| missed(&entry));
-        grid.row(std::iter::once(String::new()).chain(cells));
-        grid.render()
+        table.row("", entries.map(|entry| missed(&entry)));
+        table
     }
 
     /// A row of figures, and their bounds below them where they are asked for.
     fn entries(
         &self,
-        grid: &mut Grid,
+        table: &mut Table,
         label: String,
         entries: impl IntoIterator<Item = Entry>,
         aspect: Aspect,
@@ -161,17 +141,17 @@ impl Writer<'_> {
     ) {
         let entries: Vec<Entry> = entries.into_iter().collect();
         let cells = entries.iter().map(|&e| self.figure(e, aspect) + behind);
-        grid.row(std::iter::once(label).chain(cells));
+        table.row(label, cells);
         if self.style.bounds {
             let bounds = entries.iter().map(|&entry| self.bound(entry) + behind);
-            grid.row(std::iter::once(BOUND.to_owned()).chain(bounds));
+            table.row(BOUND, bounds);
         }
     }
 
     /// A row of a force by components, size and direction, and what stands behind them.
     fn plane<const N: usize>(
         &self,
-        grid: &mut Grid,
+        table: &mut Table,
         label: String,
         force: Option<Plane>,
         others: [Entry; N],
@@ -184,10 +164,10 @@ impl Writer<'_> {
         let cells = all
             .iter()
             .map(|&(entry, aspect)| self.figure(entry, aspect));
-        grid.row(std::iter::once(label).chain(cells));
+        table.row(label, cells);
         if self.style.bounds {
             let bounds = all.iter().map(|&(entry, _)| self.bound(entry));
-            grid.row(std::iter::once(BOUND.to_owned()).chain(bounds));
+            table.row(BOUND, bounds);
         }
     }
 }

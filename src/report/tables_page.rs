@@ -1,10 +1,9 @@
-//! The tables as text.
+//! The tables, to be read.
 
 use super::number::{concise, direction, significant, upwards};
 use super::tables::{Entry, ORDERS, Tables, VectorColumn};
-use super::text::Grid;
+use crate::page::{Page, Setting, Table, TextStyle};
 use crate::quantity::{Aspect, state_word};
-use crate::scene::sanitized;
 use crate::solver::Order;
 
 /// How tables are written.
@@ -24,25 +23,49 @@ impl Tables {
     /// The tables as text: a column per vector, then a line per point.
     #[must_use]
     pub fn to_text(&self, style: TableStyle) -> String {
+        self.page(style).to_text(TextStyle::plain(style.ascii))
+    }
+
+    /// The tables: a column per vector, then a line per point.
+    #[must_use]
+    pub fn page(&self, style: TableStyle) -> Page {
         let writer = Writer {
             tables: self,
             style,
         };
-        let mut parts = vec![writer.heading()];
-        parts.extend(ORDERS.map(|order| writer.vector_table(order)));
-        parts.push(writer.legend());
-        parts.extend(ORDERS.map(|order| writer.point_table(order)));
-        let forces = self.forces.iter();
-        parts.extend(forces.flat_map(|forces| writer.force_parts(forces)));
-        parts.extend(self.answers.iter().map(|answers| answers.to_text(style)));
-        parts.retain(|part| !part.is_empty());
-        parts.join("\n")
+        let mut page = Page::default();
+        writer.add_heading(&mut page);
+        for order in ORDERS {
+            page.table(writer.vector_table(order));
+        }
+        writer.add_legend(&mut page);
+        if !self.points.is_empty() {
+            for order in ORDERS {
+                page.table(writer.point_table(order));
+            }
+        }
+        if let Some(forces) = &self.forces {
+            writer.add_forces(forces, &mut page);
+        }
+        if let Some(answers) = &self.answers {
+            page.add(answers.clone().worth_reading().content(style.units));
+        }
+        page
     }
 }
 
 /// Widths of the labels, so that the tables below one another line up.
 pub(super) const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
 pub(super) const POINT_LABELS: usize = "acceleration of points".len();
+
+/// Names and columns with so many characters at the least.
+pub(super) fn set(names: usize, columns: usize) -> Setting {
+    Setting {
+        names,
+        least: vec![columns],
+        ..Setting::default()
+    }
+}
 
 /// Stands in front of a line of bounds, each with so many digits.
 pub(super) const BOUND: &str = "  +-";
@@ -63,7 +86,7 @@ pub(super) struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    fn heading(&self) -> String {
+    fn add_heading(&self, page: &mut Page) {
         let driver = &self.tables.driver;
         let aspects = driver.aspects();
         // The coordinate as it was asked; rates may come from rpm or deg/s, with digits of no use.
@@ -72,12 +95,12 @@ impl Writer<'_> {
             let value = concise(driver.values[i], digits[i]);
             format!("{value} {}", aspects[i].unit(self.tables.unit))
         });
-        format!(
-            "{}\ndriver {} at {at}, {speed}, {acceleration}\nstate {}\n",
-            sanitized(&self.tables.scene, self.style.ascii),
-            driver.name,
-            state_word(self.tables.condition),
-        )
+        page.title(&self.tables.scene);
+        page.text_below(format!(
+            "driver {} at {at}, {speed}, {acceleration}",
+            driver.name
+        ));
+        page.text_below(format!("state {}", state_word(self.tables.condition)));
     }
 
     /// `name [unit]`.
@@ -89,7 +112,12 @@ impl Writer<'_> {
         }
     }
 
-    fn vector_table(&self, order: Order) -> String {
+    /// The name of a column of directions.
+    pub(super) fn direction(&self) -> String {
+        self.label("direction", Aspect::Angle)
+    }
+
+    fn vector_table(&self, order: Order) -> Table {
         let [length, turning] = match order {
             Order::Position => [("r", Aspect::Length), ("theta", Aspect::Angle)],
             Order::Velocity => [("dr/dt", Aspect::Rate), ("omega", Aspect::Omega)],
@@ -99,11 +127,12 @@ impl Writer<'_> {
         };
         let vectors = &self.tables.vectors;
         // Sign, point and star beside the digits.
-        let mut grid = Grid::new(VECTOR_LABELS, self.style.digits + 3);
+        let names = vectors.iter().map(|v| format!("{} ", v.name));
+        let setting = set(VECTOR_LABELS, self.style.digits + 3);
+        let mut table = Table::new(title(order), names).set(setting);
         let mut row = |label: String, cell: &dyn Fn(&VectorColumn) -> String| {
-            grid.row(std::iter::once(label).chain(vectors.iter().map(cell)));
+            table.row(label, vectors.iter().map(cell));
         };
-        row(title(order).into(), &|v| format!("{} ", v.name));
         let lengths = |v: &VectorColumn| v.length.map_or(Entry::NONE, |l| l[index(order)]);
         let turnings = |v: &VectorColumn| v.direction[index(order)];
         row(self.label(length.0, length.1), &|v| {
@@ -118,7 +147,7 @@ impl Writer<'_> {
         if self.style.bounds {
             row(BOUND.into(), &|v| self.bound(turnings(v)) + " ");
         }
-        grid.render()
+        table
     }
 
     /// A star marks what was found; a blank keeps the digits of given entries under one another.
@@ -141,51 +170,47 @@ impl Writer<'_> {
 
     /// What the error of a figure does not exceed; nothing of a figure that does not exist.
     pub(super) fn bound(&self, entry: Entry) -> String {
-        match (entry.value, entry.bound) {
+        match (entry.value, entry.seen_bound()) {
             (None, _) => String::new(),
             (Some(_), None) => "?".into(),
             (Some(_), Some(bound)) => upwards(bound, BOUND_DIGITS),
         }
     }
 
-    fn legend(&self) -> String {
-        let mut legend = String::new();
-        if !self.tables.vectors.is_empty() {
-            legend.push_str("* found; entries without a star are given\n");
+    fn add_legend(&self, page: &mut Page) {
+        let found = "* found; entries without a star are given";
+        let bounds = "+- what the error does not exceed; ? where nothing was proved";
+        let is_told = [!self.tables.vectors.is_empty(), self.style.bounds];
+        let told = [found, bounds].into_iter().zip(is_told);
+        let mut told = told.filter_map(|(text, is_told)| is_told.then_some(text));
+        if let Some(first) = told.next() {
+            page.text(first);
         }
-        if self.style.bounds {
-            legend.push_str("+- what the error does not exceed; ? where nothing was proved\n");
-        }
-        legend
+        told.for_each(|text| page.text_below(text));
     }
 
-    fn point_table(&self, order: Order) -> String {
-        if self.tables.points.is_empty() {
-            return String::new();
-        }
+    fn point_table(&self, order: Order) -> Table {
         let (names, aspect) = match order {
             Order::Position => (["x", "y", "r"], Aspect::X),
             Order::Velocity => (["vx", "vy", "v"], Aspect::Vx),
             Order::Acceleration | Order::Force => (["ax", "ay", "a"], Aspect::Ax),
         };
-        let mut grid = Grid::new(POINT_LABELS, self.style.digits + 2);
         let headers = names.map(|name| self.label(name, aspect));
-        let direction = self.label("direction", Aspect::Angle);
-        let title = format!("{} of points", title(order));
-        grid.row(std::iter::once(title).chain(headers).chain([direction]));
+        let headers = headers.into_iter().chain([self.direction()]);
+        let setting = set(POINT_LABELS, self.style.digits + 2);
+        let mut table = Table::new(format!("{} of points", title(order)), headers).set(setting);
         for point in &self.tables.points {
             let plane = point.motion[index(order)];
             let entries = plane.map_or([Entry::NONE; 4], |plane| plane.entries(point.fixed));
             let aspects = [aspect, aspect, aspect, Aspect::Angle];
             let cells = entries.into_iter().zip(aspects);
             let cells = cells.map(|(entry, aspect)| self.figure(entry, aspect));
-            grid.row(std::iter::once(point.name.clone()).chain(cells));
+            table.row(point.name.as_str(), cells);
             if self.style.bounds {
-                let bounds = entries.map(|entry| self.bound(entry));
-                grid.row(std::iter::once(BOUND.to_owned()).chain(bounds));
+                table.row(BOUND, entries.map(|entry| self.bound(entry)));
             }
         }
-        grid.render()
+        table
     }
 }
 

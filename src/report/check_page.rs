@@ -1,17 +1,15 @@
-//! The facts of `check` as text.
+//! The facts of `check`, to be read.
 
 use super::check::{
     Check, DECIMALS, DriverFacts, DriverKind, GroupFacts, JointFacts, RedundancyFacts, SlideFacts,
     SliderKind, TransmissionFacts,
 };
 use super::number::concise;
-use super::text::{WIDTH, wrapped};
-use crate::scene::sanitized;
+use crate::page::{Content, Facts, Page, TextStyle};
 
-/// The column in which the facts begin.
-const FACTS: usize = 11;
-/// What stands before the rest of a fact that takes several lines.
-const FURTHER: &str = "  ";
+/// Columns of the names, and of what stands before the rest of a fact that takes several lines.
+const NAMES: usize = 11;
+const FURTHER: usize = 2;
 /// Decimals of a transmission angle.
 const MU_DECIMALS: usize = 4;
 /// Decimals of where it is so, at most.
@@ -27,49 +25,53 @@ impl Check {
     /// As text for a person; titles and notes in ASCII alone if asked, everything else always is.
     #[must_use]
     pub fn to_text(&self, ascii: bool) -> String {
-        let mut out = Out::default();
-        out.line(&sanitized(&self.scene, ascii));
-        if let Some(source) = &self.source {
-            out.facts("source", [sanitized(source, ascii)]);
-        }
-        if let Some(note) = &self.note {
-            out.facts("note", [sanitized(note, ascii)]);
-        }
-        out.facts("unit", [self.unit.to_owned()]);
-        out.facts("parts", [self.counts()]);
-        out.facts("driver", [self.driver_text()]);
-        out.facts("links", [self.links.join(", ")]);
-        out.facts("joints", self.joints.iter().map(joint_text));
-        out.facts("slides", self.slides.iter().map(slide_text));
-        out.facts(
-            "mobility",
-            [self.mobility_text()].into_iter().chain(self.rank_notes()),
-        );
-        out.facts(
-            "redundant",
-            self.redundancies.iter().map(|r| self.redundancy_text(r)),
-        );
+        self.page().to_text(TextStyle::plain(ascii))
+    }
+
+    /// The facts by their names.
+    #[must_use]
+    pub fn page(&self) -> Page {
+        let mut facts = Facts {
+            names: NAMES,
+            hanging: FURTHER,
+            list: Vec::new(),
+        };
+        facts.tell("source", self.source.clone());
+        facts.tell("note", self.note.clone());
+        facts.tell("unit", [self.unit.to_owned()]);
+        facts.tell("parts", [self.counts()]);
+        facts.tell("driver", [self.driver_text()]);
+        facts.tell("links", [self.links.join(", ")]);
+        facts.tell("joints", self.joints.iter().map(joint_text));
+        facts.tell("slides", self.slides.iter().map(slide_text));
+        let mobility = [self.mobility_text()].into_iter().chain(self.rank_notes());
+        facts.tell("mobility", mobility);
+        let redundant = self.redundancies.iter().map(|r| self.redundancy_text(r));
+        facts.tell("redundant", redundant);
         let groups = self.groups.iter().enumerate();
         let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, self.group_text(group)));
-        out.facts("groups", groups);
-        out.facts("choices", self.choices.group_lines());
-        out.facts("assemblies", self.choices.whole_text());
+        facts.tell("groups", groups);
+        facts.tell("choices", self.choices.group_lines());
+        facts.tell("assemblies", self.choices.whole_text());
         if let Some(first) = &self.first_loop {
-            out.facts("loop", first.lines(self.unit));
+            facts.tell("loop", first.lines(self.unit));
         }
-        out.facts("range", [self.range_text.clone()]);
+        facts.tell("range", [self.range_text.clone()]);
         if !self.change_points.is_empty() {
-            out.facts("change", [self.change_points_text(), self.tolerance_text()]);
+            facts.tell("change", [self.change_points_text(), self.tolerance_text()]);
         }
         let unit = self.driver_unit();
-        out.facts("near miss", self.near_misses.iter().map(|m| m.text(unit)));
+        facts.tell("near miss", self.near_misses.iter().map(|m| m.text(unit)));
         let mu = self.transmission.iter().map(|t| mu_text(t, unit));
-        out.facts("mu", mu);
-        out.facts("forces", self.acting_text());
+        facts.tell("mu", mu);
+        facts.tell("forces", self.acting_text());
         if !self.indeterminate.is_empty() {
-            out.facts("open", [self.open_text()]);
+            facts.tell("open", [self.open_text()]);
         }
-        out.text
+        let mut page = Page::default();
+        page.title(&self.scene);
+        page.add_below(Content::Facts(facts));
+        page
     }
 
     /// What acts, where anything does.
@@ -293,30 +295,5 @@ fn place(at: f64) -> String {
     match short {
         "-0" => "0".into(),
         _ => short.into(),
-    }
-}
-
-/// Lines of a name and its facts, one fact a line.
-#[derive(Default)]
-struct Out {
-    text: String,
-}
-
-impl Out {
-    fn line(&mut self, line: &str) {
-        self.text.push_str(line.trim_end());
-        self.text.push('\n');
-    }
-
-    fn facts(&mut self, name: &str, facts: impl IntoIterator<Item = String>) {
-        let mut name = name;
-        for fact in facts {
-            // What does not fit goes on below, further in than a fact of its own.
-            let mut indent = "";
-            for line in wrapped(&fact, WIDTH - FACTS - FURTHER.len()) {
-                self.line(&format!("{name:FACTS$}{indent}{line}"));
-                (name, indent) = ("", FURTHER);
-            }
-        }
     }
 }

@@ -1,0 +1,177 @@
+//! Where the columns of a table stand at a width.
+
+use super::line::{Line, Role, Span};
+use super::table::{Cell, Rest, Setting};
+use super::words::length;
+use std::ops::Range;
+
+/// Columns of figures behind names, side by side as far as there is room.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Columns {
+    /// Blanks before the names.
+    indent: usize,
+    /// Blanks between a mark and its name.
+    behind_mark: usize,
+    /// The column behind the names.
+    names: usize,
+    widths: Vec<usize>,
+    chunks: Vec<Chunk>,
+}
+
+/// Columns that stand side by side.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Chunk {
+    columns: Range<usize>,
+    /// Blanks before each of them.
+    gap: usize,
+}
+
+impl Columns {
+    /// Columns of these widths behind names of so many characters; those that `open` are the first of what
+    /// belongs together, and rather begin a chunk than end one.
+    pub(crate) fn fit(
+        setting: &Setting,
+        names: usize,
+        widths: Vec<usize>,
+        opens: impl Fn(usize) -> bool,
+        width: usize,
+    ) -> Columns {
+        let names = setting.indent + names;
+        let needed = |columns: Range<usize>| names + sum(&widths[columns], setting.gap);
+        let mut chunks = Vec::new();
+        let mut start = 0;
+        while start < widths.len() {
+            let fits = |end: &usize| needed(start..*end) <= width;
+            // One column is shown even where it does not fit.
+            let longest = (start + 1..=widths.len()).take_while(fits).last();
+            let longest = longest.unwrap_or(start + 1);
+            let is_end = |end: &usize| *end == widths.len() || opens(*end);
+            let end = (start + 1..=longest).rev().find(is_end);
+            chunks.push(start..end.unwrap_or(longest));
+            start = end.unwrap_or(longest);
+        }
+        if setting.rest == Rest::LeftOut {
+            chunks.truncate(1);
+        }
+        let spread = |columns: &Range<usize>| {
+            let spare = width.saturating_sub(needed(columns.clone()));
+            setting.spread.min(spare / columns.len().max(1))
+        };
+        // Fewer columns stand no wider apart than more do.
+        let fullest = chunks.iter().rev().max_by_key(|columns| columns.len());
+        let most = fullest.map_or(0, spread);
+        let chunk = |columns: Range<usize>| Chunk {
+            gap: setting.gap + spread(&columns).min(most),
+            columns,
+        };
+        let chunks = chunks.into_iter().map(chunk).collect();
+        Columns {
+            indent: setting.indent,
+            behind_mark: setting.behind_mark(),
+            names,
+            widths,
+            chunks,
+        }
+    }
+
+    /// The columns that stand side by side, chunk by chunk.
+    pub(crate) fn ranges(&self) -> impl Iterator<Item = &Range<usize>> {
+        self.chunks.iter().map(|chunk| &chunk.columns)
+    }
+
+    /// Whether every chunk has room in so many characters.
+    pub(crate) fn fits(&self, width: usize) -> bool {
+        let needed = |chunk: &Chunk| {
+            let widths = self.widths.get(chunk.columns.clone()).unwrap_or_default();
+            self.names + sum(widths, chunk.gap)
+        };
+        self.chunks.iter().all(|chunk| needed(chunk) <= width)
+    }
+
+    /// By how many blanks columns move apart.
+    pub(super) fn spread(&self, setting: &Setting) -> usize {
+        let gaps = self.chunks.iter().map(|chunk| chunk.gap);
+        gaps.max().unwrap_or(0).saturating_sub(setting.gap)
+    }
+
+    /// Whether all columns stand side by side.
+    pub(super) fn is_whole(&self, width: usize) -> bool {
+        self.chunks.len() < 2 && self.fits(width)
+    }
+
+    /// The line of a row: its name behind its mark, and the cells of a chunk, to the right of their columns.
+    pub(crate) fn line<'c>(
+        &self,
+        range: &Range<usize>,
+        (mark, name): (&str, &str),
+        cells: impl IntoIterator<Item = Option<&'c Cell>>,
+        [of_name, of_cells]: [Role; 2],
+    ) -> Line {
+        let mut line = Line::default();
+        line.push(self.indent, mark, Role::Mark);
+        let behind = match mark {
+            "" => 0,
+            mark => length(mark) + self.behind_mark,
+        };
+        line.push(self.indent + behind, name, of_name);
+        let chunk = self.chunks.iter().find(|chunk| chunk.columns == *range);
+        let gap = chunk.map_or(0, |chunk| chunk.gap);
+        let mut right = self.names;
+        for (cell, column) in cells.into_iter().zip(range.clone()) {
+            right += gap + self.widths.get(column).copied().unwrap_or(0);
+            if let Some(cell) = cell {
+                line.spans.push(Span {
+                    at: right.saturating_sub(length(&cell.text)),
+                    text: cell.text.clone(),
+                    role: of_cells,
+                    unsure: cell.unsure.clone(),
+                });
+            }
+        }
+        line
+    }
+
+    /// Behind the names.
+    pub(super) fn names(&self) -> usize {
+        self.names
+    }
+}
+
+fn sum(widths: &[usize], gap: usize) -> usize {
+    widths.iter().map(|width| gap + width).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn chunks(widths: &[usize], opens: &[usize], width: usize) -> Vec<Range<usize>> {
+        let setting = Setting::default();
+        let opens = |c: usize| opens.contains(&c);
+        let columns = Columns::fit(&setting, 4, widths.to_vec(), opens, width);
+        columns.chunks.into_iter().map(|c| c.columns).collect()
+    }
+
+    #[test]
+    fn as_many_columns_stand_side_by_side_as_fit() {
+        assert_eq!(chunks(&[8; 5], &[0, 1, 2, 3, 4], 24), [0..2, 2..4, 4..5]);
+        // What belongs together stays together where it can.
+        assert_eq!(chunks(&[8; 5], &[0, 2], 34), [0..2, 2..5]);
+        assert_eq!(chunks(&[8; 5], &[0], 34), [0..3, 3..5]);
+        // One that does not fit is shown all the same.
+        assert_eq!(chunks(&[8; 2], &[0, 1], 3), [0..1, 1..2]);
+    }
+
+    #[test]
+    fn room_to_spare_moves_columns_apart_and_fewer_no_further() {
+        let setting = Setting {
+            spread: 4,
+            ..Setting::default()
+        };
+        let columns = Columns::fit(&setting, 4, vec![8; 3], |_| true, 28);
+        let gaps: Vec<usize> = columns.chunks.iter().map(|c| c.gap).collect();
+        assert_eq!(gaps, [4, 4]);
+        let wide = Columns::fit(&setting, 4, vec![8; 3], |_| true, 99);
+        assert_eq!(wide.chunks[0].gap, 6);
+    }
+}

@@ -1,0 +1,79 @@
+//! Formulas in lines.
+
+use super::Equation;
+use super::words::{fill, length};
+
+/// Blanks before a formula.
+const INDENT: usize = 2;
+/// A left side up to here keeps the following sides below its sign of equality.
+const SHORT_SIDE: usize = 16;
+
+/// A chain of sides: on one line, or side below side.
+pub(super) fn lines(equation: &Equation, width: usize) -> Vec<String> {
+    let sides = &equation.sides;
+    let indent = " ".repeat(INDENT);
+    let whole = format!("{indent}{}", sides.join(" = "));
+    let Some((first, others)) = sides.split_first().map(|(f, o)| (f.as_str(), o)) else {
+        return Vec::new();
+    };
+    if length(&whole) <= width {
+        return vec![whole];
+    }
+    let left = length(first);
+    if left > SHORT_SIDE || left + 2 * INDENT > width / 2 {
+        return terms(&whole, width, 2 * INDENT);
+    }
+    // As many sides to a line as fit, the signs of equality below one another.
+    let mut rows: Vec<String> = Vec::new();
+    let begin = INDENT + left + " = ".len();
+    for side in others {
+        let fits = |row: &&mut String| begin + length(row) + 3 + length(side) <= width;
+        match rows.last_mut().filter(fits) {
+            Some(row) => row.push_str(&format!(" = {side}")),
+            None => rows.push(side.clone()),
+        }
+    }
+    let room = width.saturating_sub(begin);
+    let blank = " ".repeat(begin);
+    let mut lines = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let name = if i == 0 { first } else { "" };
+        for (j, line) in terms(row, room, 2).into_iter().enumerate() {
+            let before = match j {
+                0 => format!("{indent}{name:left$} = "),
+                _ => blank.clone(),
+            };
+            lines.push(before + &line);
+        }
+    }
+    lines
+}
+
+/// A formula in lines of at most `width` columns, broken before the signs between its terms.
+fn terms(formula: &str, width: usize, indent: usize) -> Vec<String> {
+    let own = formula.len() - formula.trim_start().len();
+    fill(&parts(formula), width, [own, indent])
+}
+
+/// The terms of a formula, each with the sign before it: breaks only outside of brackets.
+fn parts(formula: &str) -> Vec<String> {
+    let mut parts: Vec<String> = Vec::new();
+    let mut depth = 0_usize;
+    for word in formula.split_whitespace() {
+        let begins = depth == 0 && matches!(word, "+" | "-" | "=" | "+-");
+        match parts.last_mut().filter(|_| !begins) {
+            Some(part) => part.push_str(&format!(" {word}")),
+            None => parts.push(word.to_owned()),
+        }
+        let open = word.matches('(').count();
+        depth = (depth + open).saturating_sub(word.matches(')').count());
+    }
+    // That a sum is 0 does not stand on a line of its own.
+    if let [.., last, end] = &mut parts[..]
+        && end == "= 0"
+    {
+        last.push_str(" = 0");
+        parts.pop();
+    }
+    parts
+}

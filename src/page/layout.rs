@@ -1,0 +1,310 @@
+//! A page line by line, at a width.
+
+use super::columns::Columns;
+use super::line::{Line, Role};
+use super::table::{Cell, Row, Setting, Table, Units};
+use super::words::{NARROWEST, broken, length, wrapped};
+use super::{Content, Facts, Page, TextStyle, formula};
+use std::ops::Range;
+
+/// What is asked for names takes no larger part of the width than one in so many.
+const SHARE: usize = 3;
+
+impl Page {
+    /// The lines for a screen: a column that has no room even alone is cut.
+    #[must_use]
+    pub fn lines(&self, style: TextStyle) -> Vec<Line> {
+        self.laid_out(style, style.width.max(NARROWEST))
+    }
+
+    /// The lines; those of tables are cut behind so many characters.
+    pub(super) fn laid_out(&self, style: TextStyle, most: usize) -> Vec<Line> {
+        let TextStyle { ascii, width } = style;
+        let page = self.shown(ascii);
+        let names = page.names(width);
+        let mut lines = Vec::new();
+        for block in &page.blocks {
+            let mut below = block.content.lines(names, width);
+            if matches!(block.content, Content::Table(_)) {
+                below.iter_mut().for_each(|line| line.cut(most));
+            }
+            if block.is_apart && !below.is_empty() {
+                lines.push(Line::default());
+            }
+            lines.extend(below);
+        }
+        lines
+    }
+
+    /// The room that names take everywhere; `None` where each part takes its own.
+    fn names(&self, width: usize) -> Option<Names> {
+        if !self.is_aligned {
+            return None;
+        }
+        let contents = || self.blocks.iter().map(|block| &block.content);
+        let tables = || {
+            contents().filter_map(|content| match content {
+                Content::Table(table) => Some(table),
+                _ => None,
+            })
+        };
+        let widest = |more: bool| {
+            let widths = contents().map(|content| match content {
+                Content::Table(table) => table.names(more, width),
+                Content::Facts(facts) => facts.names(width).saturating_sub(1),
+                _ => 0,
+            });
+            widths.max().unwrap_or(0)
+        };
+        let long = widest(true);
+        let more = tables().all(|table| table.is_whole(long, width));
+        let names = if more { long } else { widest(false) };
+        let spread = tables().map(|table| {
+            let columns = table.columns(names, usize::MAX, width);
+            columns.spread(&table.setting)
+        });
+        Some(Names {
+            more,
+            width: names,
+            spread: spread.min().unwrap_or(0),
+        })
+    }
+}
+
+/// The room that names take, whether they say more, and by how many blanks columns move apart at the most.
+#[derive(Clone, Copy, Debug)]
+struct Names {
+    width: usize,
+    more: bool,
+    spread: usize,
+}
+
+impl Content {
+    fn lines(&self, names: Option<Names>, width: usize) -> Vec<Line> {
+        let of = |role, text: &str| {
+            let lines = broken(text, width).into_iter();
+            lines.map(|line| Line::of(role, line)).collect()
+        };
+        match self {
+            Content::Title(title) => of(Role::Title, title),
+            Content::Heading(1, text) => of(Role::Part, text),
+            Content::Heading(_, text) => of(Role::Section, text),
+            Content::Text(text) => of(Role::Body, text),
+            Content::Equations(equations) => {
+                let lines = equations.iter().flat_map(|e| formula::lines(e, width));
+                lines.map(|line| Line::of(Role::Body, line)).collect()
+            }
+            Content::Facts(facts) => facts.lines(names, width),
+            Content::Table(table) => table.lines(names, width),
+        }
+    }
+}
+
+/// What is asked for, where it is a fair part of the width.
+fn fair(asked: usize, width: usize) -> usize {
+    asked.min(width / SHARE)
+}
+
+impl Facts {
+    /// Characters of the names, with the blanks behind them.
+    fn names(&self, width: usize) -> usize {
+        let names = self.list.iter().map(|(name, _)| length(name) + 1);
+        names.chain([fair(self.names, width)]).max().unwrap_or(0)
+    }
+
+    fn lines(&self, names: Option<Names>, width: usize) -> Vec<Line> {
+        let names = names.map_or_else(|| self.names(width), |names| names.width + 1);
+        let room = width.saturating_sub(names + self.hanging);
+        let mut lines = Vec::new();
+        for (name, told) in &self.list {
+            let mut name = name.as_str();
+            for told in told {
+                let words = wrapped(told, room.max(NARROWEST));
+                for (number, words) in words.into_iter().enumerate() {
+                    let label = std::mem::take(&mut name);
+                    let begin = label.len() - label.trim_start_matches(' ').len();
+                    let mut line = Line::default();
+                    line.push(begin, label.trim(), Role::Label);
+                    let hanging = if number == 0 { 0 } else { self.hanging };
+                    line.push(names + hanging, words, Role::Body);
+                    lines.push(line);
+                }
+            }
+        }
+        lines
+    }
+}
+
+impl Table {
+    /// Characters of the names.
+    fn names(&self, more: bool, width: usize) -> usize {
+        let rows = self.rows.iter().filter(|row| !matches!(row, Row::Part(_)));
+        let names = rows.map(|row| {
+            let (mark, name) = row.label(more);
+            match mark {
+                "" => length(name),
+                mark => length(mark) + self.setting.behind_mark() + length(name),
+            }
+        });
+        let asked = fair(self.setting.names, width);
+        names.chain([asked, length(&self.title)]).max().unwrap_or(0)
+    }
+
+    /// How wide each column is by itself.
+    fn widths(&self) -> Vec<usize> {
+        let least = &self.setting.least;
+        let head = |column: usize| {
+            let head = &self.heads[column];
+            match self.setting.units {
+                Units::Behind => length(&head.whole()),
+                Units::Below => length(&head.name).max(length(&head.unit)),
+            }
+        };
+        let cells = |column: usize| {
+            let rows = self.rows.iter().filter_map(move |row| match row {
+                Row::Figures { cells, .. } => cells.get(column)?.as_ref(),
+                Row::Part(_) | Row::Told { .. } => None,
+            });
+            rows.map(|cell| length(&cell.text)).max().unwrap_or(0)
+        };
+        let asked = |column: usize| least.get(column).or(least.last()).copied().unwrap_or(0);
+        let columns = 0..self.heads.len();
+        columns
+            .map(|column| head(column).max(cells(column)).max(asked(column)))
+            .collect()
+    }
+
+    fn columns(&self, names: usize, spread: usize, width: usize) -> Columns {
+        let setting = Setting {
+            spread: self.setting.spread.min(spread),
+            ..self.setting.clone()
+        };
+        Columns::fit(&setting, names, self.widths(), |_| true, width)
+    }
+
+    /// Whether all columns stand beside names of so many characters.
+    fn is_whole(&self, names: usize, width: usize) -> bool {
+        self.columns(names, 0, width).is_whole(width)
+    }
+
+    fn lines(&self, names: Option<Names>, width: usize) -> Vec<Line> {
+        let names = names.unwrap_or_else(|| {
+            let long = self.names(true, width);
+            let more = self.is_whole(long, width);
+            Names {
+                width: if more { long } else { self.names(false, width) },
+                more,
+                spread: usize::MAX,
+            }
+        });
+        let columns = self.columns(names.width, names.spread, width);
+        let mut lines = Vec::new();
+        for chunk in columns.ranges() {
+            let rows = self.rows_of(&columns, chunk, names, width);
+            if rows.is_empty() && !self.rows.is_empty() {
+                continue;
+            }
+            if !lines.is_empty() {
+                lines.push(Line::default());
+            }
+            lines.extend(self.head_of(&columns, chunk));
+            lines.extend(rows);
+        }
+        lines
+    }
+
+    fn head_of(&self, columns: &Columns, chunk: &Range<usize>) -> Vec<Line> {
+        let heads = &self.heads[chunk.clone()];
+        let line = |title: &str, texts: Vec<String>| {
+            let cells: Vec<Cell> = texts.into_iter().map(Cell::sure).collect();
+            let name = ("", title);
+            columns.line(chunk, name, cells.iter().map(Some), [Role::Head; 2])
+        };
+        let title = self.title.as_str();
+        match self.setting.units {
+            Units::Behind => vec![line(title, heads.iter().map(super::Head::whole).collect())],
+            Units::Below => vec![
+                line(title, heads.iter().map(|head| head.name.clone()).collect()),
+                line("", heads.iter().map(|head| head.unit.clone()).collect()),
+            ],
+        }
+    }
+
+    /// The rows with something in a chunk; none where there is nothing but names.
+    fn rows_of(
+        &self,
+        columns: &Columns,
+        chunk: &Range<usize>,
+        names: Names,
+        width: usize,
+    ) -> Vec<Line> {
+        let mut lines = Vec::new();
+        let mut says = false;
+        for row in &self.rows {
+            let (mark, name) = row.label(names.more);
+            match row {
+                Row::Part(_) => lines.push(Line::of(Role::Section, name)),
+                Row::Told { words, .. } if chunk.start == 0 => {
+                    let head =
+                        columns.line(chunk, (mark, name), [], [self.setting.called, Role::Body]);
+                    lines.extend(told(
+                        head,
+                        columns.names(),
+                        words,
+                        (mark, &self.setting),
+                        width,
+                    ));
+                    says = true;
+                }
+                Row::Told { .. } => {}
+                Row::Figures { cells, .. } => {
+                    let cells = || cells.iter().take(chunk.end).skip(chunk.start);
+                    if cells().any(Option::is_some) {
+                        let cells = cells().map(Option::as_ref);
+                        let roles = [self.setting.called, Role::Body];
+                        lines.push(columns.line(chunk, (mark, name), cells, roles));
+                        says = true;
+                    }
+                }
+            }
+        }
+        if says { lines } else { Vec::new() }
+    }
+}
+
+/// Words behind the name of a row, or below it.
+fn told(
+    mut head: Line,
+    names: usize,
+    words: &str,
+    (mark, setting): (&str, &Setting),
+    width: usize,
+) -> Vec<Line> {
+    let begin = names + setting.gap;
+    let beside = format!("- {words}");
+    if begin + length(&beside) <= width {
+        head.push(begin, beside, Role::Body);
+        return vec![head];
+    }
+    let indent = setting.indent + length(mark) + setting.behind_mark();
+    let below = wrapped(words, width.saturating_sub(indent).max(NARROWEST));
+    let below = below.into_iter().map(|words| {
+        let mut line = Line::default();
+        line.push(indent, words, Role::Label);
+        line
+    });
+    std::iter::once(head).chain(below).collect()
+}
+
+impl Line {
+    /// Leaves out what stands behind so many columns.
+    fn cut(&mut self, most: usize) {
+        self.spans.retain(|span| span.at < most);
+        for span in &mut self.spans {
+            let room = most - span.at;
+            if length(&span.text) > room {
+                span.text = span.text.chars().take(room).collect();
+            }
+        }
+    }
+}

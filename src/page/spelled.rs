@@ -1,0 +1,125 @@
+//! Text as a terminal can show it.
+
+use super::{Block, Cell, Content, Equation, Facts, Head, Page, Row, Table};
+use crate::document::sanitized;
+
+/// How a page is laid out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextStyle {
+    /// 7-bit characters alone: Greek letters are spelled.
+    pub ascii: bool,
+    /// Columns; lines are broken where they can be.
+    pub width: usize,
+}
+
+impl TextStyle {
+    /// A plain terminal.
+    pub(crate) const fn plain(ascii: bool) -> TextStyle {
+        TextStyle { ascii, width: 80 }
+    }
+}
+
+impl Page {
+    /// The page with every text as it is shown: nothing in it harms a terminal.
+    pub(super) fn shown(&self, ascii: bool) -> Page {
+        let blocks = self.blocks.iter();
+        let block = |block: &Block| Block {
+            content: block.content.shown(&|text| shown(text, ascii)),
+            ..*block
+        };
+        Page {
+            blocks: blocks.map(block).collect(),
+            ..*self
+        }
+    }
+}
+
+impl Content {
+    fn shown(&self, shown: &impl Fn(&str) -> String) -> Content {
+        let all = |texts: &[String]| texts.iter().map(|text| shown(text)).collect();
+        match self {
+            Content::Title(text) => Content::Title(shown(text)),
+            Content::Heading(level, text) => Content::Heading(*level, shown(text)),
+            Content::Text(text) => Content::Text(shown(text)),
+            Content::Equations(equations) => {
+                let sides = equations.iter().map(|equation| all(&equation.sides));
+                Content::Equations(sides.map(|sides| Equation { sides }).collect())
+            }
+            Content::Facts(facts) => {
+                let list = facts.list.iter();
+                let list = list.map(|(name, told)| (shown(name), all(told))).collect();
+                Content::Facts(Facts { list, ..*facts })
+            }
+            Content::Table(table) => Content::Table(Table {
+                title: shown(&table.title),
+                heads: table.heads.iter().map(|head| head.shown(shown)).collect(),
+                rows: table.rows.iter().map(|row| row.shown(shown)).collect(),
+                setting: table.setting.clone(),
+            }),
+        }
+    }
+}
+
+impl Head {
+    fn shown(&self, shown: &impl Fn(&str) -> String) -> Head {
+        Head {
+            name: shown(&self.name),
+            unit: shown(&self.unit),
+        }
+    }
+}
+
+impl Row {
+    fn shown(&self, shown: &impl Fn(&str) -> String) -> Row {
+        let cell = |cell: &Cell| Cell {
+            text: shown(&cell.text),
+            unsure: cell.unsure.clone(),
+        };
+        match self {
+            Row::Part(name) => Row::Part(shown(name)),
+            Row::Told { mark, name, words } => Row::Told {
+                mark: mark.clone(),
+                name: shown(name),
+                words: shown(words),
+            },
+            Row::Figures {
+                mark,
+                name,
+                more,
+                cells,
+            } => Row::Figures {
+                mark: mark.clone(),
+                name: shown(name),
+                more: more.as_deref().map(shown),
+                cells: cells.iter().map(|c| c.as_ref().map(cell)).collect(),
+            },
+        }
+    }
+}
+
+/// The text as it is shown; with `ascii` letters and signs of formulas are spelled, and what has no spelling
+/// is `?`.
+fn shown(text: &str, ascii: bool) -> String {
+    if ascii && !text.is_ascii() {
+        sanitized(&spelled(text), ascii)
+    } else {
+        sanitized(text, ascii)
+    }
+}
+
+fn spelled(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            'θ' => out.push_str("theta"),
+            'ω' => out.push_str("omega"),
+            'α' => out.push_str("alpha"),
+            'β' => out.push_str("beta"),
+            'γ' => out.push_str("gamma"),
+            '·' => out.push('*'),
+            '→' => out.push_str("->"),
+            _ => out.push(c),
+        }
+    }
+    out
+}

@@ -1,0 +1,124 @@
+//! Pages at widths.
+
+use super::*;
+
+fn text(page: &Page, width: usize) -> String {
+    page.to_text(TextStyle { ascii: true, width })
+}
+
+fn figures() -> Table {
+    let mut table = Table::new("point", ["x", "y", "z"]);
+    table.row("A", ["1.000", "20.00", "3"].map(str::to_owned));
+    table.row("long", ["4", "5"].map(str::to_owned));
+    table
+}
+
+#[test]
+fn columns_that_do_not_fit_follow_below_and_a_row_without_them_does_not() {
+    let mut page = Page::default();
+    page.table(figures());
+    let below = "point  x      y\nA      1.000  20.00\nlong       4      5\n\npoint  z\nA      3\n";
+    let aligned = below.replace("  x      y", "      x      y");
+    assert_eq!(text(&page, 19), aligned);
+    let mut first = figures();
+    first.setting.rest = Rest::LeftOut;
+    let mut page = Page::default();
+    page.table(first);
+    assert_eq!(
+        text(&page, 19),
+        aligned.split("\n\n").next().unwrap().to_owned() + "\n"
+    );
+}
+
+#[test]
+fn a_screen_cuts_a_column_that_has_no_room_and_a_page_does_not() {
+    let mut page = Page::default();
+    let mut table = Table::new("", ["x"]);
+    table.row("a_name_of_many_letters", ["1".to_owned()]);
+    page.table(table);
+    assert!(text(&page, 12).contains("a_name_of_many_letters  1\n"));
+    let style = TextStyle {
+        ascii: true,
+        width: 12,
+    };
+    let cut: Vec<String> = page.lines(style).iter().map(Line::text).collect();
+    assert_eq!(cut, ["", "a_name_of_ma"]);
+}
+
+#[test]
+fn names_say_more_where_there_is_room_and_stand_in_one_column() {
+    let mut page = Page::aligned();
+    let mut table = Table::new("force", ["f"]);
+    table.rows.push(Row::Figures {
+        mark: String::new(),
+        name: "r2 at A".into(),
+        more: Some("r2 at A by ground".into()),
+        cells: vec![Some(Cell::sure("7"))],
+    });
+    page.table(table);
+    let mut facts = Facts::default();
+    facts.tell("at rest", ["no".to_owned()]);
+    page.add(Content::Facts(facts));
+    assert_eq!(
+        text(&page, 30),
+        "force              f\nr2 at A by ground  7\n\nat rest           no\n"
+    );
+    assert_eq!(text(&page, 15), "force    f\nr2 at A  7\n\nat rest no\n");
+}
+
+#[test]
+fn words_stand_behind_a_name_or_below_it() {
+    let mut page = Page::default();
+    let mut table = Table::new("   method", ["time"]);
+    table.rows.push(Row::Told {
+        mark: "a*".into(),
+        name: "Newton".into(),
+        words: "not needed here".into(),
+    });
+    page.table(table);
+    assert_eq!(
+        text(&page, 40).lines().last(),
+        Some("a* Newton  - not needed here")
+    );
+    let narrow = text(&page, 20);
+    assert!(
+        narrow.ends_with("a* Newton\n   not needed here\n"),
+        "{narrow}"
+    );
+}
+
+#[test]
+fn a_part_stands_apart_unless_the_one_before_leads_to_it() {
+    let mut page = Page::default();
+    page.title("T");
+    page.text_below("state ok");
+    page.heading("of it");
+    page.text("it is so:");
+    page.equation(["a", "b"]);
+    assert_eq!(
+        text(&page, 40),
+        "T\nstate ok\n\nof it\nit is so:\n  a = b\n"
+    );
+}
+
+#[test]
+fn what_a_terminal_cannot_show_is_spelled() {
+    let mut page = Page::default();
+    page.title("Kurbel \u{2192} \u{1b}[2J \u{fc}");
+    page.equation(["θ3", "2·α"]);
+    let shown = page.to_text(TextStyle::plain(true));
+    assert!(shown.is_ascii() && !shown.contains('\u{1b}'), "{shown:?}");
+    assert!(shown.ends_with("  theta3 = 2*alpha\n"), "{shown}");
+}
+
+#[test]
+fn markdown_has_every_cell_and_fact() {
+    let mut page = Page::default();
+    page.table(figures());
+    let mut facts = Facts::default();
+    facts.tell("links", ["r_2".to_owned(), "r3".to_owned()]);
+    page.add(Content::Facts(facts));
+    let expected = "| point | x | y | z |\n| --- | ---: | ---: | ---: |\n| A | 1.000 | 20.00 | 3 |\n\
+                    | long | 4 | 5 |  |\n\n- **links**: r\\_2; r3\n";
+    assert_eq!(page.to_markdown(true), expected);
+}

@@ -1,0 +1,26 @@
+//! A page as plain text.
+
+use super::{Content, Page, Role, TextStyle};
+
+impl Page {
+    /// The text, every line with its end. A page in parts has its title and its parts underlined.
+    #[must_use]
+    pub fn to_text(&self, style: TextStyle) -> String {
+        let has_parts = |page: &Page| {
+            let mut contents = page.blocks.iter().map(|block| &block.content);
+            contents.any(|content| matches!(content, Content::Heading(1, _)))
+        };
+        let is_ruled = has_parts(self);
+        let mut text = String::new();
+        for line in self.laid_out(style, usize::MAX) {
+            let written = line.text();
+            text.push_str(&written);
+            text.push('\n');
+            if is_ruled && matches!(line.role(), Role::Title | Role::Part) {
+                text.push_str(&"-".repeat(written.chars().count()));
+                text.push('\n');
+            }
+        }
+        text
+    }
+}

@@ -1,0 +1,96 @@
+//! Words in lines.
+
+/// The words of a text in lines of at most `width` characters; a longer word has its own line.
+pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if length(line) + 1 + length(word) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+/// The words of a text in lines of at most `width` columns, each behind the blanks that the text begins with.
+pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
+    let own = text.len() - text.trim_start_matches(' ').len();
+    let words: Vec<String> = text.split_whitespace().map(str::to_owned).collect();
+    fill(&words, width, [own, own])
+}
+
+/// Parts in lines of at most `width` columns: `indents` blanks before the first line and before the
+/// others. A part that is longer than a line is broken at its blanks, or anywhere.
+pub(super) fn fill(parts: &[String], width: usize, indents: [usize; 2]) -> Vec<String> {
+    let width = width.max(NARROWEST);
+    let [first, other] = indents.map(|indent| indent.min(width / 2));
+    let mut lines = vec![" ".repeat(first)];
+    let mut is_begun = false;
+    for part in parts {
+        let line = lines.last().map_or(0, |line| length(line));
+        if is_begun && line + 1 + length(part) > width {
+            lines.push(" ".repeat(other));
+            is_begun = false;
+        }
+        let room = width - if is_begun { 0 } else { other };
+        let pieces = if length(part) > room {
+            short_words(part, room)
+        } else {
+            vec![part.clone()]
+        };
+        for piece in pieces {
+            let line = lines.last().map_or(0, |line| length(line));
+            if is_begun && line + 1 + length(&piece) > width {
+                lines.push(" ".repeat(other));
+                is_begun = false;
+            }
+            if let Some(line) = lines.last_mut() {
+                if is_begun {
+                    line.push(' ');
+                }
+                line.push_str(&piece);
+                is_begun = true;
+            }
+        }
+    }
+    lines
+}
+
+/// On a narrower screen than this lines are cut.
+pub(super) const NARROWEST: usize = 8;
+
+/// The words of a part, none longer than `most`.
+fn short_words(part: &str, most: usize) -> Vec<String> {
+    let most = most.max(1);
+    let words = part
+        .split_whitespace()
+        .map(|word| word.chars().collect::<Vec<char>>());
+    let cut = words.flat_map(|word| word.chunks(most).map(String::from_iter).collect::<Vec<_>>());
+    cut.collect()
+}
+
+/// Columns of a text of one column to a character.
+pub(super) fn length(text: &str) -> usize {
+    text.chars().count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_wrap_and_none_is_lost() {
+        let lines = wrapped("one two  three-and-more four", 8);
+        assert_eq!(lines, ["one two", "three-and-more", "four"]);
+        assert!(wrapped(" ", 8).is_empty());
+    }
+
+    #[test]
+    fn a_word_that_is_too_long_is_cut_and_blanks_before_stay() {
+        let lines = broken("  one twothreefourfive", 10);
+        assert_eq!(lines, ["  one", "  twothree", "  fourfive"]);
+    }
+}

@@ -1,0 +1,348 @@
+//! Formulas: one tree that yields its symbols, its numbers and its value, so that they cannot drift apart.
+
+use super::figures::factor;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A formula; angles are in degrees.
+#[derive(Clone, Debug)]
+pub(super) enum Expression {
+    /// Something known by its symbol.
+    Known {
+        symbol: String,
+        /// Its value as it is written.
+        figure: String,
+        value: f64,
+    },
+    /// A number that is part of the formula: the 2 of `2 p`.
+    Number(f64),
+    Minus(Box<Expression>),
+    Sum(Box<[Expression; 2]>),
+    Product(Box<[Expression; 2]>),
+    Ratio(Box<[Expression; 2]>),
+    Square(Box<Expression>),
+    Function(Function, Vec<Expression>),
+}
+
+/// A function by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Function {
+    Sqrt,
+    Sin,
+    Cos,
+    Acos,
+    Atan,
+    Atan2,
+}
+
+/// What stands for what is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Symbols,
+    Numbers,
+}
+
+/// How tightly a text holds together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Grip {
+    Sum,
+    Ratio,
+    Product,
+    Alone,
+}
+
+/// A formula, or a part of it, as it is written: its sign apart.
+struct Written {
+    negative: bool,
+    text: String,
+    grip: Grip,
+}
+
+impl Expression {
+    pub(super) fn known(symbol: impl Into<String>, figure: String, value: f64) -> Expression {
+        Expression::Known {
+            symbol: symbol.into(),
+            figure,
+            value,
+        }
+    }
+
+    pub(super) fn of<const N: usize>(function: Function, of: [Expression; N]) -> Expression {
+        Expression::Function(function, of.into())
+    }
+
+    pub(super) fn squared(self) -> Expression {
+        Expression::Square(Box::new(self))
+    }
+
+    pub(super) fn sqrt(self) -> Expression {
+        Expression::of(Function::Sqrt, [self])
+    }
+
+    /// The same behind a minus, if it is so.
+    pub(super) fn minus_if(self, negative: bool) -> Expression {
+        if negative { -self } else { self }
+    }
+
+    /// A figure of no name, as a term of a sum.
+    pub(super) fn figure(figure: String, value: f64) -> Expression {
+        Expression::known(figure.clone(), figure, value)
+    }
+
+    /// The sum of several, if there is any.
+    pub(super) fn total(terms: impl IntoIterator<Item = Expression>) -> Option<Expression> {
+        terms.into_iter().reduce(|sum, term| sum + term)
+    }
+
+    /// In symbols.
+    pub(super) fn symbols(&self) -> String {
+        self.written(Form::Symbols).whole()
+    }
+
+    /// With numbers in their places.
+    pub(super) fn numbers(&self) -> String {
+        self.written(Form::Numbers).whole()
+    }
+
+    /// What comes out.
+    pub(super) fn value(&self) -> f64 {
+        match self {
+            Expression::Known { value, .. } | Expression::Number(value) => *value,
+            Expression::Minus(of) => -of.value(),
+            Expression::Sum(of) => of[0].value() + of[1].value(),
+            Expression::Product(of) => of[0].value() * of[1].value(),
+            Expression::Ratio(of) => of[0].value() / of[1].value(),
+            Expression::Square(of) => of.value() * of.value(),
+            Expression::Function(function, of) => {
+                let of: Vec<f64> = of.iter().map(Expression::value).collect();
+                function.value(&of)
+            }
+        }
+    }
+
+    fn written(&self, form: Form) -> Written {
+        match self {
+            Expression::Known { symbol, figure, .. } => match form {
+                Form::Symbols => Written::figure(symbol),
+                Form::Numbers => Written::figure(figure),
+            },
+            Expression::Number(number) => Written::figure(&number.to_string()),
+            Expression::Minus(of) => {
+                let of = of.written(form);
+                Written {
+                    negative: !of.negative,
+                    text: of.bracketed(Grip::Ratio),
+                    grip: of.grip.max(Grip::Ratio),
+                }
+            }
+            Expression::Sum(of) => {
+                let [first, second] = [&of[0], &of[1]].map(|part| part.written(form));
+                let sign = if second.negative { "-" } else { "+" };
+                let second = match &of[1] {
+                    // A sum that begins with a minus would have two signs before it.
+                    Expression::Sum(_) if second.text.starts_with('-') => {
+                        second.bracketed(Grip::Ratio)
+                    }
+                    _ => second.text,
+                };
+                Written::of(format!("{} {sign} {second}", first.whole()), Grip::Sum)
+            }
+            Expression::Product(of) => {
+                let [first, second] =
+                    [&of[0], &of[1]].map(|part| part.written(form).factor(Grip::Product));
+                let is_number = second.starts_with(|c: char| c.is_ascii_digit());
+                let between = match form {
+                    Form::Symbols if !is_number => " ",
+                    Form::Symbols | Form::Numbers => "·",
+                };
+                Written::of(format!("{first}{between}{second}"), Grip::Product)
+            }
+            Expression::Ratio(of) => {
+                let [above, below] = [&of[0], &of[1]].map(|part| part.written(form));
+                let text = format!(
+                    "{}/{}",
+                    above.bracketed(Grip::Ratio),
+                    below.factor(Grip::Alone)
+                );
+                Written {
+                    negative: above.negative,
+                    text,
+                    grip: Grip::Ratio,
+                }
+            }
+            Expression::Square(of) => {
+                let of = of.written(form).factor(Grip::Alone);
+                Written::of(format!("{of}^2"), Grip::Alone)
+            }
+            Expression::Function(function, of) => {
+                let of: Vec<String> = of.iter().map(|of| of.written(form).whole()).collect();
+                Written::of(
+                    format!("{}({})", function.name(), of.join(", ")),
+                    Grip::Alone,
+                )
+            }
+        }
+    }
+}
+
+impl Function {
+    fn name(self) -> &'static str {
+        match self {
+            Function::Sqrt => "sqrt",
+            Function::Sin => "sin",
+            Function::Cos => "cos",
+            Function::Acos => "acos",
+            Function::Atan => "atan",
+            Function::Atan2 => "atan2",
+        }
+    }
+
+    fn value(self, of: &[f64]) -> f64 {
+        let first = of.first().copied().unwrap_or(f64::NAN);
+        match self {
+            // At a dead point rounding may carry it below 0, and a cosine beyond 1.
+            Function::Sqrt => first.max(0.0).sqrt(),
+            Function::Acos => first.clamp(-1.0, 1.0).acos().to_degrees(),
+            Function::Sin => first.to_radians().sin(),
+            Function::Cos => first.to_radians().cos(),
+            Function::Atan => first.atan().to_degrees(),
+            Function::Atan2 => first
+                .atan2(of.get(1).copied().unwrap_or(f64::NAN))
+                .to_degrees(),
+        }
+    }
+}
+
+impl Written {
+    fn of(text: String, grip: Grip) -> Written {
+        Written {
+            negative: false,
+            text,
+            grip,
+        }
+    }
+
+    fn figure(figure: &str) -> Written {
+        let size = figure.strip_prefix('-').filter(|size| !size.is_empty());
+        Written {
+            negative: size.is_some(),
+            text: size.unwrap_or(figure).to_owned(),
+            grip: Grip::Alone,
+        }
+    }
+
+    /// With its sign.
+    fn whole(&self) -> String {
+        let sign = if self.negative { "-" } else { "" };
+        format!("{sign}{}", self.text)
+    }
+
+    /// Without its sign, in brackets where it holds together less than this.
+    fn bracketed(&self, least: Grip) -> String {
+        if self.grip < least {
+            format!("({})", self.text)
+        } else {
+            self.text.clone()
+        }
+    }
+
+    /// As a factor: in brackets where it is negative, too.
+    fn factor(&self, least: Grip) -> String {
+        if self.negative {
+            factor(&self.whole())
+        } else {
+            self.bracketed(least)
+        }
+    }
+}
+
+impl Neg for Expression {
+    type Output = Expression;
+    fn neg(self) -> Expression {
+        Expression::Minus(Box::new(self))
+    }
+}
+
+impl Add for Expression {
+    type Output = Expression;
+    fn add(self, other: Expression) -> Expression {
+        Expression::Sum(Box::new([self, other]))
+    }
+}
+
+impl Sub for Expression {
+    type Output = Expression;
+    fn sub(self, other: Expression) -> Expression {
+        self + -other
+    }
+}
+
+impl Mul for Expression {
+    type Output = Expression;
+    fn mul(self, other: Expression) -> Expression {
+        Expression::Product(Box::new([self, other]))
+    }
+}
+
+impl Div for Expression {
+    type Output = Expression;
+    fn div(self, other: Expression) -> Expression {
+        Expression::Ratio(Box::new([self, other]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn known(symbol: &str, value: f64) -> Expression {
+        Expression::known(symbol, value.to_string(), value)
+    }
+
+    #[test]
+    fn one_tree_yields_symbols_numbers_and_value() {
+        let [m, b, c] = [("m", 5.0), ("r3", 4.0), ("r4", 3.0)].map(|(s, v)| known(s, v));
+        let cosine = (m.clone().squared() + b.clone().squared() - c.squared())
+            / (Expression::Number(2.0) * m * b);
+        let beta = Expression::of(Function::Acos, [cosine]);
+        assert_eq!(beta.symbols(), "acos((m^2 + r3^2 - r4^2)/(2 m r3))");
+        assert_eq!(beta.numbers(), "acos((5^2 + 4^2 - 3^2)/(2·5·4))");
+        assert!((beta.value() - 0.8_f64.acos().to_degrees()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn signs_and_brackets_stand_where_they_are_needed() {
+        let (a, b) = (known("a", -2.0), known("b", -3.0));
+        let cases = [
+            (a.clone() + b.clone(), "a + b", "-2 - 3", -5.0),
+            (a.clone() - b.clone(), "a - b", "-2 + 3", 1.0),
+            (-a.clone() + b.clone(), "-a + b", "2 - 3", -1.0),
+            (a.clone() * b.clone(), "a b", "(-2)·(-3)", 6.0),
+            (a.clone().squared(), "a^2", "(-2)^2", 4.0),
+            (-(a.clone() - b.clone()), "-(a - b)", "-(-2 + 3)", -1.0),
+            (-a.clone() / b.clone(), "-a/b", "2/(-3)", -2.0 / 3.0),
+            (
+                a.clone() - (a.clone() - b.clone()),
+                "a - (a - b)",
+                "-2 - (-2 + 3)",
+                -3.0,
+            ),
+            (
+                known("k", 2.0) * (a.clone() - b.clone()),
+                "k (a - b)",
+                "2·(-2 + 3)",
+                2.0,
+            ),
+            (
+                Expression::of(Function::Atan2, [-a.clone(), b]),
+                "atan2(-a, b)",
+                "atan2(2, -3)",
+                2.0_f64.atan2(-3.0).to_degrees(),
+            ),
+        ];
+        for (expression, symbols, numbers, value) in cases {
+            assert_eq!(expression.symbols(), symbols);
+            assert_eq!(expression.numbers(), numbers);
+            assert!((expression.value() - value).abs() < 1e-12, "{symbols}");
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! A page on the screen, line by line.
+
+use super::table::doubt;
+use super::{first_seen, print};
+use crate::capability::Colours;
+use crate::drawing::Glyphs;
+use crate::page::{Line, Page, Role, TextStyle, Unsure, wrapped};
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, Part};
+use crate::tui::player::open_scene::shown;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// The lines of a page in an area; its title stands above every view already.
+pub(super) fn lines(app: &App, page: &Page, area: Rect) -> Vec<Line> {
+    let style = TextStyle {
+        // Console fonts have no Greek letters.
+        ascii: app.glyphs() != Glyphs::Braille,
+        width: area.width.into(),
+    };
+    let lines = page.lines(style).into_iter();
+    let below = lines.skip_while(|line| line.role() == Role::Title);
+    below.skip_while(|line| line.spans.is_empty()).collect()
+}
+
+/// A text that stands alone.
+pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
+    let lines = wrapped(text, area.width.into()).into_iter();
+    lines.map(|line| Line::of(Role::Body, line)).collect()
+}
+
+/// Lines, scrolled as the view is.
+pub(super) fn render(app: &App, lines: &[Line], area: Rect, buffer: &mut Buffer) {
+    let first = first_seen(app, lines.len(), area, buffer);
+    for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(first)) {
+        render_line(
+            (app.glyphs(), app.colours()),
+            line,
+            Rect { y, ..area },
+            buffer,
+        );
+    }
+}
+
+/// A line at the top of an area.
+pub(super) fn render_line(
+    (glyphs, colours): (Glyphs, Colours),
+    line: &Line,
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    for span in &line.spans {
+        let at = u16::try_from(span.at).unwrap_or(u16::MAX);
+        let x = area.x.saturating_add(at);
+        let room = area.right().saturating_sub(x);
+        let text = shown(&span.text, glyphs);
+        print(buffer, x, area.y, room, &text, theme::part(look(span.role)));
+        if span.unsure != Unsure::Nothing {
+            doubt(colours, span, x, area, buffer);
+        }
+    }
+}
+
+fn look(role: Role) -> Part {
+    match role {
+        Role::Title | Role::Part => Part::Title,
+        Role::Section | Role::Name => Part::Name,
+        Role::Head | Role::Label => Part::Quiet,
+        Role::Mark => Part::Key,
+        Role::Body => Part::Text,
+    }
+}
