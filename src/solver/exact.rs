@@ -21,6 +21,8 @@ pub(super) struct Exact {
     /// By how much equal lengths can differ, because two places on the ground have coordinates that were
     /// rounded, in the solver's unit: numbers of 15 digits or more have been.
     pub(super) rounding: f64,
+    /// The same for any number of the mechanism, lengths and guides on links among them.
+    typed: f64,
     /// So many steps come before the first coupled group: these have a closed form.
     pub(super) closed: usize,
 }
@@ -50,6 +52,7 @@ impl Exact {
         }
         Some(Exact {
             rounding,
+            typed: frame.typed_rounding(mechanism).max(rounding),
             closed: closed(&exact),
             engine: exact,
         })
@@ -58,6 +61,11 @@ impl Exact {
     /// By how much lengths differ that count as equal.
     pub(super) fn slack(&self) -> f64 {
         self.rounding + FLOOR
+    }
+
+    /// By how much numbers of the mechanism can be off: those of 15 digits or more have been rounded.
+    pub(super) fn typed_slack(&self) -> f64 {
+        self.typed + FLOOR
     }
 
     /// Whether twice the digits tell more of the first steps than doubles do. Where lengths count as equal

@@ -81,6 +81,21 @@ impl Frame {
         sizes.fold(0.0, f64::max)
     }
 
+    /// What any number on a link, or of a guide, can have been rounded by.
+    pub(super) fn typed_rounding(&self, mechanism: &Mechanism) -> f64 {
+        let decimals = mechanism.has_decimals();
+        let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius);
+        let members = mechanism.links().iter().flat_map(|link| &link.members);
+        let places = members.map(|member| member.local);
+        let places = places.chain(mechanism.slides().iter().map(|slide| slide.through));
+        let lengths = places.map(|place| off(place).norm() / self.scale);
+        let angles = mechanism.slides().iter().map(|slide| {
+            let angle = off(Vec2::new(slide.angle, 0.0)).x;
+            self.longest * angle.to_radians()
+        });
+        lengths.chain(angles).fold(0.0, f64::max)
+    }
+
     /// A place of the scene, as it is taken.
     fn read(&self, place: Vec2) -> Vec2<Constant> {
         match self.reading {

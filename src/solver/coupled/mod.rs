@@ -13,6 +13,7 @@ mod readout;
 mod series;
 mod singular;
 mod twice;
+mod unfolding;
 
 pub(super) use comparison::Closing;
 pub(super) use curve_tracing::is_same;
@@ -25,7 +26,7 @@ use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use build::Maker;
-pub(super) use singular::Correction;
+pub(super) use singular::{Correction, Crossing};
 
 /// More corrections than quadratic convergence needs from anywhere near.
 const CORRECTIONS: usize = 24;

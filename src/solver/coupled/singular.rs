@@ -25,6 +25,7 @@ use super::series::Null;
 use super::{Coupled, Room, Scratch};
 use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
+use std::ops::Range;
 
 /// What Newton's method for a fold carries from step to step besides z: the null vector, and the
 /// vector that normalises it.
@@ -36,12 +37,33 @@ pub(in crate::solver) struct Fold {
 /// What Newton's method for a crossing carries: the null vector v, the particular tangent p, and by
 /// how much the equations must be opened along w for the branches to meet.
 pub(in crate::solver) struct Crossing {
-    v: Vec<f64>,
-    p: Vec<f64>,
+    pub(super) v: Vec<f64>,
+    pub(super) p: Vec<f64>,
     /// Zero, within the rounding of the lengths, at a change point.
     pub(in crate::solver) unfolding: f64,
     /// As they were at the start: they normalise v and p, and open the equations.
-    null: Null,
+    pub(super) null: Null,
+}
+
+/// Where the unknowns of a crossing stand behind z.
+pub(super) struct Places {
+    pub(super) q: usize,
+    pub(super) v: Range<usize>,
+    pub(super) p: Range<usize>,
+    pub(super) unfolding: usize,
+    pub(super) count: usize,
+}
+
+impl Places {
+    pub(super) fn of(n: usize) -> Places {
+        Places {
+            q: n,
+            v: n + 1..2 * n + 1,
+            p: 2 * n + 1..3 * n + 1,
+            unfolding: 3 * n + 1,
+            count: 3 * n + 2,
+        }
+    }
 }
 
 /// A step of Newton's method: its largest component, and that of the driver's coordinate.
@@ -164,42 +186,60 @@ impl Coupled {
             unfolding,
             null,
         } = crossing;
-        let (z, by_q, in_v, in_p, by_unfolding) = (0, n, n + 1, 2 * n + 1, 3 * n + 1);
-        let mut system = System::new(3 * n + 2);
+        let mut system = self.crossing_system([v, p], null, &local, q, state, &mut room);
         system.right[..n].copy_from_slice(&local.misfit);
         let open: Vec<f64> = null.w.iter().map(|w| w * *unfolding).collect();
         system.add_right(0, &open);
-        system.block(0, z, &local.matrix, n);
-        system.column(0, by_q, &local.by_q);
-        system.column(0, by_unfolding, &null.w);
-
         system.add_right(n, &local.times_matrix(v));
-        system.block(n, z, &local.bent(self, v, q, state, &mut room), n);
-        system.column(n, by_q, &local.times_mixed(v));
-        system.block(n, in_v, &local.matrix, n);
-        system.row(2 * n, in_v, &null.v);
         system.right[2 * n] = dot(&null.v, v) - 1.0;
-
         let third = 2 * n + 1;
         system.add_right(third, &local.times_matrix(p));
         system.add_right(third, &local.by_q);
-        system.block(third, z, &local.bent(self, p, q, state, &mut room), n);
-        system.block(third, z, &local.mixed, n);
-        system.column(third, by_q, &local.times_mixed(p));
-        system.column(third, by_q, &local.still);
-        system.block(third, in_p, &local.matrix, n);
-        system.row(3 * n + 1, in_p, &null.v);
         system.right[3 * n + 1] = dot(&null.v, p);
 
         let (size, change) = system.solved()?;
-        self.shift(room.z, &change[z..z + n]);
-        add(v, &change[in_v..in_v + n]);
-        add(p, &change[in_p..in_p + n]);
-        *unfolding += change[by_unfolding];
+        let places = Places::of(n);
+        self.shift(room.z, &change[..n]);
+        add(v, &change[places.v.clone()]);
+        add(p, &change[places.p.clone()]);
+        *unfolding += change[places.unfolding];
         Some(Correction {
             size,
-            dq: change[by_q],
+            dq: change[places.q],
         })
+    }
+
+    /// The derivatives of the equations of a crossing by z, q, v, p and what opens them; their right side is
+    /// left to the caller.
+    pub(super) fn crossing_system(
+        &self,
+        [v, p]: [&[f64]; 2],
+        null: &Null,
+        local: &Local,
+        q: f64,
+        state: &State,
+        room: &mut Room<'_>,
+    ) -> System {
+        let n = self.unknowns();
+        let places = Places::of(n);
+        let mut system = System::new(places.count);
+        system.block(0, 0, &local.matrix, n);
+        system.column(0, places.q, &local.by_q);
+        system.column(0, places.unfolding, &null.w);
+
+        system.block(n, 0, &local.bent(self, v, q, state, room), n);
+        system.column(n, places.q, &local.times_mixed(v));
+        system.block(n, places.v.start, &local.matrix, n);
+        system.row(2 * n, places.v.start, &null.v);
+
+        let third = 2 * n + 1;
+        system.block(third, 0, &local.bent(self, p, q, state, room), n);
+        system.block(third, 0, &local.mixed, n);
+        system.column(third, places.q, &local.times_mixed(p));
+        system.column(third, places.q, &local.still);
+        system.block(third, places.p.start, &local.matrix, n);
+        system.row(3 * n + 1, places.p.start, &null.v);
+        system
     }
 
     /// The second rates of the equations with z' = `first` and z'' = 0.
@@ -211,7 +251,7 @@ impl Coupled {
 }
 
 /// The equations of a group at one place with their derivatives, matrices by rows.
-struct Local {
+pub(super) struct Local {
     n: usize,
     /// F.
     misfit: Vec<f64>,
@@ -227,7 +267,7 @@ struct Local {
 }
 
 impl Local {
-    fn new(group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> Local {
+    pub(super) fn new(group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> Local {
         let n = group.unknowns();
         group.residuals(q, state, room);
         let misfit = room.right.to_vec();
@@ -296,9 +336,9 @@ impl Local {
 }
 
 /// A linear system that is put together from blocks: all of them are added.
-struct System {
-    n: usize,
-    matrix: Vec<f64>,
+pub(super) struct System {
+    pub(super) n: usize,
+    pub(super) matrix: Vec<f64>,
     right: Vec<f64>,
 }
 

@@ -81,7 +81,7 @@ impl Coupled {
     }
 
     /// Adds a change of the unknowns to z; directions are turned and keep their length.
-    fn turn(&self, z: &mut [Double], change: &[f64]) {
+    pub(super) fn turn(&self, z: &mut [Double], change: &[f64]) {
         let joints = 2 * self.free;
         add(&change[..joints], z);
         for (i, &angle) in change[joints..].iter().enumerate() {

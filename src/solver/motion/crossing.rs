@@ -4,7 +4,7 @@ use super::change::{Change, PASSING};
 use super::walk::Walker;
 use crate::Double;
 use crate::solver::Order;
-use crate::solver::coupled::Correction;
+use crate::solver::coupled::{Correction, Crossing};
 use crate::solver::elements::REACH_SLACK;
 use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
@@ -13,9 +13,11 @@ use crate::solver::workspace::Workspace;
 const STEPS: usize = 20;
 /// Corrections end at their rounding, in units of about the longest link.
 const SETTLED: f64 = 1e-13;
-/// What the equations may be opened by for the branches to meet, in units of about the longest link:
-/// the rounding of lengths, and besides that of given coordinates. More is a near miss.
+/// What the equations may be opened by for the branches to meet where doubles alone tell, in units of about the
+/// longest link: the rounding of lengths, and besides that of given coordinates. More is a near miss.
 const OPENED: f64 = 1e-13;
+/// Corrections in twice the digits: the second one has them all, unless the place is nearly another kind of one.
+const CORRECTIONS: usize = 5;
 
 impl Walker<'_> {
     /// Goes on beyond a limit at which a coupled group has crossing solutions: the coordinate that was
@@ -104,10 +106,46 @@ impl Walker<'_> {
                 break;
             }
         }
-        let opened = OPENED + REACH_SLACK * engine.frame.far;
-        let met = crossing.is_some_and(|c| c.unfolding.abs() < opened);
         let is_here = engine.difference(limit, at).abs() < PASSING;
         let z = group.open(&mut self.state.scratch).z.to_vec();
-        (met && is_here).then_some(Change { step, at, z, rate })
+        let crossing = crossing.filter(|_| is_here)?;
+        let met = match crossing.unfolding.abs() {
+            far if far > OPENED + REACH_SLACK * engine.frame.far => false,
+            _ => self.meets(step, at, crossing),
+        };
+        met.then_some(Change { step, at, z, rate })
+    }
+
+    /// Whether the branches meet by the numbers that are meant; where these cannot be asked, as doubles say.
+    fn meets(&mut self, step: usize, at: f64, crossing: Crossing) -> bool {
+        // The steps before it must have a closed form.
+        let Some(exact) = self.exact.filter(|exact| step <= exact.closed) else {
+            return true;
+        };
+        let group = exact.engine.program.steps[step].coupled();
+        let Some(group) = group.and_then(|index| exact.engine.program.coupled.get(index)) else {
+            return true;
+        };
+        let mut twice = exact.engine.state::<Double>(self.state.travels.len());
+        let (q, _) = self.engine.coordinate(at);
+        let unfolding = group.unfolding(crossing, q, &mut self.state, &mut twice.scratch);
+        let Some(mut unfolding) = unfolding else {
+            return false;
+        };
+        let mut at = Double::exactly(at);
+        for _ in 0..CORRECTIONS {
+            let how = (&self.state.signs[..], None);
+            let order = Order::Acceleration;
+            if exact.run(step, at, order, how, &mut twice.state) != Condition::Ok {
+                return false;
+            }
+            let (q, _) = exact.engine.coordinate(at);
+            let Workspace { state, scratch, .. } = &mut twice;
+            let dq = group.unfold(&mut unfolding, q, state, scratch);
+            at = self.moved_exactly(at, Double::exactly(dq));
+        }
+        // A length that is off by so much shifts an equation by at most twice that.
+        let unknowns = unfolding.unknowns() as f64;
+        unfolding.by.hi.abs() <= 2.0 * unknowns * exact.typed_slack()
     }
 }

@@ -53,7 +53,7 @@ impl Walker<'_> {
     }
 
     /// The driver's coordinate at a distance, in radians or scaled lengths.
-    pub(super) fn moved_exactly(&self, from: Double, by: Double) -> Double {
+    pub(in crate::solver::motion) fn moved_exactly(&self, from: Double, by: Double) -> Double {
         let unit = if self.engine.turns {
             Double::DEGREES
         } else {

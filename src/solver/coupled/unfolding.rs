@@ -1,0 +1,131 @@
+//! Whether the solutions of a coupled group cross, decided in twice the digits from the numbers that are meant.
+//!
+//! The equations of a crossing (see [`singular`](super::singular)) are solved in doubles; what is left of them in twice the
+//! digits is taken away by corrections with the matrix in doubles, each of which gains as many digits as that
+//! is good for. The unfolding b that remains is zero where the branches really meet.
+
+use super::singular::{Crossing, Local, Places};
+use super::{Coupled, Room, Scratch};
+use crate::Double;
+use crate::solver::lu;
+use crate::solver::state::State;
+use crate::solver::workspace::Workspace;
+
+/// A crossing in twice the digits; z stands in the scratch.
+pub(in crate::solver) struct Unfolding {
+    v: Vec<Double>,
+    p: Vec<Double>,
+    /// By how much the equations must be opened.
+    pub(in crate::solver) by: Double,
+    crossing: Crossing,
+    matrix: Vec<f64>,
+    pivots: Vec<usize>,
+}
+
+impl Coupled {
+    /// A start from a crossing that was found in doubles; its z stands in `here`, beside the inputs of the group.
+    pub(in crate::solver) fn unfolding(
+        &self,
+        crossing: Crossing,
+        q: f64,
+        here: &mut Workspace,
+        scratch: &mut Scratch<Double>,
+    ) -> Option<Unfolding> {
+        let Workspace {
+            state,
+            scratch: own,
+            ..
+        } = here;
+        let mut room = self.open(own);
+        let local = Local::new(self, q, state, &mut room);
+        let vectors = [&crossing.v[..], &crossing.p];
+        let mut system = self.crossing_system(vectors, &crossing.null, &local, q, state, &mut room);
+        let mut pivots = vec![0; system.n];
+        lu::factor(&mut system.matrix, &mut pivots, system.n)?;
+        let exactly = |values: &[f64]| values.iter().map(|&v| Double::exactly(v)).collect();
+        let z: Vec<Double> = exactly(room.z);
+        self.open(scratch).z.copy_from_slice(&z);
+        Some(Unfolding {
+            v: exactly(&crossing.v),
+            p: exactly(&crossing.p),
+            by: Double::exactly(crossing.unfolding),
+            crossing,
+            matrix: system.matrix,
+            pivots,
+        })
+    }
+
+    /// One correction; that of the driver's coordinate is left to the caller. The inputs of the group stand in
+    /// `state`, with both derivatives.
+    pub(in crate::solver) fn unfold(
+        &self,
+        unfolding: &mut Unfolding,
+        q: Double,
+        state: &State<Double>,
+        scratch: &mut Scratch<Double>,
+    ) -> f64 {
+        let mut room = self.open(scratch);
+        let mut change = unfolding.left(self, q, state, &mut room);
+        let places = Places::of(self.unknowns());
+        lu::solve(
+            &unfolding.matrix,
+            &unfolding.pivots,
+            &mut change,
+            places.count,
+        );
+        change.iter_mut().for_each(|x| *x = -*x);
+        self.turn(room.z, &change[..self.unknowns()]);
+        let add = |to: &mut [Double], change: &[f64]| {
+            to.iter_mut()
+                .zip(change)
+                .for_each(|(to, &by)| *to += Double::exactly(by));
+        };
+        add(&mut unfolding.v, &change[places.v.clone()]);
+        add(&mut unfolding.p, &change[places.p.clone()]);
+        unfolding.by += Double::exactly(change[places.unfolding]);
+        change[places.q]
+    }
+}
+
+impl Unfolding {
+    /// How many unknowns the group has.
+    pub(in crate::solver) fn unknowns(&self) -> usize {
+        self.v.len()
+    }
+
+    /// What is left of the equations.
+    fn left(
+        &self,
+        group: &Coupled,
+        q: Double,
+        state: &State<Double>,
+        room: &mut Room<'_, Double>,
+    ) -> Vec<f64> {
+        let n = group.unknowns();
+        let null = &self.crossing.null;
+        group.residuals(q, state, room);
+        let opened = null.w.iter().map(|&w| Double::exactly(w) * self.by);
+        let open: Vec<Double> = room.right.iter().zip(opened).map(|(&f, w)| f + w).collect();
+        room.first.fill(Double::ZERO);
+        room.second.fill(Double::ZERO);
+        group.rates(q, state, room, 1);
+        let by_q = room.right.to_vec();
+        group.jacobian(q, state, room);
+        let times = |v: &[Double]| -> Vec<Double> {
+            room.matrix.chunks(n).map(|row| product(row, v)).collect()
+        };
+        let along = |v: &[Double]| {
+            let terms = null.v.iter().zip(v);
+            terms.fold(Double::ZERO, |sum, (&n, &v)| sum + Double::exactly(n) * v)
+        };
+        let moved = times(&self.p).into_iter().zip(by_q).map(|(p, q)| p + q);
+        let all = open.into_iter().chain(times(&self.v));
+        let all = all.chain([along(&self.v) - Double::ONE]).chain(moved);
+        all.chain([along(&self.p)]).map(|v| v.hi).collect()
+    }
+}
+
+fn product(row: &[Double], v: &[Double]) -> Double {
+    let terms = row.iter().zip(v);
+    terms.fold(Double::ZERO, |sum, (&a, &b)| sum + a * b)
+}
