@@ -2,7 +2,7 @@
 
 use super::line::{Line, Role, Span};
 use super::table::{Cell, Rest, Setting};
-use super::words::length;
+use super::words::{cut, length};
 use std::ops::Range;
 
 /// Columns of figures behind names, side by side as far as there is room.
@@ -96,7 +96,8 @@ impl Columns {
 
     /// Whether all columns stand side by side.
     pub(super) fn is_whole(&self, width: usize) -> bool {
-        self.chunks.len() < 2 && self.fits(width)
+        let shown: usize = self.ranges().map(ExactSizeIterator::len).sum();
+        self.chunks.len() < 2 && shown == self.widths.len() && self.fits(width)
     }
 
     /// The line of a row: its name behind its mark, and the cells of a chunk, to the right of their columns.
@@ -113,7 +114,8 @@ impl Columns {
             "" => 0,
             mark => length(mark) + self.behind_mark,
         };
-        line.push(self.indent + behind, name, of_name);
+        let begin = self.indent + behind;
+        line.push(begin, cut(name, self.names.saturating_sub(begin)), of_name);
         let chunk = self.chunks.iter().find(|chunk| chunk.columns == *range);
         let gap = chunk.map_or(0, |chunk| chunk.gap);
         let mut right = self.names;

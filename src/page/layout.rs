@@ -1,8 +1,8 @@
 //! A page line by line, at a width.
 
 use super::columns::Columns;
-use super::line::{Line, Role};
-use super::table::{Cell, Row, Setting, Table, Units};
+use super::line::{Line, Role, Span};
+use super::table::{Cell, Rest, Row, Setting, Table, Units};
 use super::words::{NARROWEST, broken, length, wrapped};
 use super::{Content, Facts, Page, TextStyle, formula};
 use std::ops::Range;
@@ -14,18 +14,21 @@ impl Page {
     /// The lines for a screen: a column that has no room even alone is cut.
     #[must_use]
     pub fn lines(&self, style: TextStyle) -> Vec<Line> {
-        self.laid_out(style, style.width.max(NARROWEST))
+        self.laid_out(style, Medium::Screen)
     }
 
-    /// The lines; those of tables are cut behind so many characters.
-    pub(super) fn laid_out(&self, style: TextStyle, most: usize) -> Vec<Line> {
+    /// The lines.
+    pub(super) fn laid_out(&self, style: TextStyle, medium: Medium) -> Vec<Line> {
         let TextStyle { ascii, width } = style;
-        let page = self.shown(ascii);
-        let names = page.names(width);
+        let room = Room { width, medium };
+        let names = self.is_aligned.then(|| self.shown(ascii).names(room));
         let mut lines = Vec::new();
-        for block in &page.blocks {
-            let mut below = block.content.lines(names, width);
-            if matches!(block.content, Content::Table(_)) {
+        for block in &self.blocks {
+            // Block by block: a copy of all would be as large as the page.
+            let content = block.content.shown(ascii);
+            let mut below = content.lines(names, room);
+            if medium == Medium::Screen && matches!(content, Content::Table(_)) {
+                let most = width.max(NARROWEST);
                 below.iter_mut().for_each(|line| line.cut(most));
             }
             if block.is_apart && !below.is_empty() {
@@ -36,11 +39,8 @@ impl Page {
         lines
     }
 
-    /// The room that names take everywhere; `None` where each part takes its own.
-    fn names(&self, width: usize) -> Option<Names> {
-        if !self.is_aligned {
-            return None;
-        }
+    /// The room that names take everywhere.
+    fn names(&self, room: Room) -> Names {
         let contents = || self.blocks.iter().map(|block| &block.content);
         let tables = || {
             contents().filter_map(|content| match content {
@@ -50,25 +50,41 @@ impl Page {
         };
         let widest = |more: bool| {
             let widths = contents().map(|content| match content {
-                Content::Table(table) => table.names(more, width),
-                Content::Facts(facts) => facts.names(width).saturating_sub(1),
+                Content::Table(table) => table.names(more, room),
+                Content::Facts(facts) => facts.names(room.width).saturating_sub(1),
                 _ => 0,
             });
             widths.max().unwrap_or(0)
         };
         let long = widest(true);
-        let more = tables().all(|table| table.is_whole(long, width));
+        let more = tables().all(|table| table.is_whole(long, room));
         let names = if more { long } else { widest(false) };
         let spread = tables().map(|table| {
-            let columns = table.columns(names, usize::MAX, width);
+            let columns = table.columns(names, usize::MAX, room);
             columns.spread(&table.setting)
         });
-        Some(Names {
+        Names {
             more,
             width: names,
             spread: spread.min().unwrap_or(0),
-        })
+        }
     }
+}
+
+/// What a page is laid out for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Medium {
+    /// Nothing is left out: a line may be too long.
+    Paper,
+    /// What has no room is cut, or left out where a part of it would say something else.
+    Screen,
+}
+
+/// How much room there is, and on what.
+#[derive(Clone, Copy, Debug)]
+struct Room {
+    width: usize,
+    medium: Medium,
 }
 
 /// The room that names take, whether they say more, and by how many blanks columns move apart at the most.
@@ -80,7 +96,8 @@ struct Names {
 }
 
 impl Content {
-    fn lines(&self, names: Option<Names>, width: usize) -> Vec<Line> {
+    fn lines(&self, names: Option<Names>, room: Room) -> Vec<Line> {
+        let width = room.width;
         let of = |role, text: &str| {
             let lines = broken(text, width).into_iter();
             lines.map(|line| Line::of(role, line)).collect()
@@ -95,7 +112,7 @@ impl Content {
                 lines.map(|line| Line::of(Role::Body, line)).collect()
             }
             Content::Facts(facts) => facts.lines(names, width),
-            Content::Table(table) => table.lines(names, width),
+            Content::Table(table) => table.lines(names, room),
         }
     }
 }
@@ -137,7 +154,7 @@ impl Facts {
 
 impl Table {
     /// Characters of the names.
-    fn names(&self, more: bool, width: usize) -> usize {
+    fn names(&self, more: bool, room: Room) -> usize {
         let rows = self.rows.iter().filter(|row| !matches!(row, Row::Part(_)));
         let names = rows.map(|row| {
             let (mark, name) = row.label(more);
@@ -146,8 +163,20 @@ impl Table {
                 mark => length(mark) + self.setting.behind_mark() + length(name),
             }
         });
-        let asked = fair(self.setting.names, width);
-        names.chain([asked, length(&self.title)]).max().unwrap_or(0)
+        let asked = fair(self.setting.names, room.width);
+        let names = names.chain([asked, length(&self.title)]);
+        let names = names.max().unwrap_or(0);
+        match room.medium {
+            Medium::Paper => names,
+            Medium::Screen => names.min(self.most_names(room.width)),
+        }
+    }
+
+    /// As many characters as names may take so that a column has room beside them.
+    fn most_names(&self, width: usize) -> usize {
+        let widest = self.widths().into_iter().max().unwrap_or(0);
+        let column = self.setting.indent + self.setting.gap + widest;
+        width.saturating_sub(column).max(width / SHARE)
     }
 
     /// How wide each column is by itself.
@@ -174,33 +203,38 @@ impl Table {
             .collect()
     }
 
-    fn columns(&self, names: usize, spread: usize, width: usize) -> Columns {
+    fn columns(&self, names: usize, spread: usize, room: Room) -> Columns {
         let setting = Setting {
             spread: self.setting.spread.min(spread),
+            // Paper has room below for everything.
+            rest: match room.medium {
+                Medium::Paper => Rest::Below,
+                Medium::Screen => self.setting.rest,
+            },
             ..self.setting.clone()
         };
-        Columns::fit(&setting, names, self.widths(), |_| true, width)
+        Columns::fit(&setting, names, self.widths(), |_| true, room.width)
     }
 
     /// Whether all columns stand beside names of so many characters.
-    fn is_whole(&self, names: usize, width: usize) -> bool {
-        self.columns(names, 0, width).is_whole(width)
+    fn is_whole(&self, names: usize, room: Room) -> bool {
+        self.columns(names, 0, room).is_whole(room.width)
     }
 
-    fn lines(&self, names: Option<Names>, width: usize) -> Vec<Line> {
+    fn lines(&self, names: Option<Names>, room: Room) -> Vec<Line> {
         let names = names.unwrap_or_else(|| {
-            let long = self.names(true, width);
-            let more = self.is_whole(long, width);
+            let long = self.names(true, room);
+            let more = self.is_whole(long, room);
             Names {
-                width: if more { long } else { self.names(false, width) },
+                width: if more { long } else { self.names(false, room) },
                 more,
                 spread: usize::MAX,
             }
         });
-        let columns = self.columns(names.width, names.spread, width);
+        let columns = self.columns(names.width, names.spread, room);
         let mut lines = Vec::new();
         for chunk in columns.ranges() {
-            let rows = self.rows_of(&columns, chunk, names, width);
+            let rows = self.rows_of(&columns, chunk, names, room.width);
             if rows.is_empty() && !self.rows.is_empty() {
                 continue;
             }
@@ -243,7 +277,11 @@ impl Table {
         for row in &self.rows {
             let (mark, name) = row.label(names.more);
             match row {
-                Row::Part(_) => lines.push(Line::of(Role::Section, name)),
+                Row::Part(_) => {
+                    let mut line = Line::default();
+                    line.push(self.setting.indent, name, Role::Section);
+                    lines.push(line);
+                }
                 Row::Told { words, .. } if chunk.start == 0 => {
                     let head =
                         columns.line(chunk, (mark, name), [], [self.setting.called, Role::Body]);
@@ -261,7 +299,7 @@ impl Table {
                     let cells = || cells.iter().take(chunk.end).skip(chunk.start);
                     if cells().any(Option::is_some) {
                         let cells = cells().map(Option::as_ref);
-                        let roles = [self.setting.called, Role::Body];
+                        let roles = [self.setting.called, Role::Figure];
                         lines.push(columns.line(chunk, (mark, name), cells, roles));
                         says = true;
                     }
@@ -290,16 +328,18 @@ fn told(
     let below = wrapped(words, width.saturating_sub(indent).max(NARROWEST));
     let below = below.into_iter().map(|words| {
         let mut line = Line::default();
-        line.push(indent, words, Role::Label);
+        line.push(indent, words, Role::Aside);
         line
     });
     std::iter::once(head).chain(below).collect()
 }
 
 impl Line {
-    /// Leaves out what stands behind so many columns.
+    /// Leaves out what stands behind so many columns; part of a figure would be another one.
     fn cut(&mut self, most: usize) {
-        self.spans.retain(|span| span.at < most);
+        let is_whole = |span: &Span| span.at + length(&span.text) <= most;
+        self.spans
+            .retain(|span| span.at < most && (span.role != Role::Figure || is_whole(span)));
         for span in &mut self.spans {
             let room = most - span.at;
             if length(&span.text) > room {

@@ -39,6 +39,10 @@ pub enum Role {
     Label,
     /// The letter of a chart.
     Mark,
+    /// A figure: shown whole or not at all.
+    Figure,
+    /// What is said by the way.
+    Aside,
     /// Anything else.
     Body,
 }

@@ -7,8 +7,8 @@ impl Page {
     #[must_use]
     pub fn to_markdown(&self, ascii: bool) -> String {
         let mut parts = Vec::new();
-        for block in &self.shown(ascii).blocks {
-            parts.push(match &block.content {
+        for block in &self.blocks {
+            parts.push(match &block.content.shown(ascii) {
                 Content::Title(title) => format!("# {}\n", escaped(title)),
                 Content::Heading(level, text) => {
                     let marks = "#".repeat(usize::from(*level) + 1);

@@ -24,6 +24,8 @@ pub(crate) use columns::Columns;
 pub use line::{Line, Role, Span};
 pub use spelled::TextStyle;
 pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, Unsure};
+#[cfg(feature = "tui")]
+pub(crate) use words::cut;
 pub(crate) use words::wrapped;
 
 /// Something to read.
@@ -66,7 +68,8 @@ pub enum Content {
 /// Names, and what is told of each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Facts {
-    /// Characters of the names, with the blanks behind them: at the least.
+    /// Characters of the names, with the blanks behind them: so many, but no more than a third of the width,
+    /// and as many as the longest takes.
     pub names: usize,
     /// Blanks before the rest of a fact that takes several lines.
     pub hanging: usize,

@@ -24,7 +24,7 @@ impl Page {
     pub(super) fn shown(&self, ascii: bool) -> Page {
         let blocks = self.blocks.iter();
         let block = |block: &Block| Block {
-            content: block.content.shown(&|text| shown(text, ascii)),
+            content: block.content.shown(ascii),
             ..*block
         };
         Page {
@@ -35,7 +35,9 @@ impl Page {
 }
 
 impl Content {
-    fn shown(&self, shown: &impl Fn(&str) -> String) -> Content {
+    /// The same with every text as it is shown.
+    pub(super) fn shown(&self, ascii: bool) -> Content {
+        let shown = &|text: &str| shown(text, ascii);
         let all = |texts: &[String]| texts.iter().map(|text| shown(text)).collect();
         match self {
             Content::Title(text) => Content::Title(shown(text)),

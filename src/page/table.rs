@@ -10,7 +10,7 @@ pub struct Table {
     pub title: String,
     /// The columns.
     pub heads: Vec<Head>,
-    /// As many cells to a row as there are columns, or none.
+    /// No more cells to a row than there are columns.
     pub rows: Vec<Row>,
     /// How it is set.
     pub setting: Setting,
@@ -76,21 +76,21 @@ pub enum Unsure {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setting {
     /// Blanks before the names.
-    pub indent: usize,
-    /// Characters of the names, at the least.
-    pub names: usize,
+    pub(crate) indent: usize,
+    /// Characters of the names: so many, but no more than a third of the width, and as many as the longest takes.
+    pub(crate) names: usize,
     /// Characters of the columns, at the least; the last one stands for all that follow.
-    pub least: Vec<usize>,
+    pub(crate) least: Vec<usize>,
     /// Blanks between two columns, at the least.
-    pub gap: usize,
+    pub(crate) gap: usize,
     /// By so many blanks more columns move apart where there is room.
-    pub spread: usize,
+    pub(crate) spread: usize,
     /// Where units stand.
-    pub units: Units,
+    pub(crate) units: Units,
     /// What becomes of columns that do not fit beside the others.
-    pub rest: Rest,
+    pub(crate) rest: Rest,
     /// What the rows are called by: names of things, or labels of what is told.
-    pub called: Role,
+    pub(crate) called: Role,
 }
 
 /// Where the units of columns stand.

@@ -1,5 +1,6 @@
 //! A page as plain text.
 
+use super::layout::Medium;
 use super::{Content, Page, Role, TextStyle};
 
 impl Page {
@@ -12,7 +13,7 @@ impl Page {
         };
         let is_ruled = has_parts(self);
         let mut text = String::new();
-        for line in self.laid_out(style, usize::MAX) {
+        for line in self.laid_out(style, Medium::Paper) {
             let written = line.text();
             text.push_str(&written);
             text.push('\n');

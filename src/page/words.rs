@@ -72,6 +72,15 @@ fn short_words(part: &str, most: usize) -> Vec<String> {
     cut.collect()
 }
 
+/// The text, or where it is longer than `most` characters, its beginning and two points.
+pub(crate) fn cut(text: &str, most: usize) -> String {
+    if length(text) <= most {
+        return text.to_owned();
+    }
+    let beginning: String = text.chars().take(most.saturating_sub(2)).collect();
+    format!("{}..", beginning.trim_end())
+}
+
 /// Columns of a text of one column to a character.
 pub(super) fn length(text: &str) -> usize {
     text.chars().count()

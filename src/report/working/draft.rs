@@ -267,7 +267,7 @@ impl Draft {
         });
     }
 
-    /// The same for angles in degrees, which count modulo a turn; `slack` is what the formula loses, in
+    /// The same for angles in degrees, which count modulo a turn; `loss` is what the formula loses, in
     /// radians.
     pub(super) fn agree_angle(&mut self, symbol: &str, worked: f64, solved: f64, loss: f64) {
         let away = angle::wrapped(worked - solved + angle::TURN / 2.0) - angle::TURN / 2.0;

@@ -128,10 +128,15 @@ impl Expression {
             Expression::Number(number) => Written::figure(&number.to_string()),
             Expression::Minus(of) => {
                 let of = of.written(form);
+                let is_nothing = form == Form::Numbers && of.text == "0";
                 Written {
-                    negative: !of.negative,
+                    negative: !of.negative && !is_nothing,
                     text: of.bracketed(Grip::Ratio),
-                    grip: of.grip.max(Grip::Ratio),
+                    grip: if of.grip < Grip::Ratio {
+                        Grip::Alone
+                    } else {
+                        of.grip
+                    },
                 }
             }
             Expression::Sum(of) => {
@@ -158,16 +163,8 @@ impl Expression {
             }
             Expression::Ratio(of) => {
                 let [above, below] = [&of[0], &of[1]].map(|part| part.written(form));
-                let text = format!(
-                    "{}/{}",
-                    above.bracketed(Grip::Ratio),
-                    below.factor(Grip::Alone)
-                );
-                Written {
-                    negative: above.negative,
-                    text,
-                    grip: Grip::Ratio,
-                }
+                let (above, below) = (above.factor(Grip::Ratio), below.factor(Grip::Alone));
+                Written::of(format!("{above}/{below}"), Grip::Ratio)
             }
             Expression::Square(of) => {
                 let of = of.written(form).factor(Grip::Alone);
@@ -226,7 +223,11 @@ impl Written {
         Written {
             negative: size.is_some(),
             text: size.unwrap_or(figure).to_owned(),
-            grip: Grip::Alone,
+            // A power of 2e-6 is not one of its exponent.
+            grip: match figure.parse::<f64>() {
+                Ok(_) if figure.contains('e') => Grip::Product,
+                _ => Grip::Alone,
+            },
         }
     }
 
@@ -295,7 +296,7 @@ mod tests {
     use super::*;
 
     fn known(symbol: &str, value: f64) -> Expression {
-        Expression::known(symbol, value.to_string(), value)
+        Expression::known(symbol, crate::report::number::concise(value, 17), value)
     }
 
     #[test]
@@ -319,7 +320,15 @@ mod tests {
             (a.clone() * b.clone(), "a b", "(-2)·(-3)", 6.0),
             (a.clone().squared(), "a^2", "(-2)^2", 4.0),
             (-(a.clone() - b.clone()), "-(a - b)", "-(-2 + 3)", -1.0),
-            (-a.clone() / b.clone(), "-a/b", "2/(-3)", -2.0 / 3.0),
+            (-(a.clone() / b.clone()), "-a/b", "-(-2)/(-3)", -2.0 / 3.0),
+            (-known("z", 0.0) + known("k", 2.0), "-z + k", "0 + 2", 2.0),
+            (known("t", 2e-6).squared(), "t^2", "(2e-6)^2", 4e-12),
+            (
+                (-(a.clone() + b.clone())).squared(),
+                "(-(a + b))^2",
+                "(-(-2 - 3))^2",
+                25.0,
+            ),
             (
                 a.clone() - (a.clone() - b.clone()),
                 "a - (a - b)",

@@ -165,8 +165,10 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
         };
         let [drive, speed] = [(f.number(drive), drive), (f.given(speed), speed)]
             .map(|(figure, value)| Expression::figure(figure, value));
-        let figure = format!("{} W", f.number(power));
-        draft.reckoned("driver.power", &(drive * speed), |_| figure);
+        let worked = draft.reckoned("driver.power", &(drive * speed), |power| {
+            format!("{} W", f.number(power))
+        });
+        draft.agree("driver.power", worked, power, power.abs());
     }
 }
 

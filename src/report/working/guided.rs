@@ -204,7 +204,7 @@ impl Solution<'_> {
             let factor_of = if own.reversed { -factor_of } else { factor_of };
             let sum = Expression::figure(f.beside(sum, size), sum);
             let divisor = Expression::figure(f.beside(factor_of, 1.0), factor_of);
-            let quotient = -sum / divisor;
+            let quotient = -(sum / divisor);
             let worked = draft.reckoned(&own.side.name, &quotient, |worked| {
                 format!("{} {}", f.beside(worked, size), f.unit)
             });

@@ -87,12 +87,8 @@ fn scaled(
     let f = context.figures;
     let product = Expression::known("factor", f.number(part), part)
         * Expression::figure(f.given(whole), whole);
-    draft.page.equation([
-        name,
-        product.symbols(),
-        product.numbers(),
-        format!("{} {unit}", f.number(now)),
-    ]);
+    let worked = draft.worked(&name, &product, |now| format!("{} {unit}", f.number(now)));
+    draft.agree(&name, worked, now, whole.abs());
 }
 
 /// The present length of a spring, and its rate, in the scene's unit.
@@ -176,7 +172,10 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
             draft.page.equation([name.to_owned(), format!("0 {unit}")]);
             continue;
         }
-        let share = -Expression::figure(figure, power) / Expression::figure(f.given(speed), speed);
-        draft.reckoned(name, &share, |_| format!("{} {unit}", f.beside(part, size)));
+        let share = Expression::figure(figure, power) / Expression::figure(f.given(speed), speed);
+        let worked = draft.reckoned(name, &-share, |share| {
+            format!("{} {unit}", f.beside(share, size))
+        });
+        draft.agree(name, worked, part, size);
     }
 }

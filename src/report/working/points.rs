@@ -105,20 +105,24 @@ struct Scribe<'a> {
 impl Scribe<'_> {
     /// A vector with its symbol, by size and direction.
     fn polar(&self, symbol: impl Into<String>, v: Vec2) -> [String; 2] {
+        [symbol.into(), self.told(v.norm(), v)]
+    }
+
+    /// A vector of this size, in the direction of another.
+    fn told(&self, size: f64, along: Vec2) -> String {
         let f = self.context.figures;
         let unit = f.length_unit(self.order);
-        let length = f.beside(v.norm(), self.size);
+        let length = f.beside(size, self.size);
         if length == "0" {
-            return [symbol.into(), format!("0 {unit}")];
+            return format!("0 {unit}");
         }
-        let direction = f.direction(angle::degrees(v));
-        [symbol.into(), format!("{length} {unit} at {direction} deg")]
+        let direction = f.direction(angle::degrees(along));
+        format!("{length} {unit} at {direction} deg")
     }
 
     /// A part by its size: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
     fn part(&self, draft: &mut Draft, symbol: String, size: &Expression, value: Vec2) {
-        let [symbol, figure] = self.polar(symbol, value);
-        let worked = draft.worked(&symbol, size, |_| figure);
+        let worked = draft.worked(&symbol, size, |size| self.told(size, value));
         draft.agree(&symbol, worked, value.norm(), self.size);
     }
 
@@ -148,9 +152,10 @@ impl Scribe<'_> {
     /// The whole, from two lengths at right angles: its parts, or its components.
     fn whole(&self, draft: &mut Draft, name: &str, sum: Vec2, parts: [f64; 2]) {
         let f = self.context.figures;
-        let [symbol, text] = self.polar(of_point(self.figure, name), sum);
         let [x, y] = parts.map(|v| Expression::figure(f.beside(v, self.size), v));
-        draft.reckoned(&symbol, &(x.squared() + y.squared()).sqrt(), |_| text);
+        let size = (x.squared() + y.squared()).sqrt();
+        let symbol = of_point(self.figure, name);
+        draft.reckoned(&symbol, &size, |size| self.told(size, sum));
     }
 
     /// Notes how far a sum of parts is from the solver's vector.
@@ -420,8 +425,8 @@ fn on_guide(
     draft
         .page
         .equation(of_a.polar(format!("a of {body} under {name}"), guide_a));
-    let [symbol, figure] = of_a.polar(part_symbol("a", name, "c"), coriolis);
-    draft.worked(&format!("{symbol} (Coriolis)"), &size, |_| figure);
+    let symbol = format!("{} (Coriolis)", part_symbol("a", name, "c"));
+    draft.worked(&symbol, &size, |size| of_a.told(size, coriolis));
     for line in [
         of_a.polar(accel_name, second),
         of_a.polar(of_point("a", name), guide_a + coriolis + second),

@@ -8,7 +8,7 @@
 
 use super::pane::{Need, Pane};
 use super::{Sketch, inset, page};
-use crate::page::{Content, Line, Page};
+use crate::page::{Content, Line, Page, Row, cut};
 use crate::report::Answers;
 use crate::tui::app::App;
 use ratatui::buffer::Buffer;
@@ -16,6 +16,8 @@ use ratatui::layout::Rect;
 
 /// Narrower views leave out the units, and by how much a figure follows the length that matters most.
 const ROOM_FOR_UNITS: u16 = 56;
+/// The name of a length takes no larger part of the width than one in so many.
+const SHARE: u16 = 3;
 
 /// What each length does.
 pub(super) struct LengthsView;
@@ -40,39 +42,39 @@ impl Pane for LengthsView {
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         let area = inset(body);
         let (head, rows) = lines(app, area);
-        if let Some(head) = head {
-            page::render_line((app.glyphs(), app.colours()), &head, area, buffer);
-            page::render(app, &rows, below_head(area), buffer);
-        } else {
-            page::render(app, &rows, area, buffer);
+        if let Some(head) = &head {
+            page::render_line((app.glyphs(), app.colours()), head, area, buffer);
         }
+        page::render(app, &rows, below(head.as_ref(), area), buffer);
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let area = inset(body);
-        let (_, rows) = lines(app, area);
-        (rows.len(), below_head(area).height.into())
+        let (head, rows) = lines(app, area);
+        (rows.len(), below(head.as_ref(), area).height.into())
     }
 }
 
-fn below_head(area: Rect) -> Rect {
+/// Where the rows stand: below the names of the columns, if these stay where they are.
+fn below(head: Option<&Line>, area: Rect) -> Rect {
+    let head = u16::from(head.is_some());
     Rect {
-        y: area.y + 1,
-        height: area.height.saturating_sub(1),
+        y: area.y + head,
+        height: area.height.saturating_sub(head),
         ..area
     }
 }
 
-/// The names of the columns, which stay where they are, and the rows below them; or words in their place.
+/// The names of the columns, where these stand side by side, and the rows; or words in their place.
 fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
     let Some(answers) = app.open_scene().answers() else {
         return (None, page::words(TOO_MANY, area));
     };
-    let has_head = answers.list.is_some();
     let mut page = Page::default();
     page.add(content(answers, area));
     let mut lines = page::lines(app, &page, area);
-    let head = (has_head && !lines.is_empty()).then(|| lines.remove(0));
+    let is_whole = answers.list.is_some() && lines.iter().all(|line| !line.spans.is_empty());
+    let head = (is_whole && !lines.is_empty()).then(|| lines.remove(0));
     (head, lines)
 }
 
@@ -80,7 +82,21 @@ fn content(answers: &Answers, area: Rect) -> Content {
     let short = answers
         .short_table()
         .filter(|_| area.width < ROOM_FOR_UNITS);
-    short.map_or_else(|| answers.content(true), Content::Table)
+    let mut content = short.map_or_else(|| answers.content(true), Content::Table);
+    if let Content::Table(table) = &mut content {
+        let most = usize::from(area.width / SHARE);
+        table.rows.iter_mut().for_each(|row| shorten(row, most));
+    }
+    content
+}
+
+/// Cuts the name of a length, which stands last.
+fn shorten(row: &mut Row, most: usize) {
+    if let Row::Figures { cells, .. } = row
+        && let Some(Some(length)) = cells.last_mut()
+    {
+        length.text = cut(&length.text, most);
+    }
 }
 
 const TOO_MANY: &str = "too many lengths: krank table --sensitivity tells what they do";

@@ -30,6 +30,7 @@ pub(crate) mod working;
 
 use super::app::{App, Mode, View};
 use crate::drawing::Raster;
+use crate::page::cut;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::figures::sheet::TableLine;
 use crate::wording::words;
@@ -247,15 +248,6 @@ fn print_right(buffer: &mut Buffer, right: u16, y: u16, text: &str, style: Style
     let length = columns(text);
     let x = right.saturating_sub(length);
     print(buffer, x, y, length, text, style);
-}
-
-/// The text, or where it is longer than `most` characters, its beginning and two points.
-fn cut(text: &str, most: usize) -> String {
-    if text.chars().count() <= most {
-        return text.to_owned();
-    }
-    let beginning: String = text.chars().take(most.saturating_sub(2)).collect();
-    format!("{}..", beginning.trim_end())
 }
 
 /// Columns of text of one column to a character.

@@ -1,7 +1,7 @@
 //! A page on the screen, line by line.
 
 use super::table::doubt;
-use super::{first_seen, print};
+use super::{columns, first_seen, print};
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
 use crate::page::{Line, Page, Role, TextStyle, Unsure, wrapped};
@@ -54,6 +54,10 @@ pub(super) fn render_line(
         let x = area.x.saturating_add(at);
         let room = area.right().saturating_sub(x);
         let text = shown(&span.text, glyphs);
+        // Part of a figure would be another one.
+        if span.role == Role::Figure && room < columns(&text) {
+            continue;
+        }
         print(buffer, x, area.y, room, &text, theme::part(look(span.role)));
         if span.unsure != Unsure::Nothing {
             doubt(colours, span, x, area, buffer);
@@ -65,8 +69,8 @@ fn look(role: Role) -> Part {
     match role {
         Role::Title | Role::Part => Part::Title,
         Role::Section | Role::Name => Part::Name,
-        Role::Head | Role::Label => Part::Quiet,
+        Role::Head | Role::Label | Role::Aside => Part::Quiet,
         Role::Mark => Part::Key,
-        Role::Body => Part::Text,
+        Role::Body | Role::Figure => Part::Text,
     }
 }

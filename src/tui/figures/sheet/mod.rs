@@ -229,7 +229,7 @@ impl Placed<'_> {
         let (name, roles) = match line {
             TableLine::Row(part, row, _) => {
                 let name = self.sheet.rows[*part as usize].get(*row);
-                (name.map_or("", String::as_str), [Role::Name, Role::Body])
+                (name.map_or("", String::as_str), [Role::Name, Role::Figure])
             }
             TableLine::Names(part, _) => (part.title(), [Role::Head; 2]),
             TableLine::Units(..) | TableLine::Blank => ("", [Role::Head; 2]),
@@ -242,7 +242,7 @@ impl Placed<'_> {
         let (part, row) = row;
         let name = self.sheet.rows[part as usize].get(row);
         let mut line = Line::of(Role::Name, name.map_or("", String::as_str));
-        line.push(self.sheet.names + SETTING.gap, words, Role::Head);
+        line.push(self.sheet.names + SETTING.gap, words, Role::Aside);
         line
     }
 }
