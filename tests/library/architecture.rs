@@ -3,7 +3,6 @@
 //! The way of the data is scene -> mechanism -> solver -> quantity -> study -> drawing, report -> tui. `solver` knows
 //! no file, no unit name and no terminal; nobody imports `tui` but the command line, and nobody
 //! imports the command line but `main`.
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod wording;
 

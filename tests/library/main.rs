@@ -1,0 +1,17 @@
+//! The library from outside: scenes as they are read and refused, what is told of a solution, and the house that it
+//! is.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod accuracy;
+mod architecture;
+mod broken;
+mod harmless;
+mod presets;
+mod properties;
+mod sweeps;
+mod working;
+mod working_chains;
