@@ -149,6 +149,7 @@ impl Engine {
         work.condition
     }
 
+    #[inline(never)]
     pub(super) fn run_steps(
         &self,
         steps: std::ops::Range<usize>,
@@ -169,7 +170,7 @@ impl Engine {
     }
 
     /// With the machine's vector instructions.
-    #[inline(never)]
+    #[inline(always)]
     fn run_to<const ORDER: u8>(&self, steps: &[Step], at: f64, work: &mut Workspace) -> Condition {
         vectorized(
             #[inline(always)]
@@ -187,6 +188,12 @@ impl Engine {
         let Workspace { state, scratch, .. } = work;
         let (q, direction) = self.coordinate(at);
         let mut condition = Condition::Ok;
+        let mut steps = steps.iter();
+        // The driver's own come first: they are placed before anything sends its direction out of the registers.
+        while let Some(first @ (Step::Crank(_) | Step::Spin(_))) = steps.as_slice().first() {
+            let _ = run_step::<ORDER>(first, q, direction, state);
+            steps.next();
+        }
         for step in steps {
             let outcome = match step {
                 Step::Coupled { index } => self.run_coupled(*index, q, ORDER, state, scratch),

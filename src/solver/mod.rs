@@ -321,8 +321,16 @@ impl Solver {
         if !is_solved {
             self.solve_closely(at, order, work);
         }
-        self.balance(order, work);
+        if self.has_forces() || work.state.forces.is_some() {
+            self.find_forces(order, work);
+        }
         work.condition
+    }
+
+    /// Out of the way of what is solved without any.
+    #[inline(never)]
+    fn find_forces(&self, order: Order, work: &mut Workspace) {
+        self.balance(order, work);
     }
 
     /// The forces of a state that has been solved; none where they were not asked for.
