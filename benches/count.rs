@@ -34,11 +34,11 @@ const MECHANISMS: [&str; 4] = ["four-bar", "slider-crank", "press", "jansen-leg"
 const WAYS: [Way; 5] = [
     Way {
         name: "solved",
-        most: [1.51, 1.90, 1.39, 1.33],
+        most: [1.48, 1.87, 1.38, 1.32],
     },
     Way {
         name: "solved-and-read",
-        most: [2.12, 2.60, 2.00, 1.96],
+        most: [2.10, 2.57, 1.98, 1.95],
     },
     Way {
         name: "in-lanes",
@@ -50,7 +50,7 @@ const WAYS: [Way; 5] = [
     },
     Way {
         name: "with-bounds",
-        most: [7.2, 7.8, 8.0, 8.3],
+        most: [5.7, 7.4, 6.2, 6.4],
     },
 ];
 const BY_HAND: &str = "by-hand";

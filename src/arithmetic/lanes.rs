@@ -6,8 +6,11 @@
 
 use super::angle;
 use crate::{Constant, Number, Vec2};
+#[cfg(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64"))]
+use fearless_simd::Level;
+use fearless_simd::{Fallback, Simd};
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
-use fearless_simd::{Level, Simd};
+use std::hint::black_box;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// So many states are solved at once: two registers of AVX2, so that one computes while the other
@@ -48,29 +51,59 @@ pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
     f()
 }
 
-/// Runs the first with the machine's fused multiplication and addition, as far as what it calls is inlined into
-/// it, or the second where there is none.
+/// What runs with the machine's vectors, and is compiled for its fused multiplication and addition or without.
+pub(crate) trait Fusing {
+    /// What comes out.
+    type Output;
+
+    /// Runs it; inlined, as far as what it calls is.
+    fn run<S: Simd, const FUSED: bool>(self, simd: S) -> Self::Output;
+}
+
+/// What lies in a frame so makes the whole of it begin there, with all that is put by in it: a vector across the end of a
+/// page of memory takes some processors as long as hundreds of others, and which ones lie so depends on where the
+/// stack happens to begin.
+#[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
+#[repr(align(64))]
+struct Aligned(#[expect(dead_code, reason = "its place is what counts")] u8);
+
+/// Runs it with fused multiplication and addition where the machine has that.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
-pub(crate) fn fused<A, R>(with: A, fused: impl FnOnce(A) -> R, plain: impl FnOnce(A) -> R) -> R {
+pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
     match Level::new().as_avx2() {
         Some(avx2) => avx2.vectorize(
             #[inline(always)]
-            || fused(with),
+            || {
+                black_box(&Aligned(0));
+                f.run::<_, true>(avx2)
+            },
         ),
-        None => outlined(|| plain(with)),
+        None => plainly(f),
     }
 }
 
-/// Runs the first, if every machine of this kind fuses multiplication and addition.
-#[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
+/// The same where every machine of the kind has it.
+#[cfg(target_arch = "aarch64")]
 #[inline(always)]
-pub(crate) fn fused<A, R>(with: A, fused: impl FnOnce(A) -> R, plain: impl FnOnce(A) -> R) -> R {
-    if cfg!(target_arch = "aarch64") {
-        fused(with)
-    } else {
-        plain(with)
+pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
+    match Level::new().as_neon() {
+        Some(neon) => f.run::<_, true>(neon),
+        None => plainly(f),
     }
+}
+
+/// Runs it: nothing is known of the machine.
+#[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
+#[inline(always)]
+pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
+    plainly(f)
+}
+
+/// Runs it as it runs on any machine.
+#[inline(never)]
+pub(crate) fn plainly<F: Fusing>(f: F) -> F::Output {
+    f.run::<_, false>(Fallback::new())
 }
 
 impl Lanes {

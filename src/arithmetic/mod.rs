@@ -7,7 +7,6 @@
 
 pub mod angle;
 mod ball;
-mod both;
 mod constant;
 mod decimal;
 mod double;
@@ -15,21 +14,20 @@ mod dual;
 mod halves;
 mod lanes;
 mod number;
+pub(crate) mod plane;
 mod series;
 mod sharp;
 mod vec2;
 
 pub use ball::Ball;
 pub(crate) use ball::{INFLATION, half_ulp};
-pub(crate) use both::Both;
 pub use constant::Constant;
 pub(crate) use constant::typed_radius;
 pub(crate) use decimal::Decimal;
 pub use double::Double;
-pub(crate) use double::two_sum;
 pub use dual::Dual;
 pub(crate) use halves::{Halves, Product};
-pub(crate) use lanes::fused;
+pub(crate) use lanes::{Fusing, fused, plainly};
 pub use lanes::{LANES, Lanes, vectorized};
 pub use number::Number;
 pub(crate) use series::{Series, TERMS};

@@ -1,104 +1,116 @@
 //! Bounds of links by two of their points.
 
-use super::errors::{Errors, PointError, size};
+use super::errors::{Errors, size};
 use super::influence::Influences;
 use super::limb::Limb;
 use super::meeting::{Meeting, Met, meet};
+use super::off::PointOff;
+use super::places::{Bodies, Places};
 use super::shape::{Shape, stretch};
+use crate::arithmetic::plane::{Plane, Simd, f64x2, number};
 use crate::solver::elements::Arm;
 use crate::solver::state::State;
 use crate::{Ball, PointId, Vec2};
 
 /// An arm to a point whose error is known.
-struct Towards<'a> {
-    across: Vec2,
+struct Towards<'a, S: Simd> {
+    across: f64x2<S>,
     /// 1 / |e|^2.
-    inverse: f64,
-    gain: f64,
-    end: &'a PointError,
+    inverse: f64x2<S>,
+    gain: f64x2<S>,
+    end: &'a PointOff<f64x2<S>>,
 }
 
-impl Meeting<f64> for Towards<'_> {
+impl<S: Simd> Meeting<f64x2<S>> for Towards<'_, S> {
     #[inline(always)]
-    fn gains(&self) -> f64 {
+    fn gains(&self) -> f64x2<S> {
         self.gain
     }
 
     #[inline(always)]
-    fn close(&self, order: usize, ends: Vec2) -> (f64, f64) {
+    fn close(&self, order: usize, ends: f64x2<S>) -> (f64x2<S>, f64x2<S>) {
         let gap = self.end.shift[order] - ends;
-        (self.across.dot(gap) * self.inverse, size(gap))
+        (self.across.dot(gap) * self.inverse, gap.size())
     }
 
     #[inline(always)]
-    fn sum(&self, parts: f64) -> f64 {
-        parts
+    fn with_rest(&self, order: usize, ends: f64x2<S>) -> f64x2<S> {
+        ends + self.end.left[order]
     }
 
-    #[inline(always)]
-    fn rest(&self, order: usize) -> f64 {
-        self.end.left[order]
-    }
-
-    fn rest_by_rows(&self, order: usize, _: f64, _: &PointError, _: &mut Influences) -> f64 {
-        self.end.left[order]
+    fn rest_by_rows(
+        &self,
+        order: usize,
+        _: f64x2<S>,
+        _: &PointOff<f64x2<S>>,
+        _: &mut Influences,
+    ) -> f64 {
+        self.end.left[order].number(0)
     }
 }
 
-/// The way along an arm to a point.
+/// The way along an arm to a point, on this link.
 #[inline(always)]
-pub(super) fn limb_of<const FUSED: bool>(
+pub(super) fn limb_of<S: Simd, const FUSED: bool>(
+    simd: S,
     arm: &Arm,
-    end: PointId,
+    (end, link): (&Places<f64x2<S>>, &Bodies<f64x2<S>>),
     state: &State,
-) -> Limb<f64, FUSED> {
-    let [x, p] = [end, arm.pivot].map(|point| &state.points[point.index()]);
-    let link = &state.links[arm.link.index()];
+) -> Limb<f64x2<S>, FUSED> {
+    let pivot = Places::of(simd, &state.points[arm.pivot.index()]);
     let stretch = stretch::<_, FUSED>(link.d);
-    Limb::<_, FUSED>::new(x, p, link, &Shape::of_arm(arm), stretch)
+    Limb::new(end, &pivot, link, &Shape::of_arm(simd, arm), stretch)
 }
 
 impl Errors {
     /// A link by two of its points.
     #[inline(always)]
-    pub(super) fn aim<const ROWS: bool>(
+    pub(super) fn aim<S: Simd, const FUSED: bool>(
         &mut self,
         arm: &Arm,
-        (end, e): (PointId, Vec2),
-        met: Met<f64>,
+        (end, e): (PointId, f64x2<S>),
+        met: Met<f64x2<S>>,
+        body: &Bodies<f64x2<S>>,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
         let mut error = met.links;
-        if ROWS && let Some(rest) = self.turn_by_rows(arm, (end, e), met.own) {
-            error.rest = rest;
+        if self.influences.matter::<FUSED>() {
+            let own = met.own.map(|own| own.number(0));
+            if let Some(rest) = self.turn_by_rows(arm, (end, e.vector(0)), own) {
+                error.rest = rest.map(|rest| number(e.simd, rest));
+            }
         }
-        self.set_link(arm.link, &error, &state.links[arm.link.index()], enclosure);
+        self.set_link(arm.link, &error.enclosed(body), state, enclosure);
     }
 
     /// A link both of whose ends are known.
     #[inline(always)]
-    pub(super) fn aim_at<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
+    pub(super) fn aim_at<S: Simd, const FUSED: bool>(
         &mut self,
+        simd: S,
+        order: u8,
         arm: &Arm,
         end: PointId,
         state: &State,
         enclosure: &mut State<Ball>,
     ) -> bool {
-        let limb = limb_of::<FUSED>(arm, end, state);
-        let inverse = 1.0 / limb.e.norm2();
+        let x = Places::of(simd, &state.points[end.index()]);
+        let body = Bodies::of(simd, &state.links[arm.link.index()]);
+        let limb = limb_of::<_, FUSED>(simd, arm, (&x, &body), state);
+        let inverse = x.p.all(1.0) / limb.e.dot(limb.e);
         let towards = Towards {
-            across: limb.e.perp(),
+            across: limb.across[0],
             inverse,
             gain: limb.length * inverse,
-            end: &self.points[end.index()],
+            end: &PointOff::of(simd, self.point(end)),
         };
-        let from = &self.points[arm.pivot.index()];
-        let met = meet::<f64, ORDER, FUSED, ROWS>(&limb, from, &towards, &mut self.influences);
+        let from = PointOff::of(simd, self.point(arm.pivot));
+        let met = meet(order, &limb, &from, &towards, &mut self.influences);
         let Some(met) = met else {
             return false;
         };
-        self.aim::<ROWS>(arm, (end, limb.e), met, state, enclosure);
+        self.aim::<_, FUSED>(arm, (end, limb.e), met, &body, state, enclosure);
         true
     }
 

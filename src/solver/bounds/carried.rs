@@ -1,9 +1,12 @@
 //! Bounds of what follows from points and links without a constraint to solve.
 
 use super::driver::Heading;
-use super::errors::{Errors, LinkError, PointError, rounding, size};
+use super::errors::{Errors, LinkError, PointError, size};
 use super::limb::{Drift, Limb, Moved, RESIDUAL, SUM, Turned};
-use super::shape::{Shape, is_zero, turned_closely};
+use super::off::{LinkOff, PointOff, rounding};
+use super::places::{Bodies, Places};
+use super::shape::Shape;
+use crate::arithmetic::plane::{Fallback, Plane, Simd, number, vector};
 use crate::arithmetic::{Sharp, U};
 use crate::solver::demand::Part;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
@@ -12,52 +15,62 @@ use crate::{Ball, Constant, LinkId, PointId, Vec2};
 
 /// What moves a way on a link that is known, and what of it the way leaves open of itself.
 #[derive(Clone, Copy)]
-struct Swung {
-    way: Moved<f64>,
-    own: f64,
+struct Swung<V> {
+    way: Moved<V>,
+    own: V,
 }
 
-impl<const FUSED: bool> Limb<f64, FUSED> {
-    /// What moves the way and its rates, on a link with this error.
+impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
+    /// What moves the way, or a rate of it, if rests of lower orders make so much of it.
     #[inline(always)]
-    fn swung<const ORDER: u8>(&self, by: &LinkError) -> [Swung; 3] {
-        let turned = by.turned(0);
+    fn swing(&self, drift: &Drift<V>, carried: V, (turned, slack): (&Turned<V>, V)) -> Swung<V> {
+        let own = drift.new + carried + slack * turned.most;
+        let way = self.way(drift, turned, own + self.length * turned.rest);
+        Swung { way, own }
+    }
+
+    /// What moves the way and its rates, as far as they were found, on a link with this error.
+    #[inline(always)]
+    fn swung(&self, order: u8, by: &LinkOff<V>) -> [Swung<V>; 3] {
+        let turned = by.turned();
         let slack = self.slack(turned.most);
-        let swing = |drift: &Drift<f64>, carried: f64, turned: &Turned<f64>| {
-            let own = drift.new + carried + slack * turned.most;
-            let way = self.way(drift, turned, own + self.length * turned.rest);
-            Swung { way, own }
-        };
-        let e = swing(&self.drift(), 0.0, &turned);
+        let e = self.swing(&self.drift(), slack.all(0.0), (&turned, slack));
         let mut ways = [e; 3];
-        if ORDER >= VELOCITY {
-            let spin = by.turned(1);
+        if order >= VELOCITY {
+            let spin = by.spun(1);
             let (drift, rate) = self.drift_of_rate(&e.way);
-            let w = swing(&drift, self.carried_rate(e.way.rest), &spin);
+            let w = self.swing(&drift, self.carried_rate(e.way.rest), (&spin, slack));
             ways[1] = w;
-            if ORDER >= ACCELERATION {
+            if order >= ACCELERATION {
                 let drift = self.drift_of_second([&e.way, &w.way], &rate, &spin);
                 let carried = self.carried_second(e.way.rest)
                     + self.carried_by_rate(w.way.rest, &rate, spin.rest);
-                ways[2] = swing(&drift, carried, &by.turned(2));
+                ways[2] = self.swing(&drift, carried, (&by.spun(2), slack));
             }
         }
         ways
     }
 }
 
-impl LinkError {
-    /// What turns a link, at an order.
+impl<V: Plane> LinkOff<V> {
+    /// What turns a link.
     #[inline(always)]
-    fn turned(&self, order: usize) -> Turned<f64> {
-        let (shift, size) = match order {
-            0 => (self.turn.y, size(self.turn)),
-            _ => (self.shift[order - 1], self.shift[order - 1].abs()),
-        };
-        let rest = self.rest[order];
+    fn turned(&self) -> Turned<V> {
+        let rest = self.rest[0];
+        Turned {
+            shift: self.turn,
+            most: self.stretch.abs() + self.turn.abs() + rest,
+            rest,
+        }
+    }
+
+    /// What changes its rate of an order.
+    #[inline(always)]
+    fn spun(&self, order: usize) -> Turned<V> {
+        let (shift, rest) = (self.shift[order - 1], self.rest[order]);
         Turned {
             shift,
-            most: size + rest,
+            most: shift.abs() + rest,
             rest,
         }
     }
@@ -75,72 +88,73 @@ impl Errors {
 
     /// A point that rides on a link.
     #[inline(always)]
-    pub(super) fn ride<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
+    pub(super) fn ride<S: Simd, const FUSED: bool>(
         &mut self,
+        simd: S,
+        order: u8,
         [point, base]: [PointId; 2],
-        link: LinkId,
-        local: Vec2<Constant>,
+        (link, local): (LinkId, Vec2<Constant>),
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
-        let [x, p] = [point, base].map(|point| &state.points[point.index()]);
-        let body = &state.links[link.index()];
-        let (from, by) = (&self.points[base.index()], &self.links[link.index()]);
-        let limb = Limb::<_, FUSED>::new(x, p, body, &Shape::at(local), by.turn.x).lengthened();
-        let ways = limb.swung::<ORDER>(by);
-        let mut left = [0.0; 3];
-        if ROWS && self.influences.has_point(point) {
+        let [x, p] = [point, base].map(
+            #[inline(always)]
+            |point| Places::of(simd, &state.points[point.index()]),
+        );
+        let body = Bodies::of(simd, &state.links[link.index()]);
+        let from = PointOff::of(simd, self.point(base));
+        let by = LinkOff::of(simd, self.link(link));
+        let shape = Shape::at(simd, local);
+        let limb = Limb::<_, FUSED>::new(&x, &p, &body, &shape, by.stretch).lengthened();
+        let ways = limb.swung(order, &by);
+        let mut error = PointOff::none(number(simd, 0.0));
+        for (k, Swung { way, .. }) in ways.iter().enumerate() {
+            error.settle(k, from.shift[k] + way.shift, from.left[k] + way.rest);
+        }
+        if self.influences.matter::<FUSED>() && self.influences.has_point(point) {
             let base_left = self.left_without_row(base);
             let is_rowed = self.influences.has_link(link);
-            let turn_left = if is_rowed { [0.0; 3] } else { by.rest };
-            for k in 0..3 {
-                let noise = rounding(from.shift[k]);
-                left[k] = ways[k].own + noise + base_left[k] + limb.length * turn_left[k];
-            }
-            let arm = (link, limb.e.perp());
-            left = self.influences.ride(point, left, base, arm);
-        } else {
-            for k in 0..=ORDER as usize {
-                left[k] = from.left[k] + ways[k].way.rest;
+            let turn_left = if is_rowed {
+                [0.0; 3]
+            } else {
+                self.link(link).rest
+            };
+            let left = std::array::from_fn(|k| {
+                let own = (ways[k].own + rounding(from.shift[k])).number(0);
+                own + base_left[k] + limb.length.number(0) * turn_left[k]
+            });
+            let arm = (link, limb.across[0].vector(0));
+            let left = self.influences.ride(point, left, base, arm);
+            for (k, left) in left.into_iter().enumerate() {
+                error.settle(k, error.shift[k], number(simd, left));
             }
         }
-        let mut error = PointError::none();
-        for k in 0..=ORDER as usize {
-            error.settle(k, from.shift[k] + ways[k].way.shift, left[k]);
-        }
-        self.set_point(point, &error, state, enclosure);
+        self.set_point(point, &error, &x, state, enclosure);
     }
 
     /// A point of the driven link, whose angle is the coordinate: X = r, V = k x r and A = -r. The link's pivot
     /// is the origin of the solver's frame: whatever was typed for it, it is there, and at rest.
     #[inline(always)]
-    pub(super) fn spin<const ORDER: u8, const FUSED: bool>(
+    pub(super) fn spin<S: Simd, const FUSED: bool>(
         &mut self,
+        simd: S,
         point: PointId,
-        heading: &Heading,
-        local: Vec2<Constant>,
+        (heading, local): (&Heading, Vec2<Constant>),
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
-        let x = &state.points[point.index()];
-        let v = [local.map(|v| v.hi), local.map(|v| v.lo)];
-        let [arm, low] = turned_closely::<f64, FUSED>(v, is_zero(local.y), heading.d);
-        let swing = low + v[0].turned(heading.low);
-        let reach = size(v[0]);
-        let typed = local.x.radius + local.y.radius;
-        let rest = reach * (heading.off + RESIDUAL) + typed + SUM * size(swing);
-        let mut error = PointError::none();
-        let mut see = |k: usize, miss: Vec2, swing: Vec2| {
-            error.settle(k, miss + swing, rest + SUM * size(miss));
-        };
-        see(0, arm - x.p, swing);
-        if ORDER >= VELOCITY {
-            see(1, arm.perp() - x.v, swing.perp());
+        let x = Places::of(simd, &state.points[point.index()]);
+        let shape = Shape::at(simd, local);
+        let [arm, low] = shape.turned::<FUSED>(vector(simd, heading.d));
+        let swing = low + vector(simd, local.map(|v| v.hi).turned(heading.low));
+        let rest = shape.length * (heading.off + RESIDUAL) + shape.off + rounding(swing);
+        let mut error = PointOff::none(number(simd, 0.0));
+        let misses = [arm - x.p, arm.perp() - x.v, -arm - x.a];
+        let swings = [swing, swing.perp(), -swing];
+        for k in 0..3 {
+            error.settle(k, misses[k] + swings[k], rest + rounding(misses[k]));
         }
-        if ORDER >= ACCELERATION {
-            see(2, -arm - x.a, -swing);
-        }
-        self.set_point(point, &error, state, enclosure);
+        self.set_point(point, &error, &x, state, enclosure);
     }
 
     /// A link that keeps its angle to another one.
@@ -171,7 +185,7 @@ impl Errors {
         } else {
             error.rest[0] += new;
         }
-        self.set_link(link, &error, here, enclosure);
+        self.put_link(link, &error, state, enclosure);
     }
 
     /// What was found in twice the digits.
@@ -208,7 +222,7 @@ impl Errors {
         if self.influences.has_point(point) {
             self.influences.point_alone(point, error.left);
         }
-        self.set_point(point, &error, state, enclosure);
+        self.put_point(point, &error, state, enclosure);
     }
 
     /// A link whose error has nothing to do with those of others.
@@ -222,13 +236,13 @@ impl Errors {
         if self.influences.has_link(link) {
             self.influences.link_alone(link, error.rest);
         }
-        self.set_link(link, &error, &state.links[link.index()], enclosure);
+        self.put_link(link, &error, state, enclosure);
     }
 }
 
 /// d - R(turn) d0, to twice the digits.
 fn missed(d: Vec2, from: Vec2, turn: Vec2<Constant>) -> Vec2 {
-    let by = [turn.map(|v| v.hi), turn.map(|v| v.lo)];
-    let [turned, low] = turned_closely::<f64, false>(by, false, from);
-    (d - turned) - low
+    let simd = Fallback::new();
+    let [turned, low] = Shape::unit(simd, turn).turned::<false>(vector(simd, from));
+    ((vector(simd, d) - turned) - low).vector(0)
 }

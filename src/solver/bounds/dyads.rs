@@ -1,16 +1,19 @@
 //! Bounds of the dyads that stand on circles and on rails of the ground.
 
 use super::aim::limb_of;
-use super::errors::{Errors, PointError, size};
+use super::errors::Errors;
 use super::influence::Influences;
 use super::limb::Limb;
-use super::meeting::{Meeting, Met, meet};
+use super::meeting::{Meeting, meet};
+use super::off::PointOff;
+use super::places::{Bodies, Places};
 use super::rail::Rail;
 use super::shape::{Shape, stretch};
-use crate::arithmetic::{Both, U};
-use crate::solver::elements::{Arm, CircleRail, Circles};
-use crate::solver::state::{LinkState, PointState, State};
-use crate::{Ball, Number, PointId, Vec2};
+use crate::Ball;
+use crate::arithmetic::U;
+use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, number, others};
+use crate::solver::elements::{CircleRail, Circles};
+use crate::solver::state::State;
 
 /// What a computed inverse rounds in long chains, in units of its condition number.
 const INVERSE: f64 = 16.0 * U;
@@ -24,26 +27,26 @@ fn open(length: f64, (own, left): (f64, f64), has_row: bool, condition: f64) -> 
 }
 
 /// Two arms, from end to end.
-struct Pair<'a> {
-    /// The ways, each in the place of the other one.
-    others: Vec2<Both>,
-    /// 1 / (e1 x e2).
-    inverse: f64,
-    gains: Both,
-    lengths: Both,
+struct Pair<'a, S: Simd> {
+    /// The ways, each in the place of the other one,
+    others: f64x4<S>,
+    /// and these over e1 x e2, for the second arm with the other sign.
+    turning: f64x4<S>,
+    gains: f64x4<S>,
+    lengths: f64x4<S>,
     dyad: &'a Circles,
 }
 
-impl<'a> Pair<'a> {
+impl<'a, S: Simd> Pair<'a, S> {
     #[inline(always)]
-    fn of<const FUSED: bool>(dyad: &'a Circles, limbs: &Limb<Both, FUSED>) -> Pair<'a> {
-        let Vec2 { x, y } = limbs.e;
-        let others = limbs.e.map(Both::swapped);
-        let inverse = 1.0 / (x.0[0] * y.0[1] - y.0[0] * x.0[1]);
+    fn of<const FUSED: bool>(dyad: &'a Circles, limbs: &Limb<f64x4<S>, FUSED>) -> Self {
+        let opposite = others(limbs.e);
+        // e2 . (k x e1) is e1 x e2.
+        let inverse = opposite.all(1.0) / opposite.dot(limbs.across[0]);
         Pair {
-            others,
-            inverse,
-            gains: limbs.length.swapped() * Both::exactly(inverse.abs()),
+            others: opposite,
+            turning: opposite * inverse,
+            gains: others(limbs.length) * inverse.abs(),
             lengths: limbs.length,
             dyad,
         }
@@ -51,44 +54,39 @@ impl<'a> Pair<'a> {
 
     /// Says by rows how sources move the joint.
     fn write_rows(&self, rows: &mut Influences) {
-        let gradients = [self.others.one(1), self.others.one(0)];
+        let gradients = [self.others.vector(1), self.others.vector(0)];
         let columns = [
-            -self.others.one(0).perp() * self.inverse,
-            self.others.one(1).perp() * self.inverse,
+            -self.turning.vector(0).perp(),
+            -self.turning.vector(1).perp(),
         ];
         let from = [Some(self.dyad.near.pivot), Some(self.dyad.far.pivot)];
         rows.pair(self.dyad.point, gradients, columns, from);
     }
 }
 
-impl Meeting<Both> for Pair<'_> {
+impl<S: Simd> Meeting<f64x4<S>> for Pair<'_, S> {
     #[inline(always)]
-    fn gains(&self) -> Both {
+    fn gains(&self) -> f64x4<S> {
         self.gains
     }
 
+    /// The second arm sees the gap from the other side.
     #[inline(always)]
-    fn close(&self, _: usize, ends: Vec2<Both>) -> (Both, f64) {
-        let gap = ends.one(1) - ends.one(0);
-        let turning = self.others.dot(Vec2::both(gap, gap)) * Both::exactly(self.inverse);
-        (turning, size(gap))
+    fn close(&self, _: usize, ends: f64x4<S>) -> (f64x4<S>, f64x4<S>) {
+        let gap = others(ends) - ends;
+        (self.turning.dot(gap), gap.size())
     }
 
     #[inline(always)]
-    fn sum(&self, parts: Both) -> f64 {
-        parts.sum()
-    }
-
-    #[inline(always)]
-    fn rest(&self, _: usize) -> f64 {
-        0.0
+    fn with_rest(&self, _: usize, ends: f64x4<S>) -> f64x4<S> {
+        ends
     }
 
     fn rest_by_rows(
         &self,
         order: usize,
-        own: Both,
-        from: &PointError<Both>,
+        own: f64x4<S>,
+        from: &PointOff<f64x4<S>>,
         rows: &mut Influences,
     ) -> f64 {
         let Circles {
@@ -97,12 +95,12 @@ impl Meeting<Both> for Pair<'_> {
         if order == 0 {
             self.write_rows(rows);
         }
-        let condition = (self.gains * self.lengths).nearest();
+        let condition = (self.gains * self.lengths).number(0);
         let pivots = [near.pivot, far.pivot];
         let bounds = [0, 1].map(|i| {
-            let here = (own.0[i], from.left[order].0[i]);
+            let here = (own.number(i), from.left[order].number(i));
             open(
-                self.lengths.0[i],
+                self.lengths.number(i),
                 here,
                 rows.has_point(pivots[i]),
                 condition,
@@ -113,179 +111,151 @@ impl Meeting<Both> for Pair<'_> {
 }
 
 /// An arm whose end is on a rail.
-struct OnRail<'a> {
-    rail: Rail,
-    way: Vec2,
+struct OnRail<'a, S: Simd> {
+    rail: Rail<S>,
+    way: f64x2<S>,
     /// 1 / (e . t).
-    inverse: f64,
-    gain: f64,
-    length: f64,
+    inverse: f64x2<S>,
+    length: f64x2<S>,
     dyad: &'a CircleRail,
 }
 
-impl OnRail<'_> {
+impl<S: Simd> OnRail<'_, S> {
     /// As [`Pair::write_rows`].
     fn write_rows(&self, rows: &mut Influences) {
-        let (n, e) = (self.rail.normal, self.way);
+        let [n, e] = [self.rail.normal, self.way].map(|v| v.vector(0));
+        let inverse = self.inverse.number(0);
         // e . X = r and n . X = s where X = (-k x n r + k x e s) / (e x n), and e x n is e . t.
-        let columns = [-n.perp() * self.inverse, e.perp() * self.inverse];
+        let columns = [-n.perp() * inverse, e.perp() * inverse];
         let from = [Some(self.dyad.arm.pivot), None];
         rows.pair(self.dyad.point, [e, n], columns, from);
     }
 }
 
-impl Meeting<f64> for OnRail<'_> {
+impl<S: Simd> Meeting<f64x2<S>> for OnRail<'_, S> {
     #[inline(always)]
-    fn gains(&self) -> f64 {
-        self.gain
+    fn gains(&self) -> f64x2<S> {
+        self.inverse.abs()
     }
 
     /// n . (k x e) is e . t.
     #[inline(always)]
-    fn close(&self, order: usize, ends: Vec2) -> (f64, f64) {
+    fn close(&self, order: usize, ends: f64x2<S>) -> (f64x2<S>, f64x2<S>) {
         let gap = self.rail.values[order] + self.rail.normal.dot(ends);
         (-gap * self.inverse, gap.abs())
     }
 
     #[inline(always)]
-    fn sum(&self, parts: f64) -> f64 {
-        parts
-    }
-
-    #[inline(always)]
-    fn rest(&self, order: usize) -> f64 {
-        self.rail.fuzz[order]
+    fn with_rest(&self, order: usize, ends: f64x2<S>) -> f64x2<S> {
+        ends + self.rail.fuzz[order]
     }
 
     fn rest_by_rows(
         &self,
         order: usize,
-        own: f64,
-        from: &PointError,
+        own: f64x2<S>,
+        from: &PointOff<f64x2<S>>,
         rows: &mut Influences,
     ) -> f64 {
         if order == 0 {
             self.write_rows(rows);
         }
         let has_row = rows.has_point(self.dyad.arm.pivot);
-        let condition = self.gain * self.length;
-        let here = (own, from.left[order]);
+        let length = self.length.number(0);
+        let condition = self.gains().number(0) * length;
+        let here = (own.number(0), from.left[order].number(0));
         let bounds = [
-            open(self.length, here, has_row, condition),
-            self.rail.fuzz[order] * (1.0 + INVERSE * condition),
+            open(length, here, has_row, condition),
+            self.rail.fuzz[order].number(0) * (1.0 + INVERSE * condition),
         ];
         rows.bound(self.dyad.point, order, bounds)
     }
 }
 
-impl PointState<Both> {
-    #[inline(always)]
-    fn both(one: &PointState, two: &PointState) -> PointState<Both> {
-        PointState {
-            p: Vec2::both(one.p, two.p),
-            v: Vec2::both(one.v, two.v),
-            a: Vec2::both(one.a, two.a),
-        }
-    }
-}
-
-impl LinkState<Both> {
-    #[inline(always)]
-    fn both(one: &LinkState, two: &LinkState) -> LinkState<Both> {
-        LinkState {
-            d: Vec2::both(one.d, two.d),
-            w: Both([one.w, two.w]),
-            a: Both([one.a, two.a]),
-        }
-    }
-}
-
-impl PointError<Both> {
-    #[inline(always)]
-    fn both(one: &PointError, two: &PointError) -> PointError<Both> {
-        let shift = |k: usize| Vec2::both(one.shift[k], two.shift[k]);
-        let left = |k: usize| Both([one.left[k], two.left[k]]);
-        PointError {
-            shift: [shift(0), shift(1), shift(2)],
-            left: [left(0), left(1), left(2)],
-        }
-    }
-}
-
 impl Circles {
     #[inline(always)]
-    pub(super) fn enclose<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
+    pub(super) fn enclose<S: Simd, const FUSED: bool>(
         &self,
+        simd: S,
+        order: u8,
         state: &State,
         errors: &mut Errors,
         enclosure: &mut State<Ball>,
     ) -> bool {
         let (near, far) = (&self.near, &self.far);
-        let point = |p: PointId| &state.points[p.index()];
-        let link = |arm: &Arm| &state.links[arm.link.index()];
-        let x = point(self.point);
-        let ends = PointState::both(point(near.pivot), point(far.pivot));
-        let links = LinkState::both(link(near), link(far));
+        let x = Places::of(simd, &state.points[self.point.index()]);
+        let pivots = Places::both(
+            &Places::of(simd, &state.points[near.pivot.index()]),
+            &Places::of(simd, &state.points[far.pivot.index()]),
+        );
+        let links = Bodies::both(
+            &Bodies::of(simd, &state.links[near.link.index()]),
+            &Bodies::of(simd, &state.links[far.link.index()]),
+        );
         let limbs = Limb::<_, FUSED>::new(
-            &PointState::both(x, x),
-            &ends,
+            &Places::both(&x, &x),
+            &pivots,
             &links,
-            &Shape::of_arms(near, far),
+            &Shape::of_arms(simd, near, far),
             stretch::<_, FUSED>(links.d),
         );
-        let from = PointError::both(errors.point(near.pivot), errors.point(far.pivot));
+        let from = PointOff::both(
+            &PointOff::of(simd, errors.point(near.pivot)),
+            &PointOff::of(simd, errors.point(far.pivot)),
+        );
         let pair = Pair::of(self, &limbs);
-        let met = meet::<Both, ORDER, FUSED, ROWS>(&limbs, &from, &pair, &mut errors.influences);
-        let Some(Met {
-            joint,
-            links: mut error,
-            own,
-        }) = met
-        else {
+        let met = meet(order, &limbs, &from, &pair, &mut errors.influences);
+        let Some(mut met) = met else {
             return false;
         };
-        errors.set_point(self.point, &joint, state, enclosure);
-        if ROWS {
-            for (i, arm) in [near, far].into_iter().enumerate() {
-                let (e, own) = (limbs.e.one(i), own.map(|own| own.0[i]));
-                if let Some(rest) = errors.turn_by_rows(arm, (self.point, e), own) {
-                    (0..3).for_each(|k| error.rest[k].0[i] = rest[k]);
-                }
-            }
+        errors.set_point(self.point, &met.joint, &x, state, enclosure);
+        if errors.influences.matter::<FUSED>() {
+            let rests = [(near, 0), (far, 1)].map(|(arm, i)| {
+                let own = met.own.map(|own| own.number(i));
+                let by_rows = errors.turn_by_rows(arm, (self.point, limbs.e.vector(i)), own);
+                by_rows.unwrap_or_else(|| met.links.rest.map(|rest| rest.number(i)))
+            });
+            let rest = |which: usize, k: usize| number(simd, rests[which][k]);
+            met.links.rest = [0, 1, 2].map(|k| both(rest(0, k), rest(1, k)));
         }
-        errors.set_links([near.link, far.link], &error, &links, enclosure);
+        let [one, two] = met.links.enclosed(&links).halves();
+        errors.set_link(near.link, &one, state, enclosure);
+        errors.set_link(far.link, &two, state, enclosure);
         true
     }
 }
 
 impl CircleRail {
     #[inline(always)]
-    pub(super) fn enclose<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
+    pub(super) fn enclose<S: Simd, const FUSED: bool>(
         &self,
+        simd: S,
+        order: u8,
         state: &State,
         errors: &mut Errors,
         enclosure: &mut State<Ball>,
     ) -> bool {
         let arm = &self.arm;
-        let limb = limb_of::<FUSED>(arm, self.point, state);
-        let x = &state.points[self.point.index()];
-        let rail = Rail::new::<ORDER, FUSED>(x, [self.through, self.along]);
-        let inverse = 1.0 / limb.e.cross(rail.normal);
+        let x = Places::of(simd, &state.points[self.point.index()]);
+        let body = Bodies::of(simd, &state.links[arm.link.index()]);
+        let limb = limb_of::<_, FUSED>(simd, arm, (&x, &body), state);
+        let rail = Rail::new::<FUSED>(simd, &x, [self.through, self.along]);
+        // e x n.
+        let inverse = x.p.all(1.0) / rail.normal.dot(limb.across[0]);
         let on_rail = OnRail {
             rail,
             way: limb.e,
             inverse,
-            gain: inverse.abs(),
             length: limb.length,
             dyad: self,
         };
-        let from = &errors.points[arm.pivot.index()];
-        let met = meet::<f64, ORDER, FUSED, ROWS>(&limb, from, &on_rail, &mut errors.influences);
+        let from = PointOff::of(simd, errors.point(arm.pivot));
+        let met = meet(order, &limb, &from, &on_rail, &mut errors.influences);
         let Some(met) = met else {
             return false;
         };
-        errors.set_point(self.point, &met.joint, state, enclosure);
-        errors.aim::<ROWS>(arm, (self.point, limb.e), met, state, enclosure);
+        errors.set_point(self.point, &met.joint, &x, state, enclosure);
+        errors.aim::<_, FUSED>(arm, (self.point, limb.e), met, &body, state, enclosure);
         true
     }
 }

@@ -44,12 +44,12 @@ impl Errors {
             Part::Point(point) => {
                 let i = point.index();
                 let error = PointError::of_sharp(&edge.points[i], &state.points[i]);
-                self.set_point(point, &error, state, enclosure);
+                self.put_point(point, &error, state, enclosure);
             }
             Part::Link(link) => {
                 let i = link.index();
                 let error = LinkError::of_sharp(&edge.links[i], &state.links[i]);
-                self.set_link(link, &error, &state.links[i], enclosure);
+                self.put_link(link, &error, state, enclosure);
             }
             Part::Slide(_) => {}
         }

@@ -6,12 +6,15 @@
 
 use super::influence::Influences;
 use super::limb::SUM;
-use crate::arithmetic::{Both, INFLATION, Sharp, U};
+use super::off::{Enclosed, LinkOff, PointOff};
+use super::places::{Bodies, Places};
+use crate::arithmetic::plane::{Fallback, Simd, f64x2};
+use crate::arithmetic::{Sharp, U};
 use crate::solver::Workspace;
 use crate::solver::elements::Step;
 use crate::solver::engine::Engine;
 use crate::solver::state::{LinkState, PointState, State};
-use crate::{Ball, Constant, Double, LinkId, Number, PointId, Vec2};
+use crate::{Ball, Constant, Double, LinkId, PointId, Vec2};
 
 /// The length of a vector is at most its larger component and this part of the other one: where they are equal, and
 /// where one is zero, that is what it is, and in between it is less.
@@ -24,22 +27,22 @@ const TWICE: f64 = 1e-31;
 /// Aligned as states are, see [`PointState`].
 #[derive(Clone, Copy, Debug)]
 #[repr(align(128))]
-pub(super) struct PointError<T = f64> {
-    pub shift: [Vec2<T>; 3],
+pub(super) struct PointError {
+    pub shift: [Vec2; 3],
     /// Bounds of the length of the rest, with what adding up the shift rounds.
-    pub left: [T; 3],
+    pub left: [f64; 3],
 }
 
 /// The errors of a link's direction, angular velocity and acceleration.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(super) struct LinkError<T = f64> {
+pub(super) struct LinkError {
     /// By how much the true direction is longer than the computed one, and turned: d becomes d (1 + x + i y).
-    pub turn: Vec2<T>,
+    pub turn: Vec2,
     /// Of the velocity and of the acceleration.
-    pub shift: [T; 2],
+    pub shift: [f64; 2],
     /// Bounds of the rest: of the direction and of the rates.
-    pub rest: [T; 3],
+    pub rest: [f64; 3],
 }
 
 /// Of all points and links, and what of their rests comes from which constraint.
@@ -59,32 +62,8 @@ pub(in crate::solver) struct Errors {
 
 /// The sum of the sizes of the components.
 #[inline(always)]
-pub(super) fn size<T: Number>(v: Vec2<T>) -> T {
+pub(super) fn size(v: Vec2) -> f64 {
     v.x.abs() + v.y.abs()
-}
-
-/// What sums that a shift stands in round.
-#[inline(always)]
-pub(super) fn rounding<T: Number>(shift: Vec2<T>) -> T {
-    size(shift) * T::exactly(SUM)
-}
-
-/// Here a rest becomes a bound: it is a sum of positive terms, each rounded to nearest, and is widened by
-/// more than these can have lost. What the middle rounds is told by Dekker's short sum, or, where the shift is the
-/// larger one, is below 4 u of the shift: every rest is more.
-#[inline(always)]
-fn ball<T: Number>(value: T, shift: T, rest: T) -> (T, T) {
-    let mid = value + shift;
-    let lost = shift - (mid - value);
-    (mid, rest * T::exactly(INFLATION) + lost.abs())
-}
-
-#[inline(always)]
-fn balls(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Ball> {
-    let (value, shift) = (Both([value.x, value.y]), Both([shift.x, shift.y]));
-    let (mid, radius) = ball(value, shift, Both::exactly(rest));
-    let at = |i: usize| Ball::new(mid.0[i], radius.0[i]);
-    Vec2::new(at(0), at(1))
 }
 
 fn sharp(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Sharp> {
@@ -114,17 +93,9 @@ fn ways(sharp: Vec2<Sharp>, value: Vec2) -> (Vec2, f64) {
 }
 
 impl PointError {
-    /// Notes the shift of an order, and what is left.
-    #[inline(always)]
-    pub(super) fn settle(&mut self, order: usize, shift: Vec2, left: f64) {
-        self.shift[order] = shift;
-        self.left[order] = left + rounding(shift);
-    }
-
     fn new(shift: [Vec2; 3], left: [f64; 3]) -> PointError {
-        let mut error = PointError::none();
-        (0..3).for_each(|order| error.settle(order, shift[order], left[order]));
-        error
+        let left = std::array::from_fn(|order| left[order] + size(shift[order]) * SUM);
+        PointError { shift, left }
     }
 
     /// Of a point that was found in twice the digits.
@@ -144,40 +115,6 @@ impl PointError {
             a: sharp(value.a, self.shift[2], self.left[2]),
         }
     }
-
-    #[inline(always)]
-    fn balls(&self, value: &PointState) -> PointState<Ball> {
-        PointState {
-            p: balls(value.p, self.shift[0], self.left[0]),
-            v: balls(value.v, self.shift[1], self.left[1]),
-            a: balls(value.a, self.shift[2], self.left[2]),
-        }
-    }
-}
-
-impl<T: Number> PointError<T> {
-    /// No error.
-    #[inline(always)]
-    pub(super) fn none() -> PointError<T> {
-        let none = T::default();
-        PointError {
-            shift: [Vec2::new(none, none); 3],
-            left: [none; 3],
-        }
-    }
-}
-
-impl<T: Number> LinkError<T> {
-    /// No error.
-    #[inline(always)]
-    pub(super) fn none() -> LinkError<T> {
-        let none = T::default();
-        LinkError {
-            turn: Vec2::new(none, none),
-            shift: [none; 2],
-            rest: [none; 3],
-        }
-    }
 }
 
 impl LinkError {
@@ -188,8 +125,8 @@ impl LinkError {
         let most = size(way) + rest;
         LinkError {
             turn: way.turned(d.conj()),
+            shift: [0.0; 2],
             rest: [rest + most * (4.0 * most + SUM), 0.0, 0.0],
-            ..LinkError::none()
         }
     }
 
@@ -212,19 +149,6 @@ impl LinkError {
             d: sharp(value.d, direction, self.rest[0]),
             w: number(value.w, self.shift[0], self.rest[1]),
             a: number(value.a, self.shift[1], self.rest[2]),
-        }
-    }
-
-    #[inline(always)]
-    fn balls(&self, value: &LinkState) -> LinkState<Ball> {
-        let rests = Both([self.rest[1], self.rest[2]]);
-        let (mid, radius) = ball(Both([value.w, value.a]), Both(self.shift), rests);
-        let at = |i: usize| Ball::new(mid.0[i], radius.0[i]);
-        let direction = value.d.turned(self.turn);
-        LinkState {
-            d: balls(value.d, direction, self.rest[0]),
-            w: at(0),
-            a: at(1),
         }
     }
 }
@@ -270,29 +194,74 @@ impl Errors {
     }
 
     /// Where a slide is, in twice the digits, where these are asked for.
-    pub(super) fn travel<const ORDER: u8>(&mut self, step: &Step) {
+    pub(super) fn travel(&mut self, step: &Step, order: u8) {
         if self.feeds_sharp
             && let Some(sharp) = &mut self.sharp
         {
-            super::travel::<Sharp, ORDER>(step, &mut sharp.state);
+            super::travel(step, order, &mut sharp.state);
         }
     }
 
-    /// Notes the error of a point, and encloses it.
+    /// Notes the error of a point that is here, and encloses it.
     #[inline(always)]
-    pub(super) fn set_point(
+    pub(super) fn set_point<S: Simd>(
+        &mut self,
+        point: PointId,
+        error: &PointOff<f64x2<S>>,
+        here: &Places<f64x2<S>>,
+        state: &State,
+        enclosure: &mut State<Ball>,
+    ) {
+        let i = point.index();
+        self.points[i] = error.kept();
+        enclosure.points[i] = error.balls(here);
+        if self.feeds_sharp {
+            self.sharpen_point(i, state);
+        }
+    }
+
+    /// The same of an error that was found apart.
+    pub(super) fn put_point(
         &mut self,
         point: PointId,
         error: &PointError,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
-        let i = point.index();
-        self.points[i] = *error;
-        enclosure.points[i] = error.balls(&state.points[i]);
+        let simd = Fallback::new();
+        let here = Places::of(simd, &state.points[point.index()]);
+        self.set_point(point, &PointOff::of(simd, error), &here, state, enclosure);
+    }
+
+    /// Notes the error of a link, and encloses it.
+    #[inline(always)]
+    pub(super) fn set_link<S: Simd>(
+        &mut self,
+        link: LinkId,
+        enclosed: &Enclosed<f64x2<S>>,
+        state: &State,
+        enclosure: &mut State<Ball>,
+    ) {
+        let i = link.index();
+        self.links[i] = enclosed.kept();
+        enclosure.links[i] = enclosed.balls();
         if self.feeds_sharp {
-            self.sharpen_point(i, state);
+            self.sharpen_link(i, state);
         }
+    }
+
+    /// The same of an error that was found apart.
+    pub(super) fn put_link(
+        &mut self,
+        link: LinkId,
+        error: &LinkError,
+        state: &State,
+        enclosure: &mut State<Ball>,
+    ) {
+        let simd = Fallback::new();
+        let here = Bodies::of(simd, &state.links[link.index()]);
+        let enclosed = LinkOff::of(simd, error).enclosed(&here);
+        self.set_link(link, &enclosed, state, enclosure);
     }
 
     #[cold]
@@ -303,66 +272,9 @@ impl Errors {
     }
 
     #[cold]
-    fn sharpen_link(&mut self, i: usize, value: &LinkState) {
+    fn sharpen_link(&mut self, i: usize, state: &State) {
         if let Some(sharp) = &mut self.sharp {
-            sharp.state.links[i] = self.links[i].sharp(value);
-        }
-    }
-
-    /// Notes the errors of two links, and encloses them.
-    #[inline(always)]
-    pub(super) fn set_links(
-        &mut self,
-        links: [LinkId; 2],
-        error: &LinkError<Both>,
-        value: &LinkState<Both>,
-        enclosure: &mut State<Ball>,
-    ) {
-        let direction = value.d.turned(error.turn);
-        let enclosed = [
-            ball(value.d.x, direction.x, error.rest[0]),
-            ball(value.d.y, direction.y, error.rest[0]),
-            ball(value.w, error.shift[0], error.rest[1]),
-            ball(value.a, error.shift[1], error.rest[2]),
-        ];
-        for (i, link) in links.into_iter().enumerate() {
-            let at = |k: usize| Ball::new(enclosed[k].0.0[i], enclosed[k].1.0[i]);
-            let error = LinkError {
-                turn: error.turn.one(i),
-                shift: [error.shift[0].0[i], error.shift[1].0[i]],
-                rest: [error.rest[0].0[i], error.rest[1].0[i], error.rest[2].0[i]],
-            };
-            enclosure.links[link.index()] = LinkState {
-                d: Vec2::new(at(0), at(1)),
-                w: at(2),
-                a: at(3),
-            };
-            self.links[link.index()] = error;
-            if self.feeds_sharp {
-                let value = LinkState {
-                    d: value.d.one(i),
-                    w: value.w.0[i],
-                    a: value.a.0[i],
-                };
-                self.sharpen_link(link.index(), &value);
-            }
-        }
-    }
-
-    /// Notes the error of a link, and encloses it.
-    #[inline(always)]
-    pub(super) fn set_link(
-        &mut self,
-        link: LinkId,
-        error: &LinkError,
-        value: &LinkState,
-        enclosure: &mut State<Ball>,
-    ) {
-        let i = link.index();
-        self.links[i] = *error;
-        enclosure.links[i] = error.balls(value);
-        if self.feeds_sharp {
-            self.sharpen_link(i, value);
+            sharp.state.links[i] = self.links[i].sharp(&state.links[i]);
         }
     }
 }

@@ -247,6 +247,12 @@ impl Influences {
         self.is_long
     }
 
+    /// The same, asked of code that is compiled once for short chains alone: `FUSED`.
+    #[inline(always)]
+    pub(super) fn matter<const FUSED: bool>(&self) -> bool {
+        !FUSED && self.is_long
+    }
+
     /// Whether a point has a row.
     #[inline(always)]
     pub(super) fn has_point(&self, point: PointId) -> bool {

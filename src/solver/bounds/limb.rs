@@ -22,11 +22,10 @@
 //! What the first order leaves out are products of two errors: one of the turning with one of the way, at each order
 //! at most `slack` times the turning; and the others where they arise.
 
-use super::errors::size;
-use super::shape::{Shape, turned_closely};
-use crate::arithmetic::{Halves, U, two_sum};
-use crate::solver::state::{LinkState, PointState};
-use crate::{Number, Vec2};
+use super::places::{Bodies, Places};
+use super::shape::Shape;
+use crate::arithmetic::U;
+use crate::arithmetic::plane::Plane;
 
 /// What residuals in twice the precision still round, in parts of the size of their terms.
 pub(super) const RESIDUAL: f64 = 32.0 * U * U;
@@ -41,135 +40,114 @@ const TURNING: f64 = 16.0 * U;
 /// What moves a way, or a rate of it, besides the order's own turning: the shift, how far it is moved at most, and what
 /// is not known of it but for what the rests of lower orders make of it, see [`Limb::carried_rate`].
 #[derive(Clone, Copy)]
-pub(super) struct Drift<T> {
-    pub shift: Vec2<T>,
-    pub most: T,
-    pub new: T,
+pub(super) struct Drift<V> {
+    pub shift: V,
+    pub most: V,
+    pub new: V,
 }
 
 /// What moves a vector: the shift to the first order, how far it is moved at most, and what is not known of it.
 #[derive(Clone, Copy)]
-pub(super) struct Moved<T> {
-    pub shift: Vec2<T>,
-    pub most: T,
-    pub rest: T,
+pub(super) struct Moved<V> {
+    pub shift: V,
+    pub most: V,
+    pub rest: V,
 }
 
 /// The same of an angle or of its rates.
 #[derive(Clone, Copy)]
-pub(super) struct Turned<T> {
-    pub shift: T,
-    pub most: T,
-    pub rest: T,
+pub(super) struct Turned<V> {
+    pub shift: V,
+    pub most: V,
+    pub rest: V,
 }
 
 /// A way between two points of a link, with what it misses; or two such at once. What the rates miss is found when it is
 /// asked for: it has nothing to do with what the orders before have come to, and so takes no time beside that.
-pub(super) struct Limb<T, const FUSED: bool> {
-    pub e: Vec2<T>,
-    /// What e leaves out of the way.
-    lost: Vec2<T>,
-    halves: Vec2<Halves<T, FUSED>>,
-    ends: [PointState<T>; 2],
-    link: LinkState<T>,
-    miss: Vec2<T>,
+pub(super) struct Limb<V, const FUSED: bool> {
+    pub e: V,
+    /// k x e, and of what e leaves out of the way.
+    pub across: [V; 2],
+    ends: [Places<V>; 2],
+    omega: V,
+    alpha: V,
+    miss: V,
     /// By how much the true direction is longer than the computed one.
-    pub stretch: T,
+    pub stretch: V,
     /// |s e| + |miss| at most, |e| at most, and what typed digits and residuals leave open of e: eight times as much
     /// of residuals as theirs, which covers, times the link's rates, the residuals of the way's.
-    strain: T,
-    pub length: T,
-    open: T,
+    strain: V,
+    pub length: V,
+    open: V,
 }
 
 /// The rate of a way.
-pub(super) struct Rate<T> {
-    w: Vec2<T>,
-    /// What w leaves out.
-    lost: Vec2<T>,
+pub(super) struct Rate<V> {
+    /// k x w, and of what w leaves out.
+    across: [V; 2],
     /// |w| at most.
-    speed: T,
+    speed: V,
 }
 
-/// x - p, and what that leaves out.
-#[inline(always)]
-fn difference<T: Number>(x: Vec2<T>, p: Vec2<T>) -> [Vec2<T>; 2] {
-    let (dx, lost_x) = two_sum(x.x, -p.x);
-    let (dy, lost_y) = two_sum(x.y, -p.y);
-    [Vec2::new(dx, dy), Vec2::new(lost_x, lost_y)]
-}
-
-impl<T: Number, const FUSED: bool> Limb<T, FUSED> {
+impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
     /// From `p` to `x`, on a link in a direction that is too short by `stretch`.
     #[inline(always)]
     pub(super) fn new(
-        x: &PointState<T>,
-        p: &PointState<T>,
-        link: &LinkState<T>,
-        shape: &Shape<T>,
-        stretch: T,
+        x: &Places<V>,
+        p: &Places<V>,
+        link: &Bodies<V>,
+        shape: &Shape<V>,
+        stretch: V,
     ) -> Self {
-        let [e, lost] = difference(x.p, p.p);
-        let [carried, low] =
-            turned_closely::<T, FUSED>([shape.local, shape.low], shape.is_straight, link.d);
+        let [e, lost] = x.p.plus(-p.p);
+        let [carried, low] = shape.turned::<FUSED>(link.d);
         let miss = (e - carried) + (lost - low);
-        let strain = size(miss) + stretch.abs() * shape.length;
-        let length = shape.length * T::exactly(1.0 + LONGER);
+        let strain = miss.size() + stretch.abs() * shape.length;
+        let length = shape.length * (1.0 + LONGER);
         Limb {
             e,
-            lost,
-            halves: e.map(Halves::of),
+            across: [e.perp(), lost.perp()],
             ends: [*x, *p],
-            link: *link,
+            omega: link.rates.x(),
+            alpha: link.rates.y(),
             miss,
             stretch,
             strain,
             length,
-            open: shape.off + length * T::exactly(8.0 * RESIDUAL),
+            open: shape.off + length * (8.0 * RESIDUAL),
         }
     }
 
     /// The rate of the way, and rho.
     #[inline(always)]
-    fn see_rate(&self) -> ([Vec2<T>; 2], Vec2<T>) {
+    fn see_rate(&self) -> ([V; 2], V) {
         let [x, p] = &self.ends;
-        let [w, low] = difference(x.v, p.v);
-        let (spin, omega, lost) = (self.link.w, Halves::of(self.link.w), self.lost);
-        // w + omega (e.y, -e.x), the products largest and almost opposite.
-        let (y, x) = (omega.times(self.halves.y), omega.times(self.halves.x));
-        let rho = Vec2::new(
-            (w.x + y.hi) + (low.x + (y.lo + spin * lost.y)),
-            (w.y - x.hi) + (low.y - (x.lo + spin * lost.x)),
-        );
-        ([w, low], rho)
+        let [w, low] = x.v.plus(-p.v);
+        let [across, lost] = self.across;
+        let [turning, rest] = self.omega.times::<FUSED>(across);
+        // The first two are all but equal.
+        let rho = (w - turning) + (low - (rest + self.omega * lost));
+        ([w.perp(), low.perp()], rho)
     }
 
     /// Sigma.
     #[inline(always)]
-    fn see_second(&self, rate: &Rate<T>) -> Vec2<T> {
+    fn see_second(&self, rate: &Rate<V>) -> V {
         let [x, p] = &self.ends;
-        let [a, low] = difference(x.a, p.a);
-        let LinkState {
-            w: spin, a: gain, ..
-        } = self.link;
-        let (omega, alpha) = (Halves::<T, FUSED>::of(spin), Halves::of(gain));
-        // alpha e + omega w, of one component.
-        let part = |e: Halves<T, FUSED>, lost: T, w: T, low: T| {
-            let (turning, driven) = (alpha.times(e), omega.times(Halves::of(w)));
-            let (sum, rest) = two_sum(turning.hi, driven.hi);
-            let small = rest + (turning.lo + driven.lo) + (gain * lost + spin * low);
-            (sum, small)
-        };
-        let y = part(self.halves.y, self.lost.y, rate.w.y, rate.lost.y);
-        let x = part(self.halves.x, self.lost.x, rate.w.x, rate.lost.x);
-        Vec2::new((a.x + y.0) + (low.x + y.1), (a.y - x.0) + (low.y - x.1))
+        let [a, low] = x.a.plus(-p.a);
+        let ([e, e_lost], [w, w_lost]) = (self.across, rate.across);
+        let [turning, rest] = self.alpha.times::<FUSED>(e);
+        let [driven, rest_driven] = self.omega.times::<FUSED>(w);
+        let [sum, lost] = turning.plus(driven);
+        let small = lost + (rest + rest_driven) + (self.alpha * e_lost + self.omega * w_lost);
+        (a - sum) + (low - small)
     }
 
     /// What moves e besides the turning.
     #[inline(always)]
-    pub(super) fn drift(&self) -> Drift<T> {
+    pub(super) fn drift(&self) -> Drift<V> {
         // The direction's length is 1 to the first order in the stretch; the second is in the strain.
-        let rounding = T::exactly(SUM) + self.stretch.abs().scaled(2.0);
+        let rounding = self.stretch.abs() * 2.0 + SUM;
         Drift {
             shift: self.e * self.stretch - self.miss,
             most: self.strain,
@@ -179,56 +157,56 @@ impl<T: Number, const FUSED: bool> Limb<T, FUSED> {
 
     /// The same of its rate, once it is known what moves e; and that rate.
     #[inline(always)]
-    pub(super) fn drift_of_rate(&self, e: &Moved<T>) -> (Drift<T>, Rate<T>) {
-        let ([w, lost], rho) = self.see_rate();
-        let (omega, off) = (self.link.w.abs(), size(rho));
+    pub(super) fn drift_of_rate(&self, e: &Moved<V>) -> (Drift<V>, Rate<V>) {
+        let (across, rho) = self.see_rate();
+        let (omega, off) = (self.omega.abs(), rho.size());
         let most = omega * e.most + off;
         let drift = Drift {
-            shift: e.shift.perp() * self.link.w - rho,
+            shift: e.shift.perp() * self.omega - rho,
             most,
-            new: most * T::exactly(2.0 * SUM),
+            new: most * (2.0 * SUM),
         };
         let speed = omega * self.length + off;
-        (drift, Rate { w, lost, speed })
+        (drift, Rate { across, speed })
     }
 
     /// The same of its second rate, once it is known what moves the angular velocity.
     #[inline(always)]
     pub(super) fn drift_of_second(
         &self,
-        [e, w]: [&Moved<T>; 2],
-        rate: &Rate<T>,
-        spin: &Turned<T>,
-    ) -> Drift<T> {
+        [e, w]: [&Moved<V>; 2],
+        rate: &Rate<V>,
+        spin: &Turned<V>,
+    ) -> Drift<V> {
         let sigma = self.see_second(rate);
-        let (omega, alpha) = (self.link.w.abs(), self.link.a.abs());
-        let most = alpha * e.most + omega * w.most + spin.most * rate.speed + size(sigma);
+        let (omega, alpha) = (self.omega.abs(), self.alpha.abs());
+        let most = alpha * e.most + omega * w.most + spin.most * rate.speed + sigma.size();
         Drift {
-            shift: e.shift.perp() * self.link.a
-                + w.shift.perp() * self.link.w
-                + rate.w.perp() * spin.shift
+            shift: e.shift.perp() * self.alpha
+                + w.shift.perp() * self.omega
+                + rate.across[0] * spin.shift
                 - sigma,
             most,
-            new: spin.most * w.most + most * T::exactly(2.0 * SUM),
+            new: spin.most * w.most + most * (2.0 * SUM),
         }
     }
 
     /// What a rest of e makes of the rate.
     #[inline(always)]
-    pub(super) fn carried_rate(&self, e: T) -> T {
-        self.link.w.abs() * e
+    pub(super) fn carried_rate(&self, e: V) -> V {
+        self.omega.abs() * e
     }
 
     /// What a rest of e makes of the second rate.
     #[inline(always)]
-    pub(super) fn carried_second(&self, e: T) -> T {
-        self.link.a.abs() * e
+    pub(super) fn carried_second(&self, e: V) -> V {
+        self.alpha.abs() * e
     }
 
     /// What rests of w and of the angular velocity make of it.
     #[inline(always)]
-    pub(super) fn carried_by_rate(&self, w: T, rate: &Rate<T>, spin: T) -> T {
-        self.link.w.abs() * w + rate.speed * spin
+    pub(super) fn carried_by_rate(&self, w: V, rate: &Rate<V>, spin: V) -> V {
+        self.omega.abs() * w + rate.speed * spin
     }
 
     /// The same of a way that may be longer than its link says by as much as it likes.
@@ -241,20 +219,27 @@ impl<T: Number, const FUSED: bool> Limb<T, FUSED> {
     /// Whether the way is as long as the link says. Written so that NaN is not.
     #[inline(always)]
     pub(super) fn fits(&self) -> bool {
-        (self.length * T::exactly(0.5 * LONGER)).exceeds(self.strain)
+        (self.length * (0.5 * LONGER)).exceeds(self.strain)
     }
 
     /// How far the way that the link turns can be from the computed one, if the link is off by so much.
     #[inline(always)]
-    pub(super) fn slack(&self, turned: T) -> T {
-        self.strain + self.length * (turned + T::exactly(TURNING))
+    pub(super) fn slack(&self, turned: V) -> V {
+        self.strain + self.length * (turned + TURNING)
+    }
+
+    /// How far something at the end of the way turns it at most: the way may be as much shorter than `length` as it may
+    /// be longer than its link says, twice.
+    #[inline(always)]
+    pub(super) fn turning(&self, end: V) -> V {
+        end * (1.0 + 3.0 * LONGER) / self.length
     }
 
     /// What moves the way, or a rate of it: its drift and the turning, with this rest.
     #[inline(always)]
-    pub(super) fn way(&self, drift: &Drift<T>, turned: &Turned<T>, rest: T) -> Moved<T> {
+    pub(super) fn way(&self, drift: &Drift<V>, turned: &Turned<V>, rest: V) -> Moved<V> {
         Moved {
-            shift: drift.shift + self.e.perp() * turned.shift,
+            shift: drift.shift + self.across[0] * turned.shift,
             most: drift.most + self.length * turned.most,
             rest,
         }

@@ -28,84 +28,79 @@
 //! of arm i has a rest of (1 + |e_i| g_i) R at most, and the angle of g_i R: so what the rests of one order make of the
 //! next is known as a part of R before R is.
 
-use super::errors::{LinkError, PointError, rounding};
 use super::influence::Influences;
 use super::limb::{Drift, Limb, Moved, RESIDUAL, Turned};
+use super::off::{LinkOff, PointOff, rounding};
+use crate::arithmetic::plane::Plane;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
-use crate::{Number, Vec2};
 
 /// The most by which Krawczyk's operator may fail to shrink: beyond, nothing is proved.
 const CONTRACTION: f64 = 0.25;
 /// By how much more than to the first order an arm may turn.
 const GROWTH: f64 = 1.5;
 
-/// What the ends of one or two arms must keep to.
-pub(super) trait Meeting<T> {
+/// What the ends of one or two arms must keep to. What belongs to the meeting is in all places.
+pub(super) trait Meeting<V> {
     /// The gains.
-    fn gains(&self) -> T;
+    fn gains(&self) -> V;
 
     /// What closes it at an order, once the ends are so much off: the turnings, and how much is open.
-    fn close(&self, order: usize, ends: Vec2<T>) -> (T, f64);
+    fn close(&self, order: usize, ends: V) -> (V, V);
 
-    /// The sum over the arms.
-    fn sum(&self, parts: T) -> f64;
-
-    /// What is not known at an order of what the ends must keep to.
-    fn rest(&self, order: usize) -> f64;
+    /// So much that is not known of the ends, with what is not known at an order of what they must keep to.
+    fn with_rest(&self, order: usize, ends: V) -> V;
 
     /// How far what is not known of the joint goes in a long chain, when the arms themselves leave so much open.
-    fn rest_by_rows(
-        &self,
-        order: usize,
-        own: T,
-        from: &PointError<T>,
-        rows: &mut Influences,
-    ) -> f64;
+    fn rest_by_rows(&self, order: usize, own: V, from: &PointOff<V>, rows: &mut Influences) -> f64;
 }
 
 /// The joint's error, those of the links whose arms meet there, and what each arm leaves open at each order.
-pub(super) struct Met<T> {
-    pub joint: PointError,
-    pub links: LinkError<T>,
-    pub own: [T; 3],
+pub(super) struct Met<V: Plane> {
+    pub joint: PointOff<V::One>,
+    pub links: LinkOff<V>,
+    pub own: [V; 3],
 }
 
 /// One order of a meeting: what is open in all, of which nothing is known, is the rest of the ends.
-struct Found<T> {
-    turned: Turned<T>,
-    way: Moved<T>,
-    own: T,
-    open: f64,
-    joint: f64,
+struct Found<V> {
+    turned: Turned<V>,
+    way: Moved<V>,
+    own: V,
+    open: V,
+    joint: V,
 }
 
 /// What is open at an order: of the drifts, what closes it, how much is not known of it before the turning is, and in
 /// all. `carried` is what rests of lower orders make of each arm.
-struct Open<T> {
-    drift: Drift<T>,
-    carried: T,
-    turning: T,
-    known: f64,
-    all: f64,
+struct Open<V> {
+    drift: Drift<V>,
+    carried: V,
+    turning: V,
+    known: V,
+    all: V,
 }
 
 /// How a meeting is looked at, at every order.
-struct View<'a, T, M, const FUSED: bool, const ROWS: bool> {
-    limb: &'a Limb<T, FUSED>,
-    from: &'a PointError<T>,
+struct View<'a, V, M, const FUSED: bool> {
+    limb: &'a Limb<V, FUSED>,
+    from: &'a PointOff<V>,
     meeting: &'a M,
-    gains: T,
+    gains: V,
     /// How far the rest of the ends goes in each way.
-    reach: T,
+    reach: V,
 }
 
-impl<T: Number, M: Meeting<T>, const FUSED: bool, const ROWS: bool> View<'_, T, M, FUSED, ROWS> {
+impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
     #[inline(always)]
-    fn open(&self, order: usize, drift: Drift<T>, (carried, all): (T, f64)) -> Open<T> {
+    fn open(&self, order: usize, drift: Drift<V>, carried: Option<(V, V)>) -> Open<V> {
         let Self { from, meeting, .. } = self;
         let (turning, gap) = meeting.close(order, from.shift[order] + drift.shift);
-        let new = meeting.sum(drift.new + from.left[order]) + meeting.rest(order);
-        let known = new + all;
+        let new = (drift.new + from.left[order]).total();
+        let new = meeting.with_rest(order, new);
+        let (carried, known) = match carried {
+            Some((each, all)) => (each, new + all),
+            None => (gap.all(0.0), new),
+        };
         Open {
             drift,
             carried,
@@ -115,148 +110,164 @@ impl<T: Number, M: Meeting<T>, const FUSED: bool, const ROWS: bool> View<'_, T, 
         }
     }
 
-    /// How far something turns the arms.
-    #[inline(always)]
-    fn turned(&self, open: f64) -> T {
-        self.gains * T::exactly(open)
-    }
-
     /// What is found at an order once it is known how large the turning can be, and how much that opens besides on each
     /// arm and in all.
     #[inline(always)]
     fn settle(
         &self,
         order: usize,
-        of: &Open<T>,
-        most: T,
-        (besides, sum): (T, f64),
+        of: &Open<V>,
+        most: V,
+        (besides, sum): (V, V),
         rows: &mut Influences,
-    ) -> Found<T> {
+    ) -> Found<V> {
         let Self {
             limb,
             from,
             meeting,
             ..
         } = self;
+        let none = most.all(0.0);
         let mut turned = Turned {
             shift: of.turning,
             most,
-            rest: T::default(),
+            rest: none,
         };
-        if ROWS {
+        if rows.matter::<FUSED>() {
             // What the point that an arm starts from rounds is in no row.
             let own = of.drift.new + of.carried + besides + rounding(from.shift[order]);
-            let joint = meeting.rest_by_rows(order, own, from, rows);
-            let between = from.left[order] + T::exactly(joint);
-            turned.rest = (between + own) / limb.length;
+            let joint = most.all(meeting.rest_by_rows(order, own, from, rows));
+            let between = from.left[order] + joint;
+            turned.rest = limb.turning(between + own);
             return Found {
                 turned,
                 way: limb.way(&of.drift, &turned, between),
                 own,
-                open: 0.0,
+                open: none,
                 joint,
             };
         }
         let open = of.known + sum;
-        turned.rest = self.turned(open);
+        turned.rest = self.gains * open;
         Found {
             turned,
-            way: limb.way(&of.drift, &turned, self.reach * T::exactly(open)),
-            own: T::default(),
+            way: limb.way(&of.drift, &turned, self.reach * open),
+            own: none,
             open,
-            joint: (limb.length * turned.rest).nearest(),
+            joint: limb.length * turned.rest,
         }
     }
 
-    /// The shift of the joint at an order, by the first of its arms.
+    /// The same of a rate, where a turning opens so much of it on each arm, and this part in all.
     #[inline(always)]
-    fn joint(&self, order: usize, way: &Moved<T>) -> Vec2 {
-        (self.from.shift[order] + way.shift).nearest()
+    fn rate(
+        &self,
+        order: usize,
+        drift: Drift<V>,
+        carried: Option<(V, V)>,
+        (slack, part): (V, V),
+        rows: &mut Influences,
+    ) -> Found<V> {
+        let open = self.open(order, drift, carried);
+        let most = self.gains * (open.all * GROWTH);
+        self.settle(order, &open, most, (slack * most, part * open.all), rows)
     }
 
-    /// What rests of lower orders make of each arm and of all, the first in long chains alone.
+    /// The error of the joint at an order, by the first of its arms.
     #[inline(always)]
-    fn carried(&self, each: impl FnOnce() -> T, all: impl FnOnce() -> f64) -> (T, f64) {
-        if ROWS {
+    fn note(&self, order: usize, found: &Found<V>, joint: &mut PointOff<V::One>) {
+        let shift = (self.from.shift[order] + found.way.shift).first();
+        joint.settle(order, shift, found.joint.first());
+    }
+
+    /// What rests of lower orders make of each arm, in long chains alone, and of all.
+    #[inline(always)]
+    fn carried(
+        &self,
+        each: impl FnOnce() -> V,
+        all: impl FnOnce() -> V,
+        rows: &Influences,
+    ) -> Option<(V, V)> {
+        Some(if rows.matter::<FUSED>() {
             let each = each();
-            (each, self.meeting.sum(each))
+            (each, each.total())
         } else {
-            (T::default(), all())
-        }
+            (self.gains.all(0.0), all())
+        })
     }
 }
 
 /// Closes a meeting of arms, each from a point with this error; nothing where that cannot be proved.
 #[inline(always)]
-pub(super) fn meet<T: Number, const ORDER: u8, const FUSED: bool, const ROWS: bool>(
-    limb: &Limb<T, FUSED>,
-    from: &PointError<T>,
-    meeting: &impl Meeting<T>,
+pub(super) fn meet<V: Plane, const FUSED: bool>(
+    order: u8,
+    limb: &Limb<V, FUSED>,
+    from: &PointOff<V>,
+    meeting: &impl Meeting<V>,
     rows: &mut Influences,
-) -> Option<Met<T>> {
-    let (mut joint, mut links) = (PointError::none(), LinkError::none());
-    let mut own = [T::default(); 3];
+) -> Option<Met<V>> {
     let gains = meeting.gains();
-    let view = View::<'_, _, _, FUSED, ROWS> {
+    let none = gains.all(0.0);
+    let mut joint = PointOff::none(none.first());
+    let mut links = LinkOff::none(none);
+    let mut own = [none; 3];
+    let view = View {
         limb,
         from,
         meeting,
         gains,
-        reach: T::exactly(1.0) + limb.length * gains,
+        reach: limb.length * gains + 1.0,
     };
 
-    let open = view.open(0, limb.drift(), (T::default(), 0.0));
-    let most = (limb.stretch.abs() + view.turned(open.all)) * T::exactly(GROWTH);
+    let open = view.open(0, limb.drift(), None);
+    let most = (limb.stretch.abs() + gains * open.all) * GROWTH;
     let slack = limb.slack(most);
-    let change = meeting.sum(slack * gains);
+    let change = (slack * gains).total();
     // Written so that NaN proves nothing.
-    if !(change <= CONTRACTION && limb.fits()) {
+    if !(change.number(0) <= CONTRACTION && limb.fits()) {
         return None;
     }
     let besides = slack * most;
-    let found = view.settle(0, &open, most, (besides, meeting.sum(besides)), rows);
-    joint.settle(0, view.joint(0, &found.way), found.joint);
-    links.turn = Vec2::new(limb.stretch, open.turning);
+    let found = view.settle(0, &open, most, (besides, besides.total()), rows);
+    view.note(0, &found, &mut joint);
+    (links.stretch, links.turn) = (limb.stretch, open.turning);
     // To the second order, and of a direction that is as much longer as the stretch says.
     let rest = found.turned.rest;
-    links.rest[0] = rest + most * (rest + most.scaled(2.0)) + T::exactly(RESIDUAL);
+    links.rest[0] = rest + most * (rest + most * 2.0) + RESIDUAL;
     own[0] = found.own;
     let (e, first) = (found.way, found.open);
 
     // The rates are linear: what is open turns the arms by so much, and that opens a part of it.
-    let part = GROWTH * change;
-    let rate = |order: usize, drift: Drift<T>, carried: (T, f64), rows: &mut Influences| {
-        let open = view.open(order, drift, carried);
-        let most = view.turned(open.all * GROWTH);
-        view.settle(order, &open, most, (slack * most, part * open.all), rows)
-    };
-    if ORDER >= VELOCITY {
+    let opening = (slack, change * GROWTH);
+    if order >= VELOCITY {
         let (drift, moving) = limb.drift_of_rate(&e);
         let carried = view.carried(
             #[inline(always)]
             || limb.carried_rate(e.rest),
             #[inline(always)]
-            || meeting.sum(limb.carried_rate(view.reach)) * first,
+            || limb.carried_rate(view.reach).total() * first,
+            rows,
         );
-        let found = rate(1, drift, carried, rows);
-        joint.settle(1, view.joint(1, &found.way), found.joint);
+        let found = view.rate(1, drift, carried, opening, rows);
+        view.note(1, &found, &mut joint);
         (links.shift[0], links.rest[1]) = (found.turned.shift, found.turned.rest);
         own[1] = found.own;
         let (w, spin, second) = (found.way, found.turned, found.open);
-        if ORDER >= ACCELERATION {
+        if order >= ACCELERATION {
             let drift = limb.drift_of_second([&e, &w], &moving, &spin);
-            let by_rate = |w: T, spin: T| limb.carried_by_rate(w, &moving, spin);
             let carried = view.carried(
                 #[inline(always)]
-                || limb.carried_second(e.rest) + by_rate(w.rest, spin.rest),
+                || limb.carried_second(e.rest) + limb.carried_by_rate(w.rest, &moving, spin.rest),
                 #[inline(always)]
                 || {
-                    meeting.sum(limb.carried_second(view.reach)) * first
-                        + meeting.sum(by_rate(view.reach, gains)) * second
+                    let of_first = limb.carried_second(view.reach) * first;
+                    let of_second = limb.carried_by_rate(view.reach, &moving, gains) * second;
+                    (of_first + of_second).total()
                 },
+                rows,
             );
-            let found = rate(2, drift, carried, rows);
-            joint.settle(2, view.joint(2, &found.way), found.joint);
+            let found = view.rate(2, drift, carried, opening, rows);
+            view.note(2, &found, &mut joint);
             (links.shift[1], links.rest[2]) = (found.turned.shift, found.turned.rest);
             own[2] = found.own;
         }

@@ -25,6 +25,8 @@ mod errors;
 mod influence;
 mod limb;
 mod meeting;
+mod off;
+mod places;
 mod rail;
 mod shape;
 mod stretched;
@@ -40,9 +42,12 @@ use super::engine::Engine;
 use super::forces::Balance;
 use super::state::{Condition, LinkState, PointState, State};
 use super::{Order, Solver, Workspace};
-use crate::arithmetic::{Sharp, fused};
+use crate::arithmetic::plane::Simd;
+use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
 use driver::{Heading, asked_radius};
+use off::LinkOff;
+use places::Bodies;
 
 /// Nothing is known.
 const UNKNOWN: Ball = Ball {
@@ -94,9 +99,24 @@ impl Solver {
     }
 }
 
+/// Runs a step in another arithmetic.
+#[inline(never)]
+fn run<T: Number>(
+    step: &Step,
+    order: u8,
+    (q, direction): (T, Vec2<T>),
+    state: &mut State<T>,
+) -> Outcome {
+    match order {
+        POSITION => step.run::<T, POSITION>(q, direction, state),
+        VELOCITY => step.run::<T, VELOCITY>(q, direction, state),
+        _ => step.run::<T, ACCELERATION>(q, direction, state),
+    }
+}
+
 /// Where a slide is.
-fn travel<T: Number, const ORDER: u8>(step: &Step, state: &mut State<T>) {
-    let _ = step.run::<T, ORDER>(T::default(), Vec2::default(), state);
+fn travel<T: Number>(step: &Step, order: u8, state: &mut State<T>) {
+    let _ = run(step, order, (T::default(), Vec2::default()), state);
 }
 
 impl State<Sharp> {
@@ -133,6 +153,30 @@ impl Dyad<'_> {
     }
 }
 
+/// The bounds of one state, to be found.
+struct Enclosing<'a> {
+    engine: &'a Engine,
+    how: (bool, Order),
+    state: &'a State,
+    work: &'a mut Workspace<Ball>,
+}
+
+/// By reference: what has just been written piece by piece is not to be had again in larger ones at once.
+impl Fusing for &mut Enclosing<'_> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run<S: Simd, const FUSED: bool>(self, simd: S) -> bool {
+        let Enclosing {
+            engine,
+            how,
+            state,
+            work,
+        } = self;
+        engine.enclose_here::<S, FUSED>(simd, *how, state, work)
+    }
+}
+
 impl Engine {
     /// Encloses a state, by what its steps have come to in twice the digits where that is the `edge`; whether
     /// all of it was proved.
@@ -149,36 +193,26 @@ impl Engine {
             work.state.begin(at, order);
             return true;
         }
-        let how = (is_edge, order);
-        match order {
-            Order::Position => self.enclose::<POSITION>(how, state, work),
-            Order::Velocity => self.enclose::<VELOCITY>(how, state, work),
-            Order::Acceleration | Order::Force => self.enclose::<ACCELERATION>(how, state, work),
-        }
-    }
-
-    /// By fused multiplication and addition where the machine has it, to the same bits. Long chains are another
-    /// matter: what they need besides would only stand in the way.
-    fn enclose<const ORDER: u8>(
-        &self,
-        how: (bool, Order),
-        state: &State,
-        work: &mut Workspace<Ball>,
-    ) -> bool {
-        if work.errors.influences.is_long() {
-            return self.enclose_here::<ORDER, false, true>(how, state, work);
-        }
-        fused(
+        // By the machine's vectors, and by fused multiplication and addition where it has that, to the same bits. Long
+        // chains are another matter: what they need besides would only stand in the way.
+        let is_long = work.errors.influences.is_long();
+        let mut enclosing = Enclosing {
+            engine: self,
+            how: (is_edge, order),
+            state,
             work,
-            #[inline(always)]
-            |work| self.enclose_here::<ORDER, true, false>(how, state, work),
-            |work| self.enclose_here::<ORDER, false, false>(how, state, work),
-        )
+        };
+        if is_long {
+            plainly(&mut enclosing)
+        } else {
+            fused(&mut enclosing)
+        }
     }
 
     #[inline(always)]
-    fn enclose_here<const ORDER: u8, const FUSED: bool, const ROWS: bool>(
+    fn enclose_here<S: Simd, const FUSED: bool>(
         &self,
+        simd: S,
         (is_edge, order): (bool, Order),
         state: &State,
         work: &mut Workspace<Ball>,
@@ -188,8 +222,13 @@ impl Engine {
         let at = Ball::new(state.at, asked_radius::<FUSED>(state.at));
         enclosure.begin(at, order);
         errors.begin(order == Order::Force);
+        let order = match order {
+            Order::Position => POSITION,
+            Order::Velocity => VELOCITY,
+            Order::Acceleration | Order::Force => ACCELERATION,
+        };
         let heading = if self.turns {
-            Heading::at::<FUSED>(at, ROWS)
+            Heading::at::<FUSED>(at, errors.influences.matter::<FUSED>())
         } else {
             Heading::NONE
         };
@@ -202,18 +241,22 @@ impl Engine {
                 continue;
             }
             let proved = match *step {
-                Step::Circles(ref c) => c.enclose::<ORDER, FUSED, ROWS>(state, errors, enclosure),
+                Step::Circles(ref c) => {
+                    c.enclose::<_, FUSED>(simd, order, state, errors, enclosure)
+                }
                 Step::CircleRail(ref c) => {
-                    c.enclose::<ORDER, FUSED, ROWS>(state, errors, enclosure)
+                    c.enclose::<_, FUSED>(simd, order, state, errors, enclosure)
                 }
                 Step::Crank(Crank { link }) => {
                     let crank = &state.links[link.index()];
-                    let error = heading.error_of(crank.d);
-                    errors.set_link(link, &error, crank, enclosure);
+                    let error = LinkOff::of(simd, &heading.error_of(crank.d));
+                    let enclosed = error.enclosed(&Bodies::of(simd, crank));
+                    errors.set_link(link, &enclosed, state, enclosure);
                     true
                 }
                 Step::Spin(Spin { point, local, .. }) => {
-                    errors.spin::<ORDER, FUSED>(point, &heading, local, state, enclosure);
+                    let spun = (&heading, local);
+                    errors.spin::<_, FUSED>(simd, point, spun, state, enclosure);
                     true
                 }
                 Step::Ride(Ride {
@@ -222,24 +265,27 @@ impl Engine {
                     link,
                     local,
                 }) => {
-                    errors.ride::<ORDER, FUSED, ROWS>([point, base], link, local, state, enclosure);
+                    let points = [point, base];
+                    let on = (link, local);
+                    errors.ride::<_, FUSED>(simd, order, points, on, state, enclosure);
                     true
                 }
                 Step::Aim(Aim { ref arm, end }) => {
-                    errors.aim_at::<ORDER, FUSED, ROWS>(arm, end, state, enclosure)
+                    errors.aim_at::<_, FUSED>(simd, order, arm, end, state, enclosure)
                 }
                 Step::Lock(Lock { link, to, turn }) => {
                     errors.lock([link, to], turn, state, enclosure);
                     true
                 }
                 Step::Travel(_) => {
-                    travel::<Ball, ORDER>(step, enclosure);
-                    errors.travel::<ORDER>(step);
+                    travel(step, order, enclosure);
+                    errors.travel(step, order);
                     true
                 }
                 // What has no residuals of its own.
                 _ => {
-                    self.enclose_closely::<ORDER>(step, state, enclosure, errors, &mut work.scratch)
+                    let scratch = &mut work.scratch;
+                    self.enclose_closely((step, order), state, enclosure, errors, scratch)
                 }
             };
             if !proved {
@@ -251,9 +297,9 @@ impl Engine {
     }
 
     /// Runs a step in twice the digits; whether it could be.
-    fn enclose_closely<const ORDER: u8>(
+    fn enclose_closely(
         &self,
-        step: &Step,
+        (step, order): (&Step, u8),
         state: &State,
         enclosure: &mut State<Ball>,
         errors: &mut Errors,
@@ -278,11 +324,11 @@ impl Engine {
                 balls: (enclosure, scratch),
                 sharp: (&mut sharp.state, &mut sharp.scratch),
             };
-            self.program.coupled[index].enclose((ball, q), ORDER, state, &mut views)
+            self.program.coupled[index].enclose((ball, q), order, state, &mut views)
         } else {
             let driven = self.driven().map(|link| sharp.state.links[link.index()].d);
             let direction = driven.unwrap_or(Vec2::X.exactly());
-            step.run::<Sharp, ORDER>(q, direction, &mut sharp.state) == Outcome::Done
+            run(step, order, (q, direction), &mut sharp.state) == Outcome::Done
         };
         if proved {
             step.outputs(&self.program.coupled, &mut |part| {

@@ -1,53 +1,52 @@
 //! By how much a point, as computed, misses a rail of the ground.
 
-use super::errors::size;
 use super::limb::RESIDUAL;
-use crate::arithmetic::Halves;
-use crate::solver::elements::{ACCELERATION, VELOCITY};
-use crate::solver::state::PointState;
-use crate::{Constant, Vec2, arithmetic::two_sum};
+use super::places::Places;
+use crate::arithmetic::plane::{Plane, Simd, f64x2, number, vector};
+use crate::{Constant, Vec2};
 
 /// n . (X - C) of a rail through C along t, and its rates, found in twice the digits; and how far these can be from
 /// the true ones.
-pub(super) struct Rail {
-    pub normal: Vec2,
-    pub values: [f64; 3],
-    pub fuzz: [f64; 3],
+pub(super) struct Rail<S: Simd> {
+    pub normal: f64x2<S>,
+    pub values: [f64x2<S>; 3],
+    pub fuzz: [f64x2<S>; 3],
 }
 
-impl Rail {
+/// n . v of vectors that are given with what they leave out. What its last sum rounds is of the second order, as that sum
+/// is of the first.
+#[inline(always)]
+fn across<V: Plane, const FUSED: bool>([n, low]: [V; 2], v: V, lost: V) -> V {
+    let [product, rest] = n.times::<FUSED>(v);
+    product.joined() + (rest + low * v + n * lost).joined()
+}
+
+impl<S: Simd> Rail<S> {
     #[inline(always)]
-    pub(super) fn new<const ORDER: u8, const FUSED: bool>(
-        x: &PointState,
+    pub(super) fn new<const FUSED: bool>(
+        simd: S,
+        x: &Places<f64x2<S>>,
         [through, along]: [Vec2<Constant>; 2],
-    ) -> Rail {
+    ) -> Rail<S> {
         let n = along.perp();
-        let normal = Vec2::new(n.x.hi, n.y.hi);
-        let halves = normal.map(Halves::<f64, FUSED>::of);
-        let across = |v: Vec2| {
-            let p = halves.x.times(Halves::of(v.x));
-            let q = halves.y.times(Halves::of(v.y));
-            // What this sum rounds is of the second order, as the sum is of the first.
-            (p.hi + q.hi) + ((p.lo + q.lo) + (n.x.lo * v.x + n.y.lo * v.y))
-        };
-        let turned = n.x.radius + n.y.radius + RESIDUAL;
-        let (dx, lost_x) = two_sum(x.p.x, -through.x.hi);
-        let (dy, lost_y) = two_sum(x.p.y, -through.y.hi);
-        let lost = Vec2::new(lost_x - through.x.lo, lost_y - through.y.lo);
-        let way = Vec2::new(dx, dy);
+        let n = [vector(simd, n.map(|v| v.hi)), vector(simd, n.map(|v| v.lo))];
+        let turned = number(simd, along.x.radius + along.y.radius + RESIDUAL);
+        let [way, lost] = x.p.plus(-vector(simd, through.map(|v| v.hi)));
         let typed = through.x.radius + through.y.radius;
-        let value = across(way) + normal.dot(lost);
-        let mut rail = Rail {
-            normal,
-            values: [value, 0.0, 0.0],
-            fuzz: [turned * size(way) + typed, 0.0, 0.0],
-        };
-        if ORDER >= VELOCITY {
-            (rail.values[1], rail.fuzz[1]) = (across(x.v), turned * size(x.v));
+        let none = number(simd, 0.0);
+        let lost = lost - vector(simd, through.map(|v| v.lo));
+        Rail {
+            normal: n[0],
+            values: [
+                across::<_, FUSED>(n, way, lost),
+                across::<_, FUSED>(n, x.v, none),
+                across::<_, FUSED>(n, x.a, none),
+            ],
+            fuzz: [
+                turned * way.size() + typed,
+                turned * x.v.size(),
+                turned * x.a.size(),
+            ],
         }
-        if ORDER >= ACCELERATION {
-            (rail.values[2], rail.fuzz[2]) = (across(x.a), turned * size(x.a));
-        }
-        rail
     }
 }

@@ -1,9 +1,9 @@
 //! Where a link carries a point, from what is given of both: to twice the digits.
 
 use super::errors::size;
-use crate::arithmetic::{Both, Halves, two_sum};
+use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, number};
 use crate::solver::elements::Arm;
-use crate::{Constant, Number, Vec2};
+use crate::{Constant, Vec2};
 
 #[inline(always)]
 pub(super) fn is_zero(constant: Constant) -> bool {
@@ -12,92 +12,90 @@ pub(super) fn is_zero(constant: Constant) -> bool {
 
 /// The place of a point on a link, seen from another one, with the digits that a double leaves out; or two such.
 #[derive(Clone, Copy)]
-pub(super) struct Shape<T = f64> {
-    pub local: Vec2<T>,
-    pub low: Vec2<T>,
+pub(super) struct Shape<V> {
+    /// Its coordinates along the x axis and across it, each with what it leaves out.
+    along: [V; 2],
+    across: [V; 2],
     /// How far it can be from what was meant.
-    pub off: T,
-    pub length: T,
+    pub off: V,
+    pub length: V,
     /// Whether it lies along the x axis of its link, as most do.
-    pub is_straight: bool,
+    is_straight: bool,
 }
 
-impl Shape {
+impl<S: Simd> Shape<f64x2<S>> {
     #[inline(always)]
-    fn of(local: Vec2<Constant>, length: f64, is_straight: bool) -> Shape {
+    fn of(simd: S, local: Vec2<Constant>, length: f64, is_straight: bool) -> Self {
+        let Vec2 { x, y } = local;
         Shape {
-            local: local.map(|v| v.hi),
-            low: local.map(|v| v.lo),
-            off: local.x.radius + local.y.radius,
-            length,
+            along: [number(simd, x.hi), number(simd, x.lo)],
+            across: [number(simd, y.hi), number(simd, y.lo)],
+            off: number(simd, x.radius + y.radius),
+            length: number(simd, length),
             is_straight,
         }
     }
 
     /// Of a point whose distance is not known.
     #[inline(always)]
-    pub(super) fn at(local: Vec2<Constant>) -> Shape {
+    pub(super) fn at(simd: S, local: Vec2<Constant>) -> Self {
         let length = size(local.map(|v| v.hi));
-        Shape::of(local, length, is_zero(local.y))
+        Shape::of(simd, local, length, is_zero(local.y))
+    }
+
+    /// Of a direction.
+    pub(super) fn unit(simd: S, direction: Vec2<Constant>) -> Self {
+        Shape::of(simd, direction, 1.0, false)
     }
 
     #[inline(always)]
-    pub(super) fn of_arm(arm: &Arm) -> Shape {
-        Shape::of(arm.local, arm.length.hi, arm.is_straight)
+    pub(super) fn of_arm(simd: S, arm: &Arm) -> Self {
+        Shape::of(simd, arm.local, arm.length.hi, arm.is_straight)
     }
 }
 
-impl Shape<Both> {
+impl<S: Simd> Shape<f64x4<S>> {
     #[inline(always)]
-    pub(super) fn of_arms(near: &Arm, far: &Arm) -> Shape<Both> {
-        let (a, b) = (Shape::of_arm(near), Shape::of_arm(far));
+    pub(super) fn of_arms(simd: S, near: &Arm, far: &Arm) -> Self {
+        let (a, b) = (Shape::of_arm(simd, near), Shape::of_arm(simd, far));
         Shape {
-            local: Vec2::both(a.local, b.local),
-            low: Vec2::both(a.low, b.low),
-            off: Both([a.off, b.off]),
-            length: Both([a.length, b.length]),
+            along: [both(a.along[0], b.along[0]), both(a.along[1], b.along[1])],
+            across: [
+                both(a.across[0], b.across[0]),
+                both(a.across[1], b.across[1]),
+            ],
+            off: both(a.off, b.off),
+            length: both(a.length, b.length),
             is_straight: a.is_straight & b.is_straight,
         }
     }
 }
 
-/// By how much a computed direction is too short, as a part of itself: (1 - |d|^2) / 2, to twice the digits.
-#[inline(always)]
-pub(super) fn stretch<T: Number, const FUSED: bool>(d: Vec2<T>) -> T {
-    let xx = Halves::<T, FUSED>::of(d.x).square();
-    let yy = Halves::<T, FUSED>::of(d.y).square();
-    // What is left for yy, and what that leaves out (Dekker). The difference of two that are all but equal is exact.
-    let left = T::exactly(1.0) - xx.hi;
-    let lost = (T::exactly(1.0) - left) - xx.hi;
-    ((left - yy.hi) + (lost - (xx.lo + yy.lo))).scaled(0.5)
+impl<V: Plane> Shape<V> {
+    /// Where it is on a link in this direction, to twice the digits: as two vectors.
+    #[inline(always)]
+    pub(super) fn turned<const FUSED: bool>(&self, d: V) -> [V; 2] {
+        let [x, x_low] = self.along;
+        let [along, rest] = x.times::<FUSED>(d);
+        let rest = rest + x_low * d;
+        // Most points of a bar lie along its x axis.
+        if self.is_straight {
+            return [along, rest];
+        }
+        let ([y, y_low], normal) = (self.across, d.perp());
+        let [across, rest_across] = y.times::<FUSED>(normal);
+        let [sum, lost] = along.plus(across);
+        [sum, lost + (rest + (rest_across + y_low * normal))]
+    }
 }
 
-/// R(d) v to twice the digits, as two vectors, of a vector given to twice the digits.
+/// By how much a computed direction is too short, as a part of itself: (1 - |d|^2) / 2, to twice the digits.
 #[inline(always)]
-pub(super) fn turned_closely<T: Number, const FUSED: bool>(
-    [v, low]: [Vec2<T>; 2],
-    is_straight: bool,
-    d: Vec2<T>,
-) -> [Vec2<T>; 2] {
-    let (lx, dx, dy) = (
-        Halves::<T, FUSED>::of(v.x),
-        Halves::of(d.x),
-        Halves::of(d.y),
-    );
-    let (a, p) = (lx.times(dx), lx.times(dy));
-    // Most points of a bar lie along its x axis.
-    if is_straight {
-        let low = Vec2::new(a.lo + low.x * d.x, p.lo + low.x * d.y);
-        return [Vec2::new(a.hi, p.hi), low];
-    }
-    let low = low.turned(d);
-    let ly = Halves::of(v.y);
-    let (b, q) = (ly.times(dy), ly.times(dx));
-    let (sx, lost_x) = two_sum(a.hi, -b.hi);
-    let (sy, lost_y) = two_sum(p.hi, q.hi);
-    let low = Vec2::new(
-        lost_x + (a.lo - b.lo) + low.x,
-        lost_y + (p.lo + q.lo) + low.y,
-    );
-    [Vec2::new(sx, sy), low]
+pub(super) fn stretch<V: Plane, const FUSED: bool>(d: V) -> V {
+    let [square, rest] = d.times::<FUSED>(d);
+    let (xx, yy, one) = (square.x(), square.y(), d.all(1.0));
+    // What is left for yy, and what that leaves out (Dekker). The difference of two that are all but equal is exact.
+    let left = one - xx;
+    let lost = (one - left) - xx;
+    ((left - yy) + (lost - rest.joined())) * 0.5
 }

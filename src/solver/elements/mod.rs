@@ -135,9 +135,10 @@ impl Backwards for Nothing {
 
 macro_rules! elements {
     ($($name:ident),+ $(,)?) => {
-        /// One element of a plan, from the beginning of a line of the cache.
+        /// One element of a plan. It never lies across the end of a page of memory: some processors take as long for
+        /// reading there as for a whole state.
         #[derive(Clone, Copy, Debug)]
-        #[repr(align(64))]
+        #[repr(align(512))]
         pub(super) enum Step {
             $($name($name),)+
             /// A coupled group, by its number.
