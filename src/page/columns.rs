@@ -2,7 +2,7 @@
 
 use super::line::{Line, Role, Span};
 use super::table::{Cell, Rest, Setting};
-use super::words::{cut, length};
+use super::words::{cut_within, length};
 use std::ops::Range;
 
 /// Columns of figures behind names, side by side as far as there is room.
@@ -115,7 +115,11 @@ impl Columns {
             mark => length(mark) + self.behind_mark,
         };
         let begin = self.indent + behind;
-        line.push(begin, cut(name, self.names.saturating_sub(begin)), of_name);
+        line.push(
+            begin,
+            cut_within(name, self.names.saturating_sub(begin)),
+            of_name,
+        );
         let chunk = self.chunks.iter().find(|chunk| chunk.columns == *range);
         let gap = chunk.map_or(0, |chunk| chunk.gap);
         let mut right = self.names;

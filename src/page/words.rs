@@ -81,6 +81,19 @@ pub(crate) fn cut(text: &str, most: usize) -> String {
     format!("{}..", beginning.trim_end())
 }
 
+/// A name, or where it is longer than `most` characters, its beginning and its end: `rocker_of..ss.angle`. What tells
+/// figures of one thing apart stands last.
+pub(super) fn cut_within(name: &str, most: usize) -> String {
+    let all: Vec<char> = name.chars().collect();
+    if all.len() <= most {
+        return name.to_owned();
+    }
+    let kept = most.saturating_sub(2);
+    let (first, last) = (kept.div_ceil(2), kept / 2);
+    let [begin, end] = [&all[..first], &all[all.len() - last..]].map(String::from_iter);
+    format!("{begin}..{end}")
+}
+
 /// Columns of a text of one column to a character.
 pub(super) fn length(text: &str) -> usize {
     text.chars().count()
@@ -95,6 +108,16 @@ mod tests {
         let lines = wrapped("one two  three-and-more four", 8);
         assert_eq!(lines, ["one two", "three-and-more", "four"]);
         assert!(wrapped(" ", 8).is_empty());
+    }
+
+    #[test]
+    fn a_name_that_is_too_long_keeps_its_end() {
+        assert_eq!(
+            cut_within("rocker_of_the_press.angle", 19),
+            "rocker_of..ss.angle"
+        );
+        assert_eq!(cut_within("r3", 2), "r3");
+        assert_eq!(cut_within("r3x", 2), "..");
     }
 
     #[test]
