@@ -134,7 +134,7 @@ impl ComparedScene {
             Input::Push(_) => (self.other.scale, open_scene.scene().unit.symbol()),
         };
         let [this, other] = [driver.speed, other.speed * scale].map(|speed| short(speed, SPEED));
-        (this != other).then(|| format!("{this} and {other} {unit}/s"))
+        (this != other).then(|| words().this_and_other(&this, &format!("{other} {unit}/s")))
     }
 
     /// Whether it can be where the open scene is.

@@ -34,6 +34,7 @@ catalogue! {
         this_less(scene: &str) = "this - {scene}";
         difference_from(scene: &str) = "difference: this - {scene}";
         driven_at(speed: &str) = "driven at {speed}";
+        this_and_other(this: &str, other: &str) = "{this} and {other}";
         only_there(names: &str) = "only there: {names}";
         a_link_that_turns = "a link that turns";
         a_slide = "a slide";

@@ -95,22 +95,31 @@ fn behind(tokens: &[String], from: usize) -> usize {
     tokens.len()
 }
 
-/// Whether there is a blank between two words, of two letters at the least: formulas have shorter ones. What is
-/// filled in is not counted.
+/// Whether there is a blank between two words, of two letters at the least since formulas have shorter ones; or a word
+/// between two things that are filled in.
 fn is_sentence(text: &str) -> bool {
     let mut depth = 0;
-    let own = text.chars().filter(|&c| {
-        depth += i32::from(c == '{');
-        let is_own = depth == 0;
-        depth -= i32::from(c == '}');
-        is_own
-    });
-    let is_letter: Vec<Option<bool>> = own
-        .map(|c| (c == ' ' || c.is_alphabetic()).then_some(c != ' '))
+    let marked: String = text
+        .chars()
+        .filter_map(|c| {
+            depth += i32::from(c == '{');
+            let kept = (depth == 0).then_some(c).or((c == '{').then_some(FILLED));
+            depth -= i32::from(c == '}');
+            kept
+        })
         .collect();
-    let words = [true, true, false, true, true].map(Some);
-    is_letter.windows(words.len()).any(|seen| seen == words)
+    let is_word = |text: String| text.len() >= 2 && text.chars().all(char::is_alphabetic);
+    let begins = |part: &str| is_word(part.chars().take(2).collect());
+    let ends = |part: &str| is_word(part.chars().rev().take(2).collect());
+    let parts: Vec<&str> = marked.split(' ').collect();
+    let is_between = |parts: &[&str]| {
+        parts[0].ends_with(FILLED) && is_word(parts[1].into()) && parts[2].starts_with(FILLED)
+    };
+    parts.windows(2).any(|two| ends(two[0]) && begins(two[1])) || parts.windows(3).any(is_between)
 }
+
+/// Stands for what is filled in.
+const FILLED: char = '\u{1}';
 
 /// The first of the rooms in which a module is.
 fn room_of(path: &[String], rooms: &[&[&str]]) -> Option<usize> {
@@ -152,6 +161,7 @@ fn the_checker_finds_sentences_and_nothing_else() {
     for bad in [
         "fn f() { say(\"not written\"); }",
         "fn f() { say(format!(\"{name} is gone\")); }",
+        "fn f() { say(format!(\"{this} and {other}\")); }",
         "const TOLD: &str = r#\"two words\"#;",
         "#[doc = \"no matter\"] fn f() -> &'static str { \"is said\" }",
     ] {
@@ -160,6 +170,7 @@ fn the_checker_finds_sentences_and_nothing_else() {
     for good in [
         "fn f() { say(words().not_written()); } // two words",
         "fn f() { let line = format!(\"{key} {value}\"); put(\"--unit\", \"|  |\"); }",
+        "fn f() { let formula = format!(\"m a{axis} = F v, {x} m\"); }",
         "#[error(\"two words\")] struct Fault;",
         "fn f() { debug_assert!(x > 0, \"is positive\"); x.expect(\"is there\"); }",
         "fn f() { is_known = message.starts_with(\"string values must be quoted\"); }",
