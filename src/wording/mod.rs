@@ -20,6 +20,7 @@ pub(crate) trait Words:
     + Commands
     + Configuration
     + Editing
+    + Examples
     + Faults
     + Figures
     + Files
@@ -27,6 +28,7 @@ pub(crate) trait Words:
     + Hints
     + Motion
     + Offering
+    + Options
     + Picking
     + Plots
     + Taking

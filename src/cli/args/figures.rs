@@ -1,33 +1,34 @@
 //! Figures: at one place, row by row, and how exact they are.
 
-use super::{AssemblyArgs, OutputArgs, PlaceArgs, SCENE_HELP, SceneArgs};
+use super::{AssemblyArgs, OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::Decimal;
 use crate::study::USUAL_POSITIONS;
+use crate::wording::words;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum Format {
-    /// Aligned columns, for a person
+    #[value(help = words().format_text())]
     Text,
-    /// Comma separated values
+    #[value(help = words().format_csv())]
     Csv,
-    /// One object
+    #[value(help = words().format_json())]
     Json,
 }
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct FigureArgs {
-    /// Significant digits of text tables; CSV and JSON always carry all
+    #[arg(help = words().digits_of_tables())]
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(in crate::cli) digits: u8,
-    /// Leave the units out
+    #[arg(help = words().leave_units_out())]
     #[arg(long)]
     pub(in crate::cli) no_units: bool,
-    /// Add what the error of each figure does not exceed; nothing where no bound can be proved
+    #[arg(help = words().add_bounds())]
     #[arg(long)]
     pub(in crate::cli) bounds: bool,
-    /// Add what the given lengths do to each figure: by how much it changes for one unit of length
+    #[arg(help = words().add_sensitivity())]
     #[arg(long)]
     pub(in crate::cli) sensitivity: bool,
 }
@@ -38,7 +39,7 @@ pub(in crate::cli) struct TableArgs {
     pub(in crate::cli) scene: SceneArgs,
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
-    /// How to write it
+    #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(in crate::cli) format: Format,
     #[command(flatten)]
@@ -49,9 +50,9 @@ pub(in crate::cli) struct TableArgs {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum TextFormat {
-    /// Plain text of 80 columns
+    #[value(help = words().format_plain())]
     Text,
-    /// Markdown
+    #[value(help = words().format_markdown())]
     Markdown,
 }
 
@@ -61,10 +62,10 @@ pub(in crate::cli) struct ExplainArgs {
     pub(in crate::cli) scene: SceneArgs,
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
-    /// How to write it
+    #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = TextFormat::Text)]
     pub(in crate::cli) format: TextFormat,
-    /// Significant digits
+    #[arg(help = words().digits())]
     #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(in crate::cli) digits: u8,
     #[command(flatten)]
@@ -75,19 +76,19 @@ pub(in crate::cli) struct ExplainArgs {
 pub(in crate::cli) struct SweepArgs {
     #[command(flatten)]
     pub(in crate::cli) scene: SceneArgs,
-    /// The first row [default: the beginning of the motion range]
+    #[arg(help = words().first_row())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(in crate::cli) from: Option<Decimal>,
-    /// The last row, where the step hits it [default: the end of the motion range]
+    #[arg(help = words().last_row())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(in crate::cli) to: Option<Decimal>,
-    /// From row to row, negative to go down [default: 1 deg; for a slide, 100 to 250 rows]
+    #[arg(help = words().row_to_row())]
     #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
     pub(in crate::cli) step: Option<Decimal>,
-    /// Names of figures, * for any characters; separated by commas [default: all vectors and points]
+    #[arg(help = words().columns_or_all())]
     #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
     pub(in crate::cli) columns: Vec<String>,
-    /// How to write it
+    #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = Format::Csv)]
     pub(in crate::cli) format: Format,
     #[command(flatten)]
@@ -101,12 +102,13 @@ const MOST_POSITIONS: i64 = 1_000_000;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AccuracyArgs {
-    #[arg(help = SCENE_HELP, default_value = "four-bar")]
+    #[arg(help = words().name_of_scene())]
+    #[arg(default_value = "four-bar")]
     pub(in crate::cli) scene: PathBuf,
-    /// Positions to compare at, in 360 deg or over the range, by the 360
+    #[arg(help = words().positions_to_compare())]
     #[arg(long, value_name = "N", default_value_t = USUAL_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MOST_POSITIONS))]
     pub(in crate::cli) positions: u32,
-    /// How to write it
+    #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(in crate::cli) format: Format,
     #[command(flatten)]

@@ -8,34 +8,34 @@ use clap::Args;
 pub(in crate::cli) struct MotorArgs {
     #[command(flatten)]
     pub(in crate::cli) scene: SceneArgs,
-    /// The torque in N m, or force in N, that the motor can keep up
+    #[arg(help = words().rated_effort())]
     #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) rated: Option<f64>,
-    /// The most that it can do for an instant
+    #[arg(help = words().peak_effort())]
     #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) peak: Option<f64>,
-    /// Its speed with a unit: '1500 rpm', '0.2 m/s'
+    #[arg(help = words().motor_speed())]
     #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
     pub(in crate::cli) speed: Option<String>,
-    /// A flywheel on the driver's shaft, in kg m^2
+    #[arg(help = words().flywheel_on_shaft())]
     #[arg(long, value_name = "INERTIA", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) flywheel: Option<f64>,
-    /// The wished fluctuation of the speed: greatest less least, by the mean
+    #[arg(help = words().wished_fluctuation())]
     #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) fluctuation: Option<f64>,
-    /// The slide that is the ram [default: the one a press works at, or the only one]
+    #[arg(help = words().slide_of_ram())]
     #[arg(long, value_name = "NAME")]
     pub(in crate::cli) ram: Option<String>,
-    /// A height above the bottom of the ram, in the scene's unit
+    #[arg(help = words().height_of_ram())]
     #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
     pub(in crate::cli) height: Option<f64>,
-    /// The torque in N m, or force in N, for the force of the ram [default: the rated one]
+    #[arg(help = words().effort_for_ram())]
     #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) torque: Option<f64>,
-    /// How far from its bottom a ram counts as at rest, in the scene's unit
+    #[arg(help = words().tolerance_of_rest())]
     #[arg(long, value_name = "LENGTH", value_parser = positive, allow_negative_numbers = true)]
     pub(in crate::cli) tolerance: Option<f64>,
-    /// Go there and back from this coordinate of the driver [default: the whole motion]
+    #[arg(help = words().there_and_back_from())]
     #[arg(
         long,
         value_name = "COORDINATE",
@@ -43,7 +43,7 @@ pub(in crate::cli) struct MotorArgs {
         allow_negative_numbers = true
     )]
     pub(in crate::cli) from: Option<f64>,
-    /// To this one; where a driver turns, a lower one lies a turn further
+    #[arg(help = words().there_and_back_to())]
     #[arg(
         long,
         value_name = "COORDINATE",
@@ -51,7 +51,7 @@ pub(in crate::cli) struct MotorArgs {
         allow_negative_numbers = true
     )]
     pub(in crate::cli) to: Option<f64>,
-    /// How to write it; CSV has the cycle step by step
+    #[arg(help = words().how_to_write_motor())]
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub(in crate::cli) format: Format,
     #[command(flatten)]

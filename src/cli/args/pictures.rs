@@ -9,24 +9,24 @@ use std::str::FromStr;
 /// The characters to draw with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum Glyphs {
-    /// As the locale and the terminal allow
+    #[value(help = words().glyphs_as_allowed())]
     #[default]
     Auto,
-    /// 7-bit characters
+    #[value(help = words().glyphs_of_seven_bits())]
     Ascii,
-    /// Box-drawing characters, which console fonts have too
+    #[value(help = words().glyphs_of_boxes())]
     Line,
-    /// Braille patterns
+    #[value(help = words().glyphs_of_braille())]
     Braille,
 }
 
 /// How a drawing is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum PictureFormat {
-    /// Characters
+    #[value(help = words().format_characters())]
     #[default]
     Text,
-    /// Scalable vector graphics, for a browser or a report
+    #[value(help = words().format_svg())]
     Svg,
 }
 
@@ -65,34 +65,34 @@ pub(in crate::cli) struct DrawArgs {
     pub(in crate::cli) scene: SceneArgs,
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
-    /// Trace points over the whole motion
+    #[arg(help = words().trace_points())]
     #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
     pub(in crate::cli) traces: Option<Vec<String>>,
-    /// Arrows of velocity
+    #[arg(help = words().draw_velocities())]
     #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
     pub(in crate::cli) velocities: Option<Vec<String>>,
-    /// Arrows of acceleration
+    #[arg(help = words().draw_accelerations())]
     #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
     pub(in crate::cli) accelerations: Option<Vec<String>>,
-    /// Show the linkage at so many places of its motion
+    #[arg(help = words().draw_ghosts())]
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MOST_GHOSTS))]
     pub(in crate::cli) ghosts: u16,
-    /// Which names to write
+    #[arg(help = words().names_to_write())]
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) names: Names,
-    /// Mark centres of mass
+    #[arg(help = words().mark_centres())]
     #[arg(long)]
     pub(in crate::cli) centres: bool,
-    /// Leave out guides and supports
+    #[arg(help = words().leave_guides_out())]
     #[arg(long)]
     pub(in crate::cli) no_guides: bool,
-    /// The characters to draw with
+    #[arg(help = words().characters_to_draw_with())]
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) glyphs: Glyphs,
-    /// How large; a character is 8 x 16 units of an SVG [default: the terminal's size, or 80x24; 100 wide for an SVG]
+    #[arg(help = words().size_of_drawing())]
     #[arg(long, value_name = "COLSxROWS")]
     pub(in crate::cli) size: Option<Size>,
-    /// How to write it
+    #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) format: PictureFormat,
     #[command(flatten)]
@@ -102,12 +102,12 @@ pub(in crate::cli) struct DrawArgs {
 /// The names in a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum Names {
-    /// None
+    #[value(help = words().names_none())]
     None,
-    /// Of points
+    #[value(help = words().names_of_points_alone())]
     #[default]
     Points,
-    /// Of points and links
+    #[value(help = words().names_all())]
     All,
 }
 
@@ -115,28 +115,28 @@ pub(in crate::cli) enum Names {
 pub(in crate::cli) struct PlotArgs {
     #[command(flatten)]
     pub(in crate::cli) scene: SceneArgs,
-    /// Names of figures, * for any characters; separated by commas
+    #[arg(help = words().columns_to_plot())]
     #[arg(long, value_name = "PATTERNS", value_delimiter = ',', required = true)]
     pub(in crate::cli) columns: Vec<String>,
-    /// What stands along x: driver, time, or the name of a figure
+    #[arg(help = words().plot_against())]
     #[arg(long, value_name = "NAME", default_value = "driver")]
     pub(in crate::cli) against: String,
-    /// Where the driver begins [default: the beginning of the motion range]
+    #[arg(help = words().driver_begins())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(in crate::cli) from: Option<Decimal>,
-    /// Where the driver ends [default: the end of the motion range]
+    #[arg(help = words().driver_ends())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(in crate::cli) to: Option<Decimal>,
-    /// Leave out the marks at maxima and minima
+    #[arg(help = words().leave_extrema_out())]
     #[arg(long)]
     pub(in crate::cli) no_extrema: bool,
-    /// The characters to draw with
+    #[arg(help = words().characters_to_draw_with())]
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) glyphs: Glyphs,
-    /// How large; a character is 8 x 16 units of an SVG [default: the terminal's size, or 80x24; 100x40 for an SVG]
+    #[arg(help = words().size_of_plot())]
     #[arg(long, value_name = "COLSxROWS")]
     pub(in crate::cli) size: Option<Size>,
-    /// How to write it
+    #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) format: PictureFormat,
     #[command(flatten)]

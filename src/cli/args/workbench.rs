@@ -1,12 +1,13 @@
 //! How the workbench opens.
 
-use super::{AssemblyArgs, SCENE_HELP};
+use super::AssemblyArgs;
 #[cfg(feature = "tui")]
 use super::{Glyphs, Size};
 #[cfg(feature = "tui")]
 use crate::report::Decimal;
 #[cfg(feature = "tui")]
 use crate::tui::View;
+use crate::wording::words;
 use clap::Args;
 #[cfg(feature = "tui")]
 use clap::{ValueEnum, builder::PossibleValue};
@@ -18,44 +19,44 @@ pub(in crate::cli) const USUAL_SCENE: &str = "four-bar";
 /// The workbench, which opens where no command is given.
 #[derive(Debug, Args)]
 pub(in crate::cli) struct WorkbenchArgs {
-    #[arg(help = format!("{SCENE_HELP} [default: {USUAL_SCENE}]"))]
+    #[arg(help = words().name_of_scene_or(USUAL_SCENE))]
     pub(in crate::cli) scene: Option<PathBuf>,
     #[command(flatten)]
     pub(in crate::cli) assembly: AssemblyArgs,
-    /// Where to open: deg of the driven link, or the position of the driven slide
     #[cfg(feature = "tui")]
+    #[arg(help = words().where_to_open())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
     pub(in crate::cli) at: Option<Decimal>,
-    /// The characters to draw with
     #[cfg(feature = "tui")]
+    #[arg(help = words().characters_to_draw_with())]
     #[arg(long, value_enum, default_value_t)]
     pub(in crate::cli) glyphs: Glyphs,
-    /// The colours to draw with
     #[cfg(feature = "tui")]
+    #[arg(help = words().colours_to_draw_with())]
     #[arg(long, visible_alias = "color", value_enum, default_value_t)]
     pub(in crate::cli) colour: Colour,
-    /// Which colours stand for the names of the palette [default: auto]
     #[cfg(feature = "tui")]
+    #[arg(help = words().theme_to_draw_with())]
     #[arg(long, value_enum)]
     pub(in crate::cli) theme: Option<Theme>,
-    /// The view to open with
     #[cfg(feature = "tui")]
+    #[arg(help = words().view_to_open_with())]
     #[arg(long, value_enum)]
     pub(in crate::cli) view: Option<View>,
-    /// Print the screen that opens as text, and leave: no terminal is needed
     #[cfg(feature = "tui")]
+    #[arg(help = words().print_and_leave())]
     #[arg(long)]
     pub(in crate::cli) print: bool,
-    /// The size of the screen that is printed [default: 80x24]
     #[cfg(feature = "tui")]
+    #[arg(help = words().size_of_print())]
     #[arg(long, value_name = "COLSxROWS", requires = "print")]
     pub(in crate::cli) size: Option<Size>,
-    /// Tell what was found of the terminal, and why
     #[cfg(feature = "tui")]
+    #[arg(help = words().tell_of_terminal())]
     #[arg(long)]
     pub(in crate::cli) diagnose: bool,
-    /// The configuration [default: ~/.config/krank/config.toml]
     #[cfg(feature = "tui")]
+    #[arg(help = words().configuration_file())]
     #[arg(long, value_name = "FILE")]
     pub(in crate::cli) config: Option<PathBuf>,
 }
@@ -76,18 +77,18 @@ impl ValueEnum for View {
 #[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum Colour {
-    /// As the terminal and NO_COLOR allow
+    #[value(help = words().colours_as_allowed())]
     #[default]
     Auto,
-    /// No colour, but bold and reversed
+    #[value(help = words().colours_none())]
     None,
-    /// The 16 of the terminal's palette
+    #[value(help = words().colours_of_palette())]
     #[value(name = "16")]
     Palette,
-    /// The fixed palette of 256
+    #[value(help = words().colours_fixed())]
     #[value(name = "256")]
     Indexed,
-    /// Any colour, in 24 bits
+    #[value(help = words().colours_any())]
     True,
 }
 
@@ -95,12 +96,12 @@ pub(in crate::cli) enum Colour {
 #[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum Theme {
-    /// The palette's own, or such as read on any ground
+    #[value(help = words().theme_auto())]
     Auto,
-    /// For a light ground
+    #[value(help = words().theme_light())]
     Light,
-    /// For a dark ground
+    #[value(help = words().theme_dark())]
     Dark,
-    /// No colours
+    #[value(help = words().theme_plain())]
     Plain,
 }

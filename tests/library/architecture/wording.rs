@@ -34,9 +34,7 @@ const SAID: [&[&str]; 26] = [
 ];
 
 /// Files in those rooms with texts that are not of the catalogue.
-const OTHERS: [&[&str]; 3] = [
-    // The help of the command line is written where its options are.
-    &["cli", "args"],
+const OTHERS: [&[&str]; 2] = [
     // What a shell is told.
     &["cli", "pager"],
     // An error of the library has its own text.
@@ -153,6 +151,36 @@ fn sentences_stand_in_the_catalogue() {
     }
     assert_eq!(seen, [true; SAID.len()], "a room has gone");
     assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
+}
+
+/// Whether a comment of the command line is what its help tells: of an option, a command or a value.
+fn is_told_as_help(lines: &[&str]) -> bool {
+    let mut behind = lines[1..]
+        .iter()
+        .skip_while(|line| line.starts_with("#[cfg"));
+    let told = ["#[arg", "#[command(about", "#[command(after", "#[value"];
+    let next = behind.next().copied().unwrap_or_default();
+    let is_value = next.ends_with(',') && next.starts_with(|c: char| c.is_ascii_uppercase());
+    lines[0].starts_with("///") && (is_value || told.iter().any(|of| next.starts_with(of)))
+}
+
+#[test]
+fn the_help_of_the_command_line_is_no_comment() {
+    let mut found = Vec::new();
+    files(&source_folder().join("cli/args"), &mut found);
+    assert!(!found.is_empty());
+    for file in found {
+        let text = fs::read_to_string(&file).unwrap();
+        let lines: Vec<&str> = text.lines().map(str::trim).collect();
+        let told = (0..lines.len()).find(|&at| is_told_as_help(&lines[at..]));
+        assert_eq!(told.map(|at| lines[at]), None, "{}", file.display());
+    }
+    for bad in [
+        "/// Whose\n#[cfg(unix)]\n#[arg(long)]\nwhose: u8,",
+        "/// None\nNone,",
+    ] {
+        assert!(is_told_as_help(&bad.lines().collect::<Vec<_>>()), "{bad}");
+    }
 }
 
 #[test]
