@@ -7,9 +7,7 @@ use super::screen::Screen;
 use super::source::Opened;
 use crate::Input;
 use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Sensitivity};
-use crate::report::{
-    Answers, Check, Forces, NO_ANSWER, TableStyle, Tables, limits_text, near_misses,
-};
+use crate::report::{Answers, Check, Forces, TableStyle, Tables, limits_text, near_misses};
 use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
@@ -63,7 +61,7 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
         let answers = Answers::at(&mut sensitivity, tables.unit, at);
         if answers.list.is_none() {
-            note(NO_ANSWER, screen);
+            note(words().no_derivatives_by_lengths(), screen);
         }
         tables.answers = Some(answers);
     }

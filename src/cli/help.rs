@@ -49,7 +49,9 @@ fn contents() -> String {
         rows.map(|(name, about)| format!("| {name} | {about} |\n"))
             .collect()
     };
-    let topics = TOPICS.iter().map(|t| (t.name, t.about.to_owned()));
+    let topics = TOPICS
+        .iter()
+        .map(|t| (t.name, (t.about)(words()).to_owned()));
     let krank = Cli::command();
     let commands = krank.get_subcommands().filter(|c| !c.is_hide_set());
     let commands = commands.map(|c| (c.get_name(), about(c)));

@@ -10,7 +10,7 @@ use super::source::Opened;
 use crate::Input;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
 use crate::report::{
-    Beside, Columns, Decimal, Missing, NO_ANSWER, Outcome, RowFormat, Steps, Sweep, limits_text,
+    Beside, Columns, Decimal, Missing, Outcome, RowFormat, Steps, Sweep, limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Order, Range};
@@ -116,7 +116,7 @@ fn note_missing(missing: Missing, valued: u64, screen: Screen) {
     if missing.unanswered > 0 {
         let rows = missing.unanswered;
         note(
-            &words().rows_without_answer(rows, valued, NO_ANSWER),
+            &words().rows_without_answer(rows, valued, words().no_derivatives_by_lengths()),
             screen,
         );
     }

@@ -9,6 +9,7 @@ mod layout;
 mod markdown;
 mod table;
 
+use crate::wording::{Wording, Words};
 #[cfg(feature = "tui")]
 pub(crate) use fold::{folded, joined};
 #[cfg(feature = "tui")]
@@ -21,7 +22,7 @@ pub(crate) struct Topic {
     /// In one word, as it is asked for.
     pub(crate) name: &'static str,
     /// In a line, what it tells.
-    pub(crate) about: &'static str,
+    pub(crate) about: Wording,
     parts: &'static [&'static str],
 }
 
@@ -51,12 +52,12 @@ fn filled(text: String, line: &str, what: impl FnOnce() -> String) -> String {
 pub(crate) const TOPICS: &[Topic] = &[
     Topic {
         name: "tutorial",
-        about: "from an empty file to a six-bar",
+        about: <dyn Words>::about_tutorial,
         parts: &[include_str!("tutorial.md")],
     },
     Topic {
         name: "scene",
-        about: "the scene file: an example, and every key",
+        about: <dyn Words>::about_scene,
         parts: &[
             include_str!("scene.md"),
             include_str!("../scene/rules.md"),
@@ -66,49 +67,49 @@ pub(crate) const TOPICS: &[Topic] = &[
     #[cfg(feature = "tui")]
     Topic {
         name: "views",
-        about: "what the workbench shows, view by view",
+        about: <dyn Words>::about_views,
         parts: &[include_str!("views.md")],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "keys",
-        about: "every key of the workbench, and how to choose others",
+        about: <dyn Words>::about_keys,
         parts: &[include_str!("keys.md")],
     },
     Topic {
         name: "columns",
-        about: "figures by name: units, bounds, sensitivity, ranges",
+        about: <dyn Words>::about_columns,
         parts: &[include_str!("columns.md"), include_str!("../notation.md")],
     },
     Topic {
         name: "forces",
-        about: "what acts, what the joints bear, what the motor must do",
+        about: <dyn Words>::about_forces,
         parts: &[include_str!("forces.md")],
     },
     Topic {
         name: "drawings",
-        about: "drawings and plots, for the terminal and for a report",
+        about: <dyn Words>::about_drawings,
         parts: &[include_str!("drawings.md")],
     },
     Topic {
         name: "files",
-        about: "what is written and when, unsaved edits, exit codes",
+        about: <dyn Words>::about_files,
         parts: &[include_str!("files.md")],
     },
     Topic {
         name: "trust",
-        about: "assemblies, ends, bounds: what is promised and how it was tried",
+        about: <dyn Words>::about_trust,
         parts: &[include_str!("trust.md")],
     },
     #[cfg(feature = "tui")]
     Topic {
         name: "terminals",
-        about: "characters, colours, slow lines, and what a frame costs",
+        about: <dyn Words>::about_terminals,
         parts: &[include_str!("terminals.md")],
     },
     Topic {
         name: "limits",
-        about: "what krank does not do, and where its answers end",
+        about: <dyn Words>::about_limits,
         parts: &[include_str!("limits.md")],
     },
 ];

@@ -7,6 +7,7 @@ use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextStyle};
 use crate::scene::Scene;
 use crate::solver::{Method, Start, Unfit};
 use crate::study::{Errors, Figures, Finding, Findings, Spread, Verdict};
+use crate::wording::{Words, for_programs, words};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -22,21 +23,22 @@ const LENGTH_DIGITS: usize = 6;
 /// The name of a method, in at most 19 characters without a comma.
 #[must_use]
 pub fn method_name(method: Method) -> String {
+    named(method, words())
+}
+
+fn named(method: Method, say: &dyn Words) -> String {
     match method {
-        Method::ClosedForm => "closed form".into(),
-        Method::Polished => "closed and polished".into(),
-        Method::Anchored => "Newton from anchors".into(),
-        Method::Bounded => "with bounds".into(),
-        Method::Single => "single precision".into(),
-        Method::Newton { tolerance, start } => {
-            let start = match start {
-                Start::Warm => "warm",
-                Start::Cold => "cold",
-            };
-            format!("Newton {tolerance:e} {start}")
-        }
-        Method::Bisection => "bisection".into(),
-        Method::Integration { steps, turns } => format!("RK4 {steps} x {turns}"),
+        Method::ClosedForm => say.closed_form().into(),
+        Method::Polished => say.closed_and_polished().into(),
+        Method::Anchored => say.newton_from_anchors().into(),
+        Method::Bounded => say.with_bounds().into(),
+        Method::Single => say.single_precision().into(),
+        Method::Newton { tolerance, start } => match start {
+            Start::Warm => say.newton_warm(tolerance),
+            Start::Cold => say.newton_cold(tolerance),
+        },
+        Method::Bisection => say.bisection().into(),
+        Method::Integration { steps, turns } => say.runge_kutta(&steps, &turns),
     }
 }
 
@@ -84,18 +86,20 @@ fn spread_text(time: &Spread) -> String {
 /// Why a method cannot be used for this scene.
 #[must_use]
 pub fn unfit_text(unfit: Unfit, scene: &Scene) -> String {
+    why_unfit(unfit, scene, words())
+}
+
+fn why_unfit(unfit: Unfit, scene: &Scene, say: &dyn Words) -> String {
     let group = |point: Option<PointId>| {
         let name = point.and_then(|p| scene.point_name(p));
-        name.map_or_else(|| "a group".into(), |name| format!("the group at {name}"))
+        name.map_or_else(|| say.a_group().into(), |name| say.the_group_at(name))
     };
     match unfit {
-        Unfit::Coupled(point) => format!("{} has no closed form", group(point)),
-        Unfit::AllClosed => "not needed: every group has a closed form".into(),
-        Unfit::Conditions { point, unknowns } => {
-            format!("{} closes by {unknowns} conditions at once", group(point))
-        }
-        Unfit::Limits => "the driver has limits, and cannot turn fully".into(),
-        Unfit::NoRows => "the constraints of a group give no rows of their own".into(),
+        Unfit::Coupled(point) => say.has_no_closed_form(&group(point)),
+        Unfit::AllClosed => say.not_needed().into(),
+        Unfit::Conditions { point, unknowns } => say.closes_by_conditions(&group(point), unknowns),
+        Unfit::Limits => say.cannot_turn_fully().into(),
+        Unfit::NoRows => say.gives_no_rows().into(),
     }
 }
 
@@ -119,9 +123,7 @@ impl Accuracy<'_> {
         let unit = self.scene.unit.symbol();
         let mut page = Page::default();
         page.title(&self.scene.name);
-        page.text_below(format!(
-            "{positions} positions over the cycle; the longest length is {longest} {unit}"
-        ));
+        page.text_below(words().positions_over_cycle(positions, &longest, unit));
         page.table(self.table(&Measure::ALL));
         page.to_text(TextStyle::plain(ascii))
     }
@@ -130,7 +132,7 @@ impl Accuracy<'_> {
     #[must_use]
     pub fn table(&self, measures: &[Measure]) -> Table {
         let heads = measures.iter().map(|measure| measure.name());
-        let mut table = Table::new("   method", heads).set(Setting {
+        let mut table = Table::new(format!("   {}", words().method()), heads).set(Setting {
             names: NAME,
             least: measures.iter().map(|measure| measure.width()).collect(),
             rest: Rest::LeftOut,
@@ -155,7 +157,7 @@ impl Accuracy<'_> {
                     Row::Told { mark, name, words }
                 }
                 Verdict::Pending => {
-                    let words = "not measured".into();
+                    let words = words().not_measured().into();
                     Row::Told { mark, name, words }
                 }
             });
@@ -202,14 +204,15 @@ impl Accuracy<'_> {
         let time = |part: fn(&Spread) -> f64| time.map(|t| part(&t) * 1e9);
         let errors = figures.and_then(|f| f.errors);
         let error = |part: fn(&Errors) -> f64| errors.map(|e| part(&e));
+        let say = for_programs();
         let reason = match finding.verdict {
             Verdict::Measured(_) => None,
-            Verdict::Unfit(unfit) => Some(unfit_text(unfit, self.scene)),
-            Verdict::Pending => Some("not measured".into()),
+            Verdict::Unfit(unfit) => Some(why_unfit(unfit, self.scene, say)),
+            Verdict::Pending => Some(say.not_measured().into()),
         };
         let values = [
             json!(finding.key),
-            json!(method_name(finding.method)),
+            json!(named(finding.method, say)),
             json!(time(|t| t.median)),
             json!(time(|t| t.low)),
             json!(time(|t| t.high)),
@@ -236,7 +239,7 @@ pub fn accuracy_notes() -> String {
         names: NOTE,
         ..Facts::default()
     };
-    for (name, note) in NOTES {
+    for (name, note) in notes() {
         facts.tell(name, [note.to_owned()]);
     }
     let mut page = Page::default();
@@ -247,40 +250,18 @@ pub fn accuracy_notes() -> String {
 /// Columns of what a note is about.
 const NOTE: usize = 14;
 
-const NOTES: [(&str, &str); 7] = [
-    (
-        "time",
-        "of one position with its velocities and accelerations: the median, and between what half of \
-         all samples lie; of RK4, of a step",
-    ),
-    (
-        "pos vel acc",
-        "the largest errors against a run in twice the precision: of points, over the longest length, \
-         and over the largest velocity and acceleration of the cycle",
-    ),
-    (
-        "fail",
-        "positions at which nothing was found, or another assembly; they count in no error",
-    ),
-    (
-        "*",
-        "the best front: never fails, and no other such method is both faster and nearer",
-    ),
-    (
-        "with bounds",
-        "as krank solves it, and a proven bound of every figure; fails where none is proved",
-    ),
-    (
-        "warm, cold",
-        "Newton's method begins at the position before, a degree or a 360th of the range away, or \
-         where the scene opens; it ends with a step below the tolerance, in radians and parts of the \
-         longest length",
-    ),
-    (
-        "RK4 n x m",
-        "the velocities integrated by Runge and Kutta, n steps in 360 deg, looked at in the m-th cycle",
-    ),
-];
+/// What each figure and mark is.
+fn notes() -> [(&'static str, &'static str); 7] {
+    [
+        (words().time(), words().of_time_is()),
+        (words().errors_of_three(), words().errors_are()),
+        (words().failures(), words().failures_are()),
+        ("*", words().best_are()),
+        (words().with_bounds(), words().with_bounds_is()),
+        (words().warm_or_cold(), words().warm_or_cold_is()),
+        (words().runge_kutta_n_by_m(), words().runge_kutta_is()),
+    ]
+}
 
 /// The columns of CSV, and the keys of a method in JSON.
 const COLUMNS: [&str; 12] = [
@@ -328,12 +309,12 @@ impl Measure {
 
     fn name(self) -> &'static str {
         match self {
-            Measure::Time => "time",
-            Measure::Quartiles => "quartiles",
-            Measure::Position => "pos",
-            Measure::Velocity => "vel",
-            Measure::Acceleration => "acc",
-            Measure::Failures => "fail",
+            Measure::Time => words().time(),
+            Measure::Quartiles => words().quartiles(),
+            Measure::Position => words().error_of_positions(),
+            Measure::Velocity => words().error_of_velocities(),
+            Measure::Acceleration => words().error_of_accelerations(),
+            Measure::Failures => words().failures(),
         }
     }
 

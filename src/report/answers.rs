@@ -5,6 +5,7 @@ use super::number::significant;
 use super::tables_data::number;
 use crate::page::{Content, Setting, Table};
 use crate::quantity::Sensitivity;
+use crate::wording::{for_programs, words};
 use serde_json::{Map, Value, json};
 
 /// What the given lengths do to one figure.
@@ -31,9 +32,6 @@ pub struct Answers {
     /// The figures that have a value; `None` where no derivatives exist or can be had.
     pub list: Option<Vec<Answer>>,
 }
-
-/// Why there are no derivatives, in words that fit all causes.
-pub const NO_ANSWER: &str = "the figures have no derivatives by the lengths here: the motion ends or branches, or as good as does, or a length that is off jams the mechanism";
 
 /// Digits of a derivative that is read by eye.
 const DIGITS: usize = 3;
@@ -85,15 +83,20 @@ impl Answers {
     #[must_use]
     pub fn content(&self, units: bool) -> Content {
         let step = if units {
-            format!("change for 1 {}", self.unit)
+            words().change_for_one(self.unit)
         } else {
-            "change for a length of 1".to_owned()
+            words().change_for_length().to_owned()
         };
         let Some(list) = &self.list else {
-            return Content::Text(format!("{step}: {NO_ANSWER}"));
+            let why = words().no_derivatives_by_lengths();
+            return Content::Text(words().without_change(&step, why));
         };
-        let names = step.len() + 2;
-        let heads = ["in every length", "in one", "in which"];
+        let names = step.chars().count() + 2;
+        let heads = [
+            words().in_every_length(),
+            words().in_one(),
+            words().in_which(),
+        ];
         let mut table = Table::new(step, heads).set(Setting {
             names,
             least: vec![DIGITS + 2],
@@ -109,7 +112,7 @@ impl Answers {
     /// The same where there is little room: how much each figure changes, and with which length most.
     #[must_use]
     pub fn short_table(&self) -> Option<Table> {
-        let heads = ["in all", "most in"];
+        let heads = [words().in_all(), words().most_in()];
         let mut table = Table::new(format!("1 {}", self.unit), heads);
         for answer in self.list.as_ref()? {
             table.row(answer.name(false), [answer.worst(), answer.most().1]);
@@ -162,7 +165,7 @@ impl Answer {
     }
 }
 
-/// The unit of a derivative by a length: `rad/s per mm`.
+/// The unit of a derivative by a length, for other programs: `rad/s per mm`.
 pub(super) fn per(figure: &str, length: &str) -> String {
-    format!("{figure} per {length}")
+    for_programs().per(figure, length)
 }

@@ -8,6 +8,7 @@ use crate::quantity::{Catalogue, Quantity};
 use crate::scene::Scene;
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::study::motor;
+use crate::wording::words;
 use crate::{Body, Element, Input, Link, LinkId, Load, Mechanism, PointId, Slider, Vec2};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
@@ -256,11 +257,10 @@ impl Acting {
 pub fn range_text(range: Range, driver: &Quantity) -> String {
     let unit = &driver.unit;
     match range {
-        Range::Full { period } => {
-            format!("turns fully; the motion repeats after {period} {unit}")
-        }
+        Range::Full { period } => words().range_full(&period, unit),
         Range::Limited { low, high } => {
-            format!("{low:.DECIMALS$} to {high:.DECIMALS$} {unit}")
+            let [low, high] = [low, high].map(|limit| format!("{limit:.DECIMALS$}"));
+            words().range_limited(&low, &high, unit)
         }
     }
 }
@@ -273,7 +273,7 @@ pub fn limits_text(range: Range, driver: &Quantity) -> String {
         Range::Full { .. } => range_text(range, driver),
         Range::Limited { low, high } => {
             let [low, high] = [low, high].map(|limit| concise(limit, usize::MAX));
-            format!("{low} to {high} {}", driver.unit)
+            words().range_limited(&low, &high, &driver.unit)
         }
     }
 }
@@ -303,11 +303,7 @@ impl NearMissFacts {
     #[must_use]
     pub fn text(&self, unit: &str) -> String {
         let (at, sine) = (concise(self.at, PLACES), concise(self.sine, DIGITS));
-        format!(
-            "all but a change point or a dead point at {at} {unit}: sin mu = {sine} at {}; \
-             the motion keeps its assembly",
-            self.group
-        )
+        words().near_miss(&at, unit, &sine, &self.group)
     }
 }
 

@@ -6,6 +6,7 @@ use super::check::{
 };
 use super::number::concise;
 use crate::page::{Content, Facts, Page, TextStyle};
+use crate::wording::words;
 
 /// Columns of the names, and of what stands before the rest of a fact that takes several lines.
 const NAMES: usize = 11;
@@ -36,37 +37,43 @@ impl Check {
             hanging: FURTHER,
             list: Vec::new(),
         };
-        facts.tell("source", self.source.clone());
-        facts.tell("note", self.note.clone());
-        facts.tell("unit", [self.unit.to_owned()]);
-        facts.tell("parts", [self.counts()]);
-        facts.tell("driver", [self.driver_text()]);
-        facts.tell("links", [self.links.join(", ")]);
-        facts.tell("joints", self.joints.iter().map(joint_text));
-        facts.tell("slides", self.slides.iter().map(slide_text));
+        facts.tell(words().fact_source(), self.source.clone());
+        facts.tell(words().fact_note(), self.note.clone());
+        facts.tell(words().fact_unit(), [self.unit.to_owned()]);
+        facts.tell(words().fact_parts(), [self.counts()]);
+        facts.tell(words().fact_driver(), [self.driver_text()]);
+        facts.tell(words().fact_links(), [self.links.join(", ")]);
+        facts.tell(words().fact_joints(), self.joints.iter().map(joint_text));
+        facts.tell(words().fact_slides(), self.slides.iter().map(slide_text));
         let mobility = [self.mobility_text()].into_iter().chain(self.rank_notes());
-        facts.tell("mobility", mobility);
+        facts.tell(words().fact_mobility(), mobility);
         let redundant = self.redundancies.iter().map(|r| self.redundancy_text(r));
-        facts.tell("redundant", redundant);
+        facts.tell(words().fact_redundant(), redundant);
         let groups = self.groups.iter().enumerate();
         let groups = groups.map(|(i, group)| format!("{}. {}", i + 1, self.group_text(group)));
-        facts.tell("groups", groups);
-        facts.tell("choices", self.choices.group_lines());
-        facts.tell("assemblies", self.choices.whole_text());
+        facts.tell(words().fact_groups(), groups);
+        facts.tell(words().fact_choices(), self.choices.group_lines());
+        facts.tell(words().fact_assemblies(), self.choices.whole_text());
         if let Some(first) = &self.first_loop {
-            facts.tell("loop", first.lines(self.unit));
+            facts.tell(words().fact_loop(), first.lines(self.unit));
         }
-        facts.tell("range", [self.range_text.clone()]);
+        facts.tell(words().fact_range(), [self.range_text.clone()]);
         if !self.change_points.is_empty() {
-            facts.tell("change", [self.change_points_text(), self.tolerance_text()]);
+            facts.tell(
+                words().fact_change(),
+                [self.change_points_text(), self.tolerance_text()],
+            );
         }
         let unit = self.driver_unit();
-        facts.tell("near miss", self.near_misses.iter().map(|m| m.text(unit)));
+        facts.tell(
+            words().fact_near_miss(),
+            self.near_misses.iter().map(|m| m.text(unit)),
+        );
         let mu = self.transmission.iter().map(|t| mu_text(t, unit));
-        facts.tell("mu", mu);
-        facts.tell("forces", self.acting_text());
+        facts.tell(words().fact_mu(), mu);
+        facts.tell(words().fact_forces(), self.acting_text());
         if !self.indeterminate.is_empty() {
-            facts.tell("open", [self.open_text()]);
+            facts.tell(words().fact_open(), [self.open_text()]);
         }
         let mut page = Page::default();
         page.title(&self.scene);
@@ -78,33 +85,26 @@ impl Check {
     fn acting_text(&self) -> Option<String> {
         let acting = &self.acting;
         let kinds = [
-            (acting.forces, "force"),
-            (acting.torques, "torque"),
-            (acting.presses, "press"),
-            (acting.springs, "spring"),
+            (acting.forces, words().count_of_forces(acting.forces)),
+            (acting.torques, words().count_of_torques(acting.torques)),
+            (acting.presses, words().count_of_presses(acting.presses)),
+            (acting.springs, words().count_of_springs(acting.springs)),
+            (acting.masses, words().count_of_masses(acting.masses)),
         ];
         let kinds = kinds.into_iter().filter(|(count, _)| *count > 0);
-        let mut told: Vec<String> = kinds.map(|(count, what)| counted(count, what)).collect();
-        match acting.masses {
-            0 => {}
-            1 => told.push("1 link with a mass".into()),
-            n => told.push(format!("{n} links with a mass")),
-        }
+        let mut told: Vec<String> = kinds.map(|(_, told)| told).collect();
         if acting.gravity && acting.masses > 0 {
-            told.push("gravity".into());
+            told.push(words().gravity().into());
         }
         let told = (!told.is_empty()).then(|| told.join(", "))?;
         Some(match acting.period {
-            Some(period) => format!("{told}; repeated after {period} deg"),
+            Some(period) => words().repeated_after(&told, &period),
             None => told,
         })
     }
 
     fn open_text(&self) -> String {
-        format!(
-            "reactions that equilibrium does not settle: {}",
-            self.indeterminate.join(", ")
-        )
+        words().not_settled(&self.indeterminate.join(", "))
     }
 
     fn change_points_text(&self) -> String {
@@ -114,18 +114,15 @@ impl Check {
             .iter()
             .map(|at| format!("{at:.DECIMALS$}"));
         let at: Vec<String> = at.collect();
-        format!("points at {} {unit}, passed smoothly", at.join(", "))
+        words().change_points_at(&at.join(", "), unit)
     }
 
     /// What makes the difference between a change point and a near miss.
     fn tolerance_text(&self) -> String {
         if self.tolerance == 0.0 {
-            return "lengths count as equal where they are equal as typed".into();
+            return words().equal_as_typed().into();
         }
-        let (tolerance, unit) = (self.tolerance, self.unit);
-        format!(
-            "lengths count as equal within {tolerance:.1e} {unit}: coordinates have been rounded"
-        )
+        words().equal_within(&format!("{:.1e}", self.tolerance), self.unit)
     }
 
     fn driver_unit(&self) -> &'static str {
@@ -136,12 +133,7 @@ impl Check {
     }
 
     fn counts(&self) -> String {
-        format!(
-            "{} and the ground, {}, {}",
-            counted(self.links.len(), "link"),
-            counted(self.pins(), "pin joint"),
-            counted(self.slides.len(), "slide"),
-        )
+        words().parts_and_ground(self.links.len(), self.pins(), self.slides.len())
     }
 
     /// Where n bodies meet there are n - 1 joints.
@@ -165,35 +157,44 @@ impl Check {
         let start = concise(*start, usize::MAX);
         // Rates may come from rpm or deg/s, with digits of no use.
         let [speed, acceleration] = [speed, acceleration].map(|v| concise(*v, DIGITS));
-        format!(
-            "{driven}, opens at {start} {coordinate}, {speed} {rate}/s, \
-             {acceleration} {rate}/s^2"
+        words().driver_opens(
+            &driven,
+            &format!("{start} {coordinate}"),
+            &format!("{speed} {rate}/s"),
+            &format!("{acceleration} {rate}/s^2"),
         )
     }
 
     fn driven(&self) -> String {
-        let kind = match self.driver.kind {
-            DriverKind::Link => "link",
-            DriverKind::Slide => "slide",
-        };
-        format!("{kind} {}", self.driver.name)
+        match self.driver.kind {
+            DriverKind::Link => words().driven_link(&self.driver.name),
+            DriverKind::Slide => words().driven_slide(&self.driver.name),
+        }
     }
 
     fn group_text(&self, group: &GroupFacts) -> String {
-        let at = group.point.as_ref().map(|p| format!(" at {p}"));
-        let at = at.unwrap_or_default();
+        let at = group.point.as_deref();
         let (what, how) = match (group.kind.class(), group.kind.unknowns()) {
-            (Some(class), _) => (format!("dyad {class}{at}"), "closed form"),
-            (None, Some(unknowns)) => {
-                let unknowns = counted(unknowns, "unknown");
-                (format!("coupled group{at}, {unknowns}"), "by Newton")
+            (Some(class), _) => {
+                let dyad = match at {
+                    Some(point) => words().dyad_at(class, point),
+                    None => words().dyad(class),
+                };
+                (dyad, words().closed_form())
             }
-            (None, None) => return format!("driver: {}", self.driven()),
+            (None, Some(unknowns)) => {
+                let coupled = match at {
+                    Some(point) => words().coupled_group_at(point, unknowns),
+                    None => words().coupled_group(unknowns),
+                };
+                (coupled, words().by_newton())
+            }
+            (None, None) => return words().group_of_driver(&self.driven()),
         };
         match group.links.as_slice() {
-            [] => format!("{what} ({how})"),
-            [link] => format!("{what}: link {link} ({how})"),
-            links => format!("{what}: links {} ({how})", links.join(", ")),
+            [] => words().group_of_nothing(&what, how),
+            [link] => words().group_of_link(&what, link, how),
+            links => words().group_of_links(&what, &links.join(", "), how),
         }
     }
 
@@ -202,17 +203,17 @@ impl Check {
             return self.mobility.to_string();
         }
         let constraints = self.redundancies.iter().map(|r| r.constraints).sum();
-        let count = counted(constraints, "redundant constraint");
-        format!(
-            "{}, with {count} set aside: {}",
-            self.mobility,
-            self.redundant.join(", ")
-        )
+        let which = self.redundant.join(", ");
+        words().mobility_set_aside(&self.mobility, constraints, &which)
     }
 
     fn rank_notes(&self) -> impl Iterator<Item = String> {
-        let unclear = self.mobility_is_unclear.then_some(UNCLEAR);
-        let lower = self.opens_at_change_point.then_some(LOWER);
+        let unclear = self
+            .mobility_is_unclear
+            .then(|| words().mobility_not_certain());
+        let lower = self
+            .opens_at_change_point
+            .then(|| words().mobility_more_at_opening());
         unclear.into_iter().chain(lower).map(str::to_owned)
     }
 
@@ -225,29 +226,15 @@ impl Check {
         } = facts;
         let misfit = format!("{} {}", concise(*misfit, MISFIT_DIGITS), self.unit);
         let what = match repeats.as_slice() {
-            [] => format!("{element} repeats others"),
-            repeats if repeats.len() > MOST_NAMES => format!(
-                "{element} repeats {} and {} more",
-                repeats[..MOST_NAMES].join(", "),
-                repeats.len() - MOST_NAMES
-            ),
-            repeats => format!("{element} repeats {}", repeats.join(", ")),
+            [] => words().repeats_others(element),
+            repeats if repeats.len() > MOST_NAMES => {
+                let some = repeats[..MOST_NAMES].join(", ");
+                let more = repeats.len() - MOST_NAMES;
+                words().repeats(element, &words().some_and_more(&some, more))
+            }
+            repeats => words().repeats(element, &repeats.join(", ")),
         };
-        format!("{what}; they disagree by at most {misfit}")
-    }
-}
-
-/// What is said besides the number.
-const UNCLEAR: &str = "all but 2 or more: dimensions that differ by little would leave a link free";
-const LOWER: &str =
-    "more where the scene opens: it is a change point or a dead point of a coupled group";
-
-fn counted(count: usize, what: &str) -> String {
-    match count {
-        0 => format!("no {what}"),
-        1 => format!("1 {what}"),
-        n if what.ends_with('s') => format!("{n} {what}es"),
-        n => format!("{n} {what}s"),
+        words().disagree_by(&what, &misfit)
     }
 }
 
@@ -263,8 +250,8 @@ fn slide_text(slide: &SlideFacts) -> String {
         on,
     } = slide;
     match kind {
-        SliderKind::Pin => format!("{name}: pin {slider} in a slot of {on}"),
-        SliderKind::Link => format!("{name}: link {slider} along {on}, without turning against it"),
+        SliderKind::Pin => words().pin_in_slot(name, slider, on),
+        SliderKind::Link => words().link_along(name, slider, on),
     }
 }
 
@@ -279,13 +266,10 @@ fn mu_text(facts: &TransmissionFacts, unit: &str) -> String {
     let angle = |angle: f64| format!("{angle:.MU_DECIMALS$}");
     let (least, most) = (angle(smallest.angle), angle(largest.angle));
     if least == most {
-        return format!("transmission angle at {group}: {least} deg throughout");
+        return words().mu_throughout(group, &least);
     }
     let [at_least, at_most] = [smallest.at, largest.at].map(place);
-    format!(
-        "transmission angle at {group}: smallest {least} deg, at {at_least} {unit}; \
-         largest {most} deg, at {at_most} {unit}"
-    )
+    words().mu_between(group, [&least, &at_least, &most, &at_most], unit)
 }
 
 /// Where an extreme stands, as a reader looks for it: the limits have their digits elsewhere.

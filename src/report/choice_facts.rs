@@ -4,6 +4,7 @@ use super::number::concise;
 use crate::assembly::pick_text;
 use crate::scene::Scene;
 use crate::solver::{Choice, Group, GroupId, GroupKind, Pick, Solver};
+use crate::wording::words;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value, json};
 
@@ -92,7 +93,7 @@ impl ChoiceList {
             let list: Vec<String> = list.map(|choice| choice_text(choice, largest)).collect();
             format!("{}: {}", group.group, list.join(", "))
         });
-        let more = (self.unlisted > 0).then(|| format!("and those of {} more", self.unlisted));
+        let more = (self.unlisted > 0).then(|| words().those_of_more(self.unlisted));
         lines.chain(more).collect()
     }
 
@@ -110,12 +111,14 @@ impl ChoiceList {
         }
         let count = self.assemblies.len();
         if !self.complete {
-            return Some(format!("more than {count}"));
+            return Some(words().more_than(count));
         }
         let texts = self.assemblies.iter().enumerate().map(|(i, picks)| {
             let picks: Vec<String> = picks.iter().map(|(g, p)| format!("{g}={p}")).collect();
-            let now = if self.current == Some(i) { " now" } else { "" };
-            format!("{}{now}", picks.join(","))
+            match self.current == Some(i) {
+                true => words().chosen_now(&picks.join(",")),
+                false => picks.join(","),
+            }
         });
         let texts: Vec<String> = texts.collect();
         Some(format!("{count}: {}", texts.join("; ")))
@@ -161,15 +164,14 @@ fn choice_text(facts: &ChoiceFacts, largest: f64) -> String {
         true => "0".into(),
         false => concise(v, DIGITS),
     };
-    let place = match (facts.at, facts.angle) {
-        (Some([x, y]), _) => format!(" at ({}, {})", figure(x), figure(y)),
-        (None, Some(angle)) => format!(" at {} deg", concise(angle, DIGITS)),
-        (None, None) => String::new(),
+    let choice = match (facts.at, facts.angle) {
+        (Some([x, y]), _) => words().at_place(&facts.choice, &figure(x), &figure(y)),
+        (None, Some(angle)) => words().at_degrees(&facts.choice, &concise(angle, DIGITS)),
+        (None, None) => facts.choice.clone(),
     };
-    let says = match (facts.current, facts.closes) {
-        (true, _) => " now",
-        (false, true) => "",
-        (false, false) => " (the rest does not close)",
-    };
-    format!("{}{place}{says}", facts.choice)
+    match (facts.current, facts.closes) {
+        (true, _) => words().chosen_now(&choice),
+        (false, true) => choice,
+        (false, false) => words().rest_open(&choice),
+    }
 }

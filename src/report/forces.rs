@@ -6,6 +6,7 @@ use super::tables::{Entry, Plane, Reading};
 use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
 use crate::scene::Scene;
 use crate::solver::{Condition, Indeterminate, Solver, State};
+use crate::wording::words;
 use crate::{Ball, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// What the driver must do: figures in N m, or in N where a slide is driven.
@@ -165,29 +166,30 @@ impl Forces {
         match (self.existence(), self.condition) {
             (Existence::Everything, _) => {}
             (Existence::Withheld, _) => remarks.extend(self.withheld.clone()),
-            (Existence::DriveAlone, _) => remarks.push(format!(
-                "Of the forces only the driver's {} has a value here: at a change point the links lie \
-                 so that any force can run round among them.",
-                self.drive.aspect.name()
-            )),
-            (Existence::Nothing, Condition::NoAssembly) => {
-                remarks.push("The mechanism cannot be here: there is nothing to balance.".to_owned());
+            (Existence::DriveAlone, _) => {
+                remarks.push(words().driver_alone_has_value(self.effort()));
             }
-            (Existence::Nothing, _) => remarks.push(format!(
-                "No {} of the driver exists here: at a dead point it cannot move the linkage, and \
-                 what would hold that, in the joints too, grows beyond all bounds.",
-                self.drive.aspect.name()
-            )),
+            (Existence::Nothing, Condition::NoAssembly) => {
+                remarks.push(words().nothing_to_balance().to_owned());
+            }
+            (Existence::Nothing, _) => remarks.push(words().no_effort_exists(self.effort())),
         }
         if !self.indeterminate.is_empty() {
-            remarks.push(format!(
-                "Indeterminate: {}. The linkage has more constraints than it needs, and those can \
-                 press against each other with any force; all other figures stand.{}",
-                self.indeterminate.join(", "),
-                if self.least.is_some() { LEAST } else { "" }
-            ));
+            let reactions = self.indeterminate.join(", ");
+            remarks.push(match self.least.is_some() {
+                true => words().indeterminate_with_least(&reactions),
+                false => words().indeterminate(&reactions),
+            });
         }
         remarks
+    }
+
+    /// What the driver does.
+    fn effort(&self) -> &'static str {
+        match self.drive.aspect {
+            Aspect::Force => words().force(),
+            _ => words().torque(),
+        }
     }
 
     /// Every figure with its name and its unit, in the order of the catalogue.
@@ -226,9 +228,6 @@ impl Forces {
         all
     }
 }
-
-/// What the figures of least norm are.
-const LEAST: &str = " Of least norm: what they would be if all pins and guides gave way alike.";
 
 /// Why the forces of a state are withheld, in a whole sentence.
 pub(super) fn withheld(scene: &Scene, state: &State) -> Option<String> {

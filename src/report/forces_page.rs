@@ -4,13 +4,14 @@ use super::forces::{Existence, Forces, GuideRow, JointRow};
 use super::number::significant;
 use super::tables::{Entry, Plane};
 use super::tables_data::number;
-use super::tables_page::{BOUND, POINT_LABELS, VECTOR_LABELS, Writer, set};
-use crate::page::{Page, Table};
+use super::tables_page::{BOUND, VECTOR_LABELS, Writer, point_labels, set};
+use crate::page::{Page, Setting, Table};
 use crate::quantity::Aspect;
+use crate::wording::words;
 use serde_json::{Map, Value};
 
-/// Labels of the frame's table, which has one column more than others.
-const FRAME_LABELS: usize = "on the frame".len() + 6;
+/// Columns that the labels of the frame's table, which has one column more than others, have beside its title.
+const FRAME_LABELS: usize = 6;
 /// Digits of what a check misses.
 const MISSED: usize = 2;
 
@@ -30,11 +31,11 @@ impl Writer<'_> {
             Existence::DriveAlone => tables.push(self.drive_table(forces)),
             Existence::Everything => {
                 tables.push(self.drive_table(forces));
-                tables.extend(self.joint_table("force at joints", &forces.joints));
-                tables.extend(self.guide_table("force of guides", &forces.guides));
+                tables.extend(self.joint_table(words().force_at_joints(), &forces.joints));
+                tables.extend(self.guide_table(words().force_of_guides(), &forces.guides));
                 if let Some(least) = &forces.least {
-                    tables.extend(self.joint_table("of least norm", &least.joints));
-                    tables.extend(self.guide_table("of least norm", &least.guides));
+                    tables.extend(self.joint_table(words().of_least_norm(), &least.joints));
+                    tables.extend(self.guide_table(words().of_least_norm(), &least.guides));
                 }
                 tables.push(self.frame_table(forces));
                 tables.push(self.check_table(forces));
@@ -50,14 +51,19 @@ impl Writer<'_> {
 
     fn drive_table(&self, forces: &Forces) -> Table {
         let drive = &forces.drive;
-        let heads = ["in all", "loads", "gravity", "inertia"];
-        let title = format!("driver {}", drive.name);
+        let heads = [
+            words().in_all(),
+            words().loads(),
+            words().gravity(),
+            words().inertia(),
+        ];
+        let title = words().driver_named(&drive.name);
         let setting = set(VECTOR_LABELS, self.style.digits + 3);
         let mut table = Table::new(title, heads.map(|head| format!("{head} "))).set(setting);
         let entries = || std::iter::once(drive.total).chain(drive.parts);
         let label = self.label(drive.aspect.name(), drive.aspect);
         self.entries(&mut table, label, entries(), drive.aspect, " ");
-        let label = self.label("power", Aspect::Power);
+        let label = self.label(words().power(), Aspect::Power);
         self.entries(&mut table, label, [drive.power], Aspect::Power, " ");
         table
     }
@@ -66,15 +72,12 @@ impl Writer<'_> {
     fn joint_table(&self, title: &str, joints: &[JointRow]) -> Option<Table> {
         let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
         let heads = heads.into_iter().chain([self.direction()]);
-        let mut table = Table::new(title, heads).set(set(POINT_LABELS, self.style.digits + 2));
+        let mut table = Table::new(title, heads).set(set(point_labels(), self.style.digits + 2));
         for joint in joints.iter().filter(|joint| !joint.repeats) {
-            let by = joint.by.as_ref().map(|by| format!(", by {by}"));
-            let name = format!(
-                "{} at {}{}",
-                joint.link,
-                joint.point,
-                by.unwrap_or_default()
-            );
+            let name = match &joint.by {
+                Some(by) => words().link_at_point_by(&joint.link, &joint.point, by),
+                None => words().link_at_point(&joint.link, &joint.point),
+            };
             self.plane(&mut table, name, joint.force, []);
         }
         (!table.rows.is_empty()).then_some(table)
@@ -83,14 +86,14 @@ impl Writer<'_> {
     /// `None` where there is no guide.
     fn guide_table(&self, title: &str, guides: &[GuideRow]) -> Option<Table> {
         let heads = [
-            ("normal", Aspect::Normal),
-            ("at", Aspect::Length),
-            ("moment", Aspect::Moment),
+            (words().normal(), Aspect::Normal),
+            (words().at(), Aspect::Length),
+            (words().moment(), Aspect::Moment),
         ];
         let heads = heads.map(|(name, aspect)| self.label(name, aspect));
-        let mut table = Table::new(title, heads).set(set(POINT_LABELS, self.style.digits + 2));
+        let mut table = Table::new(title, heads).set(set(point_labels(), self.style.digits + 2));
         for guide in guides {
-            let name = format!("{} on {}", guide.name, guide.slider);
+            let name = words().guide_on(&guide.name, &guide.slider);
             let cells = [Some(guide.normal), guide.at, guide.moment];
             let texts = cells.map(|cell| cell.map(|entry| self.figure(entry, Aspect::Normal)));
             table.row(name, texts.map(Option::unwrap_or_default));
@@ -104,13 +107,20 @@ impl Writer<'_> {
 
     fn frame_table(&self, forces: &Forces) -> Table {
         let heads = ["fx", "fy", "f"].map(|name| self.label(name, Aspect::Fx));
-        let others = [self.direction(), self.label("moment", Aspect::Moment)];
+        let others = [
+            self.direction(),
+            self.label(words().moment(), Aspect::Moment),
+        ];
         let heads = heads.into_iter().chain(others);
-        let setting = set(FRAME_LABELS, self.style.digits + 2);
-        let mut table = Table::new("on the frame", heads).set(setting);
+        let mut table = Table::new(words().on_the_frame(), heads).set(self.of_frame());
         let frame = &forces.frame;
         let moment = [frame.moment];
-        self.plane(&mut table, "shaking".to_owned(), frame.force, moment);
+        self.plane(
+            &mut table,
+            words().shaking().to_owned(),
+            frame.force,
+            moment,
+        );
         table
     }
 
@@ -120,14 +130,19 @@ impl Writer<'_> {
             (drive.name(), drive),
             ("fx", Aspect::Fx),
             ("fy", Aspect::Fy),
-            ("moment", Aspect::Moment),
+            (words().moment(), Aspect::Moment),
         ];
         let heads = heads.map(|(name, aspect)| self.label(name, aspect));
-        let setting = set(FRAME_LABELS, self.style.digits + 2);
-        let mut table = Table::new("checks miss by", heads).set(setting);
+        let mut table = Table::new(words().checks_miss_by(), heads).set(self.of_frame());
         let entries = std::iter::once(forces.checks.drive).chain(forces.checks.frame);
         table.row("", entries.map(|entry| missed(&entry)));
         table
+    }
+
+    /// How tables of the frame are set.
+    fn of_frame(&self) -> Setting {
+        let labels = words().on_the_frame().chars().count() + FRAME_LABELS;
+        set(labels, self.style.digits + 2)
     }
 
     /// A row of figures, and their bounds below them where they are asked for.

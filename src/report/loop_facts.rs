@@ -2,6 +2,7 @@
 
 use super::number::concise;
 use crate::solver::{Grashof, Inversion, Loop};
+use crate::wording::{Words, for_programs, words};
 use serde::Serialize;
 
 /// Significant digits of lengths: by few of them a near miss differs from a change point.
@@ -17,6 +18,9 @@ pub enum LoopFacts {
         inversion: &'static str,
         /// Grashof's condition: `s + l < p + q`.
         grashof: &'static str,
+        /// Both, to be told in any language.
+        #[serde(skip)]
+        class: (Inversion, Grashof),
         /// The driven link.
         driven: f64,
         /// The link between the two on the frame.
@@ -52,8 +56,9 @@ impl LoopFacts {
                 grashof,
                 inversion,
             } => LoopFacts::FourBar {
-                inversion: inversion_word(inversion, grashof),
-                grashof: grashof_word(grashof),
+                inversion: inversion_word(inversion, grashof, for_programs()),
+                grashof: grashof_word(grashof, for_programs()),
+                class: (inversion, grashof),
                 driven,
                 coupler,
                 follower,
@@ -79,35 +84,28 @@ impl LoopFacts {
         let length = |v: f64| concise(v, DIGITS);
         match *self {
             LoopFacts::FourBar {
-                inversion,
-                grashof,
+                class: (inversion, grashof),
                 driven,
                 coupler,
                 follower,
                 frame,
-            } => [
-                format!("four-bar, {inversion}: {grashof}"),
-                format!(
-                    "driven {}, coupler {}, follower {}, frame {} {unit}",
-                    length(driven),
-                    length(coupler),
-                    length(follower),
-                    length(frame)
-                ),
-            ],
+                ..
+            } => {
+                let lengths = [driven, coupler, follower, frame].map(length);
+                let inversion = inversion_word(inversion, grashof, words());
+                [
+                    words().four_bar(inversion, grashof_word(grashof, words())),
+                    words().driven_coupler_follower_frame(&lengths, unit),
+                ]
+            }
             LoopFacts::SliderCrank {
                 crank,
                 rod,
                 offset,
                 margin,
             } => [
-                format!("slider-crank, {}", slider_crank_words(margin)),
-                format!(
-                    "crank {}, rod {}, offset {} {unit}",
-                    length(crank),
-                    length(rod),
-                    length(offset)
-                ),
+                words().slider_crank(slider_crank_words(margin)),
+                words().crank_rod_offset(&[crank, rod, offset].map(length), unit),
             ],
         }
     }
@@ -115,30 +113,30 @@ impl LoopFacts {
 
 fn slider_crank_words(margin: f64) -> &'static str {
     if margin > 0.0 {
-        "the crank turns fully: rod > crank + offset"
+        words().crank_turns_fully()
     } else if margin == 0.0 {
-        "change point: rod = crank + offset"
+        words().rod_is_crank_and_offset()
     } else {
-        "the crank does not turn fully: rod < crank + offset"
+        words().crank_rocks()
     }
 }
 
-fn grashof_word(grashof: Grashof) -> &'static str {
+fn grashof_word(grashof: Grashof, say: &dyn Words) -> &'static str {
     match grashof {
-        Grashof::Turning => "Grashof, s + l < p + q",
-        Grashof::ChangePoint => "change point, s + l = p + q",
-        Grashof::Rocking => "not Grashof, s + l > p + q",
+        Grashof::Turning => say.grashof(),
+        Grashof::ChangePoint => say.grashof_change_point(),
+        Grashof::Rocking => say.not_grashof(),
     }
 }
 
-fn inversion_word(inversion: Inversion, grashof: Grashof) -> &'static str {
+fn inversion_word(inversion: Inversion, grashof: Grashof, say: &dyn Words) -> &'static str {
     match inversion {
-        Inversion::CrankRocker => "crank-rocker",
+        Inversion::CrankRocker => say.crank_rocker(),
         // Nobody calls a parallelogram a drag link.
-        Inversion::DoubleCrank if grashof == Grashof::ChangePoint => "double crank",
-        Inversion::DoubleCrank => "double crank (drag link)",
-        Inversion::RockerCrank => "rocker-crank",
-        Inversion::DoubleRocker => "double rocker",
-        Inversion::TripleRocker => "triple rocker",
+        Inversion::DoubleCrank if grashof == Grashof::ChangePoint => say.double_crank(),
+        Inversion::DoubleCrank => say.drag_link(),
+        Inversion::RockerCrank => say.rocker_crank(),
+        Inversion::DoubleRocker => say.double_rocker(),
+        Inversion::TripleRocker => say.triple_rocker(),
     }
 }

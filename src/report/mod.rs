@@ -33,7 +33,7 @@ mod working;
 pub use accuracy::{
     Accuracy, Measure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text, unfit_text,
 };
-pub use answers::{Answer, Answers, NO_ANSWER};
+pub use answers::{Answer, Answers};
 pub use check::{
     Check, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts, NearMissFacts,
     SlideFacts, SliderKind, TransmissionFacts, limits_text, near_misses, range_text,

@@ -9,6 +9,7 @@ use crate::study::motor::{
     Asked, Course, Duty, Dwell, Effect, Fit, NoDuty, NoRam, Passing, Peak, Ram, RamEnd, Rule,
     SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
 };
+use crate::wording::words;
 use crate::{Input, Load, SlideId, StrokeEnd};
 use serde_json::{Value, json};
 use std::io;
@@ -357,10 +358,7 @@ fn ram(scene: &Scene, solver: &Solver, wishes: &MotorWishes) -> Result<RamReport
                 [one] => one,
                 [] => return Err(NoRam::None.to_string()),
                 _ => {
-                    return Err(format!(
-                        "several slides can be the ram: {}",
-                        names.join(", ")
-                    ));
+                    return Err(words().several_rams(&names.join(", ")));
                 }
             }
         }

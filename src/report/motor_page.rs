@@ -6,6 +6,7 @@ use crate::page::{Content, Facts, Page, Rest, Role, Row, Setting, Table, TextSty
 use crate::study::motor::{
     Asked, Cycle, Duty, Effect, NoDuty, Passing, Peak, Rule, SMALL_FLUCTUATION,
 };
+use crate::wording::words;
 
 /// Digits of a figure, and decimals of where it is in degrees.
 const DIGITS: usize = 6;
@@ -43,12 +44,8 @@ impl MotorReport {
     /// Why there are no figures.
     pub(crate) fn nothing(&self, why: &NoDuty) -> String {
         match why {
-            NoDuty::NothingActs => {
-                "nothing acts: the scene has no load and no mass, so the driver does no work".into()
-            }
-            NoDuty::Withheld(hidden) => {
-                format!("no figures: {}", hidden.text(&self.driver_unit))
-            }
+            NoDuty::NothingActs => words().nothing_acts().into(),
+            NoDuty::Withheld(hidden) => words().no_figures(&hidden.text(&self.driver_unit)),
         }
     }
 
@@ -62,53 +59,51 @@ impl MotorReport {
         self.add_fit(page);
         self.add_evenness(duty, page);
         self.add_shaking(cycle, page);
-        let rule = rule_text(cycle, self.effort_word());
-        page.add(facts([("integrals", rule)]));
+        let rule = rule_text(cycle, self.effort());
+        page.add(facts([(words().label_integrals().into(), rule)]));
     }
 
     /// What is asked of a motor, in a sentence.
     fn asked_text(&self, duty: &Duty) -> String {
         let cycle = &duty.cycle;
         let unit = self.effort_unit();
+        let sized = |value| format!("{} {unit}", significant(value, DIGITS));
         let course = self.course_text(duty);
         let asked = match (cycle.all.worst(), cycle.all.rms) {
             (Some(worst), Some(_)) if is_constant(&cycle.all) => {
-                format!(
-                    "asks {} {unit} throughout",
-                    significant(worst.value, DIGITS)
-                )
+                words().asks_throughout(&sized(worst.value))
             }
-            (Some(worst), Some(rms)) => format!(
-                "asks {} {unit} at {}, the worst instant; {} {unit} RMS",
-                significant(worst.value, DIGITS),
-                self.place(&worst),
-                significant(rms, DIGITS)
-            ),
-            _ => format!(
-                "asks for more than any motor has: there is no largest {} and no RMS",
-                self.effort_word()
-            ),
+            (Some(worst), Some(rms)) => {
+                words().asks_at_worst(&sized(worst.value), &self.place(&worst), &sized(rms))
+            }
+            _ => words().asks_too_much(self.effort()),
         };
-        format!("{course}, {} {asked}", self.driver)
+        words().driver_asks(&course, &self.driver, &asked)
     }
 
     /// The cycle in words.
     fn course_text(&self, duty: &Duty) -> String {
         let course = &duty.cycle.course;
-        let way = match (course.goes_round, duty.turns()) {
-            (true, 1.0) => "over a turn".to_owned(),
-            (true, turns) => format!("over {turns} turns"),
-            (false, _) => format!(
-                "from {} to {} {} and back",
-                concise(course.low, 9),
-                concise(course.high, 9),
-                self.driver_unit
-            ),
-        };
-        format!("{way} at {}", self.speed_text(self.speed.abs()))
+        let speed = self.speed_text(self.speed.abs());
+        match (course.goes_round, duty.turns()) {
+            (true, 1.0) => words().over_a_turn(&speed),
+            (true, turns) => words().over_turns(turns, &speed),
+            (false, _) => {
+                let [low, high] = [course.low, course.high].map(|end| concise(end, 9));
+                words().there_and_back(&low, &high, &self.driver_unit, &speed)
+            }
+        }
     }
 
-    /// What the driver does.
+    /// What the driver does, in a word.
+    fn effort(&self) -> &'static str {
+        match self.turns {
+            true => words().torque(),
+            false => words().force(),
+        }
+    }
+
+    /// The same as files for other programs have it.
     pub(super) fn effort_word(&self) -> &'static str {
         if self.turns { "torque" } else { "force" }
     }
@@ -126,71 +121,44 @@ impl MotorReport {
     fn singular_texts(&self, duty: &Duty) -> Vec<String> {
         let listed = |places: &[f64]| {
             let places: Vec<String> = places.iter().map(|&at| concise(at, 9)).collect();
-            format!("{} {}", places.join(" and "), self.driver_unit)
+            words().places_of(&places, &self.driver_unit)
         };
         let (mut texts, cycle) = (Vec::new(), &duty.cycle);
         let all = &duty.cycle.all;
         if let (Some(work), Some(put_in)) = (all.work(), all.put_in)
             && work < -NOTHING * put_in
         {
-            texts.push(format!(
-                "the mechanism drives {}: it gives {} J a cycle",
-                self.driver,
-                significant(-work, DIGITS)
-            ));
+            let work = significant(-work, DIGITS);
+            texts.push(words().mechanism_drives(&self.driver, &work));
         }
         if !duty.dead_points.is_empty() {
-            let what = if duty.runs_dead {
-                "accelerations grow beyond all bounds, and a driver that keeps its speed never gets \
-                 there: means and energies are of loads and gravity only"
-            } else {
-                "what the driver must do can grow beyond all bounds: its work and its mean exist, a \
-                 peak and an RMS do not"
-            };
-            texts.push(format!(
-                "dead points at {}: towards them {what}; a part of the motion has all figures",
-                listed(&duty.dead_points)
-            ));
+            let places = listed(&duty.dead_points);
+            texts.push(match duty.runs_dead {
+                true => words().dead_points_run_into(&places),
+                false => words().dead_points_passed(&places),
+            });
         }
         if !duty.change_points.is_empty() {
-            texts.push(format!(
-                "change points at {}: the torque passes smoothly, forces in the joints may not",
-                listed(&duty.change_points)
-            ));
+            texts.push(words().change_points_passed(&listed(&duty.change_points)));
         }
         if !duty.cycle.has_converged() {
             let error = significant(duty.cycle.error, 2);
-            texts.push(format!(
-                "the integrals have not converged: they may be off by {error} of the largest {}",
-                self.effort_word()
-            ));
+            texts.push(words().not_converged(&error, self.effort()));
         }
         if !duty.unrepeated.is_empty() {
             let numbers: Vec<String> = duty.unrepeated.iter().map(usize::to_string).collect();
-            let (loads, does) = match numbers.len() {
-                1 => ("load", "does"),
-                _ => ("loads", "do"),
-            };
             let course = &cycle.course;
-            texts.push(format!(
-                "`over` of {loads} {} {does} not repeat: this is the cycle from {} to {} {}",
-                numbers.join(" and "),
-                concise(course.low, 9),
-                concise(course.high, 9),
-                self.driver_unit
-            ));
+            let [low, high] = [course.low, course.high].map(|end| concise(end, 9));
+            texts.push(words().does_not_repeat(&numbers, &low, &high, &self.driver_unit));
         }
         if duty.is_cut_short {
-            texts.push(
-                "the loads repeat only after more than 64 turns: this is one period of the motion"
-                    .into(),
-            );
+            texts.push(words().repeats_late().into());
         }
         if !duty.is_steady {
-            texts.push("the driver does not keep its speed: what its acceleration takes is part of inertia".into());
+            texts.push(words().speed_not_kept().into());
         }
         if self.speed == 0.0 {
-            texts.push("the driver stands still: no power, and no time passes".into());
+            texts.push(words().no_power().into());
         }
         texts
     }
@@ -199,12 +167,16 @@ impl MotorReport {
     fn effects(&self, duty: &Duty) -> Table {
         let cycle = &duty.cycle;
         let [load, gravity, inertia] = &cycle.parts;
-        let parts = [("loads", load), ("gravity", gravity), ("inertia", inertia)];
+        let parts = [
+            (words().loads(), load),
+            (words().gravity(), gravity),
+            (words().inertia(), inertia),
+        ];
         let parts = parts.into_iter();
         let acting = parts.filter(|(_, effect)| !effect.is_nothing_beside(&cycle.parts));
-        let all = std::iter::once(("all", &cycle.all));
+        let all = std::iter::once((words().label_all(), &cycle.all));
         let (names, columns): (Vec<&str>, Vec<&Effect>) = all.chain(acting).unzip();
-        let what = self.effort_word();
+        let what = self.effort();
         let mut table = columns_of(format!("{what} [{}]", self.effort_unit()), names);
         let larger = |a: Option<Peak>, b: Option<Peak>| Some(a?.value.abs().max(b?.value.abs()));
         let torque = |e: &Effect| larger(e.largest, e.least);
@@ -219,27 +191,40 @@ impl MotorReport {
             let work = cleaned(e.work(), energy(e))?;
             Some(work / duty.seconds()?)
         };
-        let at = format!("    at [{}]", self.driver_unit);
+        let at = format!("    {} [{}]", words().at(), self.driver_unit);
+        let largest = indented(words().label_largest());
+        let least = indented(words().label_least());
+        let mean = indented(words().label_mean());
         let cells = |cell: &dyn Fn(&Effect) -> String| -> Vec<String> {
             columns.iter().map(|effect| cell(effect)).collect()
         };
-        table.row("  largest", cells(&|e| peak(e.largest, torque(e))));
+        table.row(largest.as_str(), cells(&|e| peak(e.largest, torque(e))));
         table.row(at.as_str(), cells(&|e| place(e, e.largest)));
-        table.row("  least", cells(&|e| peak(e.least, torque(e))));
+        table.row(least.as_str(), cells(&|e| peak(e.least, torque(e))));
         table.row(at.as_str(), cells(&|e| place(e, e.least)));
-        table.row("  mean", cells(&|e| figure(cleaned(e.mean, e.rms))));
-        table.row("  RMS", cells(&|e| figure(e.rms)));
-        table.rows.push(Row::Part("power [W]".into()));
-        table.row("  largest", cells(&|e| peak(e.largest_power, power(e))));
-        table.row("  least", cells(&|e| peak(e.least_power, power(e))));
-        table.row("  mean", cells(&|e| figure(mean_power(e))));
-        table.rows.push(Row::Part("energy [J]".into()));
-        table.row("  put in", cells(&|e| figure(cleaned(e.put_in, energy(e)))));
+        table.row(mean.as_str(), cells(&|e| figure(cleaned(e.mean, e.rms))));
+        table.row(indented(words().label_rms()), cells(&|e| figure(e.rms)));
+        table
+            .rows
+            .push(Row::Part(format!("{} [W]", words().power())));
+        table.row(largest, cells(&|e| peak(e.largest_power, power(e))));
+        table.row(least, cells(&|e| peak(e.least_power, power(e))));
+        table.row(mean, cells(&|e| figure(mean_power(e))));
+        table
+            .rows
+            .push(Row::Part(format!("{} [J]", words().label_energy())));
         table.row(
-            "  given back",
+            indented(words().label_put_in()),
+            cells(&|e| figure(cleaned(e.put_in, energy(e)))),
+        );
+        table.row(
+            indented(words().label_given_back()),
             cells(&|e| figure(cleaned(e.given_back, energy(e)))),
         );
-        table.row("  work", cells(&|e| figure(cleaned(e.work(), energy(e)))));
+        table.row(
+            indented(words().label_work()),
+            cells(&|e| figure(cleaned(e.work(), energy(e)))),
+        );
         table
     }
 
@@ -248,11 +233,9 @@ impl MotorReport {
         let is_known = motor.rated.or(motor.peak).or(motor.speed).is_some();
         let is_enough = self.fit.is_enough();
         let verdict_text = match is_enough {
-            Some(true) => "enough".to_owned(),
-            Some(false) => "not enough".to_owned(),
-            None if self.fit.is_unbounded && is_known => {
-                format!("not judged: no largest {} exists", self.effort_word())
-            }
+            Some(true) => words().enough().to_owned(),
+            Some(false) => words().not_enough().to_owned(),
+            None if self.fit.is_unbounded && is_known => words().not_judged(self.effort()),
             None => return,
         };
         let unit = self.effort_unit();
@@ -264,28 +247,24 @@ impl MotorReport {
         let torque = |asked: &Asked| verdict(asked, 1.0, unit);
         let speed = |asked: &Asked| verdict(asked, scale, speeds);
         let flywheel = self.with_flywheel();
-        let flywheel =
-            flywheel.map(|asked| format!("about the mean: {}", verdict(&asked, 1.0, unit)));
+        let flywheel = flywheel.map(|asked| words().about_the_mean(&verdict(&asked, 1.0, unit)));
         let gear = self.fit.geared.filter(|_| is_enough == Some(false));
         let gear = gear.map(|gear| {
-            let does = if gear.is_enough {
-                "would be enough"
-            } else {
-                "would not do either"
-            };
             let ratio = concise(gear.ratio, 4);
-            format!("{ratio} to 1 brings it down to the driver's speed: it {does}")
+            match gear.is_enough {
+                true => words().gear_enough(&ratio),
+                false => words().gear_not_enough(&ratio),
+            }
         });
         let told = [
-            ("  rated for RMS", self.fit.rated.as_ref().map(torque)),
-            ("  peak", self.fit.peak.as_ref().map(torque)),
-            ("  speed", self.fit.speed.as_ref().map(speed)),
-            ("  with flywheel", flywheel),
-            ("  with a gear", gear),
+            (words().rated_for_rms(), self.fit.rated.as_ref().map(torque)),
+            (words().peak(), self.fit.peak.as_ref().map(torque)),
+            (words().speed(), self.fit.speed.as_ref().map(speed)),
+            (words().with_flywheel(), flywheel),
+            (words().with_a_gear(), gear),
         ];
-        page.heading(format!("motor: {verdict_text}"));
-        let told = told.into_iter();
-        page.add(facts(told.filter_map(|(label, text)| Some((label, text?)))));
+        page.heading(words().motor_is(&verdict_text));
+        page.add(known(told));
     }
 
     fn add_evenness(&self, duty: &Duty, page: &mut Page) {
@@ -293,135 +272,104 @@ impl MotorReport {
             return;
         };
         let degrees = |at: f64| format!("{at:.DECIMALS$} {}", self.driver_unit);
-        let energy = format!(
-            "{} J up and down: slowest at {}, fastest at {}",
-            significant(fluctuation.energy, DIGITS),
-            degrees(fluctuation.slowest),
-            degrees(fluctuation.fastest)
+        let energy = words().energy_up_and_down(
+            &significant(fluctuation.energy, DIGITS),
+            &degrees(fluctuation.slowest),
+            &degrees(fluctuation.fastest),
         );
         let evenness = self.evenness().unwrap_or_default();
         let flywheel = evenness.with.map(|(inertia, fluctuation)| {
-            format!(
-                "of {} kg m^2 leaves a fluctuation of {}{}",
-                concise(inertia, DIGITS),
-                significant(fluctuation, 4),
-                rough(fluctuation)
-            )
+            let (inertia, left) = (concise(inertia, DIGITS), significant(fluctuation, 4));
+            rough(words().flywheel_leaves(&inertia, &left), fluctuation)
         });
         let wished = evenness.wished.map(|(fluctuation, inertia)| {
-            format!(
-                "of {} takes a flywheel of {} kg m^2{}",
-                concise(fluctuation, DIGITS),
-                significant(inertia, DIGITS),
-                rough(fluctuation)
-            )
+            let (wished, inertia) = (concise(fluctuation, DIGITS), significant(inertia, DIGITS));
+            rough(words().takes_a_flywheel(&wished, &inertia), fluctuation)
         });
         let told = [
-            ("  energy", Some(energy)),
-            ("  flywheel", flywheel),
-            ("  fluctuation", wished),
+            (words().label_energy(), Some(energy)),
+            (words().flywheel(), flywheel),
+            (words().fluctuation(), wished),
         ];
-        page.heading("evenness");
-        let told = told.into_iter();
-        page.add(facts(told.filter_map(|(label, text)| Some((label, text?)))));
+        page.heading(words().evenness());
+        page.add(known(told));
     }
 
     fn add_shaking(&self, cycle: &Cycle, page: &mut Page) {
         let shaking = &cycle.shaking;
-        let none = "no figure: forces in the joints do not exist everywhere".to_owned();
+        let none = words().no_joint_forces().to_owned();
         let size = |v: f64| significant(v, DIGITS);
         // What is as large in the mean as at its largest is so throughout.
         let is_same = |peak: &Peak, rms: f64| (peak.value.abs() - rms).abs() <= NOTHING * rms;
-        let at = |peak: &Peak, rms: f64| match is_same(peak, rms) {
-            true => " throughout".to_owned(),
-            false => format!(" at {}", self.place(peak)),
-        };
-        let behind = |peak: &Peak, rms: f64, unit: &str| match is_same(peak, rms) {
-            true => String::new(),
-            false => format!("; {} {unit} RMS", size(rms)),
-        };
         let force = shaking.force.zip(shaking.force_rms).zip(shaking.vector);
         let force = force.map_or(none.clone(), |((peak, rms), v)| {
-            format!(
-                "{} N{} ({}, {}){}",
-                size(peak.value),
-                at(&peak, rms),
-                significant(v.x, 4),
-                significant(v.y, 4),
-                behind(&peak, rms, "N")
-            )
+            let [x, y] = [v.x, v.y].map(|part| significant(part, 4));
+            let (force, place) = (size(peak.value), self.place(&peak));
+            match is_same(&peak, rms) {
+                true => words().force_throughout(&force, &x, &y),
+                false => words().force_at(&force, &place, &x, &y, &size(rms)),
+            }
         });
         let moment = shaking.moment.zip(shaking.moment_rms);
         let moment = moment.map_or(none, |(peak, rms)| {
-            format!(
-                "{} N m{} about the origin{}",
-                size(peak.value),
-                at(&peak, rms),
-                behind(&peak, rms, "N m")
-            )
+            let (moment, place) = (size(peak.value), self.place(&peak));
+            match is_same(&peak, rms) {
+                true => words().moment_throughout(&moment),
+                false => words().moment_at(&moment, &place, &size(rms)),
+            }
         });
-        page.heading("on the frame, loads included");
-        page.add(facts([("  force", force), ("  moment", moment)]));
+        page.heading(words().on_frame_with_loads());
+        let told = [(words().force(), force), (words().moment(), moment)];
+        page.add(indented_facts(told));
     }
 
     fn add_ram(&self, report: &RamReport, page: &mut Page) {
         let ram = &report.ram;
         let (unit, way) = (self.unit, &self.driver_unit);
         let mut list: Vec<(&str, String)> = Vec::new();
-        let convention = if ram.end.is_known {
-            ""
-        } else {
-            ", by convention"
+        let end = match ram.end.is_known {
+            true => words().works_at(end_word(ram.end.end)),
+            false => words().works_at_by_convention(end_word(ram.end.end)),
         };
-        let end = format!("at its {} position{convention}", end_word(ram.end.end));
-        list.push(("  works", end));
-        list.push(("  stroke", format!("{} {unit}", concise(ram.stroke, 9))));
-        for (label, centre) in [("  bottom", &ram.bottom), ("  top", &ram.top)] {
+        list.push((words().ram_works(), end));
+        list.push((
+            words().stroke(),
+            format!("{} {unit}", concise(ram.stroke, 9)),
+        ));
+        let others = ram
+            .others
+            .iter()
+            .map(|centre| (words().turns_too(), centre));
+        let ends = [(words().bottom(), &ram.bottom), (words().top(), &ram.top)];
+        for (label, centre) in ends.into_iter().chain(others) {
+            let at = format!("{:.ALL_DECIMALS$}", centre.at);
             let position = concise(centre.position, 9);
-            let text = format!(
-                "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
-                centre.at
-            );
-            list.push((label, text));
-        }
-        for centre in &ram.others {
-            let position = concise(centre.position, 9);
-            let text = format!(
-                "{:.ALL_DECIMALS$} {way}, position {position} {unit}",
-                centre.at
-            );
-            list.push(("  turns too", text));
+            list.push((label, words().centre_at(&at, way, &position, unit)));
         }
         let [closing, opening] = ram.ways;
-        let seconds = |share: f64| {
-            let seconds = ram.seconds.map(|s| s * share / (closing + opening));
-            seconds.map_or_else(String::new, |s| format!(", {} s", significant(s, DIGITS)))
+        let times = |gone: f64| {
+            let seconds = ram.seconds.map(|s| s * gone / (closing + opening));
+            timed(format!("{} {way}", significant(gone, DIGITS)), seconds)
         };
-        let times = |gone: f64| format!("{} {way}{}", significant(gone, DIGITS), seconds(gone));
-        list.push(("  closes in", times(closing)));
-        list.push(("  opens in", times(opening)));
+        list.push((words().closes_in(), times(closing)));
+        list.push((words().opens_in(), times(opening)));
         let ratio = significant(ram.time_ratio(), DIGITS);
-        list.push(("  time ratio", format!("{ratio}, closing to opening")));
+        list.push((words().time_ratio(), words().closing_to_opening(&ratio)));
         if let Some(strokes) = ram.strokes_per_minute() {
-            let text = format!("{} a minute", significant(strokes, DIGITS));
-            list.push(("  strokes", text));
+            let text = words().a_minute(&significant(strokes, DIGITS));
+            list.push((words().strokes(), text));
         }
-        page.heading(format!("ram {}", report.name));
-        page.add(facts(list));
+        page.heading(words().ram_named(&report.name));
+        page.add(indented_facts(list));
         self.add_height(report, page);
         if let Some((tolerance, dwell)) = &report.dwell {
-            let within = format!("within {} {unit}", concise(*tolerance, DIGITS));
+            let tolerance = format!("{} {unit}", concise(*tolerance, DIGITS));
             let text = dwell.map_or_else(none, |d| {
-                let seconds = d
-                    .seconds
-                    .map_or_else(String::new, |s| format!(", {} s", significant(s, DIGITS)));
+                let gone = timed(format!("{} {way}", significant(d.way, DIGITS)), d.seconds);
                 let [from, to] = [d.from, d.to].map(|at| format!("{at:.DECIMALS$}"));
-                format!(
-                    "{} {way}{seconds}: from {from} to {to}; {within} of the bottom",
-                    significant(d.way, DIGITS)
-                )
+                words().dwells_within(&gone, &from, &to, &tolerance)
             });
-            page.add_below(facts([("  dwells", text)]));
+            page.add_below(indented_facts([(words().dwells(), text)]));
         }
     }
 
@@ -430,49 +378,57 @@ impl MotorReport {
             return;
         };
         let unit = self.unit;
-        let label = format!("  at {} {unit}", concise(*height, DIGITS));
+        let label = words().at_height(&concise(*height, DIGITS), unit);
         let Some(both) = passings else {
             let stroke = significant(report.ram.stroke, DIGITS);
-            let text = format!("the ram is never there: its stroke is {stroke} {unit}");
-            page.add_below(facts([(label.as_str(), text)]));
+            let text = words().ram_never_there(&stroke, unit);
+            page.add_below(indented_facts([(label.as_str(), text)]));
             return;
         };
         let sized = |v: f64| figure(Some(v).filter(|v| v.is_finite()));
-        let mut table = columns_of(label, ["closing", "opening"]);
+        let ways = [words().closing(), words().opening_way()];
+        let mut table = columns_of(indented(&label), ways);
         let mut row = |label: String, cell: &dyn Fn(&Passing) -> String| {
             table.row(label, both.iter().map(cell));
         };
-        row(format!("    driver [{}]", self.driver_unit), &|p| {
-            format!("{:.DECIMALS$}", p.at)
-        });
-        row(format!("    place [{unit}]"), &|p| sized(p.position));
+        let driver = format!("    {} [{}]", words().driver(), self.driver_unit);
+        row(driver, &|p| format!("{:.DECIMALS$}", p.at));
+        let place = format!("    {} [{unit}]", words().label_place());
+        row(place, &|p| sized(p.position));
         row(format!("    v [{unit}/s]"), &|p| sized(p.velocity));
         row(format!("    a [{unit}/s^2]"), &|p| sized(p.acceleration));
         let by = self.effort_unit();
         match report.torque {
-            Some(torque) => row("    force [N]".into(), &|p| sized(torque * p.leverage)),
-            None => row(format!("    N per {by}"), &|p| sized(p.leverage)),
+            Some(torque) => {
+                let force = format!("    {} [N]", words().force());
+                row(force, &|p| sized(torque * p.leverage));
+            }
+            None => {
+                let ratio = format!("    {}", words().newtons_per(by));
+                row(ratio, &|p| sized(p.leverage));
+            }
         }
         page.add_below(Content::Table(table));
         if let Some(torque) = report.torque {
-            let torque = concise(torque, DIGITS);
-            page.text_below(format!(
-                "    force: what {torque} {by} of the driver hold, without friction"
-            ));
+            let effort = format!("{} {by}", concise(torque, DIGITS));
+            page.text_below(format!("    {}", words().force_held_by(&effort)));
         }
         if both.iter().any(|passing| !passing.leverage.is_finite()) {
-            page.text_below("    a dead centre: the force has no bound");
+            page.text_below(format!("    {}", words().force_unbounded()));
         }
     }
 
     fn place(&self, peak: &Peak) -> String {
-        let back = if peak.back { " on the way back" } else { "" };
         let at = if self.turns {
             format!("{:.DECIMALS$}", peak.at)
         } else {
             significant(peak.at, DIGITS)
         };
-        format!("{at} {}{back}", self.driver_unit)
+        let place = format!("{at} {}", self.driver_unit);
+        match peak.back {
+            true => words().on_the_way_back(&place),
+            false => place,
+        }
     }
 
     fn short_place(&self, peak: &Peak) -> String {
@@ -480,20 +436,45 @@ impl MotorReport {
             (true, false) => format!("{:.DECIMALS$}", peak.at),
             (false, false) => significant(peak.at, DIGITS),
             // Shorter, so that the word has room.
-            (true, true) => format!("{:.1} back", peak.at),
-            (false, true) => format!("{} back", significant(peak.at, 4)),
+            (true, true) => words().back_at(&format!("{:.1}", peak.at)),
+            (false, true) => words().back_at(&significant(peak.at, 4)),
         }
     }
 }
 
+/// A label below a heading.
+fn indented(label: &str) -> String {
+    format!("  {label}")
+}
+
+/// What is told below a heading.
+fn indented_facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
+    let told = told.into_iter();
+    facts(told.map(|(label, text)| (indented(label), text)))
+}
+
+/// The same of what there is.
+fn known<'l>(told: impl IntoIterator<Item = (&'l str, Option<String>)>) -> Content {
+    let told = told.into_iter();
+    indented_facts(told.filter_map(|(label, text)| Some((label, text?))))
+}
+
+/// A way, and the time that it takes where that is known.
+fn timed(way: String, seconds: Option<f64>) -> String {
+    match seconds {
+        Some(seconds) => words().in_seconds(&way, &significant(seconds, DIGITS)),
+        None => way,
+    }
+}
+
 /// Labels, and what is told of each.
-fn facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
+fn facts(told: impl IntoIterator<Item = (String, String)>) -> Content {
     let mut facts = Facts {
         names: LABEL + 1,
         ..Facts::default()
     };
     for (label, text) in told {
-        facts.tell(label, [text]);
+        facts.tell(&label, [text]);
     }
     Content::Facts(facts)
 }
@@ -539,17 +520,12 @@ fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
 fn verdict(asked: &Asked, scale: f64, unit: &str) -> String {
     let [wants, has, left] =
         [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
+    let [has, left] = [has, left].map(|size| format!("{size} {unit}"));
     let share = asked.has / asked.asked;
     match (asked.is_enough(), share.is_finite()) {
-        (true, true) => {
-            let times = significant(share, 3);
-            format!("{has} {unit} for {wants}: {left} {unit} left ({times} times what is asked)")
-        }
-        (true, false) => format!("{has} {unit} for {wants}: {left} {unit} left"),
-        (false, _) => {
-            let share = concise(100.0 * share, 2);
-            format!("{has} {unit} for {wants}: has {share} % of it")
-        }
+        (true, true) => words().has_left_by_times(&has, &wants, &left, &significant(share, 3)),
+        (true, false) => words().has_left(&has, &wants, &left),
+        (false, _) => words().has_a_share(&has, &wants, &concise(100.0 * share, 2)),
     }
 }
 
@@ -562,23 +538,18 @@ fn is_constant(effect: &Effect) -> bool {
     })
 }
 
-/// What is to be said of a large fluctuation.
-fn rough(fluctuation: f64) -> &'static str {
-    if fluctuation > SMALL_FLUCTUATION {
-        ", a rough figure: energy and speed go in proportion for small ones only"
-    } else {
-        ""
+/// What is said of a fluctuation, and that a large one is no more than a rough figure.
+fn rough(says: String, fluctuation: f64) -> String {
+    match fluctuation > SMALL_FLUCTUATION {
+        true => words().roughly(&says),
+        false => says,
     }
 }
 
 fn rule_text(cycle: &Cycle, what: &str) -> String {
     let error = significant(cycle.error, 2);
     match cycle.rule {
-        Rule::Periodic(places) => {
-            format!("trapezoids at {places} places, good to {error} of the largest {what}")
-        }
-        Rule::Pieces(pieces) => {
-            format!("polynomials on {pieces} pieces, good to {error} of the largest {what}")
-        }
+        Rule::Periodic(places) => words().trapezoids(&places, &error, what),
+        Rule::Pieces(pieces) => words().polynomials(&pieces, &error, what),
     }
 }

@@ -5,6 +5,7 @@ use super::tables::{Entry, ORDERS, Tables, VectorColumn};
 use crate::page::{Page, Setting, Table, TextStyle};
 use crate::quantity::{Aspect, state_word};
 use crate::solver::Order;
+use crate::wording::words;
 
 /// How tables are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +57,10 @@ impl Tables {
 
 /// Widths of the labels, so that the tables below one another line up.
 pub(super) const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
-pub(super) const POINT_LABELS: usize = "acceleration of points".len();
+pub(super) fn point_labels() -> usize {
+    let titles = ORDERS.map(|order| words().of_points(title(order)).chars().count());
+    titles.into_iter().max().unwrap_or(0)
+}
 
 /// Names and columns with so many characters at the least.
 pub(super) fn set(names: usize, columns: usize) -> Setting {
@@ -74,9 +78,9 @@ const BOUND_DIGITS: usize = 2;
 /// The title of a table.
 fn title(order: Order) -> &'static str {
     match order {
-        Order::Position => "position",
-        Order::Velocity => "velocity",
-        Order::Acceleration | Order::Force => "acceleration",
+        Order::Position => words().position(),
+        Order::Velocity => words().velocity(),
+        Order::Acceleration | Order::Force => words().acceleration(),
     }
 }
 
@@ -96,11 +100,8 @@ impl Writer<'_> {
             format!("{value} {}", aspects[i].unit(self.tables.unit))
         });
         page.title(&self.tables.scene);
-        page.text_below(format!(
-            "driver {} at {at}, {speed}, {acceleration}",
-            driver.name
-        ));
-        page.text_below(format!("state {}", state_word(self.tables.condition)));
+        page.text_below(words().driver_at(&driver.name, &at, &speed, &acceleration));
+        page.text_below(words().state_is(state_word(self.tables.condition)));
     }
 
     /// `name [unit]`.
@@ -114,7 +115,7 @@ impl Writer<'_> {
 
     /// The name of a column of directions.
     pub(super) fn direction(&self) -> String {
-        self.label("direction", Aspect::Angle)
+        self.label(words().direction(), Aspect::Angle)
     }
 
     fn vector_table(&self, order: Order) -> Table {
@@ -178,8 +179,8 @@ impl Writer<'_> {
     }
 
     fn add_legend(&self, page: &mut Page) {
-        let found = "* found; entries without a star are given";
-        let bounds = "+- what the error does not exceed; ? where nothing was proved";
+        let found = words().stars_are_found();
+        let bounds = words().bounds_are();
         let is_told = [!self.tables.vectors.is_empty(), self.style.bounds];
         let told = [found, bounds].into_iter().zip(is_told);
         let mut told = told.filter_map(|(text, is_told)| is_told.then_some(text));
@@ -197,8 +198,8 @@ impl Writer<'_> {
         };
         let headers = names.map(|name| self.label(name, aspect));
         let headers = headers.into_iter().chain([self.direction()]);
-        let setting = set(POINT_LABELS, self.style.digits + 2);
-        let mut table = Table::new(format!("{} of points", title(order)), headers).set(setting);
+        let setting = set(point_labels(), self.style.digits + 2);
+        let mut table = Table::new(words().of_points(title(order)), headers).set(setting);
         for point in &self.tables.points {
             let plane = point.motion[index(order)];
             let entries = plane.map_or([Entry::NONE; 4], |plane| plane.entries(point.fixed));

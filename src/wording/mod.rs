@@ -17,6 +17,8 @@ use english::*;
 /// Every sentence, in one language.
 pub(crate) trait Words:
     Actions
+    + Balance
+    + Checking
     + Commands
     + Configuration
     + Editing
@@ -26,15 +28,20 @@ pub(crate) trait Words:
     + Files
     + Helping
     + Hints
+    + Manual
+    + Methods
     + Motion
+    + Motors
     + Offering
     + Options
     + Picking
     + Plots
+    + Reactions
     + Taking
     + Terminals
     + Tour
     + Views
+    + Working
 {
 }
 
@@ -45,5 +52,11 @@ pub(crate) type Wording = fn(&'static dyn Words) -> &'static str;
 
 /// The sentences in the language that is spoken.
 pub(crate) fn words() -> &'static dyn Words {
+    &English
+}
+
+/// The sentences as files for other programs have them, whatever is spoken: names and reasons in CSV and JSON are
+/// promises.
+pub(crate) fn for_programs() -> &'static dyn Words {
     &English
 }

@@ -4,14 +4,13 @@ use super::draft::{Context, Draft};
 use super::equations::{Axis, Member, Piece};
 use super::figures::Sum;
 use crate::solver::Order;
+use crate::wording::words;
 
 /// Every loop with all numbers in place, and the largest difference between the working and the state.
 pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part("Check");
+    draft.page.part(words().check_part());
     if !context.has_positions() {
-        draft
-            .page
-            .text("Without an assembly there is nothing to check.");
+        draft.page.text(words().nothing_to_check());
         return;
     }
     closure(context, draft);
@@ -24,13 +23,10 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
         let (part, symbol) = (worst.part(), &worst.symbol);
         // Less than half a place of a double is the rounding of a figure that should be 0.
         let text = if part < f64::EPSILON / 2.0 {
-            "The figures worked out above and those of the solver do not differ.".to_owned()
+            words().figures_do_not_differ().to_owned()
         } else {
             let part = crate::report::number::upwards(part, 2);
-            format!(
-                "The figures worked out above and those of the solver differ by {part} of their size at the \
-             most (at {symbol})."
-            )
+            words().figures_differ(&part, symbol)
         };
         draft.page.text(text);
     }
@@ -41,17 +37,11 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
     }
-    draft
-        .page
-        .text("What is left of the loop equations with all numbers in place:");
+    draft.page.text(words().left_of_loops());
     for stage in context.stages {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
-            let name = if context.polygon.loops.len() > 1 {
-                format!("loop {} ", number + 1)
-            } else {
-                String::new()
-            };
+            let is_one = context.polygon.loops.len() == 1;
             for (axis, label) in [(Axis::X, "x"), (Axis::Y, "y")] {
                 let members = of.terms.iter().map(|&term| Member {
                     sought: [false; 2],
@@ -69,7 +59,10 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
                     .for_each(|p| sum.push_figure(&f.beside(p.value, size)));
                 let left: f64 = pieces.iter().map(|p| p.value).sum();
                 draft.page.equation([
-                    format!("{name}{label}"),
+                    match is_one {
+                        true => label.to_owned(),
+                        false => words().loop_component(number + 1, &label),
+                    },
                     sum.text(),
                     if left == 0.0 {
                         "0".into()

@@ -5,6 +5,7 @@ use super::stages::Stage;
 use super::symbols;
 use crate::PointId;
 use crate::solver::{Newton, NewtonRow, NewtonUnknown};
+use crate::wording::words;
 
 /// More unknowns than this make a matrix that nobody reads.
 const MOST_COLUMNS: usize = 12;
@@ -18,19 +19,14 @@ pub(super) fn position(context: &Context<'_>, draft: &mut Draft, stage: &Stage) 
     match own {
         Some(newton) => last_step(context, draft, &newton),
         None if context.has_positions() => solved(context, draft, stage),
-        None => draft
-            .page
-            .text("It is solved at once, by Newton's method, where it can be assembled."),
+        None => draft.page.text(words().solved_at_once()),
     }
 }
 
 /// What is sought, where it stands and what is left of every equation, then the matrix.
 fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
     let f = context.figures;
-    draft.page.text(
-        "No part of it can be solved alone: all equations f(z) = 0 are solved at once, by Newton's method, \
-         z - dz with J dz = f, J the derivatives of f by z. Where it stopped:",
-    );
+    draft.page.text(words().no_part_alone());
     let names: Vec<String> = newton
         .unknowns
         .iter()
@@ -48,7 +44,7 @@ fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
             },
         ]);
     }
-    draft.page.text("The equations, and what is left of them:");
+    draft.page.text(words().equations_left());
     for (i, (row, left)) in newton.rows.iter().zip(&newton.residuals).enumerate() {
         let (text, unit) = row_text(context, row);
         let left = if *left == 0.0 {
@@ -66,12 +62,10 @@ fn last_step(context: &Context<'_>, draft: &mut Draft, newton: &Newton) {
 fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[String]) {
     let n = names.len();
     if n > MOST_COLUMNS {
-        draft
-            .page
-            .text(format!("J has {n} x {n} entries, which nobody would read."));
+        draft.page.text(words().jacobian_too_large(n));
         return;
     }
-    draft.page.text("J, a row for every equation:");
+    draft.page.text(words().jacobian_rows());
     let head = std::iter::once("J".to_owned()).chain(names.iter().cloned());
     let rows = newton
         .jacobian
@@ -101,7 +95,7 @@ fn point_name<'a>(context: &'a Context<'_>, point: Option<PointId>) -> &'a str {
     let name = point
         .filter(named)
         .and_then(|point| context.scene.point_name(point));
-    name.unwrap_or("joint")
+    name.unwrap_or(words().joint())
 }
 
 /// An equation, and the unit in which it is off.
@@ -117,15 +111,15 @@ fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
             )
         }
         NewtonRow::MeetingX(point) => (
-            format!("x of {} two ways", point_name(context, point)),
+            words().two_ways("x", point_name(context, point)),
             unit.into(),
         ),
         NewtonRow::MeetingY(point) => (
-            format!("y of {} two ways", point_name(context, point)),
+            words().two_ways("y", point_name(context, point)),
             unit.into(),
         ),
         NewtonRow::Guide(point) => (
-            format!("distance of {} from its guide", point_name(context, point)),
+            words().distance_from_guide(point_name(context, point)),
             unit.into(),
         ),
     }
@@ -133,7 +127,7 @@ fn row_text(context: &Context<'_>, row: &NewtonRow) -> (String, String) {
 
 /// A form without a name that is no coupled group: what was found.
 fn solved(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
-    draft.page.text("Found together:");
+    draft.page.text(words().found_together());
     let terms = stage
         .loops
         .iter()

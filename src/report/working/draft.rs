@@ -9,6 +9,7 @@ use super::stages::{Schedule, Stage};
 use crate::page::{Page, Setting, Table};
 use crate::scene::Scene;
 use crate::solver::{Condition, Group, Known, Order, Solver};
+use crate::wording::words;
 use crate::{Mechanism, angle};
 
 /// What the working is written from.
@@ -144,21 +145,22 @@ impl<'a> Context<'a> {
             .iter()
             .map(|&l| self.scene.link_name(l))
             .collect();
-        let links = match links.len() {
-            0 => String::new(),
-            1 => format!(": link {}", links[0]),
-            _ => format!(": links {}", links.join(", ")),
-        };
-        format!("Group {}, {what}{links}", number + 1)
+        match links[..] {
+            [] => words().group_in_words(number + 1, &what),
+            [link] => words().group_of_one_link(number + 1, &what, link),
+            _ => words().group_of_many_links(number + 1, &what, &links.join(", ")),
+        }
     }
 
     fn kind_text(&self, group: &Group) -> String {
         let at = group.point.and_then(|point| self.scene.point_name(point));
-        let at = at.map_or_else(String::new, |name| format!(" at {name}"));
         match (group.kind.class(), group.kind.unknowns()) {
-            (Some(class), _) => format!("dyad {class}{at}"),
-            (None, Some(unknowns)) => format!("coupled group of {unknowns} unknowns"),
-            (None, None) => "driver".into(),
+            (Some(class), _) => match at {
+                Some(point) => words().dyad_at(class, point),
+                None => words().dyad(class),
+            },
+            (None, Some(unknowns)) => words().coupled_of_unknowns(unknowns),
+            (None, None) => words().driver().into(),
         }
     }
 }

@@ -5,6 +5,7 @@ use super::expression::Expression;
 use super::figures::Sum;
 use super::free_body::{free_body, largest};
 use crate::solver::{Acted, Condition, GroupKind};
+use crate::wording::words;
 use crate::{Input, Load, PointId, Vec2};
 
 /// Everything about forces; nothing where nothing acts.
@@ -12,7 +13,7 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
     if !context.solver.has_forces() {
         return;
     }
-    draft.page.part("Forces");
+    draft.page.part(words().forces_part());
     let Some(torque) = context.state.drive() else {
         let withheld = crate::report::forces::withheld(context.scene, &context.state);
         let absent = || absent(context.state.condition()).to_owned();
@@ -23,9 +24,7 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
     loads(context, draft, &acted);
     super::loads::laws(context, draft, &acted);
     if context.state.residual().is_none() {
-        draft.page.text(
-            "The reactions need not exist at this place; the driver's torque follows from the virtual work.",
-        );
+        draft.page.text(words().reactions_need_not_exist());
     } else {
         order(context, draft);
         let links = context.scene.mechanism.link_ids();
@@ -34,10 +33,7 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
             .map(|link| context.scene.link_name(link))
             .collect();
         if !open.is_empty() {
-            draft.page.text(format!(
-                "A redundant linkage leaves reactions open of {}: equilibrium alone does not tell them.",
-                open.join(", ")
-            ));
+            draft.page.text(words().reactions_open(&open.join(", ")));
         }
         super::pins::pins(context, draft, &acted);
     }
@@ -48,31 +44,19 @@ pub(super) fn forces(context: &Context<'_>, draft: &mut Draft) {
 fn order(context: &Context<'_>, draft: &mut Draft) {
     let count = context.solver.plan().groups.len();
     let groups: Vec<String> = (0..count).rev().map(|k| context.group_text(k)).collect();
-    draft.page.text(format!(
-        "The reactions are the unknowns in the equations of motion of the links below. They are found group by \
-         group, the last first, since a group hands on what it bears to those before it: {}. The driver's own \
-         comes last.",
-        groups.join("; ")
-    ));
+    draft.page.text(words().order_of_groups(&groups.join("; ")));
     let groups = &context.solver.plan().groups;
     if groups.iter().any(|group| group.kind == GroupKind::Rrr) {
-        draft.page.text(
-            "In a dyad RRR the force F at the inner pin on the first link follows from the moments of each link \
-             about its outer pivot: e x F + M1 = 0 and -f x F + M2 = 0, with e and f from the pivots to the inner \
-             pin, and M1, M2 the moments of all else on each link, its inertia among it. A load on that pin goes with the second link.",
-        );
+        draft.page.text(words().dyad_of_two_arms());
     }
 }
 
 /// Why there are no forces.
 fn absent(condition: Condition) -> &'static str {
     match condition {
-        Condition::DeadPoint => {
-            "At a dead point the mechanical advantage is infinite: no torque of the driver balances the loads, \
-             and the reactions do not exist."
-        }
-        Condition::NoAssembly => "Without an assembly there are none.",
-        Condition::Ok | Condition::ChangePoint => "They do not exist here.",
+        Condition::DeadPoint => words().no_balance_at_dead_point(),
+        Condition::NoAssembly => words().no_forces_without_assembly(),
+        Condition::Ok | Condition::ChangePoint => words().no_forces_here(),
     }
 }
 
@@ -85,30 +69,31 @@ fn loads(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
         for (point, force) in &acted.forces {
             let [x, y] = components(context, *force);
             rows.push([
-                format!("{what} at {}", point_name(context, *point)),
+                words().acts_at(what, point_name(context, *point)),
                 x,
                 y,
                 "-".into(),
             ]);
         }
         if let Some((link, couple)) = acted.couple {
-            let name = format!("{what} on {}", context.scene.link_name(link));
+            let name = words().acts_on(what, context.scene.link_name(link));
             rows.push([name, "-".into(), "-".into(), context.figures.number(couple)]);
         }
     }
     if !rows.is_empty() {
-        draft.page.text("The loads here:");
-        draft.table(["load", "fx [N]", "fy [N]", "torque [N m]"], rows);
+        draft.page.text(words().loads_here());
+        let torque = format!("{} [N m]", words().torque());
+        draft.table([words().column_load(), "fx [N]", "fy [N]", &torque], rows);
     }
 }
 
 /// What a load is.
 pub(super) fn kind(load: &Load) -> &'static str {
     match load {
-        Load::Force { .. } => "force",
-        Load::Torque { .. } => "torque",
-        Load::Press { .. } => "press",
-        Load::Spring { .. } => "spring",
+        Load::Force { .. } => words().force(),
+        Load::Torque { .. } => words().torque(),
+        Load::Press { .. } => words().kind_press(),
+        Load::Spring { .. } => words().kind_spring(),
     }
 }
 
@@ -118,17 +103,20 @@ pub(super) fn components(context: &Context<'_>, force: Vec2) -> [String; 2] {
 }
 
 pub(super) fn point_name<'a>(context: &'a Context<'_>, point: PointId) -> &'a str {
-    context.scene.point_name(point).unwrap_or("a point")
+    context.scene.point_name(point).unwrap_or(words().a_point())
 }
 
 /// What the driver must do, and against what.
 fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted]) {
     let (f, state) = (context.figures, context.state);
-    let (what, unit) = match context.scene.mechanism.driver().input {
-        Input::Turn(_) => ("torque", "N m"),
-        Input::Push(_) => ("force", "N"),
+    let (turns, what, unit) = match context.scene.mechanism.driver().input {
+        Input::Turn(_) => (true, "torque", "N m"),
+        Input::Push(_) => (false, "force", "N"),
     };
-    draft.page.section(format!("The driver's {what}"));
+    draft.page.section(match turns {
+        true => words().torque_of_driver(),
+        false => words().force_of_driver(),
+    });
     if let Some(parts) = state.drive_parts() {
         let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
         let mut sum = Sum::default();
@@ -138,18 +126,12 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
         let size_on_the_way = size.max(largest(context, acted));
         let worked = parts.iter().sum();
         draft.agree(&format!("driver.{what}"), worked, drive, size_on_the_way);
-        let check = format!(
-            "The driver's {what} of {} {unit} follows from the balance of the links. The virtual work of the \
-             loads, of gravity and of inertia must give the same, and is its check",
-            f.beside(drive, size)
-        );
-        let way = match state.residual() {
-            Some(_) => check,
-            None => "By the virtual work of the loads, of gravity and of inertia".to_owned(),
-        };
-        draft.page.text(format!(
-            "{way}. Each share is the power of its forces, with the other sign, divided by the driver's speed."
-        ));
+        let effort = format!("{} {unit}", f.beside(drive, size));
+        draft.page.text(match (state.residual(), turns) {
+            (Some(_), true) => words().torque_checked_by_work(&effort),
+            (Some(_), false) => words().force_checked_by_work(&effort),
+            (None, _) => words().effort_by_work().to_owned(),
+        });
         super::loads::shares(context, draft, acted, parts);
         draft.page.equation([
             format!("driver.{what}"),
@@ -182,11 +164,9 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
     };
     let f = context.figures;
     let [x, y] = components(context, force);
-    draft.page.text(format!(
-        "The frame feels {x} N along x, {y} N along y and a moment of {} N m about the origin. What is left of \
-         the balance of power and of the equilibrium of the whole, each found by a way of its own:",
-        f.number(moment)
-    ));
+    draft
+        .page
+        .text(words().frame_feels(&x, &y, &f.number(moment)));
     let unit = match context.scene.mechanism.driver().input {
         Input::Turn(_) => "N m",
         Input::Push(_) => "N",
@@ -199,13 +179,13 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
         }
     };
     for (name, value, unit) in [
-        ("virtual work", left.drive, unit),
-        ("forces, x", left.force.x, "N"),
-        ("forces, y", left.force.y, "N"),
-        ("moments", left.moment, "N m"),
+        (words().virtual_work().to_owned(), left.drive, unit),
+        (words().forces_in("x"), left.force.x, "N"),
+        (words().forces_in("y"), left.force.y, "N"),
+        (words().moments().to_owned(), left.moment, "N m"),
     ] {
         draft
             .page
-            .equation([name.to_owned(), format!("{} {unit}", small(value))]);
+            .equation([name, format!("{} {unit}", small(value))]);
     }
 }

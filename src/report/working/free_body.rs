@@ -6,6 +6,7 @@ use super::figures::Sum;
 use super::forces::point_name;
 use crate::report::forces::partner;
 use crate::solver::Acted;
+use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// A force on a link, or a couple alone.
@@ -41,13 +42,12 @@ pub(super) fn free_body(
     let Some(rows) = body.rows() else {
         return false;
     };
-    draft.page.section(format!("Link {name}"));
+    draft.page.section(words().link_part(name));
     body.table(draft, &rows);
     let point = point_name(context, about);
-    let text = format!("x and y from {point}, moments about it. The equations of motion");
     draft.page.text(match body.acceleration() {
-        Some(_) => format!("{text}, with the acceleration of {point} in m/s^2:"),
-        None => format!("{text}:"),
+        Some(_) => words().motion_about_accelerated(point),
+        None => words().motion_about(point),
     });
     body.equations(draft, &rows);
     true
@@ -115,8 +115,9 @@ impl FreeBody<'_> {
             ]
         });
         let [x, y] = ["x", "y"].map(|axis| format!("{axis} [{}]", f.unit));
+        let moment = format!("{} [N m]", words().moment());
         draft.table(
-            ["on it", "fx [N]", "fy [N]", &x, &y, "moment [N m]"],
+            [words().on_it(), "fx [N]", "fy [N]", &x, &y, &moment],
             cells.collect(),
         );
     }
@@ -177,7 +178,7 @@ impl FreeBody<'_> {
         }
         let name = self.context.scene.link_name(self.id);
         let symbols = balance.motion.symbols();
-        let symbol = format!("{symbols} of {name}");
+        let symbol = words().symbols_of(&symbols, name);
         let worked = balance.values.iter().sum();
         draft.agree(&symbol, worked, value, size.max(value.abs()));
         let right = format!("{} {}", f.beside(value, size), balance.unit);
@@ -230,7 +231,7 @@ impl FreeBody<'_> {
                 .flat_map(|a| &a.forces)
                 .filter(|(p, _)| *p == point)
             {
-                let name = format!("load at {label}");
+                let name = words().acts_at(words().column_load(), label);
                 rows.push(Row {
                     name,
                     force: *force,
@@ -242,7 +243,7 @@ impl FreeBody<'_> {
         for acted in self.acted.iter().filter(|a| a.on == Some(self.id)) {
             for &(point, force) in &acted.forces {
                 rows.push(Row {
-                    name: "press".into(),
+                    name: words().kind_press().into(),
                     force,
                     at: Some(state.position(point)),
                     couple: 0.0,
@@ -252,7 +253,7 @@ impl FreeBody<'_> {
         let weight = mechanism.gravity() * link.mass;
         if let (Some(com), true) = (link.com, weight != Vec2::ZERO) {
             rows.push(Row {
-                name: "weight".into(),
+                name: words().weight().into(),
                 force: weight,
                 at: Some(state.position(com)),
                 couple: 0.0,
@@ -290,11 +291,11 @@ impl FreeBody<'_> {
                 couple,
             });
         };
-        own.for_each(|(_, couple)| add("torque", couple));
+        own.for_each(|(_, couple)| add(words().torque(), couple));
         if self.mechanism().driver().input == Input::Turn(self.id)
             && let Some(torque) = self.context.state.drive()
         {
-            add("driver", torque);
+            add(words().driver(), torque);
         }
     }
 }
@@ -312,9 +313,12 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
         Slider::Pin(_) => 0.0,
         Slider::Link { .. } => state.moment(slide)?,
     };
-    let whose = if sign > 0.0 { "guide" } else { "slider" };
+    let name = context.scene.slide_name(slide);
     Some(Row {
-        name: format!("{whose} of {}", context.scene.slide_name(slide)),
+        name: match sign > 0.0 {
+            true => words().guide_of(name),
+            false => words().slider_of(name),
+        },
         force: force * sign,
         at: Some(state.position(given.slider.point())),
         couple: couple * sign,
@@ -326,9 +330,9 @@ pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> S
     let by = partner(&context.scene.mechanism, link, point);
     let (name, at) = (context.scene.link_name(link), point_name(context, point));
     match by {
-        Some(Some(other)) => format!("{name} at {at} by {}", context.scene.link_name(other)),
-        Some(None) => format!("{name} at {at} by ground"),
-        None => format!("{name} at {at}"),
+        Some(Some(other)) => words().pin_by(name, at, context.scene.link_name(other)),
+        Some(None) => words().pin_by_ground(name, at),
+        None => words().acts_at(name, at),
     }
 }
 

@@ -9,6 +9,7 @@ use super::place::pieces;
 use super::polygon::Term;
 use super::solution::{Arm, Solution, length, turn};
 use crate::Vec2;
+use crate::wording::words;
 
 impl Solution<'_> {
     // ---- an angle and a position
@@ -20,11 +21,11 @@ impl Solution<'_> {
         let member = self.member(slide);
         let name = member.side.name.clone();
         let plus = if slide.reversed { "-" } else { "+" };
-        draft.page.text(format!(
-            "With K the sum of the known sides, {} = |K {plus} {name} u|, u at {}: a quadratic in {name}.",
-            arm.length,
-            member.side.theta()
-        ));
+        let sum = format!("K {plus} {name} u");
+        let theta = member.side.theta();
+        draft
+            .page
+            .text(words().quadratic_in(&arm.length, &sum, &theta, &name));
         let size = self.known.norm().max(arm.value);
         self.write_known(draft, size);
         let [p, q] = self.write_coefficients(draft, &arm, slide, size);
@@ -39,7 +40,7 @@ impl Solution<'_> {
             name.clone(),
             "-p +- sqrt(p^2 - q)".into(),
             format!("{} +- {}", f.beside(-p, size), f.beside(root, size)),
-            format!("{one} or {two} {}", f.unit),
+            words().either_or(&one, &format!("{two} {}", f.unit)),
         ]);
         let away = roots.map(|r| (r - member.reading.r).abs());
         let worked = if away[0] <= away[1] {
@@ -50,14 +51,13 @@ impl Solution<'_> {
         // Near a dead point the root of a difference loses half its digits.
         let loss = 1.0 + size / root.max(1e-8 * size);
         draft.agree(&name, worked, member.reading.r, size * loss);
-        draft.page.text("By the assembly:");
+        draft.page.text(words().by_the_assembly());
         let found = format!("{} {}", f.beside(worked, size), f.unit);
         draft.page.equation([name.clone(), found]);
         // What closes the loop is the arm.
         let sign = if slide.reversed { -1.0 } else { 1.0 };
         let along = -(self.known + member.reading.u * (sign * worked));
-        let what = format!("K {plus} {name} u");
-        self.write_direction(draft, &arm, (along, &what), size, loss);
+        self.write_direction(draft, &arm, (along, &sum), size, loss);
     }
 
     /// The components of the sum of the known sides.
@@ -116,7 +116,7 @@ impl Solution<'_> {
         let [y, x] = [along.y, along.x].map(|v| Expression::figure(f.beside(v, size), v));
         let direction = Expression::of(Function::Atan2, [y, x]);
         let told = Expression::known(
-            format!("angle of -({what})"),
+            words().angle_of_minus(what),
             direction.numbers(),
             direction.value(),
         );
@@ -162,9 +162,7 @@ impl Solution<'_> {
         let w = if has_rest {
             let name = &member.side.name;
             let [t, e] = [t0, e].map(|v| f.beside(v, size));
-            draft.page.text(format!(
-                "The other sides that turn with {name} lie t = {t} along it and e = {e} to its left:"
-            ));
+            draft.page.text(words().others_turn_with(name, &t, &e));
             draft.worked("w", &w, |w| f.beside(w, size))
         } else {
             w.value()
@@ -242,10 +240,9 @@ fn no_root(draft: &mut Draft, figures: Figures, under: f64, arm: &Arm<'_>) {
         .page
         .equation(["p^2 - q".to_owned(), figures.number(under)]);
     let text = if under < 0.0 {
-        format!("It is negative: {} does not reach the guide.", arm.length)
+        words().does_not_reach_guide(&arm.length)
     } else {
-        "It would close, but the motion that starts at the scene's assembly does not come here."
-            .into()
+        words().root_would_close().into()
     };
     draft.page.text(text);
 }

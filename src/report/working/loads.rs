@@ -5,6 +5,7 @@ use super::draft::{Context, Draft};
 use super::expression::Expression;
 use super::forces::{kind, point_name};
 use crate::solver::Acted;
+use crate::wording::words;
 use crate::{Body, Input, Load, PointId, Vec2};
 
 /// The laws of loads that are not constant.
@@ -24,7 +25,7 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                 };
                 let now = acted.forces.first().map_or(Vec2::ZERO, |a| a.1);
                 let part = whole.dot(now) / whole.dot(whole);
-                let name = format!("force at {}", point_name(context, point));
+                let name = words().acts_at(words().force(), point_name(context, point));
                 let sizes = [part, force.norm(), now.norm().copysign(part)];
                 scaled(context, draft, name, sizes, "N");
             }
@@ -34,7 +35,7 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                 ref over,
             } if !over.is_one() && torque != 0.0 => {
                 let now = acted.couple.map_or(0.0, |couple| couple.1);
-                let name = format!("torque on {}", context.scene.link_name(link));
+                let name = words().acts_on(words().torque(), context.scene.link_name(link));
                 scaled(context, draft, name, [now / torque, torque, now], "N m");
             }
             Load::Spring {
@@ -46,16 +47,11 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
             } => {
                 let spring = Spring::of(context, from, to);
                 let metres = mechanism.metres();
-                let name = format!(
-                    "L from {} to {}",
-                    point_name(context, from),
-                    point_name(context, to)
-                );
+                let [from, to] = [from, to].map(|point| point_name(context, point));
+                let name = words().spring_between(from, to);
                 let l = f.number(spring.length);
                 let rate = f.beside(spring.rate, context.fastest[0]);
-                draft
-                    .page
-                    .text("Of a spring, its pull with the lengths in m:");
+                draft.page.text(words().pull_of_spring());
                 draft.page.equation([name, format!("{l} {}", f.unit)]);
                 draft
                     .page
@@ -69,7 +65,9 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                 let figure = f.beside(rate, context.fastest[0] * metres);
                 let rate = Expression::known("dL/dt", figure, rate);
                 let pull = k * (l - l0) + c * rate;
-                draft.worked("pull", &pull, |pull| format!("{} N", f.number(pull)));
+                draft.worked(words().pull(), &pull, |pull| {
+                    format!("{} N", f.number(pull))
+                });
             }
             Load::Force { .. } | Load::Torque { .. } | Load::Press { .. } => {}
         }
@@ -85,7 +83,7 @@ fn scaled(
     unit: &str,
 ) {
     let f = context.figures;
-    let product = Expression::known("factor", f.number(part), part)
+    let product = Expression::known(words().factor(), f.number(part), part)
         * Expression::figure(f.given(whole), whole);
     let worked = draft.worked(&name, &product, |now| format!("{} {unit}", f.number(now)));
     draft.agree(&name, worked, now, whole.abs());
@@ -136,11 +134,11 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
     for (load, acted) in mechanism.loads().iter().zip(acted) {
         let what = kind(load);
         for &(point, force) in &acted.forces {
-            let name = format!("{what} at {}", point_name(context, point));
+            let name = words().acts_at(what, point_name(context, point));
             add(0, name, "F v", power(force, point));
         }
         if let Some((link, couple)) = acted.couple {
-            let name = format!("{what} on {}", context.scene.link_name(link));
+            let name = words().acts_on(what, context.scene.link_name(link));
             add(0, name, "M ω", couple * state.omega(link));
         }
     }
@@ -148,17 +146,17 @@ pub(super) fn shares(context: &Context<'_>, draft: &mut Draft, acted: &[Acted], 
         let (link, name) = (mechanism.link(id), context.scene.link_name(id));
         let turning = link.inertia * state.alpha(id) * state.omega(id);
         let Some(com) = link.com else {
-            add(2, format!("inertia of {name}"), "-I α ω", -turning);
+            add(2, words().inertia_of(name), "-I α ω", -turning);
             continue;
         };
         let weight = mechanism.gravity() * link.mass;
-        add(1, format!("weight of {name}"), "m g v", power(weight, com));
+        add(1, words().weight_of(name), "m g v", power(weight, com));
         let moving = power(state.acceleration(com) * (link.mass * metres), com);
-        let name = format!("inertia of {name}");
+        let name = words().inertia_of(name);
         add(2, name, "-m a v - I α ω", -moving - turning);
     }
     if !rows.is_empty() {
-        draft.table(["of", "power", "[W]"], rows);
+        draft.table([words().column_of(), words().power(), "[W]"], rows);
     }
     let unit = match mechanism.driver().input {
         Input::Turn(_) => "N m",

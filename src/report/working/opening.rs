@@ -7,7 +7,9 @@ use super::sides::{Side, Turns};
 use super::symbols;
 use crate::quantity::{Catalogue, state_word};
 use crate::report::check::limits_text;
+use crate::report::number::concise;
 use crate::solver::Condition;
+use crate::wording::words;
 use crate::{Input, LinkId};
 
 /// The title, and where the driver is.
@@ -19,25 +21,26 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
         ..
     } = context;
     draft.page.title(&scene.name);
-    let (name, kind, units) = match scene.mechanism.driver().input {
+    let (is_turning, name, units) = match scene.mechanism.driver().input {
         Input::Turn(link) => (
+            true,
             scene.link_name(link),
-            "turns",
             ["deg", "rad/s", "rad/s^2"].map(str::to_owned),
         ),
         Input::Push(slide) => {
             let units = [0, 1, 2].map(|order| figures.length_unit(order));
-            (scene.slide_name(slide), "slides", units)
+            (false, scene.slide_name(slide), units)
         }
     };
+    let condition = state_word(state.condition());
     let [at, speed, acceleration] = units;
-    draft.page.text(format!(
-        "State: {}. The driver {name} {kind}: at {} {at}, with {} {speed} and {} {acceleration}.",
-        state_word(state.condition()),
-        crate::report::number::concise(state.at(), usize::MAX),
-        figures.given(state.driver_speed()),
-        figures.given(state.driver_acceleration()),
-    ));
+    let at = format!("{} {at}", concise(state.at(), usize::MAX));
+    let speed = format!("{} {speed}", figures.given(state.driver_speed()));
+    let acceleration = figures.given(state.driver_acceleration()) + " " + &acceleration;
+    draft.page.text(match is_turning {
+        true => words().driver_turns(condition, name, &at, &speed, &acceleration),
+        false => words().driver_slides(condition, name, &at, &speed, &acceleration),
+    });
     if let Some(text) = condition_text(context) {
         draft.page.text(text);
     }
@@ -47,23 +50,12 @@ pub(super) fn heading(context: &Context<'_>, draft: &mut Draft) {
 fn condition_text(context: &Context<'_>) -> Option<String> {
     match context.state.condition() {
         Condition::Ok => None,
-        Condition::DeadPoint => Some(
-            "A dead point: the motion ends here. Positions exist; velocities and accelerations do not, since \
-             their equations would be divided by a sine that is 0."
-                .into(),
-        ),
-        Condition::ChangePoint => Some(
-            "A change point: two assemblies meet here. The equations of the rates are singular at this one \
-             place; the velocities and accelerations given are the limits along the motion."
-                .into(),
-        ),
+        Condition::DeadPoint => Some(words().dead_point_explained().into()),
+        Condition::ChangePoint => Some(words().change_point_explained().into()),
         Condition::NoAssembly => {
             let catalogue = Catalogue::new(context.scene);
             let limits = limits_text(context.solver.motion().range, catalogue.driver());
-            Some(format!(
-                "The mechanism cannot be assembled here: the driver covers {limits}. What follows is what the \
-                 scene and the driver give."
-            ))
+            Some(words().no_assembly_explained(&limits))
         }
     }
 }
@@ -71,48 +63,31 @@ fn condition_text(context: &Context<'_>) -> Option<String> {
 /// The closed loops, and what no loop goes along.
 pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
     let polygon = context.polygon;
-    draft.page.part("Vector polygons");
+    draft.page.part(words().vector_polygons());
     for (number, of) in polygon.loops.iter().enumerate() {
         draft.page.equation([sum_text(context, of), "0".into()]);
-        let name = if polygon.loops.len() == 1 {
-            String::new()
-        } else {
-            format!("Loop {}: ", number + 1)
-        };
-        draft
-            .page
-            .text(format!("{name}{}{}", polygon.walk(of), closer(context, of)));
+        let walk = solved(context, of);
+        draft.page.text(match polygon.loops.len() {
+            1 => walk,
+            _ => words().loop_is(number + 1, &walk),
+        });
     }
     if polygon.loops.is_empty() {
-        draft
-            .page
-            .text("There is no closed loop: the driver alone places everything.");
+        draft.page.text(words().no_closed_loop());
     }
     let between: Vec<String> = polygon
         .sides
         .iter()
         .filter(|side| !side.named)
-        .map(|side| {
-            format!(
-                "{} from {} to {} {}",
-                side.name,
-                side.tail,
-                side.head,
-                place(context, side)
-            )
-        })
+        .map(|side| words().vector_on(&side.name, &side.tail, &side.head, place(context, side)))
         .collect();
     if !between.is_empty() {
-        draft.page.text(format!(
-            "Beside the scene's vectors: {}.",
-            between.join("; ")
-        ));
+        let between = between.join("; ");
+        draft.page.text(words().beside_vectors_of_scene(&between));
     }
     let riders: Vec<&str> = polygon.riders().map(|side| side.name.as_str()).collect();
     if !riders.is_empty() {
-        draft
-            .page
-            .text(format!("In no loop: {}.", riders.join(", ")));
+        draft.page.text(words().in_no_loop(&riders.join(", ")));
     }
 }
 
@@ -125,31 +100,31 @@ pub(super) fn sum_text(context: &Context<'_>, of: &Loop) -> String {
     sum.text()
 }
 
-/// Which group solves a loop.
-fn closer(context: &Context<'_>, of: &Loop) -> String {
+/// The way round a loop, and which group solves it.
+fn solved(context: &Context<'_>, of: &Loop) -> String {
+    let walk = context.polygon.walk(of);
     match of.group {
-        None => " (tells a further vector)".into(),
-        Some(_) if context.polygon.loops.len() == 1 => String::new(),
-        Some(group) => format!(" (group {})", group + 1),
+        None => words().tells_further_vector(&walk),
+        Some(_) if context.polygon.loops.len() == 1 => walk,
+        Some(group) => words().solved_by_group(&walk, group + 1),
     }
 }
 
-fn place(context: &Context<'_>, side: &Side) -> String {
+/// The body on which a vector is.
+fn place<'c>(context: &Context<'c>, side: &Side) -> &'c str {
     use super::sides::Shape;
     match side.shape {
-        Shape::Rigid(crate::Body::Link(link), _) => {
-            format!("on {}", context.scene.link_name(link))
-        }
+        Shape::Rigid(crate::Body::Link(link), _) => context.scene.link_name(link),
         Shape::Rigid(crate::Body::Ground, _)
         | Shape::Link(_)
         | Shape::Slide(_)
-        | Shape::Free(..) => "on the ground".into(),
+        | Shape::Free(..) => words().the_ground(),
     }
 }
 
 /// Length and angle of every vector; what is given, what goes with the driver, what is sought.
 pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part("Position table");
+    draft.page.part(words().position_table());
     let figures = context.figures;
     let mut rows = Vec::new();
     for (side, reading) in context.polygon.sides.iter().zip(&context.readings) {
@@ -179,29 +154,34 @@ pub(super) fn position_table(context: &Context<'_>, draft: &mut Draft) {
     }
     rows.extend(bodies_without_ends(context));
     let r = format!("r [{}]", figures.unit);
-    draft.table(["vector", "from, to", &r, "r is", "θ [deg]", "θ is"], rows);
+    let (vector, ends) = (words().vector(), words().column_ends());
+    let [r_is, theta_is] = ["r", "θ"].map(|symbol| words().column_is(symbol));
+    draft.table([vector, ends, &r, &r_is, "θ [deg]", &theta_is], rows);
 }
 
 fn length_mark(context: &Context<'_>, side: &Side) -> &'static str {
     match context.schedule.length_group(side) {
-        Some(_) => "sought",
-        None if context.schedule.is_pushed(side) => "driver",
-        None => "given",
+        Some(_) => words().is_sought(),
+        None if context.schedule.is_pushed(side) => words().driver(),
+        None => words().given(),
     }
 }
 
 fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     let Some(link) = side.turns_with() else {
         let sought = context.schedule.angle_group(side).is_some();
-        return if sought { "sought" } else { "given" }.into();
+        return match sought {
+            true => words().is_sought().into(),
+            false => words().given().into(),
+        };
     };
     let Turns::With(_, offset) = side.turns else {
         return String::new();
     };
     let is_own = matches!(side.shape, super::sides::Shape::Link(own) if own == link);
     match (is_own, context.schedule.is_driven(side)) {
-        (true, true) => "driver".into(),
-        (true, false) => "sought".into(),
+        (true, true) => words().driver().into(),
+        (true, false) => words().is_sought().into(),
         (false, _) => with_offset(context, link, offset),
     }
 }
@@ -227,9 +207,9 @@ fn bodies_without_ends(context: &Context<'_>) -> Vec<[String; 6]> {
             let turns = context.polygon.locks.turns(crate::Body::Link(link), 0.0);
             let driven = mechanism.driver().input == Input::Turn(link);
             let mark = match turns {
-                Turns::Never => "given".into(),
-                _ if driven => "driver".into(),
-                Turns::With(root, _) if root == link => "sought".into(),
+                Turns::Never => words().given().into(),
+                _ if driven => words().driver().into(),
+                Turns::With(root, _) if root == link => words().is_sought().into(),
                 Turns::With(root, offset) => with_offset(context, root, offset),
                 Turns::Freely => String::new(),
             };

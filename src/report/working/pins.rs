@@ -5,6 +5,7 @@ use super::figures::Sum;
 use super::forces::{components, kind, point_name};
 use super::free_body::{Row, guided, is_joint, pin_name};
 use crate::solver::Acted;
+use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
 /// The balance of every pin of several bodies on which a load or a spring acts.
@@ -27,7 +28,7 @@ pub(super) fn pins(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
         {
             draft
                 .page
-                .section(format!("Pin {}", point_name(context, point)));
+                .section(words().pin_part(point_name(context, point)));
             balance(context, draft, point, &rows);
         }
     }
@@ -59,10 +60,8 @@ fn balance(context: &Context<'_>, draft: &mut Draft, point: PointId, rows: &[(St
         let [x, y] = components(context, *force);
         [name.clone(), x, y]
     });
-    draft.table(["on it", "fx [N]", "fy [N]"], cells.collect());
-    draft.page.text(
-        "A load at a pin acts on the pin, which has no mass; it acts on the links against what they bear there:",
-    );
+    draft.table([words().on_it(), "fx [N]", "fy [N]"], cells.collect());
+    draft.page.text(words().load_at_pin());
     let size = rows
         .iter()
         .fold(0.0_f64, |most, row| most.max(row.1.norm()));
@@ -75,7 +74,7 @@ fn balance(context: &Context<'_>, draft: &mut Draft, point: PointId, rows: &[(St
             }
         }
         let left = rows.iter().map(|(_, force)| pick(*force)).sum();
-        let name = format!("forces along {axis} at {}", point_name(context, point));
+        let name = words().forces_along(axis, point_name(context, point));
         draft.agree(&name, left, 0.0, size);
         draft.page.equation([sum.text(), "0 N".to_owned()]);
     }

@@ -9,13 +9,14 @@ use super::polygon::{Loop, Term};
 use super::solution::Solution;
 use super::stages::{Form, Stage};
 use crate::solver::Order;
+use crate::wording::words;
 
 /// The equations of every loop.
 pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
     if context.polygon.loops.is_empty() {
         return;
     }
-    draft.page.part("Loop equations");
+    draft.page.part(words().loop_equations());
     for stage in context.stages {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
@@ -38,9 +39,8 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
 pub(super) fn loop_heading(context: &Context<'_>, draft: &mut Draft, number: usize, of: &Loop) {
     let sum = sum_text(context, of);
     if context.polygon.loops.len() > 1 {
-        draft
-            .page
-            .section(format!("Loop {}: {sum} = 0", number + 1));
+        let equation = format!("{sum} = 0");
+        draft.page.section(words().loop_is(number + 1, &equation));
     }
 }
 
@@ -61,12 +61,10 @@ fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &
         let own = context.member(term, stage);
         let axis = Axis::Across(Heading::of(&own));
         let pieces = pieces(members, &axis, context.figures);
-        draft.page.text(format!(
-            "Multiplied by n({}), at right angles to {}, which removes {}:",
-            own.side.theta(),
-            own.side.name,
-            own.side.name
-        ));
+        let across = format!("n({})", own.side.theta());
+        draft
+            .page
+            .text(words().multiplied_across(&across, &own.side.name));
         let figures = in_figures(&pieces, context.figures);
         draft.page.equation([in_symbols(&pieces), "0".into()]);
         draft.page.equation([figures, "0".into()]);
@@ -82,7 +80,7 @@ pub(super) fn single(arm: &[Term]) -> Option<Term> {
 
 /// The solution of every group, in the plan's order.
 pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part("Positions, group by group");
+    draft.page.part(words().positions_by_groups());
     for stage in context.stages {
         match stage.group {
             Some(number) => {
@@ -97,9 +95,7 @@ pub(super) fn solutions(context: &Context<'_>, draft: &mut Draft) {
                 let names: Vec<&str> = side
                     .map(|t| context.polygon.sides[t.side].name.as_str())
                     .collect();
-                draft
-                    .page
-                    .section(format!("The vector {}", names.join(", ")));
+                draft.page.section(words().the_vector(&names.join(", ")));
             }
         }
         solve(context, draft, stage);
@@ -112,9 +108,7 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
     };
     let is_found = context.has_positions() || solution.is_known();
     if !is_found && !matches!(stage.form, Form::Nothing) {
-        draft
-            .page
-            .text("Not without the positions of the groups before it.");
+        draft.page.text(words().not_without_groups_before());
         return;
     }
     match &stage.form {
@@ -130,9 +124,7 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
 
 /// A group whose loop seeks nothing.
 fn repeated(draft: &mut Draft) {
-    draft
-        .page
-        .text("Its loop repeats others: nothing is sought in it.");
+    draft.page.text(words().loop_repeats_others());
 }
 
 /// The driver's group, and whatever follows without a loop.
@@ -159,16 +151,20 @@ fn without_loop(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
         }
     }
     if stage.loops.is_empty() && rows.is_empty() {
-        draft.page.text("Nothing is sought.");
+        draft.page.text(words().nothing_sought());
     } else if stage.loops.is_empty() {
-        draft.page.text("The driver places:");
+        draft.page.text(words().driver_places());
     } else {
         repeated(draft);
     }
     if !rows.is_empty() {
         let unit = context.figures.unit;
         draft.table(
-            ["point", &format!("x [{unit}]"), &format!("y [{unit}]")],
+            [
+                words().point(),
+                &format!("x [{unit}]"),
+                &format!("y [{unit}]"),
+            ],
             rows,
         );
     }

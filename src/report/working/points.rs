@@ -6,6 +6,7 @@ use super::expression::{Expression, Function};
 use super::sides::Turns;
 use super::symbols::{self, of_point};
 use crate::solver::Sliding;
+use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// What a point's motion is told from.
@@ -19,7 +20,7 @@ enum Seat {
 
 /// Every point that moves.
 pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
-    draft.page.part("Points");
+    draft.page.part(words().points_part());
     let mechanism = &context.scene.mechanism;
     let moving = mechanism
         .point_ids()
@@ -29,9 +30,7 @@ pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
         .filter_map(|point| Some((point, seat(mechanism, &places, point)?)))
         .collect();
     if !context.has_rates() {
-        draft
-            .page
-            .text("Their velocities and accelerations do not exist here.");
+        draft.page.text(words().rates_of_points_missing());
         return;
     }
     for (point, seat) in seats {
@@ -117,7 +116,7 @@ impl Scribe<'_> {
             return format!("0 {unit}");
         }
         let direction = f.direction(angle::degrees(along));
-        format!("{length} {unit} at {direction} deg")
+        words().at_degrees(&format!("{length} {unit}"), &direction)
     }
 
     /// A part by its size: `aCt = alpha4 r = 95.5036*250 = 23875.9 mm/s^2 at 200.753 deg`.
@@ -198,7 +197,7 @@ fn on_link(
         point,
         name,
         base,
-        base_name: context.scene.point_name(base).unwrap_or("a point"),
+        base_name: context.scene.point_name(base).unwrap_or(words().a_point()),
         link,
         link_name: context.scene.link_name(link),
         e: arm.turned(context.state.direction(link)),
@@ -212,15 +211,11 @@ fn on_link(
     } = on;
     draft
         .page
-        .section(format!("{name} on {link_name} about {base_name}"));
+        .section(words().point_on_about(name, link_name, base_name));
     if on.r == 0.0 {
-        draft
-            .page
-            .text(format!("It lies on {base_name} and moves as that does."));
+        draft.page.text(words().lies_on(base_name));
     } else if context.polygon.locks.turns(Body::Link(link), 0.0) == Turns::Never {
-        draft.page.text(format!(
-            "{link_name} does not turn: all of it moves as {base_name} does."
-        ));
+        draft.page.text(words().does_not_turn(link_name, base_name));
     } else {
         on.arm(draft);
         on.velocity(draft);
@@ -238,7 +233,8 @@ impl OnLink<'_> {
     fn arm(&self, draft: &mut Draft) {
         let f = self.context.figures;
         let direction = f.direction(angle::degrees(self.e));
-        let text = format!("{} {} at {direction} deg", f.given(self.r), f.unit);
+        let length = format!("{} {}", f.given(self.r), f.unit);
+        let text = words().at_degrees(&length, &direction);
         draft.page.equation(["r".to_owned(), text]);
     }
 
@@ -333,10 +329,7 @@ impl OnLink<'_> {
         let [t, n] = [t, n].map(|v| Expression::figure(f.number(v), v));
         let whole = of_point("a", self.name);
         draft.reckoned("β", &Expression::of(Function::Atan, [t / n]), |beta| {
-            format!(
-                "{} deg, between {whole} and its normal part",
-                f.number(beta)
-            )
+            words().between_normal_part(&f.number(beta), &whole)
         });
     }
 }
@@ -371,12 +364,12 @@ fn on_guide(
     let slide_name = context.scene.slide_name(slide);
     let on = context.scene.mechanism.slide(slide).on;
     let body = match on {
-        Body::Ground => "the ground",
+        Body::Ground => words().the_ground(),
         Body::Link(link) => context.scene.link_name(link),
     };
     draft
         .page
-        .section(format!("{name} along the guide of {slide_name} on {body}"));
+        .section(words().along_guide_of(name, slide_name, body));
     let Sliding {
         guide: t,
         rate,
@@ -410,7 +403,7 @@ fn on_guide(
     let (guide_v, guide_a) = (v - along, a - second - coriolis);
     let of_v = scribe("v", 1, context.fastest[0]);
     for line in [
-        of_v.polar(format!("v of {body} under {name}"), guide_v),
+        of_v.polar(words().of_under("v", body, name), guide_v),
         of_v.polar(rate_name.clone(), along),
         of_v.polar(of_point("v", name), guide_v + along),
     ] {
@@ -424,7 +417,7 @@ fn on_guide(
         * Expression::known(rate_name, f.number(rate.abs()), rate.abs());
     draft
         .page
-        .equation(of_a.polar(format!("a of {body} under {name}"), guide_a));
+        .equation(of_a.polar(words().of_under("a", body, name), guide_a));
     let symbol = format!("{} (Coriolis)", part_symbol("a", name, "c"));
     draft.worked(&symbol, &size, |size| of_a.told(size, coriolis));
     for line in [

@@ -11,16 +11,15 @@ use super::stages::{Form, Stage, Unknown};
 use super::symbols;
 use crate::report::Entry;
 use crate::solver::{Condition, Order};
+use crate::wording::words;
 use crate::{LinkId, Vec2, angle};
 
 /// Velocities, or accelerations.
 pub(super) fn rates(context: &Context<'_>, draft: &mut Draft, order: Order) {
-    let title = if order == Order::Velocity {
-        "Velocities"
-    } else {
-        "Accelerations"
-    };
-    draft.page.part(title);
+    draft.page.part(match order {
+        Order::Velocity => words().velocities_part(),
+        _ => words().accelerations_part(),
+    });
     if let Some(text) = opening_text(context, order) {
         draft.page.text(text);
     }
@@ -43,19 +42,13 @@ pub(super) fn rates(context: &Context<'_>, draft: &mut Draft, order: Order) {
 fn opening_text(context: &Context<'_>, order: Order) -> Option<&'static str> {
     let is_first = order == Order::Velocity;
     match context.state.condition() {
-        Condition::Ok if is_first => Some("The loop equations, differentiated by time:"),
-        Condition::Ok => Some("Differentiated once more:"),
-        Condition::ChangePoint => {
-            Some("The equations are singular here; the values are limits along the motion.")
-        }
-        Condition::DeadPoint if is_first => {
-            Some("They do not exist at a dead point. The equations, which nothing solves here:")
-        }
-        Condition::DeadPoint => Some("They do not exist either."),
-        Condition::NoAssembly if is_first => {
-            Some("Without an assembly there are none. The equations:")
-        }
-        Condition::NoAssembly => Some("Differentiated once more:"),
+        Condition::Ok if is_first => Some(words().differentiated()),
+        Condition::Ok => Some(words().differentiated_again()),
+        Condition::ChangePoint => Some(words().rates_are_limits()),
+        Condition::DeadPoint if is_first => Some(words().no_rates_at_dead_point()),
+        Condition::DeadPoint => Some(words().do_not_exist_either()),
+        Condition::NoAssembly if is_first => Some(words().none_without_assembly()),
+        Condition::NoAssembly => Some(words().differentiated_again()),
     }
 }
 
@@ -84,7 +77,7 @@ fn components(context: &Context<'_>, draft: &mut Draft, members: &[Member<'_>], 
 
 fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     match stage.form {
-        Form::Nothing => draft.page.text("Nothing is sought in it."),
+        Form::Nothing => draft.page.text(words().nothing_sought_in_it()),
         Form::System => together(context, draft, stage, order),
         Form::Triangle(..)
         | Form::Quadratic(..)
@@ -125,10 +118,9 @@ fn removed(
     let solved = rate_value(context, sought, order);
     let unit = rate_unit(context, sought, order);
     let f = context.figures;
-    draft.page.text(format!(
-        "Multiplied by {}, which removes {other_symbol}:",
-        axis.name()
-    ));
+    draft
+        .page
+        .text(words().multiplied_by(&axis.name(), &other_symbol));
     draft.page.equation([in_symbols(&pieces), "0".into()]);
     draft.page.equation([in_numbers(&pieces), "0".into()]);
     draft.page.equation([in_figures(&pieces, f), "0".into()]);
@@ -146,8 +138,7 @@ fn removed(
         Unknown::Travel(_) | Unknown::Length(_) => factor.abs(),
     };
     if context.state.condition() == Condition::ChangePoint || sine < SINGULAR {
-        let text = format!("The factor of {symbol} vanishes; along the motion the limit is:");
-        draft.page.text(text);
+        draft.page.text(words().factor_vanishes(&symbol));
         draft
             .page
             .equation([symbol, format!("{} {unit}", f.number(solved))]);
@@ -207,10 +198,10 @@ fn together_heading(own: &[&Member<'_>]) -> Option<Heading> {
 /// Several loops at once: the equations above together.
 fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     let count = stage.unknowns.len();
-    draft.page.text(format!(
-        "{} equations for {count} unknowns; solved together:",
-        2 * stage.loops.len()
-    ));
+    let equations = 2 * stage.loops.len();
+    draft
+        .page
+        .text(words().equations_for_unknowns(equations, count));
     for &unknown in &stage.unknowns {
         let symbol = rate_symbol(context, unknown, order);
         let value = rate_value(context, unknown, order);
@@ -303,20 +294,27 @@ fn table(context: &Context<'_>, draft: &mut Draft, order: Order) {
             .into_iter()
             .map(|([name, length, turning, _], _)| [name, length, turning]);
         let length = format!("dr/dt [{length}]");
-        draft.table(["vector", &length, "ω [rad/s]"], rows.collect());
+        draft.table([words().vector(), &length, "ω [rad/s]"], rows.collect());
         return;
     }
     let length = format!("d2r/dt2 [{length}]");
     if rows.iter().all(|(_, sliding)| sliding.is_empty()) {
         let rows = rows.into_iter().map(|(row, _)| row).collect();
-        draft.table(["vector", &length, "α [rad/s^2]", "turning"], rows);
+        let vector = words().vector();
+        draft.table([vector, &length, "α [rad/s^2]", words().turning()], rows);
         return;
     }
     let rows = rows
         .into_iter()
         .map(|([name, r, alpha, turning], sliding)| [name, r, sliding.to_owned(), alpha, turning]);
     draft.table(
-        ["vector", &length, "sliding", "α [rad/s^2]", "turning"],
+        [
+            words().vector(),
+            &length,
+            words().sliding(),
+            "α [rad/s^2]",
+            words().turning(),
+        ],
         rows.collect(),
     );
 }
@@ -350,8 +348,8 @@ fn word_of((value, rate): (f64, f64), context: &Context<'_>, order: Order) -> &'
     if order == Order::Velocity || is_zero(rate) || is_zero(value) {
         ""
     } else if (value < 0.0) == (rate < 0.0) {
-        "speeds up"
+        words().speeds_up()
     } else {
-        "slows down"
+        words().slows_down()
     }
 }

@@ -5,6 +5,7 @@ use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::polygon::Term;
 use super::solution::{Arm, Solution, degrees, length, turn};
+use crate::wording::words;
 
 /// A distance of pivots below this part of the arms is none.
 const MEETING: f64 = 1e-12;
@@ -16,9 +17,7 @@ impl Solution<'_> {
         let [first, second] = self.in_order(a, b);
         let [p, x, q] = self.joints(&first, &second);
         let (one, two) = (self.arm(&first), self.arm(&second));
-        draft.page.text(format!(
-            "With m from {p} to {q}, and {x} where the two arms meet:"
-        ));
+        draft.page.text(words().with_m_between(p, q, x));
         let m = self.write_components(draft, ["mx", "my"]);
         let [mx, my] =
             [("mx", m.x), ("my", m.y)].map(|(symbol, v)| Expression::known(symbol, f.number(v), v));
@@ -46,10 +45,10 @@ impl Solution<'_> {
             draft.worked(symbol, &corner(near, far), |angle| degrees(f, angle))
         });
         let left = m.cross(one.direction()) >= 0.0;
-        let side = if left { "left" } else { "right" };
-        draft.page.text(format!(
-            "{x} lies on the {side} of {p} → {q}, by the assembly:"
-        ));
+        draft.page.text(match left {
+            true => words().lies_to_the_left(x, p, q),
+            false => words().lies_to_the_right(x, p, q),
+        });
         let sign = if left { 1.0 } else { -1.0 };
         // What the cosine loses near a stretched dyad: its rounding over the sine.
         let loss = |corner: f64| {
@@ -65,9 +64,7 @@ impl Solution<'_> {
 
     /// Where the pivots of a dyad lie on each other no triangle tells its angles.
     fn coincident(&self, draft: &mut Draft, [p, q]: [&str; 2], arms: [&Arm<'_>; 2]) {
-        draft.page.text(format!(
-            "{p} and {q} lie on each other: there is no triangle, and the angles are the limits along the motion:"
-        ));
+        draft.page.text(words().pivots_coincide(p, q));
         for arm in arms {
             draft
                 .page
@@ -100,25 +97,13 @@ fn reach(draft: &mut Draft, figures: Figures, size: f64, [one, two]: [&Arm<'_>; 
     let digits = figures.digits.max(needed as usize + 2).min(17);
     let precise = |value: f64| Figures { digits, ..figures }.number(value);
     let text = if size > sum {
-        format!(
-            "m = {} is longer than {} + {} = {} {}: the arms do not reach each other.",
-            precise(size),
-            one.length,
-            two.length,
-            precise(sum),
-            figures.unit
-        )
+        let sum = format!("{} {}", precise(sum), figures.unit);
+        words().arms_too_short(&precise(size), &one.length, &two.length, &sum)
     } else if size < difference {
-        format!(
-            "m = {} is shorter than |{} - {}| = {} {}: the arms cannot close the triangle.",
-            precise(size),
-            one.length,
-            two.length,
-            precise(difference),
-            figures.unit
-        )
+        let difference = format!("{} {}", precise(difference), figures.unit);
+        words().arms_too_unlike(&precise(size), &one.length, &two.length, &difference)
     } else {
-        "This triangle would close, but the motion that starts at the scene's assembly does not come here.".into()
+        words().triangle_would_close().into()
     };
     draft.page.text(text);
 }

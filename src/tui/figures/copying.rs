@@ -6,6 +6,7 @@ use crate::report::{Entry, Forces, Tables, shortest};
 use crate::solver::State;
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::sheet::{Part, Sheet};
+use crate::wording::words;
 
 /// Full digits; nothing where no value exists.
 fn number(value: Option<f64>) -> String {
@@ -84,7 +85,7 @@ impl Shown<'_> {
 
     fn heading(self, part: Part) -> String {
         let title = match self.differences {
-            true => format!("{}, difference", part.title()),
+            true => words().difference_of(part.title()),
             false => part.title().to_owned(),
         };
         line(std::iter::once(title).chain(self.sheet.headers(part)))

@@ -20,6 +20,7 @@ use crate::tui::app::App;
 use crate::tui::figures::copying;
 use crate::tui::figures::force_figures::{ForceFigures, Formats};
 use crate::tui::figures::format::Format;
+use crate::wording::words;
 use crate::{Mechanism, Vec2};
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -33,11 +34,11 @@ impl Pane for ForcesView {
     }
 
     fn about(&self) -> &'static str {
-        "What the driver must do, and what joints and guides bear"
+        words().forces_everywhere()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the forces view"
+        words().in_the_forces_view()
     }
 
     fn needs(&self) -> Need {
@@ -61,7 +62,7 @@ impl Pane for ForcesView {
         let unit = drive.aspect.unit(app.open_scene().scene().unit.symbol());
         Some(match drive.total.bound {
             Some(bound) => format!("{} +-{} {unit}", drive.aspect.name(), upwards(bound, 1)),
-            None => format!("{}: no bound", drive.aspect.name()),
+            None => words().effort_without_bound(drive.aspect.name()),
         })
     }
 
@@ -96,13 +97,11 @@ fn lines(app: &App, area: Rect) -> Vec<Line> {
 /// Why there is nothing to show, and what would change that.
 fn nothing_acts(mechanism: &Mechanism) -> [&'static str; 2] {
     let why = if mechanism.gravity() == Vec2::ZERO {
-        "Nothing acts on this linkage: the scene has no loads, no springs and no masses."
+        words().nothing_acts_at_all()
     } else {
-        "Nothing acts on this linkage: the scene has gravity, but no link has a mass."
+        words().gravity_without_mass()
     };
-    let mend = "Give a link its mass and com, or add [[loads]] or [[springs]] to the file: then this \
-                view shows what the driver must do and what every joint bears.";
-    [why, mend]
+    [why, words().how_forces_come()]
 }
 
 /// What exists, table by table: all columns of one width.
@@ -115,11 +114,16 @@ fn tables(force_figures: &ForceFigures) -> Vec<Table> {
         Existence::Everything => {
             let mut tables = vec![driver(forces, formats), reactions(forces, formats)];
             if !forces.guides.is_empty() {
-                tables.push(guides("guide", &forces.guides, forces.unit, formats));
+                tables.push(guides(
+                    words().table_of_guides(),
+                    &forces.guides,
+                    forces.unit,
+                    formats,
+                ));
             }
             if let Some(least) = &forces.least {
                 let joints = open_joints(least, formats);
-                let guides = guides("least norm", &least.guides, forces.unit, formats);
+                let guides = guides(words().least_norm(), &least.guides, forces.unit, formats);
                 let least = [joints, guides].into_iter();
                 tables.extend(least.filter(|table| !table.rows.is_empty()));
             }
@@ -188,13 +192,13 @@ fn driver(forces: &Forces, formats: &Formats) -> Table {
     let cells = entries.map(|entry| Some(formats.effort.write(&entry)));
     let power = formats.power.write(&drive.power);
     let mut table = table(
-        "driver",
+        words().driver(),
         [
             (drive.aspect.name(), &unit),
-            ("loads", &unit),
-            ("gravity", &unit),
-            ("inertia", &unit),
-            ("power", "W"),
+            (words().loads(), &unit),
+            (words().gravity(), &unit),
+            (words().inertia(), &unit),
+            (words().power(), "W"),
         ],
     );
     table.rows = vec![row(
@@ -209,22 +213,27 @@ fn driver(forces: &Forces, formats: &Formats) -> Table {
 fn reactions(forces: &Forces, formats: &Formats) -> Table {
     let joints = forces.joints.iter().filter(|joint| !joint.repeats);
     let joints = joints.map(|joint| {
-        let name = format!("{} at {}", joint.link, joint.point);
-        let more = joint.by.as_ref().map(|by| format!("{name} by {by}"));
+        let name = words().link_at_point(&joint.link, &joint.point);
+        let by = joint.by.as_ref();
+        let more = by.map(|by| words().pin_by(&joint.link, &joint.point, by));
         row(name, more, plane(joint.force, formats.force, None))
     });
     let frame = &forces.frame;
     let moment = Some(formats.moment.write(&frame.moment));
     let frame = plane(frame.force, formats.force, moment);
-    let ground = row("ground".into(), Some("ground by all".into()), frame);
+    let ground = row(
+        words().ground().into(),
+        Some(words().ground_by_all().into()),
+        frame,
+    );
     let mut table = table(
-        "force on",
+        words().force_on(),
         [
             ("fx", "N"),
             ("fy", "N"),
             ("f", "N"),
-            ("dir f", "deg"),
-            ("moment", "N m"),
+            (words().direction_of_force(), "deg"),
+            (words().moment(), "N m"),
         ],
     );
     table.rows = joints.chain([ground]).collect();
@@ -243,12 +252,17 @@ fn plane(force: Option<Plane>, format: Format, moment: Option<Cell>) -> Vec<Opti
 fn open_joints(least: &Least, formats: &Formats) -> Table {
     let joints = least.joints.iter().filter(|joint| !joint.repeats);
     let joints = joints.map(|joint| {
-        let name = format!("{} at {}", joint.link, joint.point);
+        let name = words().link_at_point(&joint.link, &joint.point);
         row(name, None, plane(joint.force, formats.force, None))
     });
     let mut table = table(
-        "least norm",
-        [("fx", "N"), ("fy", "N"), ("f", "N"), ("dir f", "deg")],
+        words().least_norm(),
+        [
+            ("fx", "N"),
+            ("fy", "N"),
+            ("f", "N"),
+            (words().direction_of_force(), "deg"),
+        ],
     );
     table.rows = joints.collect();
     table
@@ -256,7 +270,7 @@ fn open_joints(least: &Least, formats: &Formats) -> Table {
 
 fn guides(title: &str, guides: &[GuideRow], unit: &'static str, formats: &Formats) -> Table {
     let rows = guides.iter().map(|guide| {
-        let more = format!("{} on {}", guide.name, guide.slider);
+        let more = words().guide_on(&guide.name, &guide.slider);
         let cells = vec![
             Some(formats.force.write(&guide.normal)),
             guide.at.map(|at| formats.arm.write(&at)),
@@ -264,7 +278,14 @@ fn guides(title: &str, guides: &[GuideRow], unit: &'static str, formats: &Format
         ];
         row(guide.name.clone(), Some(more), cells)
     });
-    let mut table = table(title, [("normal", "N"), ("at", unit), ("moment", "N m")]);
+    let mut table = table(
+        title,
+        [
+            (words().normal(), "N"),
+            (words().at(), unit),
+            (words().moment(), "N m"),
+        ],
+    );
     table.rows = rows.collect();
     table
 }
@@ -275,14 +296,14 @@ fn checks(forces: &Forces) -> Table {
     let entries = std::iter::once(checks.drive).chain(checks.frame);
     let cells = entries.map(|entry| Some(Cell::sure(missed(&entry))));
     let mut table = table(
-        "check",
+        words().table_of_checks(),
         [
             (drive.name(), &drive.unit(forces.unit)),
             ("fx", &Aspect::Fx.unit(forces.unit)),
             ("fy", &Aspect::Fy.unit(forces.unit)),
-            ("moment", &Aspect::Moment.unit(forces.unit)),
+            (words().moment(), &Aspect::Moment.unit(forces.unit)),
         ],
     );
-    table.rows = vec![row("off by".into(), None, cells.collect())];
+    table.rows = vec![row(words().off_by().into(), None, cells.collect())];
     table
 }

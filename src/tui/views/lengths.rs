@@ -11,6 +11,7 @@ use super::{Sketch, inset, page};
 use crate::page::{Content, Line, Page, Row, cut};
 use crate::report::Answers;
 use crate::tui::app::App;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -28,11 +29,11 @@ impl Pane for LengthsView {
     }
 
     fn about(&self) -> &'static str {
-        "What each length does"
+        words().lengths_and_figures()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the lengths view"
+        words().in_the_lengths_view()
     }
 
     fn needs(&self) -> Need {
@@ -68,7 +69,7 @@ fn below(head: Option<&Line>, area: Rect) -> Rect {
 /// The names of the columns, where these stand side by side, and the rows; or words in their place.
 fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
     let Some(answers) = app.open_scene().answers() else {
-        return (None, page::words(TOO_MANY, area));
+        return (None, page::words(words().too_many_lengths(), area));
     };
     let mut page = Page::default();
     page.add(content(answers, area));
@@ -98,5 +99,3 @@ fn shorten(row: &mut Row, most: usize) {
         length.text = cut(&length.text, most);
     }
 }
-
-const TOO_MANY: &str = "too many lengths: krank table --sensitivity tells what they do";

@@ -7,6 +7,7 @@ use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, Part};
 use crate::tui::figures::sheet::{self, Placed, TableLine};
 use crate::tui::player::open_scene::shown;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -80,15 +81,14 @@ pub(super) fn render_line(
     buffer: &mut Buffer,
 ) -> Line {
     let shown = match *line {
-        TableLine::Row(part, row, _) if is_alone(app, line) => placed.told((part, row), ALONE),
+        TableLine::Row(part, row, _) if is_alone(app, line) => {
+            placed.told((part, row), words().only_here())
+        }
         _ => placed.show(line, app.tables()),
     };
     page::render_line((app.glyphs(), app.colours()), &shown, area, buffer);
     shown
 }
-
-/// Said of a row that has no partner.
-const ALONE: &str = "only here";
 
 /// Dims the digits of a figure that nothing proves. Without colours, where dim text may look like any
 /// other, points stand in their place; a figure without any bound is left to the last line to tell.

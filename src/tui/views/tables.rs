@@ -19,6 +19,7 @@ use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::figures::cursor::seen;
 use crate::tui::figures::sheet::{FOUND, Part as Rows, TableLine};
 use crate::tui::views::motion::followed;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -31,11 +32,11 @@ impl Pane for TablesView {
     }
 
     fn about(&self) -> &'static str {
-        "All tables"
+        words().tables_all()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the tables"
+        words().in_the_tables()
     }
 
     fn list(&self) -> List {
@@ -74,7 +75,7 @@ impl Pane for TablesView {
     }
 
     fn legend(&self) -> Option<(char, &'static str)> {
-        Some((FOUND, "found"))
+        Some((FOUND, words().found()))
     }
 
     /// How far the figure under the cursor can be from the truth.
@@ -85,9 +86,9 @@ impl Pane for TablesView {
         let unit = sheet.unit(cursor.part, cursor.column)?;
         entry.value?;
         Some(match entry.seen_bound() {
-            _ if entry.given => "given".into(),
+            _ if entry.given => words().given().into(),
             Some(bound) => format!("+-{} {unit}", upwards(bound, 1)),
-            None => "no bound".into(),
+            None => words().no_bound().into(),
         })
     }
 

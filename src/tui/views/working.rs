@@ -10,6 +10,7 @@ use super::pane::{Need, Pane};
 use super::{Sketch, inset, page};
 use crate::page::Line;
 use crate::tui::app::App;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -22,11 +23,11 @@ impl Pane for WorkingView {
     }
 
     fn about(&self) -> &'static str {
-        "The working, line by line"
+        words().working_line_by_line()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the working"
+        words().in_the_working()
     }
 
     fn needs(&self) -> Need {
@@ -47,8 +48,6 @@ impl Pane for WorkingView {
 fn lines(app: &App, area: Rect) -> Vec<Line> {
     match app.open_scene().explained() {
         Some(explained) => page::lines(app, explained.page(), area),
-        None => page::words(TOO_MANY, area),
+        None => page::words(words().too_many_links(), area),
     }
 }
-
-const TOO_MANY: &str = "too many links to follow here: krank explain writes all of it";

@@ -1,6 +1,8 @@
 //! English: the sentences by what they are about.
 
 mod actions;
+mod balance;
+mod checking;
 mod commands;
 mod configuration;
 mod editing;
@@ -10,17 +12,24 @@ mod figures;
 mod files;
 mod helping;
 mod hints;
+mod manual;
+mod methods;
 mod motion;
+mod motors;
 mod offering;
 mod options;
 mod picking;
 mod plots;
+mod reactions;
 mod taking;
 mod terminals;
 mod tour;
 mod views;
+mod working;
 
 pub(super) use actions::Actions;
+pub(super) use balance::Balance;
+pub(super) use checking::Checking;
 pub(super) use commands::Commands;
 pub(super) use configuration::Configuration;
 pub(super) use editing::Editing;
@@ -30,15 +39,20 @@ pub(super) use figures::Figures;
 pub(super) use files::Files;
 pub(super) use helping::Helping;
 pub(super) use hints::Hints;
+pub(super) use manual::Manual;
+pub(super) use methods::Methods;
 pub(super) use motion::Motion;
+pub(super) use motors::Motors;
 pub(super) use offering::Offering;
 pub(super) use options::Options;
 pub(super) use picking::Picking;
 pub(super) use plots::Plots;
+pub(super) use reactions::Reactions;
 pub(super) use taking::Taking;
 pub(super) use terminals::Terminals;
 pub(super) use tour::Tour;
 pub(super) use views::Views;
+pub(super) use working::Working;
 
 /// The language that krank was written in.
 #[derive(Debug)]

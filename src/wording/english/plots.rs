@@ -7,7 +7,6 @@ catalogue! {
     trait Plots for English {
         over(name: &str) = "over {name}";
         over_time = "over time: 0 s is where the scene opens";
-        against_figure(name: &str) = "against {name}";
         extrema_marked = "maxima and minima are marked";
         extrema_not_marked = "maxima and minima are not marked";
         nothing_plotted = "nothing is plotted yet";

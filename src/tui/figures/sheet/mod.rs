@@ -10,6 +10,7 @@ use column::{Column, POINT_FIGURES, VECTOR_FIGURES};
 use names::short_names;
 use std::ops::Range;
 
+use crate::wording::words;
 pub(crate) use column::FOUND;
 
 /// The two parts of the tables.
@@ -262,8 +263,8 @@ const SETTING: Setting = Setting {
 impl Part {
     pub(crate) fn title(self) -> &'static str {
         match self {
-            Part::Vectors => "vector",
-            Part::Points => "point",
+            Part::Vectors => words().vector(),
+            Part::Points => words().point(),
         }
     }
 

@@ -18,6 +18,7 @@ use crate::study::Findings;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
 use crate::tui::views::accuracy::study_run::Phase;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -74,11 +75,11 @@ impl Pane for AccuracyView {
     }
 
     fn about(&self) -> &'static str {
-        "Speed against error"
+        words().accuracy_of_methods()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the accuracy view"
+        words().in_the_accuracy_view()
     }
 
     fn needs(&self) -> Need {
@@ -124,9 +125,9 @@ impl Pane for AccuracyView {
         let percent = (app.study_run().progress() * 100.0).floor();
         match app.study_run().phase() {
             Phase::Idle => None,
-            Phase::Running => Some(format!("measuring {percent:>2} %")),
-            Phase::Stopped => Some(format!("stopped at {percent} %")),
-            Phase::Done => Some("all measured".into()),
+            Phase::Running => Some(words().measuring(&format!("{percent:>2}"))),
+            Phase::Stopped => Some(words().stopped_at(&percent)),
+            Phase::Done => Some(words().all_measured().into()),
         }
     }
 }
@@ -153,7 +154,7 @@ fn lines(app: &App, findings: &Findings, list: Rect) -> Vec<Line> {
     let mut table = accuracy.table(measures);
     // Both figures have room on the smallest screen.
     (table.setting.gap, table.setting.names) = (1, 0);
-    table.title = "  method".into();
+    table.title = format!("  {}", words().method());
     let mut page = Page::default();
     page.table(table);
     page::lines(app, &page, list)

@@ -15,6 +15,7 @@ use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::plot::{Look, Plot};
 use crate::page::Line;
 use crate::tui::app::App;
+use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
@@ -80,11 +81,11 @@ impl Pane for MotorView {
     }
 
     fn about(&self) -> &'static str {
-        "The motor over a cycle"
+        words().motor_over_a_cycle()
     }
 
     fn help_title(&self) -> &'static str {
-        "In the motor view"
+        words().in_the_motor_view()
     }
 
     fn needs(&self) -> Need {
@@ -116,7 +117,7 @@ impl Pane for MotorView {
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
         let motor = app.motor();
         let text = motor.svg(app.open_scene()).ok_or_else(|| motor.nothing())?;
-        Ok(("the curve", text))
+        Ok((words().the_curve(), text))
     }
 
     fn file_part(&self) -> Option<&'static str> {

@@ -150,7 +150,7 @@ impl Plots {
         match &self.along {
             Along::Driver => words().over(&Catalogue::new(scene).driver().name),
             Along::Time => words().over_time().into(),
-            Along::Figure(name) => words().against_figure(name),
+            Along::Figure(name) => words().against(name),
         }
     }
 

@@ -1,0 +1,147 @@
+//! What `krank check` tells of a scene.
+
+use super::{English, counted};
+use std::fmt::Display;
+
+catalogue! {
+    /// Facts of a mechanism.
+    trait Checking for English {
+        // What they are called.
+        fact_source = "source";
+        fact_note = "note";
+        fact_unit = "unit";
+        fact_parts = "parts";
+        fact_driver = "driver";
+        fact_links = "links";
+        fact_joints = "joints";
+        fact_slides = "slides";
+        fact_mobility = "mobility";
+        fact_redundant = "redundant";
+        fact_groups = "groups";
+        fact_choices = "choices";
+        fact_assemblies = "assemblies";
+        fact_loop = "loop";
+        fact_range = "range";
+        fact_change = "change";
+        fact_near_miss = "near miss";
+        fact_mu = "mu";
+        fact_forces = "forces";
+        fact_open = "open";
+
+        // Parts.
+        parts_and_ground(links: usize, pins: usize, slides: usize) = {
+            format!(
+                "{} and the ground, {}, {}",
+                some(links, "link"),
+                some(pins, "pin joint"),
+                some(slides, "slide")
+            )
+        };
+        driven_link(name: &str) = "link {name}";
+        driven_slide(name: &str) = "slide {name}";
+        driver_opens(driven: &str, at: &str, speed: &str, acceleration: &str) =
+            "{driven}, opens at {at}, {speed}, {acceleration}";
+        pin_in_slot(name: &str, pin: &str, of: &str) = "{name}: pin {pin} in a slot of {of}";
+        link_along(name: &str, link: &str, guide: &str) =
+            "{name}: link {link} along {guide}, without turning against it";
+
+        // Mobility and groups.
+        mobility_set_aside(mobility: &dyn Display, count: usize, which: &str) = {
+            let count = some(count, "redundant constraint");
+            format!("{mobility}, with {count} set aside: {which}")
+        };
+        mobility_not_certain =
+            "all but 2 or more: dimensions that differ by little would leave a link free";
+        mobility_more_at_opening =
+            "more where the scene opens: it is a change point or a dead point of a coupled group";
+        repeats_others(part: &str) = "{part} repeats others";
+        repeats(part: &str, others: &str) = "{part} repeats {others}";
+        disagree_by(what: &str, misfit: &str) = "{what}; they disagree by at most {misfit}";
+        some_and_more(some: &str, more: usize) = "{some} and {more} more";
+        dyad(class: &str) = "dyad {class}";
+        dyad_at(class: &str, point: &str) = "dyad {class} at {point}";
+        coupled_group(unknowns: usize) = {
+            format!("coupled group, {}", some(unknowns, "unknown"))
+        };
+        coupled_group_at(point: &str, unknowns: usize) = {
+            format!("coupled group at {point}, {}", some(unknowns, "unknown"))
+        };
+        closed_form = "closed form";
+        by_newton = "by Newton";
+        group_of_driver(driven: &str) = "driver: {driven}";
+        group_of_nothing(group: &str, how: &str) = "{group} ({how})";
+        group_of_link(group: &str, link: &str, how: &str) = "{group}: link {link} ({how})";
+        group_of_links(group: &str, links: &str, how: &str) = "{group}: links {links} ({how})";
+
+        // Assemblies.
+        those_of_more(count: usize) = "and those of {count} more";
+        more_than(count: usize) = "more than {count}";
+        chosen_now(choice: &str) = "{choice} now";
+        rest_open(choice: &str) = "{choice} (the rest does not close)";
+        at_place(choice: &str, x: &str, y: &str) = "{choice} at ({x}, {y})";
+
+        // A first loop.
+        driven_coupler_follower_frame(lengths: &[String; 4], unit: &str) = {
+            let [driven, coupler, follower, frame] = lengths;
+            format!("driven {driven}, coupler {coupler}, follower {follower}, frame {frame} {unit}")
+        };
+        crank_rod_offset(lengths: &[String; 3], unit: &str) = {
+            let [crank, rod, offset] = lengths;
+            format!("crank {crank}, rod {rod}, offset {offset} {unit}")
+        };
+        four_bar(inversion: &str, grashof: &str) = "four-bar, {inversion}: {grashof}";
+        slider_crank(what: &str) = "slider-crank, {what}";
+        crank_turns_fully = "the crank turns fully: rod > crank + offset";
+        rod_is_crank_and_offset = "change point: rod = crank + offset";
+        crank_rocks = "the crank does not turn fully: rod < crank + offset";
+        grashof = "Grashof, s + l < p + q";
+        grashof_change_point = "change point, s + l = p + q";
+        not_grashof = "not Grashof, s + l > p + q";
+        crank_rocker = "crank-rocker";
+        rocker_crank = "rocker-crank";
+        double_crank = "double crank";
+        drag_link = "double crank (drag link)";
+        double_rocker = "double rocker";
+        triple_rocker = "triple rocker";
+
+        // The motion.
+        range_full(period: &dyn Display, unit: &str) =
+            "turns fully; the motion repeats after {period} {unit}";
+        range_limited(low: &str, high: &str, unit: &str) = "{low} to {high} {unit}";
+        change_points_at(places: &str, unit: &str) = "points at {places} {unit}, passed smoothly";
+        equal_as_typed = "lengths count as equal where they are equal as typed";
+        equal_within(tolerance: &str, unit: &str) =
+            "lengths count as equal within {tolerance} {unit}: coordinates have been rounded";
+        near_miss(at: &str, unit: &str, sine: &str, group: &str) =
+            "all but a change point or a dead point at {at} {unit}: sin mu = {sine} at {group}; the \
+             motion keeps its assembly";
+        mu_throughout(group: &str, angle: &str) =
+            "transmission angle at {group}: {angle} deg throughout";
+        mu_between(group: &str, angles: [&str; 4], unit: &str) = {
+            let [least, at_least, most, at_most] = angles;
+            format!(
+                "transmission angle at {group}: smallest {least} deg, at {at_least} {unit}; largest \
+                 {most} deg, at {at_most} {unit}"
+            )
+        };
+
+        // What acts.
+        count_of_forces(count: usize) = { counted(count, "force", "forces") };
+        count_of_torques(count: usize) = { counted(count, "torque", "torques") };
+        count_of_presses(count: usize) = { counted(count, "press", "presses") };
+        count_of_springs(count: usize) = { counted(count, "spring", "springs") };
+        count_of_masses(count: usize) = { counted(count, "link with a mass", "links with a mass") };
+        gravity = "gravity";
+        repeated_after(what: &str, period: &dyn Display) = "{what}; repeated after {period} deg";
+        not_settled(reactions: &str) = "reactions that equilibrium does not settle: {reactions}";
+    }
+}
+
+/// `no slide`, `1 slide`, `2 slides`.
+fn some(count: usize, one: &str) -> String {
+    match count {
+        0 => format!("no {one}"),
+        1 => format!("1 {one}"),
+        _ => format!("{count} {one}s"),
+    }
+}

@@ -1,0 +1,152 @@
+//! The motor over a cycle, and the ram.
+
+use super::English;
+use std::fmt::Display;
+
+catalogue! {
+    /// What a scene asks of its motor, and what a ram does.
+    trait Motors for English {
+        // What the driver does, and where.
+        torque = "torque";
+        force = "force";
+        over_a_turn(speed: &str) = "over a turn at {speed}";
+        over_turns(turns: f64, speed: &str) = "over {turns} turns at {speed}";
+        there_and_back(low: &str, high: &str, unit: &str, speed: &str) =
+            "from {low} to {high} {unit} and back at {speed}";
+        driver_asks(course: &str, driver: &str, asked: &str) = "{course}, {driver} {asked}";
+        asks_throughout(effort: &str) = "asks {effort} throughout";
+        asks_at_worst(effort: &str, place: &str, rms: &str) =
+            "asks {effort} at {place}, the worst instant; {rms} RMS";
+        asks_too_much(effort: &str) =
+            "asks for more than any motor has: there is no largest {effort} and no RMS";
+        on_the_way_back(place: &str) = "{place} on the way back";
+        back_at(place: &str) = "{place} back";
+        places_of(places: &[String], unit: &str) = {
+            format!("{} {unit}", places.join(" and "))
+        };
+
+        // What is to be known of the figures.
+        nothing_acts =
+            "nothing acts: the scene has no load and no mass, so the driver does no work";
+        no_figures(why: &str) = "no figures: {why}";
+        mechanism_drives(driver: &str, work: &str) =
+            "the mechanism drives {driver}: it gives {work} J a cycle";
+        dead_points_run_into(places: &str) =
+            "dead points at {places}: towards them accelerations grow beyond all bounds, and a \
+             driver that keeps its speed never gets there: means and energies are of loads and \
+             gravity only; a part of the motion has all figures";
+        dead_points_passed(places: &str) =
+            "dead points at {places}: towards them what the driver must do can grow beyond all \
+             bounds: its work and its mean exist, a peak and an RMS do not; a part of the motion has \
+             all figures";
+        change_points_passed(places: &str) =
+            "change points at {places}: the torque passes smoothly, forces in the joints may not";
+        not_converged(error: &str, effort: &str) =
+            "the integrals have not converged: they may be off by {error} of the largest {effort}";
+        does_not_repeat(numbers: &[String], from: &str, to: &str, unit: &str) = {
+            let (loads, does) = match numbers.len() {
+                1 => ("load", "does"),
+                _ => ("loads", "do"),
+            };
+            let numbers = numbers.join(" and ");
+            format!("`over` of {loads} {numbers} {does} not repeat: this is the cycle from {from} to {to} {unit}")
+        };
+        repeats_late =
+            "the loads repeat only after more than 64 turns: this is one period of the motion";
+        speed_not_kept =
+            "the driver does not keep its speed: what its acceleration takes is part of inertia";
+        no_power = "the driver stands still: no power, and no time passes";
+        trapezoids(places: &dyn Display, error: &str, effort: &str) =
+            "trapezoids at {places} places, good to {error} of the largest {effort}";
+        polynomials(pieces: &dyn Display, error: &str, effort: &str) =
+            "polynomials on {pieces} pieces, good to {error} of the largest {effort}";
+
+        // Labels of figures.
+        label_all = "all";
+        label_largest = "largest";
+        label_least = "least";
+        label_mean = "mean";
+        label_rms = "RMS";
+        label_energy = "energy";
+        label_put_in = "put in";
+        label_given_back = "given back";
+        label_work = "work";
+        label_integrals = "integrals";
+
+        // The motor.
+        motor_is(verdict: &str) = "motor: {verdict}";
+        enough = "enough";
+        not_enough = "not enough";
+        not_judged(effort: &str) = "not judged: no largest {effort} exists";
+        rated_for_rms = "rated for RMS";
+        peak = "peak";
+        speed = "speed";
+        with_flywheel = "with flywheel";
+        with_a_gear = "with a gear";
+        about_the_mean(verdict: &str) = "about the mean: {verdict}";
+        gear_enough(ratio: &str) =
+            "{ratio} to 1 brings it down to the driver's speed: it would be enough";
+        gear_not_enough(ratio: &str) =
+            "{ratio} to 1 brings it down to the driver's speed: it would not do either";
+        has_left_by_times(has: &str, wants: &str, left: &str, times: &str) =
+            "{has} for {wants}: {left} left ({times} times what is asked)";
+        has_left(has: &str, wants: &str, left: &str) = "{has} for {wants}: {left} left";
+        has_a_share(has: &str, wants: &str, percent: &str) = "{has} for {wants}: has {percent} % of it";
+
+        // Evenness.
+        evenness = "evenness";
+        flywheel = "flywheel";
+        fluctuation = "fluctuation";
+        energy_up_and_down(energy: &str, slowest: &str, fastest: &str) =
+            "{energy} J up and down: slowest at {slowest}, fastest at {fastest}";
+        flywheel_leaves(inertia: &str, fluctuation: &str) =
+            "of {inertia} kg m^2 leaves a fluctuation of {fluctuation}";
+        takes_a_flywheel(fluctuation: &str, inertia: &str) =
+            "of {fluctuation} takes a flywheel of {inertia} kg m^2";
+        roughly(what: &str) =
+            "{what}, a rough figure: energy and speed go in proportion for small ones only";
+
+        // What shakes the frame.
+        on_frame_with_loads = "on the frame, loads included";
+        moment = "moment";
+        no_joint_forces = "no figure: forces in the joints do not exist everywhere";
+        force_throughout(force: &str, x: &str, y: &str) = "{force} N throughout ({x}, {y})";
+        force_at(force: &str, place: &str, x: &str, y: &str, rms: &str) =
+            "{force} N at {place} ({x}, {y}); {rms} N RMS";
+        moment_throughout(moment: &str) = "{moment} N m throughout about the origin";
+        moment_at(moment: &str, place: &str, rms: &str) =
+            "{moment} N m at {place} about the origin; {rms} N m RMS";
+
+        // The ram.
+        several_rams(names: &str) = "several slides can be the ram: {names}";
+        ram_named(name: &str) = "ram {name}";
+        ram_works = "works";
+        works_at(end: &str) = "at its {end} position";
+        works_at_by_convention(end: &str) = "at its {end} position, by convention";
+        stroke = "stroke";
+        bottom = "bottom";
+        top = "top";
+        turns_too = "turns too";
+        centre_at(at: &str, unit: &str, position: &str, length: &str) =
+            "{at} {unit}, position {position} {length}";
+        closes_in = "closes in";
+        opens_in = "opens in";
+        in_seconds(way: &str, seconds: &str) = "{way}, {seconds} s";
+        time_ratio = "time ratio";
+        closing_to_opening(ratio: &str) = "{ratio}, closing to opening";
+        strokes = "strokes";
+        a_minute(count: &str) = "{count} a minute";
+        dwells = "dwells";
+        dwells_within(way: &str, from: &str, to: &str, tolerance: &str) =
+            "{way}: from {from} to {to}; within {tolerance} of the bottom";
+        at_height(height: &str, unit: &str) = "at {height} {unit}";
+        ram_never_there(stroke: &str, unit: &str) =
+            "the ram is never there: its stroke is {stroke} {unit}";
+        closing = "closing";
+        opening_way = "opening";
+        label_place = "place";
+        newtons_per(unit: &str) = "N per {unit}";
+        force_held_by(effort: &str) = "force: what {effort} of the driver hold, without friction";
+        force_unbounded = "a dead centre: the force has no bound";
+    }
+}

@@ -1,0 +1,89 @@
+//! The working of forces: free bodies, pins and the driver.
+
+use super::English;
+
+catalogue! {
+    /// What is said between the equations of forces.
+    trait Reactions for English {
+        forces_part = "Forces";
+        reactions_need_not_exist =
+            "The reactions need not exist at this place; the driver's torque follows from the \
+             virtual work.";
+        reactions_open(links: &str) =
+            "A redundant linkage leaves reactions open of {links}: equilibrium alone does not tell \
+             them.";
+        order_of_groups(groups: &str) =
+            "The reactions are the unknowns in the equations of motion of the links below. They are \
+             found group by group, the last first, since a group hands on what it bears to those \
+             before it: {groups}. The driver's own comes last.";
+        dyad_of_two_arms =
+            "In a dyad RRR the force F at the inner pin on the first link follows from the moments of \
+             each link about its outer pivot: e x F + M1 = 0 and -f x F + M2 = 0, with e and f from \
+             the pivots to the inner pin, and M1, M2 the moments of all else on each link, its \
+             inertia among it. A load on that pin goes with the second link.";
+        no_balance_at_dead_point =
+            "At a dead point the mechanical advantage is infinite: no torque of the driver balances \
+             the loads, and the reactions do not exist.";
+        no_forces_without_assembly = "Without an assembly there are none.";
+        no_forces_here = "They do not exist here.";
+        loads_here = "The loads here:";
+
+        // What acts.
+        kind_press = "press";
+        kind_spring = "spring";
+        acts_at(what: &str, point: &str) = "{what} at {point}";
+        acts_on(what: &str, link: &str) = "{what} on {link}";
+        spring_between(from: &str, to: &str) = "L from {from} to {to}";
+        pull_of_spring = "Of a spring, its pull with the lengths in m:";
+        pull = "pull";
+        factor = "factor";
+        weight = "weight";
+        weight_of(link: &str) = "weight of {link}";
+        inertia_of(link: &str) = "inertia of {link}";
+        column_of = "of";
+        column_load = "load";
+        symbols_of(symbols: &str, link: &str) = "{symbols} of {link}";
+
+        // A free body.
+        link_part(name: &str) = "Link {name}";
+        on_it = "on it";
+        motion_about(point: &str) =
+            "x and y from {point}, moments about it. The equations of motion:";
+        motion_about_accelerated(point: &str) =
+            "x and y from {point}, moments about it. The equations of motion, with the acceleration \
+             of {point} in m/s^2:";
+        guide_of(slide: &str) = "guide of {slide}";
+        slider_of(slide: &str) = "slider of {slide}";
+        pin_by(link: &str, point: &str, by: &str) = "{link} at {point} by {by}";
+        pin_by_ground(link: &str, point: &str) = "{link} at {point} by ground";
+
+        // A pin.
+        pin_part(name: &str) = "Pin {name}";
+        load_at_pin =
+            "A load at a pin acts on the pin, which has no mass; it acts on the links against what \
+             they bear there:";
+        forces_along(axis: &str, point: &str) = "forces along {axis} at {point}";
+
+        // The driver.
+        torque_of_driver = "The driver's torque";
+        force_of_driver = "The driver's force";
+        torque_checked_by_work(torque: &str) =
+            "The driver's torque of {torque} follows from the balance of the links. The virtual work \
+             of the loads, of gravity and of inertia must give the same, and is its check. Each share \
+             is the power of its forces, with the other sign, divided by the driver's speed.";
+        force_checked_by_work(force: &str) =
+            "The driver's force of {force} follows from the balance of the links. The virtual work \
+             of the loads, of gravity and of inertia must give the same, and is its check. Each share \
+             is the power of its forces, with the other sign, divided by the driver's speed.";
+        effort_by_work =
+            "By the virtual work of the loads, of gravity and of inertia. Each share is the power of \
+             its forces, with the other sign, divided by the driver's speed.";
+        frame_feels(x: &str, y: &str, moment: &str) =
+            "The frame feels {x} N along x, {y} N along y and a moment of {moment} N m about the \
+             origin. What is left of the balance of power and of the equilibrium of the whole, each \
+             found by a way of its own:";
+        virtual_work = "virtual work";
+        forces_in(axis: &str) = "forces, {axis}";
+        moments = "moments";
+    }
+}

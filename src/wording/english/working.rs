@@ -1,0 +1,151 @@
+//! The working: loops, positions and rates, step by step.
+
+use super::English;
+use std::fmt::Display;
+
+catalogue! {
+    /// What is said between the equations of the working.
+    trait Working for English {
+        // How it begins.
+        driver_turns(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
+            "State: {state}. The driver {driver} turns: at {at}, with {speed} and {acceleration}.";
+        driver_slides(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
+            "State: {state}. The driver {driver} slides: at {at}, with {speed} and {acceleration}.";
+        dead_point_explained =
+            "A dead point: the motion ends here. Positions exist; velocities and accelerations do \
+             not, since their equations would be divided by a sine that is 0.";
+        change_point_explained =
+            "A change point: two assemblies meet here. The equations of the rates are singular at \
+             this one place; the velocities and accelerations given are the limits along the motion.";
+        no_assembly_explained(covered: &str) =
+            "The mechanism cannot be assembled here: the driver covers {covered}. What follows is \
+             what the scene and the driver give.";
+
+        // Vector polygons and the position table.
+        vector_polygons = "Vector polygons";
+        loop_is(number: usize, what: &str) = "Loop {number}: {what}";
+        solved_by_group(walk: &str, group: usize) = "{walk} (group {group})";
+        tells_further_vector(walk: &str) = "{walk} (tells a further vector)";
+        no_closed_loop = "There is no closed loop: the driver alone places everything.";
+        vector_on(vector: &str, tail: &str, head: &str, body: &str) =
+            "{vector} from {tail} to {head} on {body}";
+        the_ground = "the ground";
+        beside_vectors_of_scene(vectors: &str) = "Beside the scene's vectors: {vectors}.";
+        in_no_loop(vectors: &str) = "In no loop: {vectors}.";
+        position_table = "Position table";
+        column_ends = "from, to";
+        column_is(symbol: &str) = "{symbol} is";
+        is_sought = "sought";
+
+        // Loop equations.
+        loop_equations = "Loop equations";
+        multiplied_by(vector: &str, removed: &str) =
+            "Multiplied by {vector}, which removes {removed}:";
+        multiplied_across(vector: &str, side: &str) =
+            "Multiplied by {vector}, at right angles to {side}, which removes {side}:";
+
+        // Positions.
+        positions_by_groups = "Positions, group by group";
+        the_vector(names: &str) = "The vector {names}";
+        group_in_words(number: usize, kind: &str) = "Group {number}, {kind}";
+        group_of_one_link(number: usize, kind: &str, link: &str) = "Group {number}, {kind}: link {link}";
+        group_of_many_links(number: usize, kind: &str, links: &str) =
+            "Group {number}, {kind}: links {links}";
+        coupled_of_unknowns(count: usize) = "coupled group of {count} unknowns";
+        not_without_groups_before = "Not without the positions of the groups before it.";
+        loop_repeats_others = "Its loop repeats others: nothing is sought in it.";
+        nothing_sought = "Nothing is sought.";
+        driver_places = "The driver places:";
+
+        // Two arms.
+        with_m_between(from: &str, to: &str, joint: &str) =
+            "With m from {from} to {to}, and {joint} where the two arms meet:";
+        lies_to_the_left(joint: &str, from: &str, to: &str) =
+            "{joint} lies on the left of {from} → {to}, by the assembly:";
+        lies_to_the_right(joint: &str, from: &str, to: &str) =
+            "{joint} lies on the right of {from} → {to}, by the assembly:";
+        pivots_coincide(one: &str, other: &str) =
+            "{one} and {other} lie on each other: there is no triangle, and the angles are the limits \
+             along the motion:";
+        arms_too_short(m: &str, one: &str, other: &str, sum: &str) =
+            "m = {m} is longer than {one} + {other} = {sum}: the arms do not reach each other.";
+        arms_too_unlike(m: &str, one: &str, other: &str, difference: &str) =
+            "m = {m} is shorter than |{one} - {other}| = {difference}: the arms cannot close the \
+             triangle.";
+        triangle_would_close =
+            "This triangle would close, but the motion that starts at the scene's assembly does not \
+             come here.";
+
+        // Guides.
+        quadratic_in(arm: &str, sum: &str, theta: &str, name: &str) =
+            "With K the sum of the known sides, {arm} = |{sum}|, u at {theta}: a quadratic in {name}.";
+        either_or(one: &str, other: &str) = "{one} or {other}";
+        by_the_assembly = "By the assembly:";
+        angle_of_minus(what: &str) = "angle of -({what})";
+        others_turn_with(name: &str, along: &str, left: &str) =
+            "The other sides that turn with {name} lie t = {along} along it and e = {left} to its left:";
+        does_not_reach_guide(arm: &str) = "It is negative: {arm} does not reach the guide.";
+        root_would_close =
+            "It would close, but the motion that starts at the scene's assembly does not come here.";
+
+        // Coupled groups.
+        solved_at_once = "It is solved at once, by Newton's method, where it can be assembled.";
+        no_part_alone =
+            "No part of it can be solved alone: all equations f(z) = 0 are solved at once, by \
+             Newton's method, z - dz with J dz = f, J the derivatives of f by z. Where it stopped:";
+        equations_left = "The equations, and what is left of them:";
+        jacobian_too_large(n: usize) = "J has {n} x {n} entries, which nobody would read.";
+        jacobian_rows = "J, a row for every equation:";
+        joint = "joint";
+        two_ways(coordinate: &str, point: &str) = "{coordinate} of {point} two ways";
+        distance_from_guide(point: &str) = "distance of {point} from its guide";
+        found_together = "Found together:";
+
+        // Rates.
+        velocities_part = "Velocities";
+        accelerations_part = "Accelerations";
+        differentiated = "The loop equations, differentiated by time:";
+        differentiated_again = "Differentiated once more:";
+        rates_are_limits =
+            "The equations are singular here; the values are limits along the motion.";
+        no_rates_at_dead_point =
+            "They do not exist at a dead point. The equations, which nothing solves here:";
+        do_not_exist_either = "They do not exist either.";
+        none_without_assembly = "Without an assembly there are none. The equations:";
+        nothing_sought_in_it = "Nothing is sought in it.";
+        factor_vanishes(symbol: &str) =
+            "The factor of {symbol} vanishes; along the motion the limit is:";
+        equations_for_unknowns(equations: usize, unknowns: usize) =
+            "{equations} equations for {unknowns} unknowns; solved together:";
+        sliding = "sliding";
+        turning = "turning";
+        speeds_up = "speeds up";
+        slows_down = "slows down";
+
+        // Points.
+        points_part = "Points";
+        rates_of_points_missing = "Their velocities and accelerations do not exist here.";
+        a_point = "a point";
+        point_on_about(point: &str, link: &str, base: &str) = "{point} on {link} about {base}";
+        lies_on(base: &str) = "It lies on {base} and moves as that does.";
+        does_not_turn(link: &str, base: &str) =
+            "{link} does not turn: all of it moves as {base} does.";
+        at_degrees(figure: &str, direction: &str) = "{figure} at {direction} deg";
+        between_normal_part(angle: &str, symbol: &str) =
+            "{angle} deg, between {symbol} and its normal part";
+        along_guide_of(point: &str, slide: &str, body: &str) =
+            "{point} along the guide of {slide} on {body}";
+        of_under(symbol: &str, body: &str, point: &str) = "{symbol} of {body} under {point}";
+
+        // The check.
+        check_part = "Check";
+        nothing_to_check = "Without an assembly there is nothing to check.";
+        figures_do_not_differ =
+            "The figures worked out above and those of the solver do not differ.";
+        figures_differ(part: &str, symbol: &str) =
+            "The figures worked out above and those of the solver differ by {part} of their size at \
+             the most (at {symbol}).";
+        left_of_loops = "What is left of the loop equations with all numbers in place:";
+        loop_component(number: usize, axis: &dyn Display) = "loop {number} {axis}";
+    }
+}
