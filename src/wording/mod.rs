@@ -16,32 +16,32 @@ use english::*;
 
 /// Every sentence, in one language.
 pub(crate) trait Words:
-    Actions
-    + Balance
-    + Checking
-    + Commands
-    + Configuration
-    + Editing
-    + Examples
-    + Faults
-    + Figures
-    + Files
-    + Helping
-    + Hints
-    + Manual
-    + Methods
-    + Motion
-    + Motors
-    + Offering
-    + Options
-    + Picking
-    + Plots
-    + Reactions
-    + Taking
-    + Terminals
-    + Tour
-    + Views
-    + Working
+    ActionsWords
+    + BalanceWords
+    + CheckingWords
+    + CommandsWords
+    + ConfigurationWords
+    + EditingWords
+    + ExamplesWords
+    + FaultsWords
+    + FiguresWords
+    + FilesWords
+    + HelpingWords
+    + HintsWords
+    + ManualWords
+    + MethodsWords
+    + MotionWords
+    + MotorsWords
+    + OfferingWords
+    + OptionsWords
+    + PickingWords
+    + PlotsWords
+    + ReactionsWords
+    + TakingWords
+    + TerminalsWords
+    + TourWords
+    + ViewsWords
+    + WorkingWords
 {
 }
 

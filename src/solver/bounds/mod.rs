@@ -385,6 +385,37 @@ mod tests {
     use crate::Double;
     use crate::scene::{Scene, presets};
 
+    /// On whatever machine: the same bits with its vectors and without.
+    #[test]
+    fn without_the_machines_vectors_bounds_are_the_same() {
+        let mut compared = 0;
+        for preset in presets::all() {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let (mut work, mut balls) = (solver.state(), solver.enclosure());
+            let mut plain = solver.enclosure();
+            let order = Order::Acceleration;
+            for k in 0..48 {
+                let at = scene.mechanism.driver().start + 7.3 * f64::from(k);
+                if solver.solve(at, order, &mut work) != Condition::Ok {
+                    continue;
+                }
+                let engine = &solver.engine;
+                let _ = engine.enclose_to(false, order, &work.state, &mut balls);
+                plain.state.condition = work.state.condition;
+                plainly(&mut Enclosing {
+                    engine,
+                    how: (false, order),
+                    state: &work.state,
+                    work: &mut plain,
+                });
+                assert!(balls.state == plain.state, "{} at {at}", preset.name);
+                compared += 1;
+            }
+        }
+        assert!(compared > 500, "{compared}");
+    }
+
     /// The balls come from the residuals of whatever is in the state: where that is far off, they
     /// must hold the truth all the same, and not by being wide.
     #[test]

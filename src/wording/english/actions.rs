@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// Actions, and what groups of them are called.
-    trait Actions for English {
+    trait ActionsWords for English {
         the_motion = "The motion";
         play = "play";
         play_or_pause = "play or pause";

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// Facts of a mechanism.
-    trait Checking for English {
+    trait CheckingWords for English {
         // What they are called.
         fact_source = "source";
         fact_note = "note";

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// Messages of commands.
-    trait Commands for English {
+    trait CommandsWords for English {
         error(message: &str) = "error: {message}";
         note(message: &str) = "note: {message}";
         of_option(option: &str, what: &dyn Display) = "{option}: {what}";

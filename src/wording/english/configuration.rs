@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// Faults of a configuration, and the text that `krank config` prints.
-    trait Configuration for English {
+    trait ConfigurationWords for English {
         the_configuration = "the configuration";
         quote_texts_and_keys = "texts and keys are quoted: \"space\"";
         write_name_and_value = "write name = value";

@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// Values that are changed, and scenes that are compared.
-    trait Editing for English {
+    trait EditingWords for English {
         // Values.
         no_numbers = "the scene has no numbers";
         nudge_by(step: &str, unit: &str) = "nudge by {step} {unit}";

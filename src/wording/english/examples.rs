@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// Examples, and more than an option's line can tell.
-    trait Examples for English {
+    trait ExamplesWords for English {
         keys_of_workbench = "\
 Keys of the workbench:
   space play or pause   . one step on   , one step back   r the other way

@@ -4,7 +4,7 @@ use super::{English, counted};
 
 catalogue! {
     /// Faults of a mechanism, in the words of its scene.
-    trait Faults for English {
+    trait FaultsWords for English {
         // What parts are called.
         a_link(name: &str) = "link {name}";
         slide_named(name: &str) = "slide `{name}`";

@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// Figures by name.
-    trait Figures for English {
+    trait FiguresWords for English {
         // Why some are not shown.
         forces_disagree(at: &str, residual: &str, missed: &str, most: &str) =
             "the forces at {at} are withheld: {residual} is {missed}, and rounding explains no more \

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// Files and presets.
-    trait Files for English {
+    trait FilesWords for English {
         // What stands where a file should.
         is_a_folder = "it is a folder";
         is_a_pipe = "it is a pipe, not a file";

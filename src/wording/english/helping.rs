@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// The help, and the manual behind it.
-    trait Helping for English {
+    trait HelpingWords for English {
         help_title = "Help";
         help_topic(topic: &str, page: usize, pages: usize) = "Help: {topic}  {page}/{pages}";
         no_key_does_that = "no key does that";

@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// Modes and prompts in a word or two, and what keys do in them.
-    trait Hints for English {
+    trait HintsWords for English {
         // What is going on.
         choosing = "choose";
         writing = "write";

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// What a study of methods has found.
-    trait Methods for English {
+    trait MethodsWords for English {
         // The methods.
         method = "method";
         closed_and_polished = "closed and polished";

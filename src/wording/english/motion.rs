@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// The motion and its drawing.
-    trait Motion for English {
+    trait MotionWords for English {
         // Where the driver goes.
         motion_ends = "the motion ends here";
         no_number_of(unit: &str, typed: &str) = "not a number of {unit}: {typed}";

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// What a scene asks of its motor, and what a ram does.
-    trait Motors for English {
+    trait MotorsWords for English {
         // What the driver does, and where.
         torque = "torque";
         force = "force";

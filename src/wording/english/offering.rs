@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// The offer of unsaved edits.
-    trait Offering for English {
+    trait OfferingWords for English {
         edits_not_kept(folder: &dyn Display, why: &dyn Display) =
             "edits are not kept for recovery: {folder}: {why}";
         others_have_edits = "others have edits of this scene: open it again to see";

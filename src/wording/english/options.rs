@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// What stands beside each command and option.
-    trait Options for English {
+    trait OptionsWords for English {
         what_krank_is = "A terminal workbench for planar linkages";
         what_krank_does =
             "A terminal workbench for planar linkages: position, velocity and acceleration of any \

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// Scenes to be opened.
-    trait Picking for English {
+    trait PickingWords for English {
         open_a_scene = "Open a scene";
         compare_with = "Compare with";
         search_for = "search: ";

@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// Plots, and what is plotted.
-    trait Plots for English {
+    trait PlotsWords for English {
         over(name: &str) = "over {name}";
         over_time = "over time: 0 s is where the scene opens";
         extrema_marked = "maxima and minima are marked";

@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// What is said between the equations of forces.
-    trait Reactions for English {
+    trait ReactionsWords for English {
         forces_part = "Forces";
         reactions_need_not_exist =
             "The reactions need not exist at this place; the driver's torque follows from the \

@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// What `krank --diagnose` tells.
-    trait Terminals for English {
+    trait TerminalsWords for English {
         // Rows.
         row_configuration = "configuration";
         row_state = "state";

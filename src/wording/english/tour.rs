@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// The screens of the tour: a title, and the keys in the text as they are configured.
-    trait Tour for English {
+    trait TourWords for English {
         tour_title(page: usize, pages: usize, title: &str) = "Tour {page}/{pages}: {title}";
         tour_keys(next: &str) = "Enter {next}  Left back  Esc end";
 

@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// The views.
-    trait Views for English {
+    trait ViewsWords for English {
         screen_too_small(width: u16, height: u16) = "krank needs {width} x {height} characters";
 
         drawing_with_live_tables = "The drawing, with live tables";

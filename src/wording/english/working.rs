@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// What is said between the equations of the working.
-    trait Working for English {
+    trait WorkingWords for English {
         // How it begins.
         driver_turns(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
             "State: {state}. The driver {driver} turns: at {at}, with {speed} and {acceleration}.";
