@@ -6,9 +6,23 @@
 mod drawing;
 
 #[cfg(feature = "tui")]
+mod accuracy;
+#[cfg(feature = "tui")]
+mod assemblies;
+#[cfg(feature = "tui")]
+mod claims;
+#[cfg(feature = "tui")]
 mod compare;
 #[cfg(feature = "tui")]
+mod compare_plots;
+#[cfg(feature = "tui")]
+mod documents;
+#[cfg(feature = "tui")]
+mod export;
+#[cfg(feature = "tui")]
 mod forces;
+#[cfg(feature = "tui")]
+mod glyphs;
 #[cfg(feature = "tui")]
 mod motion;
 #[cfg(feature = "tui")]
@@ -16,15 +30,23 @@ mod motor;
 #[cfg(feature = "tui")]
 mod picker;
 #[cfg(feature = "tui")]
+mod player;
+#[cfg(feature = "tui")]
 mod plots;
 #[cfg(feature = "tui")]
 mod scene;
+#[cfg(feature = "tui")]
+mod scene_files;
 #[cfg(feature = "tui")]
 mod screen;
 #[cfg(feature = "tui")]
 mod tables;
 #[cfg(feature = "tui")]
 mod terminal;
+#[cfg(feature = "tui")]
+mod tour;
+#[cfg(feature = "tui")]
+mod trust;
 #[cfg(feature = "tui")]
 mod way;
 #[cfg(feature = "tui")]

@@ -1,5 +1,6 @@
 //! The motion view with its layers, zoomed and panned, as a terminal shows it.
 
+use crate::claims::{assert_dotted, assert_told, cells, differences, drawing, places};
 use crate::screen::{self, Session, emulator, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
@@ -13,40 +14,84 @@ fn workbench(preset: &str, glyphs: Glyphs, colours: Colours, cols: u16, rows: u1
 
 #[test]
 fn shows_arrows_with_their_scale() {
-    for (name, glyphs) in [
-        ("ascii", Glyphs::Ascii),
-        ("line", Glyphs::Line),
-        ("braille", Glyphs::Braille),
-    ] {
-        let body = Session::new(preset("four-bar"), glyphs, 80, 24)
+    let arrows = |glyphs| {
+        Session::new(preset("four-bar"), glyphs, 80, 24)
             .press("v A")
-            .body();
-        insta::assert_snapshot!(format!("motion-arrows-{name}-80x24"), body);
+            .body()
+    };
+    let shown = arrows(Glyphs::Ascii);
+    insta::assert_snapshot!("motion-arrows-ascii-80x24", shown);
+    // In dots their heads stand in the same cells, and the scale is the same.
+    let dotted = arrows(Glyphs::Braille);
+    let heads = |screen: &str| places(&cells(&drawing(screen)), &['<', '>', '^', 'v']);
+    let [of_characters, of_dots] = [&shown, &dotted].map(|screen| heads(screen));
+    // The last row is the legend: its arrows begin elsewhere.
+    let above = |heads: &[(usize, usize)]| heads.iter().filter(|at| at.0 < 21).count();
+    assert_eq!(
+        of_characters[..above(&of_characters)],
+        of_dots[..above(&of_dots)]
+    );
+    assert!(above(&of_characters) >= 6, "{shown}");
+    for screen in [&shown, &dotted] {
+        assert_told(screen, &["v 1000 mm/s ="]);
+        assert_told(screen, &["a 20000 mm/s^2 ="]);
     }
-    let mut tiny = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
-    insta::assert_snapshot!("motion-arrows-ascii-40x12", tiny.press("v A").body());
+    // Where there is little room, an arrow of the drawing means more, and the accelerations are not told of.
+    let tiny = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12)
+        .press("v A")
+        .body();
+    assert_told(
+        &tiny,
+        &[
+            "<_ __-<<",
+            "A o B",
+            "v 5000 mm/s = ------->",
+            "r4 250.000 290.753*",
+        ],
+    );
+    assert!(!tiny.contains("mm/s^2 ="), "{tiny}");
 }
 
 #[test]
 fn shows_coupler_curves() {
-    for (name, glyphs) in [("ascii", Glyphs::Ascii), ("braille", Glyphs::Braille)] {
-        let body = Session::new(preset("hoecken"), glyphs, 80, 24)
-            .press("T")
-            .body();
-        insta::assert_snapshot!(format!("motion-trace-{name}-80x24"), body);
-    }
-    let mut tiny = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 12);
-    insta::assert_snapshot!("motion-trace-ascii-40x12", tiny.press("T").body());
+    let traced = |glyphs| {
+        let mut session = Session::new(preset("hoecken"), glyphs, 80, 24);
+        [session.body(), session.press("T").body()]
+    };
+    let [bare, shown] = traced(Glyphs::Ascii);
+    insta::assert_snapshot!("motion-trace-ascii-80x24", shown);
+    let curve = differences(&bare, &shown).into_iter();
+    let curve: Vec<_> = curve
+        .filter(|c| ".:'".contains(c.3))
+        .map(|c| (c.0, c.1))
+        .collect();
+    assert!(curve.len() >= 40, "{shown}");
+    assert_dotted(&curve, &traced(Glyphs::Braille)[1]);
+    // A leg on a small screen: the curves of two points, in what room there is.
+    let mut leg = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 12);
+    let bare = leg.body();
+    let shown = leg.press("T").body();
+    assert_told(&shown, &["trace V,T", "m 15.0000 60.000"]);
+    let points = differences(&bare, &shown)
+        .into_iter()
+        .filter(|c| ".:'".contains(c.3));
+    assert!(points.count() >= 8, "{shown}");
 }
 
 #[test]
 fn shows_everything_at_once() {
     let mut session = Session::new(preset("slider-crank"), Glyphs::Braille, 120, 40);
     let body = session.press("i v A T G c").body();
-    insta::assert_snapshot!("motion-everything-braille-120x40", body);
+    insta::assert_snapshot!("motion-everything-braille-120x40", &body);
     let bare = session.press("i v A T G c d").body();
-    assert!(!bare.contains("mm/s ="), "{bare}");
-    insta::assert_snapshot!("motion-bare-braille-120x40", bare);
+    // Three joints and what lies between them: no arrow, no trace, no name, no ground.
+    let drawn = drawing(&bare);
+    assert_eq!(places(&cells(&drawn), &['o']).len(), 3, "{bare}");
+    let all = drawn.chars().filter(|c| c.is_ascii_graphic());
+    assert_eq!(all.collect::<String>(), "oo[o]", "{bare}");
+    // The tables below are the same.
+    let tables = |body: &str| body[body.find("─\n").unwrap()..].to_owned();
+    assert_eq!(tables(&bare), tables(&body));
 }
 
 /// Each key switches its layer on, says so, and switches it off again: then all is as it was.
@@ -79,7 +124,24 @@ fn zooms_and_pans_and_stays_there() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let fitted = session.body();
     let near = session.press("z z L K").body();
-    insta::assert_snapshot!("motion-zoomed-ascii-80x24", near);
+    // B and C stand twice as far apart as they did, within what a cell rounds, and D has left the window;
+    // the last row is the legend.
+    let joints = |body: &str| {
+        let mut all = places(&cells(&drawing(body)), &['o']);
+        all.retain(|(row, _)| *row < 21);
+        all
+    };
+    let (far, close) = (joints(&fitted), joints(&near));
+    let apart = |joints: &[(usize, usize)], down: usize| {
+        let (c, b) = (joints[0], joints[down]);
+        (b.0 - c.0, c.1 - b.1)
+    };
+    assert_eq!((far.len(), close.len()), (4, 2), "{near}");
+    let (rows, cols) = apart(&far, 1);
+    let (more_rows, more_cols) = apart(&close, 1);
+    assert!(more_rows.abs_diff(2 * rows) <= 2, "{near}");
+    assert!(more_cols.abs_diff(2 * cols) <= 2, "{near}");
+    assert!(!drawing(&near).contains('D'), "{near}");
     assert!(near.contains("zoom 2x"), "{near}");
     // The ground does not move while the linkage does, nor when a step is taken back.
     session.press(". . . , , ,");

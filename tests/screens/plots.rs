@@ -1,5 +1,6 @@
 //! The plots view, its list, and its empty states, as a terminal shows them.
 
+use crate::claims::assert_told;
 use crate::screen::{Session, open, preset};
 use krank::drawing::Glyphs;
 use krank::quantity::Catalogue;
@@ -29,16 +30,12 @@ C = [90, 50]
 
 #[test]
 fn the_first_look_shows_how_the_output_turns() {
-    for (glyphs, name) in [
-        (Glyphs::Ascii, "ascii"),
-        (Glyphs::Line, "line"),
-        (Glyphs::Braille, "braille"),
-    ] {
-        let mut session = Session::new(preset("four-bar"), glyphs, 80, 24);
-        insta::assert_snapshot!(format!("plots-{name}-80x24"), session.press("3").body());
-        let mut session = Session::new(preset("four-bar"), glyphs, 40, 12);
-        insta::assert_snapshot!(format!("plots-{name}-40x12"), session.press("3").body());
-    }
+    let shown = |glyphs, cols, rows| {
+        let mut session = Session::new(preset("four-bar"), glyphs, cols, rows);
+        session.press("3").body()
+    };
+    insta::assert_snapshot!("plots-braille-80x24", shown(Glyphs::Braille, 80, 24));
+    insta::assert_snapshot!("plots-line-40x12", shown(Glyphs::Line, 40, 12));
     // A slider's output, and a point's where there is nothing else on the ground.
     let first = |name| {
         let mut session = Session::new(preset(name), Glyphs::Ascii, 80, 24);
@@ -69,7 +66,15 @@ fn the_list_chooses_what_is_plotted() {
     );
     // On a small screen the list stands alone.
     let mut small = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
-    insta::assert_snapshot!("plots-list-ascii-40x12", small.press("3 Enter Down").look());
+    let told = [
+        "plot what? 2 of 57",
+        "[ ] r3.omega rad/s ^",
+        "[x] r4.omega rad/s",
+        "> [x] r4.alpha rad/s^2",
+        "[ ] r1.angle deg v",
+        "choose 60.00 deg Enter plot Esc done",
+    ];
+    assert_told(&small.press("3 Enter Down").look(), &told);
     small.press("/").type_in("nothing");
     assert!(small.look().contains("no figure has that"));
 }

@@ -8,6 +8,7 @@ use std::cell::Cell;
 use std::fs;
 use std::num::NonZeroU16;
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 use std::time::Duration;
 
 /// Screens of every sort that a person may have, by the names of their snapshots.
@@ -97,6 +98,28 @@ pub(crate) fn folder(test: &str) -> PathBuf {
 pub(crate) fn emulator(cols: u16, rows: u16) -> vt100::Parser {
     let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
     vt100::Parser::new(rows, cols, 0)
+}
+
+/// The lecture's four-bar in plain characters.
+pub(crate) fn four_bar(cols: u16, rows: u16) -> Session {
+    Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
+}
+
+/// What the program prints, and its exit code.
+pub(crate) fn krank(args: &[&str]) -> (String, Option<i32>) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
+    command.env_clear().env("LC_ALL", "C").args(args);
+    let output = command.stdin(Stdio::null()).output().unwrap();
+    (
+        String::from_utf8(output.stdout).unwrap(),
+        output.status.code(),
+    )
+}
+
+/// A session whose studies take the time that is made up.
+pub(crate) fn timed(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    let workbench = Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows);
+    Session::on(workbench.timed_by(made_up), cols, rows)
 }
 
 /// A workbench and the screen that it paints on.

@@ -1,13 +1,9 @@
 //! Finding one's way in the workbench, as a terminal shows it: the help and searching it.
 
-use crate::screen::{Session, emulator, made_up, masked, preset};
+use crate::screen::{Session, emulator, four_bar, preset};
 use krank::drawing::Glyphs;
 use krank::tui::{Colours, Config, Workbench};
 use std::collections::{BTreeSet, HashSet};
-
-fn four_bar(cols: u16, rows: u16) -> Session {
-    Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
-}
 
 #[test]
 fn the_help_is_searched_by_words() {
@@ -257,36 +253,6 @@ fn every_key_of_the_help_is_reached() {
     }
 }
 
-/// Every screen of the tour, beside the linkage where there is room.
-#[test]
-fn the_tour_leads_through_five_screens_and_back() {
-    for (cols, rows) in [(80, 24), (40, 12), (120, 40)] {
-        let mut session = four_bar(cols, rows);
-        let before = session.look();
-        let mut screens = String::new();
-        for key in ["I", "Enter", "Right", "space", "Enter"] {
-            screens += &session.press(key).look();
-            screens += "\n";
-        }
-        insta::assert_snapshot!(format!("tour-{cols}x{rows}"), screens);
-        assert!(session.press("Left").look().contains("Tour 4/5"));
-        assert!(!session.press("Enter Enter").look().contains("Tour"));
-        assert_eq!(session.look(), before, "nothing else has happened");
-        assert!(!session.press("F2 Esc").look().contains("Tour"));
-    }
-}
-
-/// The keys of the motion work beside the tour, and nothing that would lead away from it.
-#[test]
-fn the_tour_lets_the_crank_be_moved() {
-    let mut session = four_bar(80, 24);
-    let line = session.press("I Enter . .").last_line();
-    assert!(line.contains("70.00 deg"), "{line}");
-    assert!(session.press("n w a g").look().contains("Tour 2/5"));
-    assert!(session.press("2").look().contains("Tour 2/5"));
-    assert!(session.press("?").look().contains("Help"));
-}
-
 /// What is configured is what the help, the hints and the messages tell.
 #[test]
 fn keys_that_are_configured_are_the_ones_that_are_told() {
@@ -325,60 +291,4 @@ fn the_configuration_of_the_manual_is_read() {
     let config = Config::parse(text, "config.toml").unwrap();
     assert_eq!(config.glyphs, Some(Glyphs::Ascii));
     assert!(!config.tour);
-}
-
-const README: &str = include_str!("../../README.md");
-const VIEWS: &str = include_str!("../../src/manual/views.md");
-
-/// The screen of a view as `krank --print` has it.
-fn printed(key: &str, rows: u16) -> String {
-    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, rows)
-        .timed_by(made_up);
-    workbench.press(key);
-    workbench.text()
-}
-
-/// Every view has a screen in the manual, and the first one in the README; it is the one that is seen.
-#[test]
-fn the_screens_of_the_manual_are_real() {
-    for (text, key, rows) in [
-        (README, "1", 24),
-        (VIEWS, "2", 24),
-        (VIEWS, "3", 24),
-        (VIEWS, "6", 22),
-        (VIEWS, "7", 20),
-        (VIEWS, "e", 14),
-    ] {
-        let screen = printed(key, rows);
-        let block = format!("```txt\n{}\n```", screen.trim_end());
-        assert!(
-            masked(text).contains(&masked(&block)),
-            "there should be for {key}\n{screen}"
-        );
-    }
-    // Times are another machine's: the methods are these, in this order.
-    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 24);
-    workbench.press("4");
-    let screen = workbench.text();
-    let blocks = VIEWS.split("```txt\n").skip(1);
-    let shown = blocks.map(|block| block.split("```").next().unwrap());
-    let shown = shown.filter(|block| block.contains("error over time"));
-    let [shown] = shown.collect::<Vec<_>>()[..] else {
-        panic!("the manual has other screens of the accuracy view than one");
-    };
-    let mut methods = 0;
-    for line in shown.lines().skip(2).filter_map(|line| line.get(41..)) {
-        // A letter, a mark, and the method; behind it, its time.
-        let method = line
-            .get(2..)
-            .unwrap_or_default()
-            .split("  ")
-            .next()
-            .unwrap();
-        if line.starts_with(|c: char| c.is_ascii_lowercase()) {
-            assert!(screen.contains(method), "{method:?} is not in\n{screen}");
-            methods += 1;
-        }
-    }
-    assert!(methods >= 15, "{shown}");
 }

@@ -1,14 +1,10 @@
 //! What is said in few words: the last line where it is short, names that are typed again, labels that
 //! stand where they belong.
 
-use crate::screen::{Session, open, preset};
+use crate::screen::{Session, four_bar, open, preset};
 use krank::drawing::Glyphs;
 use krank::scene::presets;
 use krank::tui::Origin;
-
-fn four_bar(cols: u16, rows: u16) -> Session {
-    Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
-}
 
 /// A folder of its own for a test.
 fn folder(name: &str) -> std::path::PathBuf {

@@ -1,0 +1,90 @@
+//! The accuracy view: speed against error, measured while everything else goes on.
+
+use crate::screen::{preset, timed};
+use krank::drawing::Glyphs;
+use std::time::Duration;
+
+/// The screen with the digits of errors masked: rounding may change with a formula.
+fn without_errors(screen: &str) -> String {
+    let mut masked = String::new();
+    let mut rest = screen;
+    while let Some(at) = rest.find("e-1") {
+        let (before, behind) = rest.split_at(at);
+        let kept = before.trim_end_matches(|c: char| c.is_ascii_digit() || c == '.');
+        let digits = before.len() - kept.len();
+        masked.push_str(kept);
+        // Labels of the axis have a single digit.
+        masked.push_str(if digits == 3 {
+            "#.#"
+        } else {
+            &before[kept.len()..]
+        });
+        masked.push_str(&behind[..3]);
+        rest = &behind[3..];
+    }
+    masked + rest
+}
+
+/// The list of methods without the chart beside it.
+fn list_of_methods(screen: &str) -> String {
+    let lines = screen.lines().skip(1).take(22);
+    let list = lines.map(|line| line.chars().skip(40).collect::<String>());
+    without_errors(&list.collect::<Vec<_>>().join("\n"))
+}
+
+#[test]
+fn measures_speed_against_error_while_keys_stay_live() {
+    let mut session = timed(preset("four-bar"), Glyphs::Ascii, 80, 24);
+    let line = session.press("4").last_line();
+    assert!(
+        line.starts_with(" accuracy  four-bar  measuring  0 %"),
+        "{line}"
+    );
+    assert!(line.contains("Esc stop"), "{line}");
+    // A study is no reason to wait: everything else goes on.
+    assert!(session.press("1").last_line().contains("60.00 deg  ok"));
+    assert!(session.press(".").last_line().contains("65.00 deg  ok"));
+    session.press("4");
+    for _ in 0..2000 {
+        session.workbench.pass(Duration::from_millis(40));
+        if session.last_line().contains("measuring 25 %") {
+            break;
+        }
+    }
+    let line = session.press("Esc").last_line();
+    assert!(
+        line.contains("stopped at 25 %    ? help  4 go on"),
+        "{line}"
+    );
+    let before = session.workbench.frames();
+    session.pass(10.0).paint();
+    assert_eq!(session.workbench.frames(), before, "stopped is stopped");
+    let screen = session.look();
+    insta::assert_snapshot!("accuracy-list-ascii-80x24", list_of_methods(&screen));
+    for axis in ["error over time", "1e-16+"] {
+        assert!(screen.contains(axis), "{screen}");
+    }
+    assert!(session.press("4").last_line().contains("measuring 25 %"));
+}
+
+#[test]
+fn another_scene_is_measured_anew_and_the_smallest_screen_scrolls() {
+    let mut session = timed(preset("stephenson-six-bar"), Glyphs::Ascii, 40, 12);
+    session.press("4");
+    for _ in 0..1200 {
+        session.workbench.pass(Duration::from_millis(40));
+    }
+    let screen = session.press("Down").look();
+    assert!(
+        screen.contains("\n   the group at E has no closed form"),
+        "{screen}"
+    );
+    assert!(
+        screen.lines().all(|line| line.chars().count() <= 40),
+        "{screen}"
+    );
+    let end = session.press(&"PgDn ".repeat(20)).look();
+    assert!(end.contains("v RK4 3600 x 1000"), "{end}");
+    let line = session.press("n").last_line();
+    assert!(line.contains("measuring  0 %"), "{line}");
+}

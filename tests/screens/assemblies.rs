@@ -1,0 +1,141 @@
+//! The other assemblies: listed, taken, and saved.
+
+use crate::claims::{assert_only_a_ghost_is_added, assert_told, drawing};
+use crate::screen::{Session, open, preset};
+use krank::drawing::Glyphs;
+use krank::scene::presets;
+use krank::tui::Origin;
+
+fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    Session::new(preset("four-bar"), glyphs, cols, rows)
+}
+
+/// The other assemblies: listed in the place of the tables, and drawn in points.
+#[test]
+fn shows_the_other_assemblies_as_ghosts() {
+    let screen = four_bar(Glyphs::Ascii, 80, 24).press("a").look();
+    insta::assert_snapshot!("assemblies-ascii-80x24", screen);
+    let mut coupled = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
+    let told = [
+        "| > E 1 (118.9, 254.7) now",
+        "E 2 (152.1, 200.8)",
+        "choose stephenson-six-bar",
+    ];
+    assert_told(&coupled.press("a Up").look(), &told);
+    let told = [
+        "C + (311.4, 233.8) now",
+        "> C - (212.6, -165.5)",
+        "choose 60.00 deg Enter take",
+    ];
+    let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
+    assert_told(&tiny.press("a").look(), &told);
+    let points = drawing(&tiny.body()).matches('.').count();
+    assert!(points >= 4, "{}", tiny.body());
+}
+
+/// A ghost lies below everything: nothing of the linkage moves, or is painted over.
+#[test]
+fn a_ghost_adds_points_and_nothing_else() {
+    for (name, keys) in [("four-bar", "a"), ("stephenson-six-bar", "a Up")] {
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            let mut session = Session::new(preset(name), glyphs, 80, 24);
+            let before = drawing(&session.body());
+            let after = drawing(&session.press(keys).body());
+            assert!(
+                assert_only_a_ghost_is_added(&before, &after) >= 4,
+                "{after}"
+            );
+        }
+    }
+}
+
+#[test]
+fn an_assembly_is_taken_and_stays() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let before = session.look();
+    let closed = session.press("a Esc").look();
+    assert_eq!(closed, before, "a look changes nothing");
+    let line = session.press("a Enter").last_line();
+    assert!(line.contains("C=- now; w saves it"), "{line}");
+    let crossed = session.look();
+    // The coupler's direction at 60 deg, now and a full turn later.
+    assert!(crossed.contains("302.825"), "{crossed}");
+    session.press("space").pass(4.0).press("space g 6 0 Enter");
+    let later = session.look();
+    assert!(later.contains("302.825"), "{later}");
+    // The list now has the cursor on the other one: back again.
+    let again = session.press("a Enter").look();
+    assert!(again.contains("29.379"), "{again}");
+}
+
+#[test]
+fn what_does_not_close_is_not_taken() {
+    let mut session = Session::new(preset("press"), Glyphs::Ascii, 80, 24);
+    let screen = session.press("a Up Up Up").look();
+    let row = screen.lines().find(|l| l.contains(" C - ")).unwrap();
+    assert!(row.trim_end().ends_with("open"), "{row}");
+    let line = session.press("Down Enter").last_line();
+    assert!(line.contains("the rest does not close with C=-"), "{line}");
+    let mut yoke = Session::new(preset("scotch-yoke"), Glyphs::Ascii, 80, 24);
+    let line = yoke.press("a").last_line();
+    assert!(line.contains("there is no other assembly here"), "{line}");
+}
+
+#[test]
+fn an_assembly_is_saved() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("saving");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("mine.toml");
+    let text = presets::find("four-bar").unwrap().text;
+    let text = text.replace("[start]", "# rough\n[start]");
+    std::fs::write(&file, &text).unwrap();
+    let opened = open(&text, Origin::File(file.clone()));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    session.press("a Enter");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text, "not unasked");
+    let line = session.press("w").last_line();
+    assert!(line.contains("written to "), "{line}");
+    let saved = std::fs::read_to_string(&file).unwrap();
+    assert!(
+        saved.contains("# rough\n[start]\nC = [212.622, -165.497]"),
+        "{saved}"
+    );
+    // Once more, with what is in the file now; and not where somebody has changed it meanwhile.
+    let line = session.press("a Enter w").last_line();
+    assert!(line.contains("written to "), "{line}");
+    std::fs::write(&file, text.replace("15 rad/s", "16 rad/s")).unwrap();
+    let line = session.press("a Enter w").last_line();
+    assert!(line.contains("has changed on disk"), "{line}");
+    assert!(std::fs::read_to_string(&file).unwrap().contains("16 rad/s"));
+}
+
+#[test]
+fn a_preset_is_saved_under_a_name_that_is_typed() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let line = session.press("w").last_line();
+    assert!(line.contains("write to: four-bar.toml"), "{line}");
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("saving-as");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    let file = folder.join("new.toml");
+    let keys: Vec<String> = file.to_str().unwrap().chars().map(String::from).collect();
+    session.press("Ctrl-U").press(&keys.join(" "));
+    let line = session.press("Enter").last_line();
+    assert!(line.contains("written to "), "{line}");
+    assert!(std::fs::read_to_string(&file).unwrap().contains("[start]"));
+    // It is the scene's own file now.
+    let line = session.press("w").last_line();
+    assert!(line.contains("nothing has changed"), "{line}");
+    // Another scene does not write over it unasked.
+    let mut other = Session::new(preset("press"), Glyphs::Ascii, 40, 12);
+    other.press("w Ctrl-U").press(&keys.join(" "));
+    let line = other.press("Enter").last_line();
+    assert!(line.contains("write over new.toml?"), "{line}");
+    other.press("Esc");
+    assert!(
+        !std::fs::read_to_string(&file)
+            .unwrap()
+            .contains("[links]\nr5")
+    );
+}

@@ -1,0 +1,175 @@
+//! What is claimed of a screen: which words and figures it tells, and what of it differs from another.
+//! A picture of a whole screen is for its look; what a test is about is said by these.
+
+use std::collections::BTreeSet;
+
+/// The words of a line or of a whole screen, one blank between them.
+pub(crate) fn said(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// These words stand on the screen, each group in one line with whatever room between them, and none above
+/// the one before.
+#[track_caller]
+pub(crate) fn assert_told(screen: &str, told: &[&str]) {
+    let lines: Vec<String> = screen.lines().map(said).collect();
+    let mut from = 0;
+    for wanted in told {
+        let below = lines[from..]
+            .iter()
+            .position(|line| format!(" {line} ").contains(&format!(" {wanted} ")));
+        let Some(below) = below else {
+            panic!("no {wanted:?} from line {from} on:\n{screen}");
+        };
+        from += below;
+    }
+}
+
+/// A screen of lines as plain characters have it.
+pub(crate) fn spelled(screen: &str) -> String {
+    let plain = [
+        ("─", "-"),
+        ("│", "|"),
+        ("·", "."),
+        ("▒", "#"),
+        ("┌", "+"),
+        ("┐", "+"),
+        ("└", "+"),
+        ("┘", "+"),
+    ];
+    let replace = |text: String, (fine, plain): &(&str, &str)| text.replace(fine, plain);
+    plain.iter().fold(screen.to_owned(), replace)
+}
+
+/// The numbers of a screen, as they are written.
+pub(crate) fn figures(screen: &str) -> BTreeSet<String> {
+    // The zero line of a chart may touch them.
+    let bare = |word: &str| word.trim_matches(['[', ']', '*', '·', '.']).to_owned();
+    let words = screen.split_whitespace().map(bare);
+    words.filter(|word| word.parse::<f64>().is_ok()).collect()
+}
+
+/// The cells of a screen, blank where a row ends early.
+pub(crate) fn cells(screen: &str) -> Vec<Vec<char>> {
+    let width = screen.lines().map(|line| line.chars().count()).max();
+    let width = width.unwrap_or(0);
+    let row = |line: &str| {
+        line.chars()
+            .chain(std::iter::repeat(' '))
+            .take(width)
+            .collect()
+    };
+    screen.lines().map(row).collect()
+}
+
+/// Where one of these characters stands, by row and column.
+pub(crate) fn places(cells: &[Vec<char>], of: &[char]) -> Vec<(usize, usize)> {
+    let rows = cells.iter().enumerate();
+    let all =
+        rows.flat_map(|(row, cells)| cells.iter().enumerate().map(move |(col, c)| (row, col, c)));
+    let found = all.filter(|(_, _, c)| of.contains(c));
+    found.map(|(row, col, _)| (row, col)).collect()
+}
+
+/// Where two screens of one size differ: row, column, and what is there before and after.
+pub(crate) fn differences(before: &str, after: &str) -> Vec<(usize, usize, char, char)> {
+    let (before, after) = (cells(before), cells(after));
+    assert_eq!(before.len(), after.len());
+    let at = |row: &[char], col: usize| row.get(col).copied().unwrap_or(' ');
+    let mut found = Vec::new();
+    for row in 0..before.len() {
+        for col in 0..before[row].len().max(after[row].len()) {
+            let (was, is) = (at(&before[row], col), at(&after[row], col));
+            if was != is {
+                found.push((row, col, was, is));
+            }
+        }
+    }
+    found
+}
+
+/// The drawing of a motion view without its title and its last line: what stands left of the bar that
+/// parts it from the tables, or above them.
+pub(crate) fn drawing(body: &str) -> String {
+    let all = cells(body);
+    let width = all.first().map_or(0, Vec::len);
+    let bar = (20..width).find(|col| all.iter().all(|row| ['|', '│'].contains(&row[*col])));
+    let left = |row: &[char]| row[..bar.unwrap_or(width)].iter().collect::<String>() + "\n";
+    // A table, or a list of assemblies with their places.
+    let below = |line: &String| {
+        let begins = [" vector ", " difference: ", "---", "───"];
+        begins.iter().any(|start| line.starts_with(start)) || line.contains('(')
+    };
+    all.iter()
+        .map(|row| left(row))
+        .take_while(|line| !below(line))
+        .collect()
+}
+
+/// Only points have come to a drawing, where nothing was; in dots of Braille, beside those that were.
+/// A name may make room for them, and the window may have moved. How many cells have changed.
+#[track_caller]
+pub(crate) fn assert_only_a_ghost_is_added(alone: &str, with: &str) -> usize {
+    let (before, after) = (cells(alone), cells(with));
+    let [joints, moved] = [&before, &after].map(|cells| places(cells, &['o']));
+    let (from, to) = (joints[0], moved[0]);
+    let mut changed = 0;
+    for (row, cells) in before.iter().enumerate() {
+        for (col, &was) in cells.iter().enumerate() {
+            let there = (row + to.0)
+                .checked_sub(from.0)
+                .zip((col + to.1).checked_sub(from.1));
+            let is = there
+                .and_then(|(row, col)| after.get(row)?.get(col))
+                .copied()
+                .unwrap_or(' ');
+            let is_name = was.is_ascii_uppercase() || is.is_ascii_uppercase();
+            let more = match (dots(was).unwrap_or(0), dots(is)) {
+                (old, Some(new)) => (was == ' ' || old > 0) && new & old == old,
+                (_, None) => was == ' ' && ['.', '·'].contains(&is),
+            };
+            assert!(
+                was == is || is_name || more,
+                "{row}, {col}: {was:?}, {is:?}\n{alone}{with}"
+            );
+            changed += usize::from(was != is);
+        }
+    }
+    changed
+}
+
+/// What is drawn through these cells in characters is drawn in dots through the same ones, or those next
+/// to them: points of a ghost stand farther apart than cells do.
+#[track_caller]
+pub(crate) fn assert_dotted(through: &[(usize, usize)], dotted: &str) {
+    let drawn = cells(dotted);
+    let beside = |a: usize, b: usize| a.abs_diff(b) <= 1;
+    for &(row, col) in through {
+        let rows = drawn
+            .iter()
+            .enumerate()
+            .filter(|(near, _)| beside(*near, row));
+        let mut near = rows.flat_map(|(_, cells)| {
+            let cells = cells.iter().enumerate();
+            cells.filter(|(near, _)| beside(*near, col))
+        });
+        assert!(
+            near.any(|(_, c)| dots(*c).is_some()),
+            "{row}, {col}:\n{dotted}"
+        );
+    }
+}
+
+/// The left or the right part of a screen with a bar between two panes.
+pub(crate) fn pane(screen: &str, right: bool) -> String {
+    let part = |line: &str| {
+        let (left, other) = line.split_once(['|', '│']).unwrap_or((line, ""));
+        if right { other } else { left }.trim_end().to_owned() + "\n"
+    };
+    screen.lines().map(part).collect()
+}
+
+/// What dots of Braille a character has.
+fn dots(c: char) -> Option<u32> {
+    u32::from(c).checked_sub(0x2800).filter(|dots| *dots < 256)
+}

@@ -1,0 +1,76 @@
+//! The curves of a second scene beside those of the open one.
+
+use crate::claims::{assert_told, cells, differences, places};
+use crate::compare::beside;
+use krank::drawing::Glyphs;
+
+/// A crank that is a hundredth longer moves nearly the same: its points lie on the curve and beside it.
+#[track_caller]
+fn assert_curve_is_dotted(alone: &str, compared: &str) {
+    let changed = differences(alone, compared);
+    let dotted = |was: char| changed.iter().filter(|c| c.2 == was && c.3 == '.').count();
+    assert!(dotted('*') >= 10, "{compared}");
+    assert!(dotted('*') > dotted(' '), "{compared}");
+    // The driver, the extrema and the axes stay where they were.
+    let chart = |screen: &str| {
+        let is_text =
+            |line: &str| line.contains("crank") || line.contains("r4.") || line.contains("plots");
+        let lines = screen
+            .lines()
+            .map(|line| if is_text(line) { "" } else { line }.to_owned() + "\n");
+        places(
+            &cells(&lines.collect::<String>()),
+            &['O', '^', 'v', '+', ':'],
+        )
+    };
+    let after = chart(compared);
+    let lost = chart(alone)
+        .into_iter()
+        .find(|place| !after.contains(place));
+    assert_eq!(lost, None, "{alone}{compared}");
+}
+
+/// The other's curves are dotted, in the unit of this one, and go with the comparison.
+#[test]
+fn plots_have_a_dotted_curve() {
+    let screens = [
+        ("ascii-80x24", Glyphs::Ascii, 80, 24),
+        ("braille-120x40", Glyphs::Braille, 120, 40),
+        ("ascii-40x12", Glyphs::Ascii, 40, 12),
+    ];
+    for (name, glyphs, cols, rows) in screens {
+        let mut session = beside(&format!("plots-{name}"), glyphs, cols, rows);
+        let alone = session.press("3").look();
+        let screen = session.press("D").type_in("longer").press("Enter").look();
+        let (own, other) = if cols == 40 {
+            ("r4.omega 3.0911 +1", "against longer.t..")
+        } else {
+            ("r4.alpha 95.50", "r4.omega longer.toml")
+        };
+        assert_told(&screen, &[other]);
+        assert_told(&screen, &[own]);
+        match glyphs {
+            Glyphs::Braille => insta::assert_snapshot!(format!("plots-{name}"), screen),
+            _ => assert_curve_is_dotted(&alone, &screen),
+        }
+        // Chosen anew, they are there again; ended, they are gone.
+        assert_eq!(session.press("m m").press("Esc").look(), screen);
+        assert_eq!(session.press("1 3").look(), screen);
+        assert_eq!(session.press("D Esc").look(), alone);
+    }
+    // The same in inches lies on it: the axis and its ticks are the same.
+    let mut session = beside("plots-units", Glyphs::Ascii, 80, 24);
+    session.press("3 x c / B . x Enter space Esc");
+    let alone = session.press("Esc").look();
+    assert!(alone.contains("B.x"), "{alone}");
+    let screen = session.press("D").type_in("inches").press("Enter").look();
+    assert!(screen.contains("B.x inches.toml"), "{screen}");
+    let ticks = |screen: &str| -> Vec<String> {
+        let labels = screen
+            .lines()
+            .skip(2)
+            .filter_map(|line| line.split_once('|'));
+        labels.map(|(label, _)| label.trim().to_owned()).collect()
+    };
+    assert_eq!(ticks(&screen), ticks(&alone), "{screen}\n{alone}");
+}

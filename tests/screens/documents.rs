@@ -1,0 +1,88 @@
+//! Screens that are printed: by the program, in the README, and in the manual.
+
+use crate::screen::{krank, made_up, masked, preset};
+use krank::drawing::Glyphs;
+use krank::tui::{Colours, Workbench};
+
+const README: &str = include_str!("../../README.md");
+const VIEWS: &str = include_str!("../../src/manual/views.md");
+
+/// The printed screen is the one that opens, needs no terminal and no environment.
+#[test]
+fn the_first_screen_is_printed() {
+    let opened =
+        |name, cols, rows| Workbench::new(preset(name), Glyphs::Ascii, Colours::None, cols, rows);
+    let printed = krank(&["four-bar", "--print"]);
+    assert_eq!(printed, (opened("four-bar", 80, 24).text(), Some(0)));
+    let mut tables = opened("press", 40, 12);
+    tables.press("g 9 0 Enter 2");
+    let args = [
+        "press", "--print", "--at", "90", "--view", "tables", "--size", "40x12",
+    ];
+    assert_eq!(krank(&args), (tables.text(), Some(0)));
+    let (tiny, code) = krank(&["press", "--print", "--size", "20x3"]);
+    assert_eq!(
+        (tiny.as_str(), code),
+        ("krank needs 40 x 12\n\n\n", Some(0))
+    );
+    for args in [
+        &["--print", "--size", "80"][..],
+        &["--print", "--size", "0x24"],
+        &["--size", "80x24"],
+    ] {
+        assert_eq!(krank(args), (String::new(), Some(2)), "{args:?}");
+    }
+}
+
+/// The screen of a view as `krank --print` has it.
+fn printed(key: &str, rows: u16) -> String {
+    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, rows)
+        .timed_by(made_up);
+    workbench.press(key);
+    workbench.text()
+}
+
+/// Every view has a screen in the manual, and the first one in the README; it is the one that is seen.
+#[test]
+fn the_screens_of_the_manual_are_real() {
+    for (text, key, rows) in [
+        (README, "1", 24),
+        (VIEWS, "2", 24),
+        (VIEWS, "3", 24),
+        (VIEWS, "6", 22),
+        (VIEWS, "7", 20),
+        (VIEWS, "e", 14),
+    ] {
+        let screen = printed(key, rows);
+        let block = format!("```txt\n{}\n```", screen.trim_end());
+        assert!(
+            masked(text).contains(&masked(&block)),
+            "there should be for {key}\n{screen}"
+        );
+    }
+    // Times are another machine's: the methods are these, in this order.
+    let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 24);
+    workbench.press("4");
+    let screen = workbench.text();
+    let blocks = VIEWS.split("```txt\n").skip(1);
+    let shown = blocks.map(|block| block.split("```").next().unwrap());
+    let shown = shown.filter(|block| block.contains("error over time"));
+    let [shown] = shown.collect::<Vec<_>>()[..] else {
+        panic!("the manual has other screens of the accuracy view than one");
+    };
+    let mut methods = 0;
+    for line in shown.lines().skip(2).filter_map(|line| line.get(41..)) {
+        // A letter, a mark, and the method; behind it, its time.
+        let method = line
+            .get(2..)
+            .unwrap_or_default()
+            .split("  ")
+            .next()
+            .unwrap();
+        if line.starts_with(|c: char| c.is_ascii_lowercase()) {
+            assert!(screen.contains(method), "{method:?} is not in\n{screen}");
+            methods += 1;
+        }
+    }
+    assert!(methods >= 15, "{shown}");
+}

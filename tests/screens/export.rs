@@ -1,0 +1,343 @@
+//! Taking things out of the workbench: to the clipboard and into files.
+
+use crate::screen::{SWINGING, Session, folder, four_bar, krank, open, preset};
+use crate::tables::under_cursor;
+use krank::drawing::Glyphs;
+use krank::tui::Origin;
+use std::collections::HashMap;
+
+/// Further steps than there is way.
+const TO_THE_DEAD_POINT: &str = "] ] ] ] ] .";
+
+/// What OSC 52 has put on the clipboard, of one sequence and nothing else.
+fn on_clipboard(sent: &[u8]) -> String {
+    let text = std::str::from_utf8(sent).unwrap();
+    let text = text.strip_prefix("\x1b]52;c;").unwrap();
+    let text = text.strip_suffix("\x1b\\").unwrap();
+    String::from_utf8(base64(text)).unwrap()
+}
+
+fn base64(text: &str) -> Vec<u8> {
+    const DIGITS: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    assert_eq!(text.len() % 4, 0);
+    let digits = text.trim_end_matches('=').chars();
+    let (mut bits, mut count, mut bytes) = (0_u32, 0, Vec::new());
+    for digit in digits {
+        bits = (bits << 6) | u32::try_from(DIGITS.find(digit).unwrap()).unwrap();
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            bytes.push(u8::try_from((bits >> count) & 0xff).unwrap());
+        }
+    }
+    bytes
+}
+
+/// `name -> value` as `krank table --format csv` has them.
+fn values_of_table(scene: &str, at: &str) -> HashMap<String, String> {
+    let (csv, _) = krank(&["table", scene, "--at", at, "--format", "csv"]);
+    let rows = csv.lines().skip(1).map(|row| {
+        let mut cells = row.split(',');
+        let name = cells.next().unwrap().to_owned();
+        (name, cells.next().unwrap().to_owned())
+    });
+    rows.collect()
+}
+
+/// Every cell of copied rows, by the name that a column of a sweep has: `C.vx`.
+fn cells_of(copied: &str) -> Vec<(String, String)> {
+    let mut lines = copied.lines();
+    let heading: Vec<&str> = lines.next().unwrap().split('\t').skip(1).collect();
+    let rows = lines.flat_map(|line| {
+        let mut cells = line.split('\t');
+        let row = cells.next().unwrap();
+        let named = heading.iter().zip(cells).map(move |(heading, cell)| {
+            let figure = heading.split(' ').next().unwrap();
+            (format!("{row}.{figure}"), cell.to_owned())
+        });
+        named.collect::<Vec<_>>()
+    });
+    rows.collect()
+}
+
+#[test]
+fn a_value_a_row_and_a_table_are_copied_with_all_their_digits() {
+    let mut session = four_bar(80, 24);
+    let line = session.press("2 / C Enter L L y").last_line();
+    assert_eq!(line, " copy  v value  r row  t table  Esc back");
+    assert_eq!(session.workbench.take_sent(), b"");
+    let values = values_of_table("four-bar", "60");
+    let line = session.press("v").last_line();
+    let sent = session.workbench.take_sent();
+    let value = on_clipboard(&sent);
+    assert_eq!(value, values["C.vx"]);
+    assert!(value.len() > 15, "{value}");
+    let told = format!("sent to the terminal's clipboard: {} B", value.len());
+    assert!(line.ends_with(&told), "{line}");
+    session.press("y r");
+    let row = on_clipboard(&session.workbench.take_sent());
+    assert!(
+        row.starts_with("point\tx [mm]\ty [mm]\tvx [mm/s]\t"),
+        "{row}"
+    );
+    let cells = cells_of(&row);
+    assert_eq!(cells.len(), 10);
+    for (name, cell) in cells {
+        assert_eq!(cell, values[&name], "{name}");
+    }
+    session.press("y t");
+    let table = on_clipboard(&session.workbench.take_sent());
+    assert_eq!(table.lines().count(), 8, "{table}");
+    session.press("Esc 1 y");
+    let both = on_clipboard(&session.workbench.take_sent());
+    let (vectors, points) = both.split_once("\n\n").unwrap();
+    assert_eq!(points, table);
+    assert_eq!(session.workbench.take_sent(), b"", "once");
+    let mut compared = 0;
+    for (name, cell) in cells_of(vectors).into_iter().chain(cells_of(points)) {
+        assert_eq!(cell, values[&name], "{name}");
+        compared += 1;
+    }
+    assert_eq!(compared, 4 * 6 + 7 * 10);
+}
+
+#[test]
+fn the_question_how_much_is_copied_is_given_up_without_harm() {
+    let mut session = four_bar(40, 12);
+    let line = session.press("2 y").last_line();
+    assert_eq!(line, " copy  v value  r row  t table  Esc back");
+    // Keys that answer nothing do nothing: an Esc that a slow line splits must not either.
+    assert_eq!(session.press("[ A q").last_line(), line);
+    assert!(session.press("Esc").last_line().starts_with(" tables "));
+    let line = session.press("y t").last_line();
+    assert!(
+        line.contains("sent to the terminal's clipboard: "),
+        "{line}"
+    );
+    assert!(!session.workbench.take_sent().is_empty());
+    // In the scene it is the value under the cursor; views without one say so.
+    let sent = session.press("6 y").workbench.take_sent();
+    assert_eq!(on_clipboard(&sent).trim().parse(), Ok(0.0), "A x");
+    let line = session.press("e y").last_line();
+    assert!(line.contains("nothing to copy here"), "{line}");
+    assert_eq!(session.workbench.take_sent(), b"");
+}
+
+#[test]
+fn what_does_not_exist_is_an_empty_cell() {
+    let opened = open(SWINGING, Origin::Stdin);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    session
+        .press(TO_THE_DEAD_POINT)
+        .press("2 / r 4 Enter L L L");
+    assert!(
+        under_cursor(&mut session).contains("[     -*]")
+            || under_cursor(&mut session).contains("- ]"),
+        "{}",
+        session.look()
+    );
+    let line = session.press("y v").last_line();
+    assert!(line.ends_with("there is no value to copy"), "{line}");
+    assert_eq!(session.workbench.take_sent(), b"");
+    session.press("y r");
+    let row = on_clipboard(&session.workbench.take_sent());
+    let cells: HashMap<_, _> = cells_of(&row).into_iter().collect();
+    assert_eq!(cells["r4.omega"], "");
+    assert!(!cells["r4.angle"].is_empty());
+    // And so in a file: the very row of a sweep.
+    let here = folder("dead-point");
+    let (scene, file) = (here.join("swinging.toml"), here.join("row.csv"));
+    std::fs::write(&scene, SWINGING).unwrap();
+    session
+        .press("Y Ctrl-U")
+        .type_in(file.to_str().unwrap())
+        .press("Enter");
+    let written = std::fs::read_to_string(&file).unwrap();
+    let at = written.lines().nth(1).unwrap().split(',').next().unwrap();
+    let args = ["sweep", scene.to_str().unwrap(), "--from", at, "--to", at];
+    assert_eq!(krank(&args), (written.clone(), Some(0)));
+    assert!(
+        written.contains(",,") && written.ends_with(",dead-point\n"),
+        "{written}"
+    );
+}
+
+#[test]
+fn the_figures_are_written_as_a_sweep_of_one_row() {
+    let here = folder("figures");
+    let file = here.join("row.csv");
+    let path = file.to_str().unwrap();
+    // The last of them is pushed, and stands where the scene says.
+    for (name, keys, at) in [
+        ("four-bar", "", Some("60")),
+        ("press", "g 4 2 4 . 2 5 Enter", Some("424.25")),
+        ("press-ram", "", None),
+    ] {
+        let mut session = Session::new(preset(name), Glyphs::Ascii, 80, 24);
+        let line = session.press(keys).press("2 Y").last_line();
+        let proposal = format!(" write  write to: {name}-{}", at.unwrap_or_default());
+        assert!(line.starts_with(&proposal), "{line}");
+        session
+            .press("Ctrl-U")
+            .type_in(path)
+            .press("Enter")
+            .pass(1.0)
+            .press("Enter");
+        let written = std::fs::read_to_string(&file).unwrap();
+        let row = written.lines().nth(1).unwrap();
+        let first = row.split(',').next().unwrap();
+        assert_eq!(at.unwrap_or(first), first);
+        let sweep = krank(&["sweep", name, "--from", first, "--to", first]);
+        assert_eq!(sweep, (written.clone(), Some(0)));
+    }
+    assert_eq!(std::fs::read_dir(&here).unwrap().count(), 1);
+}
+
+#[test]
+fn no_file_is_written_over_unasked() {
+    let here = folder("unasked");
+    let file = here.join("kept.csv");
+    std::fs::write(&file, "kept").unwrap();
+    let mut session = four_bar(80, 24);
+    let line = session.press("2 Y").last_line();
+    assert_eq!(
+        line,
+        " write  write to: four-bar-60.csv    Enter write  Esc cancel"
+    );
+    session.press("Ctrl-U").type_in(file.to_str().unwrap());
+    let line = session.press("Enter").last_line();
+    assert!(
+        line.contains("write over kept.csv?  Enter write  Esc cancel"),
+        "{line}"
+    );
+    session.press("Esc");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
+    session.press("Y Ctrl-U").type_in(file.to_str().unwrap());
+    let line = session.press("Enter").pass(1.0).press("Enter").last_line();
+    assert!(line.contains("the figures written to"), "{line}");
+    assert!(std::fs::read_to_string(&file).unwrap().ends_with(",ok\n"));
+    // A folder is no file.
+    session.press("Y Ctrl-U").type_in(here.to_str().unwrap());
+    let line = session.press("Enter").last_line();
+    assert!(line.ends_with(" that is a folder: add a name"), "{line}");
+    assert_eq!(std::fs::read_dir(&here).unwrap().count(), 1);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_said_and_another_name_can_be_typed() {
+    let mut session = four_bar(80, 24);
+    session.press("Y Ctrl-U").type_in("/dev/full");
+    let line = session.press("Enter").pass(1.0).press("Enter").last_line();
+    assert_eq!(
+        line,
+        " write  write to: /dev/full    not written: it is a device, not a file"
+    );
+    // What was asked for is still there.
+    let file = folder("full").join("row.csv");
+    session.press("Ctrl-U").type_in(file.to_str().unwrap());
+    session.press("Enter");
+    assert!(
+        std::fs::read_to_string(&file)
+            .unwrap()
+            .starts_with("driver.angle [deg],")
+    );
+    let nowhere = "/nowhere/row.csv";
+    let line = session
+        .press("Y Ctrl-U")
+        .type_in(nowhere)
+        .press("Enter")
+        .last_line();
+    assert!(
+        line.ends_with("/nowhere/row.csv    not written: no such folder"),
+        "{line}"
+    );
+}
+
+#[test]
+fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
+    let here = folder("pictures");
+    let file = here.join("screen.txt");
+    for keys in ["1", "2 j j L", "4 Esc", "e"] {
+        let mut session = Session::new(preset("press"), Glyphs::Braille, 80, 24);
+        let seen = session.press(keys).look();
+        let line = session.press("P").last_line();
+        assert!(line.contains("write to: press-60.txt"), "{line}");
+        session.press("Ctrl-U").type_in(file.to_str().unwrap());
+        session.press("Enter").pass(1.0).press("Enter");
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), seen);
+    }
+    let mut session = four_bar(80, 24);
+    let line = session.press("S").last_line();
+    assert!(line.contains("write to: four-bar-60.svg"), "{line}");
+    let file = here.join("drawing.svg");
+    session.press("Ctrl-U").type_in(file.to_str().unwrap());
+    let line = session.press("Enter").last_line();
+    assert!(line.contains("the drawing written to"), "{line}");
+    let svg = std::fs::read_to_string(&file).unwrap();
+    assert!(
+        svg.starts_with("<svg ") && svg.ends_with("</svg>\n"),
+        "{svg}"
+    );
+    let line = session.press("2 S").last_line();
+    assert!(line.contains("there is no drawing in this view"), "{line}");
+}
+
+/// Of the plots the values at the cursor are copied, and all of them are written.
+#[test]
+fn what_is_plotted_is_taken_out() {
+    let here = folder("plots");
+    let mut session = four_bar(80, 24);
+    session.press("3 y");
+    let copied = on_clipboard(&session.workbench.take_sent());
+    let values = values_of_table("four-bar", "60");
+    let row = format!("60\t{}\t{}\n", values["r4.omega"], values["r4.alpha"]);
+    let heading = "driver.angle [deg]\tr4.omega [rad/s]\tr4.alpha [rad/s^2]\n";
+    assert_eq!(copied, format!("{heading}{row}"));
+    for (key, ending, begins) in [
+        ("Y", "csv", "driver.angle [deg],r4.omega"),
+        ("S", "svg", "<svg "),
+    ] {
+        let line = session.press(key).last_line();
+        assert!(
+            line.contains(&format!("write to: four-bar-plot.{ending}")),
+            "{line}"
+        );
+        let file = here.join(format!("plot.{ending}"));
+        session
+            .press("Ctrl-U")
+            .type_in(file.to_str().unwrap())
+            .press("Enter");
+        assert!(std::fs::read_to_string(&file).unwrap().starts_with(begins));
+    }
+    // Where nothing is plotted, that is said.
+    for key in ["y", "Y", "S"] {
+        let line = session.press("3 x c x").press(key).last_line();
+        assert!(line.contains("nothing"), "{line}");
+    }
+}
+
+/// Of two scenes the differences are copied, and bear that name.
+#[test]
+fn differences_are_copied_as_such() {
+    let mut session = four_bar(80, 24);
+    session.press("2 D d o u b l e Enter");
+    let screen = session.look();
+    assert!(screen.contains("difference: this - "), "{screen}");
+    session.press("y r");
+    let row = on_clipboard(&session.workbench.take_sent());
+    assert!(row.starts_with("vector, difference\tlength [mm]"), "{row}");
+}
+
+/// More than a terminal takes for its clipboard is refused, with what to do instead.
+#[test]
+fn too_much_for_a_clipboard_is_refused() {
+    let bar = |i: usize| format!("p{i} = [\"A\", \"C\"]\n");
+    let bars: String = (0..1200).map(bar).collect();
+    let scene = format!("{SWINGING}[vectors]\n{bars}");
+    let mut session = Session::new(open(&scene, Origin::Stdin), Glyphs::Ascii, 40, 12);
+    let line = session.press("2 y t").last_line();
+    assert!(line.starts_with(" table too much to copy, "), "{line}");
+    assert!(line.ends_with(" B: use Y"), "{line}");
+    assert_eq!(session.workbench.take_sent(), b"");
+}

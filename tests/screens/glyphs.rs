@@ -1,0 +1,78 @@
+//! The same is told in every kind of glyphs: what a terminal has changes how lines and letters look, and
+//! nothing else.
+
+use crate::claims::{cells, figures, places, spelled};
+use crate::screen::{Session, preset};
+use krank::drawing::Glyphs;
+use krank::scene::presets;
+
+const SIZES: [(u16, u16); 3] = [(40, 12), (80, 24), (120, 40)];
+
+/// A terminal that has lines shows the screen of one that has none, cell by cell; of the plots alone, whose
+/// curves have corners, it does not.
+#[test]
+fn a_screen_of_lines_is_that_of_characters() {
+    for found in presets::all() {
+        for (cols, rows) in SIZES {
+            let [mut plain, mut lines] = [Glyphs::Ascii, Glyphs::Line]
+                .map(|glyphs| Session::new(preset(found.name), glyphs, cols, rows));
+            for keys in [
+                "1",
+                "v A T c i",
+                "v A T c i",
+                "2",
+                "5",
+                "6",
+                "7",
+                "e",
+                "1 a",
+            ] {
+                let (plain, lines) = (plain.press(keys).look(), lines.press(keys).look());
+                assert_eq!(spelled(&lines), plain, "{} {keys}", found.name);
+            }
+        }
+    }
+}
+
+/// In dots and with the letters of Greece, no figure is missing that a plain terminal tells.
+#[test]
+fn a_screen_of_dots_tells_no_less() {
+    for found in presets::all() {
+        for (cols, rows) in SIZES {
+            let [mut plain, mut dotted] = [Glyphs::Ascii, Glyphs::Braille]
+                .map(|glyphs| Session::new(preset(found.name), glyphs, cols, rows));
+            for view in ["1", "2", "5", "6", "e", "8"] {
+                let (plain, dotted) = (plain.press(view).look(), dotted.press(view).look());
+                let told = figures(&dotted);
+                let missing = figures(&plain)
+                    .into_iter()
+                    .find(|figure| !told.contains(figure));
+                assert_eq!(missing, None, "{} {view}\n{plain}{dotted}", found.name);
+            }
+        }
+    }
+}
+
+/// Of a plot the same is told, and where the crank is and the extrema are, within what a cell rounds.
+#[test]
+fn curves_are_marked_in_the_same_places() {
+    let shown = |glyphs, cols, rows| {
+        let mut session = Session::new(preset("four-bar"), glyphs, cols, rows);
+        session.press("3").body()
+    };
+    for (cols, rows) in [(80, 24), (40, 12)] {
+        let plain = shown(Glyphs::Ascii, cols, rows);
+        assert!(plain.contains("6.3847 at 120.35"), "{plain}");
+        let marks = |screen: &str| places(&cells(screen), &['O', '^', 'v']);
+        for glyphs in [Glyphs::Line, Glyphs::Braille] {
+            let fine = shown(glyphs, cols, rows);
+            assert_eq!(figures(&fine), figures(&plain), "{fine}{plain}");
+            let (fine_marks, plain_marks) = (marks(&fine), marks(&plain));
+            assert_eq!(fine_marks.len(), plain_marks.len(), "{fine}{plain}");
+            for (fine_mark, mark) in fine_marks.iter().zip(&plain_marks) {
+                let off = (fine_mark.0.abs_diff(mark.0), fine_mark.1.abs_diff(mark.1));
+                assert!(off.0 <= 1 && off.1 <= 1, "{mark:?}:\n{fine}{plain}");
+            }
+        }
+    }
+}

@@ -1,0 +1,313 @@
+//! Scenes and their files: saved, read again when somebody else writes them, and recovered after a crash.
+
+use crate::scene::Values;
+use crate::screen::{Session, folder, four_bar, open, preset, text};
+use krank::drawing::Glyphs;
+use krank::tui::{Colours, Opened, Origin, Workbench};
+use std::time::Duration;
+
+fn file(folder: &std::path::Path, text: &str) -> (std::path::PathBuf, Opened) {
+    let file = folder.join("mine.toml");
+    std::fs::write(&file, text).unwrap();
+    let opened = open(text, Origin::File(file.clone()));
+    (file, opened)
+}
+
+/// Comments, line breaks of another system and the mark at the beginning stay.
+#[test]
+fn a_file_is_saved_with_nothing_else_changed() {
+    let text = format!("\u{feff}# mine\n{}", text("four-bar")).replace('\n', "\r\n");
+    let (file, opened) = file(&folder("scene-saved"), &text);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let line = session.press("w").last_line();
+    assert!(line.contains("nothing has changed"), "{line}");
+    session
+        .press("6")
+        .find("r2 len")
+        .press("Enter")
+        .type_in("101.5")
+        .press("Enter");
+    assert!(session.last_line().contains("mine.toml*"));
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text, "not unasked");
+    let line = session.press("w").last_line();
+    assert!(line.contains("written to "), "{line}");
+    let expected = text.replace("length = 100,", "length = 101.5,");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), expected);
+    let screen = session.press("1").look();
+    assert!(
+        !screen.contains("mine.toml*") && !screen.contains("rocker *"),
+        "{screen}"
+    );
+    // What is saved can be taken back, and is then unsaved.
+    session.press("u w");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text);
+}
+
+#[test]
+fn a_file_that_cannot_be_written_keeps_the_edits() {
+    let (file, opened) = file(&folder("scene-full"), text("four-bar"));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    session.press("6").find("r2 len").press(">");
+    session.press("W Ctrl-U").type_in("/dev/full");
+    let line = session.press("Enter").last_line();
+    assert!(line.contains("not written, it is a device"), "{line}");
+    session.press("Esc");
+    assert_eq!(session.row(), ">*r2 length 101 mm 100");
+    assert_eq!(std::fs::read_to_string(file).unwrap(), text("four-bar"));
+}
+
+/// The steps of a link that turns used to stay where a slide had taken its place.
+#[test]
+fn a_file_that_is_read_again_may_be_driven_otherwise() {
+    let (file, opened) = file(&folder("scene-driver"), text("four-bar"));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    assert!(session.look().contains("step 5 deg"));
+    std::fs::write(&file, text("scissor-lift")).unwrap();
+    session.workbench.pass(Duration::from_secs(2));
+    let screen = session.press("z").look();
+    let step = screen.lines().next().unwrap();
+    assert!(step.contains("step ") && !step.contains("deg"), "{screen}");
+}
+
+#[test]
+fn a_file_that_somebody_else_writes_is_read_again() {
+    let (file, opened) = file(&folder("scene-reload"), text("four-bar"));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let wait = |session: &mut Session| session.workbench.pass(Duration::from_secs(2));
+    session.press("6").find("r2 len");
+    std::fs::write(
+        &file,
+        text("four-bar").replace("length = 100", "length = 120.25"),
+    )
+    .unwrap();
+    wait(&mut session);
+    let line = session.press("[").last_line();
+    assert!(line.contains("mine.toml was read again"), "{line}");
+    assert_eq!(session.row(), "> r2 length 120.25 mm");
+    // Broken meanwhile: the last good state stays until it is mended.
+    std::fs::write(&file, "[ground]\nA = [0").unwrap();
+    wait(&mut session);
+    let line = session.press("[").last_line();
+    assert!(line.contains("mine.toml is broken, not shown: "), "{line}");
+    assert_eq!(session.row(), "> r2 length 120.25 mm");
+    std::fs::write(
+        &file,
+        text("four-bar").replace("length = 100", "length = 90"),
+    )
+    .unwrap();
+    wait(&mut session);
+    session.press("[");
+    assert_eq!(session.row(), "> r2 length 90 mm");
+    // Never over unsaved edits.
+    session.press(">");
+    let edited = session.row();
+    std::fs::write(
+        &file,
+        text("four-bar").replace("length = 100", "length = 95.125"),
+    )
+    .unwrap();
+    wait(&mut session);
+    let line = session.press("[").last_line();
+    assert!(line.contains("has changed on disk: R reads it"), "{line}");
+    assert_eq!(session.row(), edited);
+    let line = session.press("w").last_line();
+    let asked = " save  mine.toml has changed on disk: write over it?  Enter write  Esc cancel";
+    assert_eq!(line, asked);
+    let line = session.press("Esc R").last_line();
+    assert!(line.contains("read it over unsaved edits?"), "{line}");
+    session.press("Esc");
+    assert_eq!(session.row(), edited);
+    session.press("R Enter");
+    assert_eq!(session.row(), "> r2 length 95.125 mm");
+    // Even then they are not lost.
+    session.press("u");
+    assert!(
+        session.row().starts_with(">*r2 length 90.5")
+            || session.row().starts_with(">*r2 length 91")
+    );
+}
+
+#[test]
+fn unsaved_edits_are_asked_about() {
+    let (file, opened) = file(&folder("scene-asked"), text("four-bar"));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    session.press("6").find("r2 len").press(">");
+    let line = session.press("q").last_line();
+    assert!(
+        line.contains("unsaved edits  w save  q drop, quit  Esc stay"),
+        "{line}"
+    );
+    session.press("Esc");
+    assert_eq!(session.row(), ">*r2 length 101 mm 100");
+    let line = session.press("n").last_line();
+    assert!(
+        line.contains("unsaved edits  w save  d drop, open  Esc stay"),
+        "{line}"
+    );
+    session.press("Esc n w");
+    assert!(
+        std::fs::read_to_string(&file)
+            .unwrap()
+            .contains("length = 101")
+    );
+    assert!(
+        !session.look().contains("r2 length     101"),
+        "the other scene is shown"
+    );
+    let mut other = four_bar(40, 12);
+    other.press("6").find("r2 len").press(">");
+    let line = other.press("q").last_line();
+    assert!(line.contains("w save  q drop, quit"), "{line}");
+    assert!(!other.workbench.press("q"), "left");
+    let mut quick = four_bar(40, 12);
+    quick.press("6 >");
+    assert!(!quick.workbench.press("Ctrl-C"), "always");
+}
+
+#[test]
+fn edits_of_an_earlier_session_are_offered() {
+    let folder = folder("scene-recovery");
+    let begin = || {
+        let opened = preset("four-bar");
+        let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+        session.workbench = std::mem::replace(
+            &mut session.workbench,
+            Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Sixteen, 80, 24),
+        )
+        .recovering_in(&folder);
+        session
+    };
+    let kept = || std::fs::read_dir(&folder).unwrap().count();
+    let mut session = begin();
+    session.press("6").find("r2 len").press("> >");
+    assert_eq!(kept(), 1);
+    drop(session);
+    let mut session = begin();
+    // What was typed before it could be read is no answer.
+    session.press("t d d Enter Esc");
+    let screen = session.look();
+    for part in ["Unsaved edits of this scene", "> 20", "c compare  t take"] {
+        assert!(screen.contains(part), "{screen}");
+    }
+    assert_eq!(kept(), 1);
+    session.pass(1.0);
+    let screen = session.press("c").look();
+    assert!(screen.contains("length = 102"), "{screen}");
+    let screen = session.press("Enter Esc Enter").look();
+    assert!(screen.contains("The edited text"), "{screen}");
+    session.press("t 6").find("r2 len");
+    assert_eq!(session.row(), ">*r2 length 102 mm 100");
+    // Taken back to what is saved, what was left is where it was.
+    session.press("u");
+    assert_eq!(session.row(), "> r2 length 100 mm");
+    assert_eq!(kept(), 1);
+    drop(session);
+    let mut session = begin();
+    session.paint();
+    session.pass(1.0).press("t q q");
+    assert_eq!(kept(), 0, "dropped");
+    let mut session = begin();
+    session.press("6 >");
+    drop(session);
+    let mut session = begin();
+    session.paint();
+    let screen = session.pass(1.0).press("d").look();
+    assert!(screen.contains("d again drops them"), "{screen}");
+    assert_eq!(kept(), 1, "not at once");
+    session.press("d");
+    assert_eq!(kept(), 0, "deleted");
+    assert!(session.last_line().contains("these edits are deleted"));
+}
+
+/// Every crash leaves a generation, and who leaves them for later loses none.
+#[test]
+fn three_generations_are_offered_and_fit_any_screen() {
+    let folder = folder("scene-generations");
+    let begin = |cols: u16, rows: u16| {
+        let workbench =
+            Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, cols, rows);
+        let mut session = Session::on(workbench.recovering_in(&folder), cols, rows);
+        session.paint();
+        session.pass(1.0);
+        session
+    };
+    for n in 1..=3 {
+        let mut session = begin(80, 24);
+        session.press("Esc 6").find("r2 len");
+        session.press(&"> ".repeat(n));
+    }
+    for (cols, rows) in [(80, 24), (40, 12), (200, 60)] {
+        let mut session = begin(cols, rows);
+        let screen = session.look();
+        assert_eq!(screen.matches("UTC").count(), 3, "{screen}");
+        for part in ["Enter look", "c compare", "t take", "d drop", "Esc later"] {
+            assert!(screen.contains(part), "{screen}");
+        }
+        let screen = session.press("Down c").look();
+        assert!(screen.contains("+ r2 = {"), "{screen}");
+    }
+    assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3);
+}
+
+/// Edits that were made on an older text are not written over a newer one unasked.
+#[test]
+fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
+    let folder = folder("scene-older");
+    let begin = || {
+        let (_, opened) = {
+            let file = folder.join("mine.toml");
+            let text = std::fs::read_to_string(&file).unwrap();
+            (file.clone(), open(&text, Origin::File(file)))
+        };
+        let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, 80, 24);
+        let mut session = Session::on(workbench.recovering_in(&folder.join("kept")), 80, 24);
+        session.paint();
+        session.pass(1.0);
+        session
+    };
+    let file = folder.join("mine.toml");
+    std::fs::write(&file, text("four-bar")).unwrap();
+    let mut session = begin();
+    session.press("6").find("r2 len").press(">");
+    drop(session);
+    let newer = text("four-bar").replace("length = 250", "length = 251");
+    std::fs::write(&file, &newer).unwrap();
+    let mut session = begin();
+    let screen = session.look();
+    assert!(screen.contains("made on another text"), "{screen}");
+    let line = session.press("t w").last_line();
+    assert!(
+        line.contains("mine.toml is newer than these edits: write over it?"),
+        "{line}"
+    );
+    session.press("Esc");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
+    // What was typed before the question could be read is no answer to it.
+    session.press("w Enter Enter");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
+    session.pass(1.0).press("Enter");
+    let saved = std::fs::read_to_string(&file).unwrap();
+    assert!(saved.contains("length = 101") && saved.contains("length = 250"));
+    drop(session);
+    assert_eq!(std::fs::read_dir(folder.join("kept")).unwrap().count(), 0);
+}
+
+#[test]
+fn a_read_only_file_is_asked_about() {
+    use std::os::unix::fs::PermissionsExt;
+    let (file, opened) = file(&folder("scene-read-only"), text("four-bar"));
+    std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o444)).unwrap();
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let line = session.press("6").find("r2 len").press("> w").last_line();
+    assert!(line.contains("mine.toml is read-only: write it?"), "{line}");
+    session.press("Esc");
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), text("four-bar"));
+    session.press("w").pass(1.0).press("Enter");
+    assert!(
+        std::fs::read_to_string(&file)
+            .unwrap()
+            .contains("length = 101")
+    );
+    let mode = std::fs::metadata(&file).unwrap().permissions().mode();
+    assert_eq!(mode & 0o777, 0o444);
+}

@@ -1,0 +1,75 @@
+//! The tour of the workbench.
+
+use crate::claims::{cells, differences, places, said};
+use crate::screen::four_bar;
+use std::ops::RangeInclusive;
+
+const THROUGH_THE_TOUR: [&str; 5] = ["I", "Enter", "Right", "space", "Enter"];
+
+/// The rows and the columns of the box of the tour.
+fn tour_box(screen: &str) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
+    let rows = cells(screen);
+    let top = screen
+        .lines()
+        .position(|line| line.contains("+- Tour"))
+        .unwrap();
+    let corners = places(&rows[top..=top], &['+']);
+    let (left, right) = (corners[0].1, corners[1].1);
+    let height = rows[top + 1..]
+        .iter()
+        .position(|row| row[left] == '+')
+        .unwrap();
+    (top..=top + 1 + height, left..=right)
+}
+
+/// What the tour tells, as one line.
+fn told(screen: &str) -> String {
+    let (rows, cols) = tour_box(screen);
+    let inner = cells(screen)[rows.start() + 1..*rows.end()].to_vec();
+    let line = |row: &Vec<char>| {
+        row[cols.start() + 1..*cols.end()]
+            .iter()
+            .collect::<String>()
+    };
+    said(&inner.iter().map(line).collect::<Vec<_>>().join("\n"))
+}
+
+/// Every screen of the tour, beside the linkage where there is room.
+#[test]
+fn the_tour_leads_through_five_screens_and_back() {
+    let screens = THROUGH_THE_TOUR
+        .iter()
+        .scan(four_bar(40, 12), |tiny, key| Some(tiny.press(key).look()));
+    let small: Vec<String> = screens.collect();
+    insta::assert_snapshot!("tour-40x12", small.join("\n") + "\n");
+    for (cols, rows) in [(80, 24), (40, 12), (120, 40)] {
+        let mut session = four_bar(cols, rows);
+        let before = session.look();
+        for (key, small) in THROUGH_THE_TOUR.iter().zip(&small) {
+            let screen = session.press(key).look();
+            // The same is told at every size, and nothing but what lies below the box is hidden.
+            assert_eq!(told(&screen), told(small), "{screen}");
+            let (box_rows, box_cols) = tour_box(&screen);
+            let last = usize::from(rows) - 1;
+            let mut outside = differences(&before, &screen);
+            outside.retain(|(row, col, ..)| !box_rows.contains(row) || !box_cols.contains(col));
+            assert!(outside.iter().all(|(row, ..)| *row == last), "{screen}");
+            assert!(session.last_line().contains("Esc end"), "{screen}");
+        }
+        assert!(session.press("Left").look().contains("Tour 4/5"));
+        assert!(!session.press("Enter Enter").look().contains("Tour"));
+        assert_eq!(session.look(), before, "nothing else has happened");
+        assert!(!session.press("F2 Esc").look().contains("Tour"));
+    }
+}
+
+/// The keys of the motion work beside the tour, and nothing that would lead away from it.
+#[test]
+fn the_tour_lets_the_crank_be_moved() {
+    let mut session = four_bar(80, 24);
+    let line = session.press("I Enter . .").last_line();
+    assert!(line.contains("70.00 deg"), "{line}");
+    assert!(session.press("n w a g").look().contains("Tour 2/5"));
+    assert!(session.press("2").look().contains("Tour 2/5"));
+    assert!(session.press("?").look().contains("Help"));
+}

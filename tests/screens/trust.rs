@@ -1,0 +1,118 @@
+//! What is missing and what is not proved: dead points, dim digits, and the largest bound.
+
+use crate::claims::assert_told;
+use crate::screen::{SWINGING, Session, emulator, open, preset};
+use krank::drawing::Glyphs;
+use krank::tui::{Colours, Origin, Workbench};
+
+fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
+    Session::new(preset("four-bar"), glyphs, cols, rows)
+}
+
+#[test]
+fn says_what_is_missing_at_a_dead_point() {
+    let opened = open(SWINGING, Origin::File("bench/swinging.toml".into()));
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    session.press("] ] ] ] ] .");
+    let screen = session.look();
+    // Places are told, and of rates the driver's alone.
+    let told = [
+        "| r3 50.0000 327.236*",
+        "| r4 60.0000 327.236*",
+        "| vector r' omega",
+        "| r2 0 1.00000",
+        "| r3 0 -",
+        "| r4 0 -",
+        "| vector r'' alpha",
+        "| r2 0 0.00000",
+        "| r3 0 -",
+        "| r4 0 -",
+        "motion 82.81924422 deg dead point: no rates the motion ends here",
+    ];
+    assert_told(&screen, &told);
+    let line = session.press(".").last_line();
+    assert!(line.contains("the motion ends here"), "{line}");
+    assert!(line.contains("dead point: no rates"), "{line}");
+    session.workbench.resize(40, 12);
+    session.terminal = emulator(40, 12);
+    let line = session.press(".").last_line();
+    assert!(line.ends_with("82.81924422 deg  dead point"), "{line}");
+}
+
+/// Within 5e-13 deg of the dead point of [`SWINGING`], where rates have four digits at the most.
+const ALMOST_DEAD: &str = "g 8 2 . 8 1 9 2 4 4 2 1 8 5 4 1 Enter";
+
+/// Digits that nothing proves are dim; without colours points stand in their place.
+#[test]
+fn digits_that_nothing_proves_are_told() {
+    let plain = |cols, rows| {
+        let opened = open(SWINGING, Origin::Stdin);
+        let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, cols, rows);
+        Session::on(workbench, cols, rows).press(ALMOST_DEAD).look()
+    };
+    let told = [
+        "| r3 50.0000 327.236*",
+        "| r2 0 1.00000",
+        "| r3 0 -4.8...e6*",
+        "| r4 0 4.0....e6*",
+        "| r2 0 0.00000",
+        "| r3 0 -1.9..e20*",
+        "| r4 0 1.6...e20*",
+        "82.81924422 deg dead point within 0.1 deg ? help",
+    ];
+    assert_told(&plain(80, 24), &told);
+    // Places are as sure as ever, and a short line tells the place in full before what lies ahead.
+    let told = ["r3 50.0000 327.236*", "motion 82.81924422 deg ok ? help"];
+    assert_told(&plain(40, 12), &told);
+    let mut session = Session::new(open(SWINGING, Origin::Stdin), Glyphs::Ascii, 80, 24);
+    let screen = session.press(ALMOST_DEAD).look();
+    // A rate of r4, and which of its characters are dim.
+    let row = screen
+        .lines()
+        .position(|line| line.contains("| r4            0  "))
+        .unwrap();
+    let line = screen.lines().nth(row).unwrap();
+    let from = line.find("  4.").unwrap() + 2;
+    let dim: String = (from..line.len())
+        .map(|col| {
+            let at = |n: usize| u16::try_from(n).unwrap();
+            let cell = session.terminal.screen().cell(at(row), at(col)).unwrap();
+            if cell.dim() { '~' } else { ' ' }
+        })
+        .collect();
+    assert_eq!(&dim[..1], " ", "{line}\n{dim}");
+    assert!(dim.contains("~~~"), "{line}\n{dim}");
+    assert!(
+        dim.trim_start().trim_end().len() < line[from..].len(),
+        "{line}\n{dim}"
+    );
+    // Where all is well, nothing is dim but what is quiet anyway.
+    let line = session.press("Home").last_line();
+    assert!(line.contains("ok  +-"), "{line}");
+}
+
+/// The last line tells the largest bound of a place, or that there is none; not where figures are not
+/// what is looked at.
+#[test]
+fn the_largest_bound_stands_in_the_last_line() {
+    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let line = session.last_line();
+    let bound = line
+        .split("ok  +-")
+        .nth(1)
+        .unwrap()
+        .split(' ')
+        .next()
+        .unwrap();
+    assert!(
+        (1e-14..1e-12).contains(&bound.parse::<f64>().unwrap()),
+        "{line}"
+    );
+    assert!(line.contains(" mm  ? help"), "{line}");
+    assert!(!session.press("e").last_line().contains("+-"));
+    assert!(!session.press("1 ?").last_line().contains("+-"));
+    // On a short line the key that leads on comes first.
+    let mut narrow = four_bar(Glyphs::Ascii, 40, 12);
+    let line = narrow.last_line();
+    assert!(line.contains("? help") && !line.contains("+-"), "{line}");
+}
