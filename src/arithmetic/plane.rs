@@ -138,33 +138,45 @@ fn split<V: Plane>(value: V) -> (V, V) {
     (top, value - top)
 }
 
+/// What vectors of any width do by place: one list, since no trait of the machine's vectors has all of it.
+macro_rules! place_by_place {
+    () => {
+        #[inline(always)]
+        fn all(self, value: f64) -> Self {
+            Self::splat(self.simd, value)
+        }
+
+        #[inline(always)]
+        fn abs(self) -> Self {
+            SimdBase::abs(self)
+        }
+
+        #[inline(always)]
+        fn crossed(self) -> Self {
+            self.slide_within_blocks::<1>(self)
+        }
+
+        #[inline(always)]
+        fn fused(self, y: Self, z: Self) -> Self {
+            self.mul_sub_precise(y, z)
+        }
+
+        #[inline(always)]
+        fn exceeds(self, other: Self) -> bool {
+            self.simd_gt(other).all_true()
+        }
+    };
+}
+
 impl<S: Simd> Plane for f64x2<S> {
     type One = Self;
 
-    #[inline(always)]
-    fn all(self, value: f64) -> Self {
-        f64x2::splat(self.simd, value)
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        SimdBase::abs(self)
-    }
-
-    #[inline(always)]
-    fn crossed(self) -> Self {
-        self.slide_within_blocks::<1>(self)
-    }
+    place_by_place!();
 
     #[inline(always)]
     fn perp(self) -> Self {
         let sign = u64x2::simd_from(self.simd, [SIGN, 0]);
         f64x2::from_bits(self.crossed().to_bits() ^ sign)
-    }
-
-    #[inline(always)]
-    fn fused(self, y: Self, z: Self) -> Self {
-        self.mul_sub_precise(y, z)
     }
 
     #[inline(always)]
@@ -175,11 +187,6 @@ impl<S: Simd> Plane for f64x2<S> {
     #[inline(always)]
     fn beside(self, other: Self) -> Self {
         mask64x2::simd_from(self.simd, [0, -1]).select(other, self)
-    }
-
-    #[inline(always)]
-    fn exceeds(self, other: Self) -> bool {
-        self.simd_gt(other).all_true()
     }
 
     #[inline(always)]
@@ -196,30 +203,12 @@ impl<S: Simd> Plane for f64x2<S> {
 impl<S: Simd> Plane for f64x4<S> {
     type One = f64x2<S>;
 
-    #[inline(always)]
-    fn all(self, value: f64) -> Self {
-        f64x4::splat(self.simd, value)
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        SimdBase::abs(self)
-    }
-
-    #[inline(always)]
-    fn crossed(self) -> Self {
-        self.slide_within_blocks::<1>(self)
-    }
+    place_by_place!();
 
     #[inline(always)]
     fn perp(self) -> Self {
         let sign = u64x4::simd_from(self.simd, [SIGN, 0, SIGN, 0]);
         f64x4::from_bits(self.crossed().to_bits() ^ sign)
-    }
-
-    #[inline(always)]
-    fn fused(self, y: Self, z: Self) -> Self {
-        self.mul_sub_precise(y, z)
     }
 
     #[inline(always)]
@@ -230,11 +219,6 @@ impl<S: Simd> Plane for f64x4<S> {
     #[inline(always)]
     fn beside(self, other: Self) -> Self {
         mask64x4::simd_from(self.simd, [0, -1, 0, -1]).select(other, self)
-    }
-
-    #[inline(always)]
-    fn exceeds(self, other: Self) -> bool {
-        self.simd_gt(other).all_true()
     }
 
     #[inline(always)]

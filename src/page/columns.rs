@@ -8,10 +8,7 @@ use std::ops::Range;
 /// Columns of figures behind names, side by side as far as there is room.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Columns {
-    /// Blanks before the names.
-    indent: usize,
-    /// Blanks between a mark and its name.
-    behind_mark: usize,
+    setting: Setting,
     /// The column behind the names.
     names: usize,
     widths: Vec<usize>,
@@ -66,8 +63,7 @@ impl Columns {
         };
         let chunks = chunks.into_iter().map(chunk).collect();
         Columns {
-            indent: setting.indent,
-            behind_mark: setting.behind_mark(),
+            setting: setting.clone(),
             names,
             widths,
             chunks,
@@ -109,12 +105,8 @@ impl Columns {
         [of_name, of_cells]: [Role; 2],
     ) -> Line {
         let mut line = Line::default();
-        line.push(self.indent, mark, Role::Mark);
-        let behind = match mark {
-            "" => 0,
-            mark => length(mark) + self.behind_mark,
-        };
-        let begin = self.indent + behind;
+        line.push(self.setting.indent, mark, Role::Mark);
+        let begin = self.setting.indent + self.setting.with_mark(mark);
         line.push(
             begin,
             cut_within(name, self.names.saturating_sub(begin)),

@@ -153,18 +153,24 @@ impl Facts {
 }
 
 impl Table {
+    /// The longest mark: what the rows are stands above their names, behind it.
+    fn mark(&self) -> &str {
+        let marks = self.rows.iter().map(|row| row.label(false).0);
+        marks.max_by_key(|mark| length(mark)).unwrap_or("")
+    }
+
     /// Characters of the names.
     fn names(&self, more: bool, room: Room) -> usize {
         let rows = self.rows.iter().filter(|row| !matches!(row, Row::Part(_)));
         let names = rows.map(|row| {
             let (mark, name) = row.label(more);
-            match mark {
-                "" => length(name),
-                mark => length(mark) + self.setting.behind_mark() + length(name),
-            }
+            self.setting.with_mark(mark) + length(name)
         });
         let asked = fair(self.setting.names, room.width);
-        let names = names.chain([asked, length(&self.title)]);
+        let names = names.chain([
+            asked,
+            self.setting.with_mark(self.mark()) + length(&self.title),
+        ]);
         let names = names.max().unwrap_or(0);
         match room.medium {
             Medium::Paper => names,
@@ -249,9 +255,10 @@ impl Table {
 
     fn head_of(&self, columns: &Columns, chunk: &Range<usize>) -> Vec<Line> {
         let heads = &self.heads[chunk.clone()];
+        let mark = " ".repeat(length(self.mark()));
         let line = |title: &str, texts: Vec<String>| {
             let cells: Vec<Cell> = texts.into_iter().map(Cell::sure).collect();
-            let name = ("", title);
+            let name = (mark.as_str(), title);
             columns.line(chunk, name, cells.iter().map(Some), [Role::Head; 2])
         };
         let title = self.title.as_str();
@@ -324,7 +331,7 @@ fn told(
         head.push(begin, beside, Role::Body);
         return vec![head];
     }
-    let indent = setting.indent + length(mark) + setting.behind_mark();
+    let indent = setting.indent + setting.with_mark(mark);
     let below = wrapped(words, width.saturating_sub(indent).max(NARROWEST));
     let below = below.into_iter().map(|words| {
         let mut line = Line::default();

@@ -1,6 +1,7 @@
 //! Figures in columns, as data.
 
 use super::line::Role;
+use super::words::length;
 use std::ops::Range;
 
 /// Rows under a head: names to the left, figures to the right of them.
@@ -127,9 +128,12 @@ impl Default for Setting {
 }
 
 impl Setting {
-    /// Blanks between a mark and its name: a mark belongs to it more than a figure does.
-    pub(super) fn behind_mark(&self) -> usize {
-        self.gap.saturating_sub(1)
+    /// Characters of a mark with the blanks between it and its name: it belongs to it more than a figure does.
+    pub(super) fn with_mark(&self, mark: &str) -> usize {
+        match mark {
+            "" => 0,
+            mark => length(mark) + self.gap.saturating_sub(1),
+        }
     }
 }
 

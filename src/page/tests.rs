@@ -86,7 +86,7 @@ fn names_say_more_where_there_is_room_and_stand_in_one_column() {
 #[test]
 fn words_stand_behind_a_name_or_below_it() {
     let mut page = Page::default();
-    let mut table = Table::new("   method", ["time"]);
+    let mut table = Table::new("method", ["time"]);
     table.rows.push(Row::Told {
         mark: "a*".into(),
         name: "Newton".into(),

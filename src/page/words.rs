@@ -73,6 +73,7 @@ fn short_words(part: &str, most: usize) -> Vec<String> {
 }
 
 /// The text, or where it is longer than `most` characters, its beginning and two points.
+#[cfg(feature = "tui")]
 pub(crate) fn cut(text: &str, most: usize) -> String {
     if length(text) <= most {
         return text.to_owned();

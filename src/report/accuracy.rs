@@ -132,7 +132,7 @@ impl Accuracy<'_> {
     #[must_use]
     pub fn table(&self, measures: &[Measure]) -> Table {
         let heads = measures.iter().map(|measure| measure.name());
-        let mut table = Table::new(format!("   {}", words().method()), heads).set(Setting {
+        let mut table = Table::new(words().method(), heads).set(Setting {
             names: NAME,
             least: measures.iter().map(|measure| measure.width()).collect(),
             rest: Rest::LeftOut,

@@ -8,7 +8,8 @@ use crate::{Body, Constant, Input, Mechanism, Number, Vec2};
 /// From the scene's frame and unit to the solver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
-    origin: Vec2,
+    /// As it was given: how well it is known is asked once, and not by every place that is read.
+    origin: Vec2<Constant>,
     /// A power of two: the scene's length of the solver's unit.
     pub(super) scale: f64,
     /// The largest given coordinate on the ground, in the solver's unit: far along the plan lengths are
@@ -56,7 +57,7 @@ impl Frame {
         }
         let scale = power_of_two_below(longest);
         Frame {
-            origin,
+            origin: origin.map(Constant::given),
             scale,
             far: furthest(mechanism) / scale,
             longest: longest / scale,
@@ -77,7 +78,8 @@ impl Frame {
     pub(super) fn rounding(&self, mechanism: &Mechanism) -> f64 {
         let decimals = mechanism.has_decimals();
         let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius / self.scale);
-        let sizes = grounded(mechanism).map(|place| (off(place) + off(self.origin)).norm());
+        let sizes =
+            grounded(mechanism).map(|place| (off(place) + off(self.origin.nearest())).norm());
         sizes.fold(0.0, f64::max)
     }
 
@@ -105,7 +107,7 @@ impl Frame {
     }
 
     /// The solver's origin in the scene.
-    pub(super) fn origin(&self) -> Vec2 {
+    pub(super) fn origin(&self) -> Vec2<Constant> {
         self.origin
     }
 
@@ -133,7 +135,7 @@ impl Frame {
 
     /// A place of the scene in the solver's frame; exact.
     pub(super) fn inner(&self, place: Vec2) -> Vec2<Constant> {
-        let away = self.read(place) - self.read(self.origin);
+        let away = self.read(place) - self.read(self.origin.nearest());
         away.map(|v| self.inwards(v))
     }
 
@@ -151,7 +153,7 @@ impl Frame {
     /// A place of the solver in the scene's frame.
     #[inline]
     pub(super) fn place<T: Number>(&self, inner: Vec2<T>) -> Vec2<T> {
-        Vec2::of(self.origin.map(Constant::given)) + inner.scaled(self.scale)
+        Vec2::of(self.origin) + inner.scaled(self.scale)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::chance::Chance;
 use crate::grow::{Machine, machine};
+use crate::typed::short;
 use krank::quantity::{self, Aspect, Share, Subject};
 use krank::solver::{Condition, GroupKind, Order, Solver, Workspace};
 use krank::{Ball, Double, Input, Mechanism, Slider};
@@ -38,18 +39,6 @@ impl Figure {
     fn is_force(&self) -> bool {
         !matches!(self.subject, Subject::Point(_) | Subject::Link(_))
     }
-}
-
-/// A number near to this one that is known exactly: one of up to 15 digits that a double holds. Any other could
-/// have been meant to be half an ulp elsewhere, and its bounds say so.
-fn short(v: f64) -> f64 {
-    if v == 0.0 {
-        return v;
-    }
-    // So many binary places make so many decimal ones.
-    let places = 14 - v.abs().log10().floor() as i32;
-    let unit = 2.0_f64.powi(places.max(0));
-    (v * unit).round() / unit
 }
 
 /// Every figure of motion and of forces.

@@ -11,6 +11,8 @@ mod bounds;
 mod chance;
 mod grow;
 mod newton_euler;
+#[path = "../support/typed.rs"]
+mod typed;
 
 use chance::Chance;
 use grow::{Machine, machine};

@@ -3,6 +3,7 @@
 //! The truth is the same state in twice the precision.
 #![allow(clippy::print_stdout, reason = "the overestimates are to be read")]
 
+use crate::typed::short;
 use krank::quantity::{self, Aspect, Catalogue, Subject};
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver, Workspace};
@@ -251,18 +252,6 @@ impl Dice {
     fn around(&mut self, of: Vec2, reach: f64) -> Vec2 {
         of + Vec2::new(self.within(-reach, reach), self.within(-reach, reach))
     }
-}
-
-/// A number near to this one that is known exactly: one of up to 15 digits that a double holds. Any other could
-/// have been meant to be half an ulp elsewhere, and its bounds say so.
-fn short(v: f64) -> f64 {
-    if v == 0.0 {
-        return v;
-    }
-    // So many binary places make so many decimal ones.
-    let places = 14 - v.abs().log10().floor() as i32;
-    let unit = 2.0_f64.powi(places.max(0));
-    (v * unit).round() / unit
 }
 
 /// A mechanism built from places: lengths are what lies between them, so that it closes.

@@ -5,6 +5,8 @@
 
 #[path = "../exact/mod.rs"]
 mod exact;
+#[path = "../support/typed.rs"]
+mod typed;
 
 mod assemblies;
 mod bounds;

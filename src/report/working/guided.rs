@@ -7,7 +7,7 @@ use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::place::pieces;
 use super::polygon::Term;
-use super::solution::{Arm, Solution, length, turn};
+use super::solution::{Arm, Solution, turn};
 use crate::Vec2;
 use crate::wording::words;
 
@@ -136,10 +136,8 @@ impl Solution<'_> {
         let f = self.figures;
         let member = self.member(slide);
         let (name, u) = (member.side.name.clone(), member.reading.u);
-        let m = self.write_components(draft, ["mx", "my"]);
-        let [mx, my] = components(f, m);
-        let square = mx.clone().squared() + my.clone().squared();
-        let size = draft.found("m", &square.sqrt(), |m| length(f, m));
+        let [mx, my] = self.write_m(draft);
+        let size = self.write_length(draft, "m", [&mx, &my]);
         // The other sides of the arm, along the guide's vector and across it: they never change.
         let others = arm.iter().filter(|t| **t != slide).map(|&t| self.member(t));
         let rest = others.fold(Vec2::ZERO, |sum, o| {
@@ -215,23 +213,15 @@ impl Solution<'_> {
     pub(super) fn sum(&self, draft: &mut Draft, term: Term) {
         let f = self.figures;
         let member = self.member(term);
-        let m = self.write_components(draft, ["mx", "my"]);
-        let [mx, my] = components(f, m);
+        let [mx, my] = self.write_m(draft);
         let name = member.side.name.clone();
-        let square = mx.clone().squared() + my.clone().squared();
-        let size = draft.found(&name, &square.sqrt(), |r| length(f, r));
+        let size = self.write_length(draft, &name, [&mx, &my]);
         draft.agree(&name, size, member.reading.r, self.longest());
         let theta = member.side.theta();
         let angle = Expression::of(Function::Atan2, [my, mx]);
         let worked = draft.found(&theta, &angle, |worked| turn(f, worked));
         draft.agree_angle(&theta, worked, member.reading.theta, self.longest() / size);
     }
-}
-
-/// The components of m, as they were found.
-fn components(f: Figures, m: Vec2) -> [Expression; 2] {
-    let size = m.norm();
-    [("mx", m.x), ("my", m.y)].map(|(symbol, v)| Expression::known(symbol, f.beside(v, size), v))
 }
 
 /// Why a quadratic has no root, or that it would have.

@@ -2,6 +2,7 @@
 
 use super::draft::{Context, Draft};
 use super::equations::{Axis, Member, Piece, in_figures, in_symbols, known};
+use super::expression::Expression;
 use super::figures::{Figures, Sum};
 use super::place::single;
 use super::polygon::{Loop, Term};
@@ -70,23 +71,33 @@ impl<'a> Solution<'a> {
     }
 
     /// The components of what the sought sides must add up to, m = -(known sides), line by line.
-    pub(super) fn write_components(&self, draft: &mut Draft, names: [&str; 2]) -> Vec2 {
+    pub(super) fn write_m(&self, draft: &mut Draft) -> [Expression; 2] {
+        let f = self.figures;
         let m = -self.known;
-        let size = self
-            .members
-            .iter()
-            .fold(0.0_f64, |most, m| most.max(m.reading.r.abs()));
-        for (axis, name, value) in [(Axis::X, names[0], m.x), (Axis::Y, names[1], m.y)] {
+        let sizes = self.members.iter().map(|m| m.reading.r.abs());
+        let size = sizes.fold(0.0_f64, f64::max);
+        [(Axis::X, "mx", m.x), (Axis::Y, "my", m.y)].map(|(axis, name, value)| {
             let [symbols, figures] = self.known_text(&axis);
-            let found = self.figures.beside(value, size);
+            let found = f.beside(value, size);
             draft.page.equation([
                 name.to_owned(),
                 format!("-({symbols})"),
                 format!("-({figures})"),
-                format!("{found} {}", self.figures.unit),
+                format!("{found} {}", f.unit),
             ]);
-        }
-        m
+            Expression::known(name, found, value)
+        })
+    }
+
+    /// The length of a vector by its components, under a name.
+    pub(super) fn write_length(
+        &self,
+        draft: &mut Draft,
+        name: &str,
+        [x, y]: [&Expression; 2],
+    ) -> f64 {
+        let square = x.clone().squared() + y.clone().squared();
+        draft.found(name, &square.sqrt(), |size| length(self.figures, size))
     }
 
     /// The length of an arm and how far its direction lies ahead of the angle that is named after it.
@@ -229,7 +240,7 @@ impl Arm<'_> {
     }
 }
 
-pub(super) fn length(figures: Figures, value: f64) -> String {
+fn length(figures: Figures, value: f64) -> String {
     format!("{} {}", figures.number(value), figures.unit)
 }
 

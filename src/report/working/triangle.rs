@@ -4,7 +4,7 @@ use super::draft::Draft;
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::polygon::Term;
-use super::solution::{Arm, Solution, degrees, length, turn};
+use super::solution::{Arm, Solution, degrees, turn};
 use crate::wording::words;
 
 /// A distance of pivots below this part of the arms is none.
@@ -18,11 +18,8 @@ impl Solution<'_> {
         let [p, x, q] = self.joints(&first, &second);
         let (one, two) = (self.arm(&first), self.arm(&second));
         draft.page.text(words().with_m_between(p, q, x));
-        let m = self.write_components(draft, ["mx", "my"]);
-        let [mx, my] =
-            [("mx", m.x), ("my", m.y)].map(|(symbol, v)| Expression::known(symbol, f.number(v), v));
-        let square = mx.clone().squared() + my.clone().squared();
-        let size = draft.found("m", &square.sqrt(), |m| length(f, m));
+        let [mx, my] = self.write_m(draft);
+        let size = self.write_length(draft, "m", [&mx, &my]);
         let (b, c) = (one.value, two.value);
         if !self.context.has_positions() {
             return reach(draft, f, size, [&one, &two]);
@@ -44,7 +41,7 @@ impl Solution<'_> {
         let [beta, gamma] = [("β", &one, &two), ("γ", &two, &one)].map(|(symbol, near, far)| {
             draft.worked(symbol, &corner(near, far), |angle| degrees(f, angle))
         });
-        let left = m.cross(one.direction()) >= 0.0;
+        let left = (-self.known).cross(one.direction()) >= 0.0;
         draft.page.text(match left {
             true => words().lies_to_the_left(x, p, q),
             false => words().lies_to_the_right(x, p, q),

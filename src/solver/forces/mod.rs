@@ -33,7 +33,7 @@ use super::network::Network;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
-use crate::{Ball, Constant, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
+use crate::{Ball, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
 use applied::{Acting, Bears};
 use frame::Framed;
 use locked::Locked;
@@ -272,7 +272,7 @@ impl Balance {
     pub(super) fn room<T: Number>(&self, engine: &Engine) -> Box<Forces<T>> {
         let slides = self.open.normals.len();
         let unit = T::of(self.acting.unit);
-        let origin = engine.frame.origin().map(Constant::given);
+        let origin = engine.frame.origin();
         let metres = unit.scaled(1.0 / engine.frame.scale);
         Box::new(Forces {
             slots: Arc::clone(&self.slots),

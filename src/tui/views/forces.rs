@@ -11,8 +11,8 @@
 //! r2 at A by ground   110.758    87.4215    141.103     38.284
 //! ```
 
+use super::page;
 use super::pane::{Copied, Need, Pane};
-use super::{Sketch, inset, page};
 use crate::page::{Cell, Head, Line, Page, Row, Setting, Table, Units};
 use crate::quantity::Aspect;
 use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, upwards};
@@ -22,7 +22,6 @@ use crate::tui::figures::force_figures::{ForceFigures, Formats};
 use crate::tui::figures::format::Format;
 use crate::wording::words;
 use crate::{Mechanism, Vec2};
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// What the driver must do, and what joints and guides bear.
@@ -45,14 +44,24 @@ impl Pane for ForcesView {
         Need::Forces
     }
 
-    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let area = inset(body);
-        page::render(app, &lines(app, area), area, buffer);
-    }
-
-    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
-        let area = inset(body);
-        (lines(app, area).len(), area.height.into())
+    fn lines(&self, app: &App, area: Rect) -> Vec<Line> {
+        let mut page = Page::aligned();
+        match app.open_scene().force_figures() {
+            Some(force_figures) => {
+                for table in tables(force_figures) {
+                    page.table(table);
+                }
+                for remark in force_figures.forces().remarks() {
+                    page.text(remark);
+                }
+            }
+            None => {
+                for words in nothing_acts(&app.open_scene().scene().mechanism) {
+                    page.text(words);
+                }
+            }
+        }
+        page::lines(app, &page, area)
     }
 
     /// How far what the driver must do can be from the truth.
@@ -72,26 +81,6 @@ impl Pane for ForcesView {
             Copied::Text(copying::balanced(force_figures.forces()))
         })
     }
-}
-
-fn lines(app: &App, area: Rect) -> Vec<Line> {
-    let mut page = Page::aligned();
-    match app.open_scene().force_figures() {
-        Some(force_figures) => {
-            for table in tables(force_figures) {
-                page.table(table);
-            }
-            for remark in force_figures.forces().remarks() {
-                page.text(remark);
-            }
-        }
-        None => {
-            for words in nothing_acts(&app.open_scene().scene().mechanism) {
-                page.text(words);
-            }
-        }
-    }
-    page::lines(app, &page, area)
 }
 
 /// Why there is nothing to show, and what would change that.

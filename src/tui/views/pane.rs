@@ -4,7 +4,8 @@
 //! its lines are by [`List`]; the workbench does the rest. A new view is a file with an `impl Pane`, a row in
 //! `View::pane`, its name in `View`, and its key in the table of actions.
 
-use super::Sketch;
+use super::{Sketch, inset, page};
+use crate::page::Line;
 use crate::tui::app::App;
 use crate::tui::commands::action::Action;
 use crate::wording::words;
@@ -35,11 +36,22 @@ pub(crate) trait Pane {
     /// Brings what the screen remembers of its last frame up to date.
     fn prepare(&self, _app: &App, _sketch: &mut Sketch, _body: Rect) {}
 
+    /// Its lines in an area; of a view that is more than lines none.
+    fn lines(&self, _app: &App, _area: Rect) -> Vec<Line> {
+        Vec::new()
+    }
+
     /// What stands between the title and the last line.
-    fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer);
+    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
+        let area = inset(body);
+        page::render(app, &self.lines(app, area), area, buffer);
+    }
 
     /// How many lines it has, and how many of them are seen.
-    fn extent(&self, app: &App, body: Rect) -> (usize, usize);
+    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+        let area = inset(body);
+        (self.lines(app, area).len(), area.height.into())
+    }
 
     /// The keys to offer, the most important first: the last ones are dropped where there is no room.
     fn hints(&self, _app: &App) -> &'static [Action] {

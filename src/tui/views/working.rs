@@ -6,12 +6,11 @@
 //!   m = sqrt(mx^2 + my^2) = 360.555 mm
 //! ```
 
+use super::page;
 use super::pane::{Need, Pane};
-use super::{Sketch, inset, page};
 use crate::page::Line;
 use crate::tui::app::App;
 use crate::wording::words;
-use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// The working, line by line.
@@ -34,20 +33,10 @@ impl Pane for WorkingView {
         Need::Working
     }
 
-    fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let area = inset(body);
-        page::render(app, &lines(app, area), area, buffer);
-    }
-
-    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
-        let area = inset(body);
-        (lines(app, area).len(), area.height.into())
-    }
-}
-
-fn lines(app: &App, area: Rect) -> Vec<Line> {
-    match app.open_scene().explained() {
-        Some(explained) => page::lines(app, explained.page(), area),
-        None => page::words(words().too_many_links(), area),
+    fn lines(&self, app: &App, area: Rect) -> Vec<Line> {
+        match app.open_scene().explained() {
+            Some(explained) => page::lines(app, explained.page(), area),
+            None => page::words(words().too_many_links(), area),
+        }
     }
 }

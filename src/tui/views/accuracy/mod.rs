@@ -154,7 +154,6 @@ fn lines(app: &App, findings: &Findings, list: Rect) -> Vec<Line> {
     let mut table = accuracy.table(measures);
     // Both figures have room on the smallest screen.
     (table.setting.gap, table.setting.names) = (1, 0);
-    table.title = format!("  {}", words().method());
     let mut page = Page::default();
     page.table(table);
     page::lines(app, &page, list)
