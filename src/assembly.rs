@@ -3,7 +3,7 @@
 use crate::nearest::did_you_mean;
 use crate::scene::{Precision, Scene};
 use crate::solver::{Condition, Group, GroupKind, Order, Pick, Plan, Solver, State};
-use crate::{Element, PointId, Slider, Vec2};
+use crate::{ElementId, PointId, Slider, Vec2};
 use std::fmt;
 use std::str::FromStr;
 
@@ -93,9 +93,9 @@ impl Scene {
     pub fn group_name(&self, group: &Group) -> &str {
         let link = || group.links.first().map_or("", |&l| self.link_name(l));
         match group.name() {
-            Some(Element::Point(point)) => self.name_or_slider(point).unwrap_or_else(link),
-            Some(Element::Link(link)) => self.link_name(link),
-            Some(Element::Slide(_) | Element::Driver) | None => link(),
+            Some(ElementId::Point(point)) => self.name_or_slider(point).unwrap_or_else(link),
+            Some(ElementId::Link(link)) => self.link_name(link),
+            Some(ElementId::Slide(_) | ElementId::Driver) | None => link(),
         }
     }
 
@@ -113,9 +113,9 @@ impl Scene {
     ///
     /// # Errors
     /// The first wish that no group can fulfil, whatever its numbers.
-    pub fn picks(&self, plan: &Plan, wishes: &[Wish]) -> Result<Vec<(Element, Pick)>, Misread> {
+    pub fn picks(&self, plan: &Plan, wishes: &[Wish]) -> Result<Vec<(ElementId, Pick)>, Misread> {
         let groups = || plan.groups.iter().filter(|g| g.has_choices());
-        let mut picks: Vec<(Element, Pick)> = Vec::new();
+        let mut picks: Vec<(ElementId, Pick)> = Vec::new();
         for wish in wishes {
             let name = wish.group.clone();
             let Some(group) = groups().find(|g| self.group_name(g) == wish.group) else {

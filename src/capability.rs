@@ -56,7 +56,7 @@ pub(crate) struct Capability {
 
 /// What TERM says of the terminal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum TerminalKind {
     /// It says nothing.
     Unknown,
     /// It cannot place its cursor.
@@ -84,66 +84,66 @@ pub(crate) struct Judgement {
 
 /// Families of terminals that are no emulators with a window of their own, by the word that their names begin
 /// with (the descriptions of ncurses): `linux-16color` is a console, and `vte-256color` no VT100.
-const FAMILIES: [(&str, Kind); 28] = [
-    ("ansi", Kind::Old),
-    ("pcansi", Kind::Old),
-    ("adm", Kind::Old),
-    ("beterm", Kind::Old),
-    ("bsdos", Kind::Old),
-    ("cons", Kind::Old),
-    ("hp", Kind::Old),
-    ("hurd", Kind::Old),
-    ("ibm", Kind::Old),
-    ("mach", Kind::Old),
-    ("minitel", Kind::Old),
-    ("pcvt", Kind::Old),
-    ("qnx", Kind::Old),
-    ("scoansi", Kind::Old),
-    ("sun", Kind::Old),
-    ("tvi", Kind::Old),
-    ("vt", Kind::Old),
-    ("wsvt", Kind::Old),
-    ("wy", Kind::Old),
-    ("wyse", Kind::Old),
-    ("linux", Kind::Console),
-    ("bterm", Kind::Console),
-    ("jfbterm", Kind::Console),
-    ("kon", Kind::Console),
-    ("dumb", Kind::Dumb),
-    ("dialup", Kind::Unknown),
-    ("network", Kind::Unknown),
-    ("unknown", Kind::Unknown),
+const FAMILIES: [(&str, TerminalKind); 28] = [
+    ("ansi", TerminalKind::Old),
+    ("pcansi", TerminalKind::Old),
+    ("adm", TerminalKind::Old),
+    ("beterm", TerminalKind::Old),
+    ("bsdos", TerminalKind::Old),
+    ("cons", TerminalKind::Old),
+    ("hp", TerminalKind::Old),
+    ("hurd", TerminalKind::Old),
+    ("ibm", TerminalKind::Old),
+    ("mach", TerminalKind::Old),
+    ("minitel", TerminalKind::Old),
+    ("pcvt", TerminalKind::Old),
+    ("qnx", TerminalKind::Old),
+    ("scoansi", TerminalKind::Old),
+    ("sun", TerminalKind::Old),
+    ("tvi", TerminalKind::Old),
+    ("vt", TerminalKind::Old),
+    ("wsvt", TerminalKind::Old),
+    ("wy", TerminalKind::Old),
+    ("wyse", TerminalKind::Old),
+    ("linux", TerminalKind::Console),
+    ("bterm", TerminalKind::Console),
+    ("jfbterm", TerminalKind::Console),
+    ("kon", TerminalKind::Console),
+    ("dumb", TerminalKind::Dumb),
+    ("dialup", TerminalKind::Unknown),
+    ("network", TerminalKind::Unknown),
+    ("unknown", TerminalKind::Unknown),
 ];
 
 /// What kind of terminal has this name.
-fn kind_of(term: &str) -> Kind {
+fn kind_of(term: &str) -> TerminalKind {
     // Multiplexers tell in what they run: `screen.linux`.
     let (outer, inner) = term.split_once('.').unwrap_or((term, ""));
-    if ["screen", "tmux"].contains(&outer) && kind_of(inner) == Kind::Console {
-        return Kind::Console;
+    if ["screen", "tmux"].contains(&outer) && kind_of(inner) == TerminalKind::Console {
+        return TerminalKind::Console;
     }
     // A number behind the word tells one of the family from others.
     let word = term.split(|c: char| !c.is_ascii_alphabetic()).next();
     let word = word.unwrap_or_default();
     match FAMILIES.iter().find(|(family, _)| *family == word) {
-        _ if term.is_empty() => Kind::Unknown,
+        _ if term.is_empty() => TerminalKind::Unknown,
         Some((_, kind)) => *kind,
-        None => Kind::Emulator,
+        None => TerminalKind::Emulator,
     }
 }
 
 /// What was found, and from what it follows.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Found<T> {
+pub(crate) struct Detected<T> {
     /// What was found.
     pub(crate) value: T,
     /// Why, in a few words.
     pub(crate) why: String,
 }
 
-fn found<T>(value: T, why: impl Into<String>) -> Found<T> {
+fn found<T>(value: T, why: impl Into<String>) -> Detected<T> {
     let why = why.into();
-    Found { value, why }
+    Detected { value, why }
 }
 
 impl Judgement {
@@ -160,7 +160,7 @@ impl Judgement {
     }
 
     /// What TERM says.
-    pub(crate) fn kind(&self) -> Kind {
+    pub(crate) fn kind(&self) -> TerminalKind {
         kind_of(&self.term)
     }
 
@@ -174,34 +174,39 @@ impl Judgement {
     }
 
     /// The characters to draw with.
-    pub(crate) fn glyphs(&self) -> Found<Glyphs> {
+    pub(crate) fn glyphs(&self) -> Detected<Glyphs> {
         if !self.is_utf8() {
             return found(Glyphs::Ascii, words().locale_not_utf8());
         }
         match self.kind() {
-            Kind::Unknown => found(Glyphs::Ascii, words().term_not_set()),
-            Kind::Dumb | Kind::Old => found(Glyphs::Ascii, words().term_has_no_others(&self.term)),
-            Kind::Console => found(Glyphs::Line, words().console_has_no_braille()),
-            Kind::Emulator => found(Glyphs::Braille, words().emulator_in_utf8()),
+            TerminalKind::Unknown => found(Glyphs::Ascii, words().term_not_set()),
+            TerminalKind::Dumb | TerminalKind::Old => {
+                found(Glyphs::Ascii, words().term_has_no_others(&self.term))
+            }
+            TerminalKind::Console => found(Glyphs::Line, words().console_has_no_braille()),
+            TerminalKind::Emulator => found(Glyphs::Braille, words().emulator_in_utf8()),
         }
     }
 
     /// The colours to draw with.
-    pub(crate) fn colours(&self) -> Found<Colours> {
+    pub(crate) fn colours(&self) -> Detected<Colours> {
         if self.no_color.is_some() {
             return found(Colours::None, words().no_color_set());
         }
         match (self.kind(), self.colorterm.as_deref()) {
-            (Kind::Unknown, _) => found(Colours::None, words().term_not_set()),
-            (Kind::Dumb | Kind::Old, _) => found(Colours::None, words().term_has_none(&self.term)),
-            (Kind::Console | Kind::Emulator, Some(many @ ("truecolor" | "24bit"))) => {
-                found(Colours::True, format!("COLORTERM={many}"))
+            (TerminalKind::Unknown, _) => found(Colours::None, words().term_not_set()),
+            (TerminalKind::Dumb | TerminalKind::Old, _) => {
+                found(Colours::None, words().term_has_none(&self.term))
             }
-            (Kind::Console | Kind::Emulator, _) => self.colours_of_term(),
+            (
+                TerminalKind::Console | TerminalKind::Emulator,
+                Some(many @ ("truecolor" | "24bit")),
+            ) => found(Colours::True, format!("COLORTERM={many}")),
+            (TerminalKind::Console | TerminalKind::Emulator, _) => self.colours_of_term(),
         }
     }
 
-    fn colours_of_term(&self) -> Found<Colours> {
+    fn colours_of_term(&self) -> Detected<Colours> {
         let why = format!("TERM={}", self.term);
         if ["-mono", "-m"].iter().any(|end| self.term.ends_with(end)) {
             found(Colours::None, why)
@@ -224,9 +229,9 @@ impl Judgement {
         let capability = Capability {
             glyphs: glyphs.unwrap_or(self.glyphs().value),
             colours: colours.unwrap_or(self.colours().value),
-            modern: self.kind() == Kind::Emulator,
+            modern: self.kind() == TerminalKind::Emulator,
         };
-        (self.kind() != Kind::Dumb).then_some(capability)
+        (self.kind() != TerminalKind::Dumb).then_some(capability)
     }
 
     /// What was read: each variable and what it says, or that it is not set.
@@ -294,23 +299,23 @@ mod tests {
     fn terminals_are_what_their_names_say() {
         for (kind, names) in [
             (
-                Kind::Emulator,
+                TerminalKind::Emulator,
                 "vte vte-256color xterm-256color screen screen-256color tmux-256color screen.xterm-256color \
                  rxvt-unicode-256color alacritty foot xterm-kitty xterm-ghostty wezterm konsole-256color \
                  st-256color putty mintty iterm2 nsterm contour eterm-color Eterm ms-terminal cygwin",
             ),
             (
-                Kind::Console,
+                TerminalKind::Console,
                 "linux linux-16color linux-basic linux-m linux2.6 linux3.0 screen.linux screen.linux-m \
                  tmux.linux bterm",
             ),
             (
-                Kind::Old,
+                TerminalKind::Old,
                 "vt52 vt100 vt100-am vt102 vt220 vt220-8bit vt320 vt420 vt510 ansi ansi-m ansi.sys cons25 \
                  pcansi sun sun-color wy60 wyse50 wsvt25 tvi925 hp2392 adm3a vt-utf8 scoansi hurd",
             ),
-            (Kind::Dumb, "dumb dumb-emacs-ansi"),
-            (Kind::Unknown, "unknown network dialup"),
+            (TerminalKind::Dumb, "dumb dumb-emacs-ansi"),
+            (TerminalKind::Unknown, "unknown network dialup"),
         ] {
             for name in names.split_whitespace() {
                 assert_eq!(kind_of(name), kind, "{name}");

@@ -3,7 +3,7 @@
 use crate::scene::{Diagnostic, Diagnostics, Scene, coordinate_key, figure, key};
 use crate::solver::Fault;
 use crate::wording::words;
-use crate::{Body, Element, LinkId, PointId, SlideId, Slider, Vec2};
+use crate::{Body, ElementId, LinkId, PointId, SlideId, Slider, Vec2};
 
 /// Elements that one message points at.
 const POINTED_AT: usize = 6;
@@ -52,12 +52,12 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
         n => words().mobility_of_many(n),
     });
     item = match floating.split_first() {
-        None => item.at(scene.place(Element::Driver), words().driven_here()),
+        None => item.at(scene.place(ElementId::Driver), words().driven_here()),
         Some((&first, rest)) => {
             let label = |link| words().floats(&link_name(scene, link));
-            let mut item = item.at(scene.place(Element::Link(first)), label(first));
+            let mut item = item.at(scene.place(ElementId::Link(first)), label(first));
             for &link in rest.iter().take(POINTED_AT - 1) {
-                item = item.and(scene.place(Element::Link(link)), label(link));
+                item = item.and(scene.place(ElementId::Link(link)), label(link));
             }
             item.note(words().links_that_float(&link_list(scene, floating)))
         }
@@ -80,11 +80,11 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
         let (name, twin) = (point_name(scene, one), point_name(scene, other));
         item = item
             .and(
-                scene.place(Element::Point(one)),
+                scene.place(ElementId::Point(one)),
                 words().named_nowhere_else(),
             )
             .and(
-                scene.place(Element::Point(other)),
+                scene.place(ElementId::Point(other)),
                 words().is_this_the_same(),
             )
             .help(words().give_it_one_name(&name, &twin));
@@ -100,13 +100,13 @@ fn mobility_fault(scene: &Scene, fault: &Fault) -> Diagnostic {
 }
 
 /// The mend where guides repeat each other.
-fn parallel_guides(scene: &Scene, elements: &[Element]) -> Option<&'static str> {
-    let of_slides = elements.iter().filter(|e| matches!(e, Element::Slide(_)));
+fn parallel_guides(scene: &Scene, elements: &[ElementId]) -> Option<&'static str> {
+    let of_slides = elements.iter().filter(|e| matches!(e, ElementId::Slide(_)));
     let all = guides(scene, elements);
     (of_slides.count() >= 2 && all.len() >= 2).then(|| words().turn_a_guide())
 }
 
-fn element_list(scene: &Scene, elements: &[Element]) -> String {
+fn element_list(scene: &Scene, elements: &[ElementId]) -> String {
     let named = elements.iter().take(4 * POINTED_AT);
     let mut names: Vec<String> = named.map(|&e| element_name(scene, e)).collect();
     if elements.len() > names.len() {
@@ -146,12 +146,12 @@ fn loose_ends(scene: &Scene, floating: &[LinkId]) -> Vec<(PointId, PointId)> {
 
 fn over_constrained(
     scene: &Scene,
-    element: Element,
-    others: &[Element],
+    element: ElementId,
+    others: &[ElementId],
     misfit: f64,
     at: f64,
 ) -> Diagnostic {
-    if let Element::Link(link) = element
+    if let ElementId::Link(link) = element
         && let Some(pins) = pinned_twice(scene, link)
     {
         return frame_as_link(scene, link, pins, misfit);
@@ -202,7 +202,7 @@ fn frame_as_link(
     let distance = length(scene, (to - at).norm());
     let misfit = length(scene, misfit);
     Diagnostic::new(words().frame_does_not_fit(&name, &misfit, &tail, &head))
-        .at(scene.place(Element::Link(link)), words().cannot_move())
+        .at(scene.place(ElementId::Link(link)), words().cannot_move())
         .note(words().are_apart(&tail, &head, &distance))
         .help(words().frame_needs_no_link(&vector))
 }
@@ -211,7 +211,7 @@ fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic
     let name = point_name(scene, point);
     let missing = length(scene, gap);
     let item = Diagnostic::new(words().cannot_close(&name, &missing)).at(
-        scene.place(Element::Point(point)),
+        scene.place(ElementId::Point(point)),
         words().cannot_be_placed(&name),
     );
     let item = links.iter().take(POINTED_AT).fold(item, |item, &link| {
@@ -219,7 +219,7 @@ fn open(scene: &Scene, point: PointId, links: &[LinkId], gap: f64) -> Diagnostic
             Some(_) => words().has_to_reach_it(&link_name(scene, link)),
             None => words().has_to_meet_it(&link_name(scene, link)),
         };
-        item.and(scene.place(Element::Link(link)), reach)
+        item.and(scene.place(ElementId::Link(link)), reach)
     });
     let driver = scene.mechanism.driver();
     item.note(words().driver_stands_at(&coordinate(scene, driver.start)))
@@ -230,8 +230,10 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
     let name = point_name(scene, point);
     let places: Vec<String> = choices.iter().map(|&c| pair(c, "(", ")")).collect();
     let places = words().either(&places);
-    let item = Diagnostic::new(words().start_is_vague(&name, &places, scene.unit.symbol()))
-        .at(scene.place(Element::Point(point)), words().where_is(&name));
+    let item = Diagnostic::new(words().start_is_vague(&name, &places, scene.unit.symbol())).at(
+        scene.place(ElementId::Point(point)),
+        words().where_is(&name),
+    );
     let given = scene.mechanism.start().iter().find(|(p, _)| *p == point);
     let item = match given {
         Some(&(_, near)) => item.note(words().start_is_between(&name, &pair(near, "(", ")"))),
@@ -246,7 +248,7 @@ fn vague(scene: &Scene, point: PointId, choices: &[Vec2]) -> Diagnostic {
     item.help(words().give_one_position(&lines))
 }
 
-fn change_point(scene: &Scene, group: Element) -> Diagnostic {
+fn change_point(scene: &Scene, group: ElementId) -> Diagnostic {
     let name = element_name(scene, group);
     let option = |sign| format!("`--assembly {}={sign}`", group_text(scene, group));
     let coordinate = coordinate_key(&scene.mechanism);
@@ -257,21 +259,21 @@ fn change_point(scene: &Scene, group: Element) -> Diagnostic {
 }
 
 /// A group as the command line names it.
-fn group_text(scene: &Scene, group: Element) -> String {
+fn group_text(scene: &Scene, group: ElementId) -> String {
     let of_link = |link| scene.link_name(link);
     let of_point = |point| scene.point_name(point);
     let name = match group {
-        Element::Point(point) => {
+        ElementId::Point(point) => {
             of_point(point).or_else(|| carrier_of_origin(scene, point).map(of_link))
         }
-        Element::Link(link) => Some(of_link(link)),
-        Element::Slide(slide) => Some(scene.slide_name(slide)),
-        Element::Driver => None,
+        ElementId::Link(link) => Some(of_link(link)),
+        ElementId::Slide(slide) => Some(scene.slide_name(slide)),
+        ElementId::Driver => None,
     };
     name.unwrap_or("NAME").to_owned()
 }
 
-fn no_choice(scene: &Scene, group: Element, found: usize) -> Diagnostic {
+fn no_choice(scene: &Scene, group: ElementId, found: usize) -> Diagnostic {
     let name = element_name(scene, group);
     let says = match found {
         0 => words().names_no_choice(&name),
@@ -286,7 +288,7 @@ fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
     let (names, gap) = (names.join(", "), length(scene, gap));
     let mut item = Diagnostic::new(words().no_assembly_near(&names, &gap));
     for (i, &point) in points.iter().take(POINTED_AT).enumerate() {
-        let place = scene.place(Element::Point(point));
+        let place = scene.place(ElementId::Point(point));
         item = if i == 0 {
             item.at(place, words().solved_together())
         } else {
@@ -294,7 +296,7 @@ fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
         };
     }
     if points.is_empty() {
-        item = item.at(scene.place(Element::Driver), words().at_this_position());
+        item = item.at(scene.place(ElementId::Driver), words().at_this_position());
     }
     let missing: Vec<String> = points
         .iter()
@@ -310,7 +312,7 @@ fn not_assembled(scene: &Scene, points: &[PointId], gap: f64) -> Diagnostic {
     item.help(help)
 }
 
-fn singular(scene: &Scene, elements: &[Element], is_here_only: bool) -> Diagnostic {
+fn singular(scene: &Scene, elements: &[ElementId], is_here_only: bool) -> Diagnostic {
     let guides = guides(scene, elements);
     let elements = if guides.len() >= 2 { &guides } else { elements };
     let names: Vec<String> = elements.iter().map(|&e| element_name(scene, e)).collect();
@@ -337,23 +339,23 @@ fn singular(scene: &Scene, elements: &[Element], is_here_only: bool) -> Diagnost
 }
 
 /// The slides among the elements, and those of which an element slides or carries the guide.
-fn guides(scene: &Scene, elements: &[Element]) -> Vec<Element> {
+fn guides(scene: &Scene, elements: &[ElementId]) -> Vec<ElementId> {
     let mechanism = &scene.mechanism;
     let takes_part = |id: SlideId| {
         let slide = mechanism.slide(id);
         let sliding = match slide.slider {
-            Slider::Pin(point) => Element::Point(point),
-            Slider::Link { link, .. } => Element::Link(link),
+            Slider::Pin(point) => ElementId::Point(point),
+            Slider::Link { link, .. } => ElementId::Link(link),
         };
         let on = match slide.on {
             Body::Ground => None,
-            Body::Link(link) => Some(Element::Link(link)),
+            Body::Link(link) => Some(ElementId::Link(link)),
         };
-        let own = [Element::Slide(id), sliding];
+        let own = [ElementId::Slide(id), sliding];
         own.into_iter().chain(on).any(|e| elements.contains(&e))
     };
     let ids = mechanism.slide_ids().filter(|&id| takes_part(id));
-    ids.map(Element::Slide).collect()
+    ids.map(ElementId::Slide).collect()
 }
 
 fn point_name(scene: &Scene, point: PointId) -> String {
@@ -394,13 +396,13 @@ fn link_list(scene: &Scene, links: &[LinkId]) -> String {
     names.join(", ")
 }
 
-fn element_name(scene: &Scene, element: Element) -> String {
+fn element_name(scene: &Scene, element: ElementId) -> String {
     let slide = |slide: SlideId| words().slide_named(scene.slide_name(slide));
     match element {
-        Element::Point(point) => point_name(scene, point),
-        Element::Link(link) => words().a_link(&link_name(scene, link)),
-        Element::Slide(id) => slide(id),
-        Element::Driver => words().the_driver().to_owned(),
+        ElementId::Point(point) => point_name(scene, point),
+        ElementId::Link(link) => words().a_link(&link_name(scene, link)),
+        ElementId::Slide(id) => slide(id),
+        ElementId::Driver => words().the_driver().to_owned(),
     }
 }
 

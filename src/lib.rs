@@ -114,6 +114,6 @@ mod wording;
 
 pub use arithmetic::{Ball, Constant, Double, Dual, LANES, Lanes, Number, Vec2, angle, vectorized};
 pub use mechanism::{
-    Axis, Body, Builder, Defect, Defects, Driver, Element, Input, Length, Link, LinkId, Load,
-    Mechanism, Member, Point, PointId, Profile, Slide, SlideId, Slider, StrokeEnd,
+    Body, Builder, CoordinateAxis, Defect, Defects, Driver, ElementId, Input, Length, Link, LinkId,
+    Load, Mechanism, Member, Point, PointId, Profile, Slide, SlideId, Slider, StrokeEnd,
 };

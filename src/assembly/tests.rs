@@ -119,7 +119,7 @@ fn an_assembly_that_does_not_reach_the_opening_opens_elsewhere() {
     let scene = Scene::parse(text, "flat").unwrap();
     let point = scene.mechanism.point_ids().nth(3).unwrap();
     for (pick, y) in [(Pick::Plus, 1.0), (Pick::Minus, -1.0)] {
-        let picks = [(Element::Point(point), pick)];
+        let picks = [(ElementId::Point(point), pick)];
         let solver = Solver::with_assembly(&scene.mechanism, &picks).unwrap();
         // At the change point itself no place tells the two ways apart.
         assert_eq!(scene.with_start_of(&solver, 0.0), None);

@@ -1,11 +1,11 @@
 //! `krank accuracy`: measures, and writes what was found.
 
-use super::args::{AccuracyArgs, Format};
+use super::args::{AccuracyArgs, OutputFormat};
 use super::failure::Failure;
 use super::output::write_to;
 use super::progress::Progress;
-use super::screen::Screen;
-use super::source::{Opened, open_for};
+use super::screen::TextScreen;
+use super::source::{SolvableScene, open_for};
 use crate::drawing::{Glyphs, trade_off};
 use crate::report::{Accuracy, accuracy_notes};
 use crate::study::{Findings, Study};
@@ -19,8 +19,9 @@ const PARTS: u64 = 1000;
 /// The chart below the table.
 const CHART: (u16, u16) = (80, 20);
 
-pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = open_for(&args.scene, &args.assembly.wishes, &args.output)?;
+pub(super) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } =
+        open_for(&args.scene, &args.assembly.wishes, &args.output)?;
     let study = Study::new(&solver, args.positions);
     let findings = measured(study, screen);
     let accuracy = Accuracy {
@@ -28,16 +29,16 @@ pub(super) fn accuracy(args: &AccuracyArgs, screen: Screen) -> Result<(), Failur
         findings: &findings,
     };
     write_to(args.output.output.as_deref(), |out| match args.format {
-        Format::Text => {
+        OutputFormat::Text => {
             let table = accuracy.to_text(screen.ascii);
             write!(out, "{table}\n{}\n{}", chart(&findings), accuracy_notes())
         }
-        Format::Csv => accuracy.write_csv(out),
-        Format::Json => writeln!(out, "{:#}", accuracy.to_json()),
+        OutputFormat::Csv => accuracy.write_csv(out),
+        OutputFormat::Json => writeln!(out, "{:#}", accuracy.to_json()),
     })
 }
 
-fn measured(mut study: Study, screen: Screen) -> Findings {
+fn measured(mut study: Study, screen: TextScreen) -> Findings {
     let begun = Instant::now();
     // Results come only at the end: the line stands in nobody's way.
     let mut progress = Progress::new(PARTS, words().parts(), screen, false);

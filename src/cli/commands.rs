@@ -1,10 +1,10 @@
 //! The commands that take a line or two each.
 
-use super::args::{CheckArgs, CheckFormat, Cli, Format, PlaceArgs, StartArgs, TableArgs};
+use super::args::{CheckArgs, CheckFormat, Cli, OutputFormat, PlaceArgs, StartArgs, TableArgs};
 use super::failure::{Failure, note};
 use super::output::{write_scene, write_text, write_to};
-use super::screen::Screen;
-use super::source::Opened;
+use super::screen::TextScreen;
+use super::source::SolvableScene;
 use crate::Input;
 use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Sensitivity};
 use crate::report::{Answers, Check, Forces, TableStyle, Tables, limits_text, near_misses};
@@ -15,7 +15,7 @@ use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 
 /// `krank list`: a line per preset.
-pub(super) fn list(screen: Screen) -> Result<(), Failure> {
+pub(super) fn list(screen: TextScreen) -> Result<(), Failure> {
     let presets = presets::all();
     let width = presets.iter().map(|p| p.name.len()).max().unwrap_or(0);
     let mut text = String::new();
@@ -28,8 +28,8 @@ pub(super) fn list(screen: Screen) -> Result<(), Failure> {
 }
 
 /// `krank check`: what was understood of a scene.
-pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
+pub(super) fn check(args: &CheckArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let check = Check::new(&scene, &solver);
     let text = match args.format {
         CheckFormat::Text => check.to_text(screen.ascii),
@@ -39,8 +39,8 @@ pub(super) fn check(args: &CheckArgs, screen: Screen) -> Result<(), Failure> {
 }
 
 /// `krank table`: position, velocity and acceleration, and what acts, at one coordinate of the driver.
-pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
+pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
     if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
@@ -72,9 +72,9 @@ pub(super) fn table(args: &TableArgs, screen: Screen) -> Result<(), Failure> {
         ascii: screen.ascii,
     };
     write_to(args.output.output.as_deref(), |out| match args.format {
-        Format::Text => out.write_all(tables.to_text(style).as_bytes()),
-        Format::Csv => tables.write_csv(style, out),
-        Format::Json => writeln!(out, "{:#}", tables.to_json(style)),
+        OutputFormat::Text => out.write_all(tables.to_text(style).as_bytes()),
+        OutputFormat::Csv => tables.write_csv(style, out),
+        OutputFormat::Json => writeln!(out, "{:#}", tables.to_json(style)),
     })?;
     nothing_hidden(&scene, &state)
 }
@@ -90,7 +90,7 @@ pub(super) fn nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure
 
 /// The place that is meant: where the scene opens, or what was typed, which may be so many turns or
 /// decimals from the one place that the driver comes to.
-pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: Screen) -> f64 {
+pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
     let driver = scene.mechanism.driver();
     let typed = args.typed().unwrap_or(driver.start);
     let range = solver.motion().range;
@@ -125,7 +125,7 @@ pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
 }
 
 /// Says how many of what was written have no bound, and why.
-pub(super) fn note_unproved(unproved: u64, figures: u64, screen: Screen) {
+pub(super) fn note_unproved(unproved: u64, figures: u64, screen: TextScreen) {
     if unproved > 0 {
         note(&words().unproved(&unproved, &figures), screen);
     }
@@ -133,7 +133,7 @@ pub(super) fn note_unproved(unproved: u64, figures: u64, screen: Screen) {
 
 /// Near a change point the lengths' last digits decide which way the motion goes: whoever reads its
 /// figures should know.
-pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: Screen) {
+pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: TextScreen) {
     let catalogue = Catalogue::new(scene);
     let unit = &catalogue.driver().unit;
     for miss in near_misses(scene, solver) {
@@ -143,7 +143,7 @@ pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: Screen
 
 /// `krank start`: the scene with the start positions of an assembly.
 pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open()?;
+    let SolvableScene { scene, solver } = args.scene.open()?;
     let start = scene.mechanism.driver().start;
     match scene.with_start_of(&solver, start) {
         Some(text) => write_scene(args.output.output.as_deref(), &text),

@@ -6,7 +6,7 @@ use super::failure::Failure;
 use super::output::write_text;
 use super::screen::judgement;
 use super::workbench::options;
-use crate::capability::{Colours, Found, Judgement};
+use crate::capability::{Colours, Detected, Judgement};
 use crate::drawing::Glyphs;
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
@@ -46,9 +46,9 @@ fn quoted(value: &str) -> String {
     format!("\"{value}\"")
 }
 
-type Row = (&'static str, String);
+type DiagnosisRow = (&'static str, String);
 
-fn streams() -> [Row; 3] {
+fn streams() -> [DiagnosisRow; 3] {
     let of = |is_terminal: bool| {
         let what = if is_terminal {
             words().a_terminal()
@@ -64,11 +64,11 @@ fn streams() -> [Row; 3] {
     ]
 }
 
-fn no_terminal() -> Vec<Row> {
+fn no_terminal() -> Vec<DiagnosisRow> {
     vec![(words().row_screen(), words().no_screen().into())]
 }
 
-fn about(found: &Terminal) -> Vec<Row> {
+fn about(found: &Terminal) -> Vec<DiagnosisRow> {
     let size = match found.size {
         (0, _) | (_, 0) => words().no_size_told().to_owned(),
         (columns, rows) => words().size_in_characters(columns, rows),
@@ -90,7 +90,7 @@ fn about(found: &Terminal) -> Vec<Row> {
 }
 
 /// What the workbench would use, and why.
-fn chosen(judgement: &Judgement, options: &Options) -> Vec<Row> {
+fn chosen(judgement: &Judgement, options: &Options) -> Vec<DiagnosisRow> {
     let glyphs = wished(options.glyphs, judgement.glyphs(), glyphs_name);
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
     let colours = options.colours.or(plain);
@@ -111,7 +111,7 @@ fn chosen(judgement: &Judgement, options: &Options) -> Vec<Row> {
 
 fn wished<T: Copy + PartialEq>(
     wish: Option<T>,
-    found: Found<T>,
+    found: Detected<T>,
     name: impl Fn(T) -> &'static str,
 ) -> String {
     match wish {

@@ -1,13 +1,13 @@
 //! `krank draw`: the linkage at one coordinate of its driver, in characters or as SVG.
 
-use super::args::{DrawArgs, Names, PictureFormat, Size};
+use super::args::{DrawArgs, NamesChoice, PictureFormat, Size};
 use super::commands::{nothing_hidden, out_of_reach, place};
 use super::failure::{Failure, note};
 use super::output::write_text;
 use super::picture::{ASPECT, glyphs, size};
-use super::screen::Screen;
-use super::source::Opened;
-use crate::drawing::{self, Layers, Overlay, Reach, View, Wanted};
+use super::screen::TextScreen;
+use super::source::SolvableScene;
+use crate::drawing::{self, Layers, Overlay, Reach, Wanted, WorldView};
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
 use crate::scene::Scene;
@@ -21,8 +21,8 @@ const SVG_ROWS: u16 = 50;
 /// Lines of a legend.
 const MOST_LEGEND: usize = 2;
 
-pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
+pub(super) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let wanted = wanted(args, &scene)?;
     let mut state = solver.state();
@@ -33,7 +33,7 @@ pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
         }
         Condition::DeadPoint | Condition::Ok | Condition::ChangePoint => {}
     }
-    let picture = Picture::new(args, &scene, &solver, &state, &wanted);
+    let picture = DrawnScene::new(args, &scene, &solver, &state, &wanted);
     let text = match args.format {
         PictureFormat::Text => picture.text(
             glyphs(args.glyphs),
@@ -46,14 +46,14 @@ pub(super) fn draw(args: &DrawArgs, screen: Screen) -> Result<(), Failure> {
 }
 
 /// A scene in a state, ready to be drawn.
-struct Picture<'a> {
+struct DrawnScene<'a> {
     scene: &'a Scene,
     figure: drawing::Figure,
     overlay: Overlay,
     reach: Reach,
 }
 
-impl<'a> Picture<'a> {
+impl<'a> DrawnScene<'a> {
     fn new(
         args: &DrawArgs,
         scene: &'a Scene,
@@ -65,7 +65,7 @@ impl<'a> Picture<'a> {
         let overlay = Overlay::of(scene, solver, &reach, wanted);
         let mut figure = drawing::linkage(scene, &reach, state, layers(args));
         overlay.add_to(&mut figure, scene, state, 1.0);
-        Picture {
+        DrawnScene {
             scene,
             figure,
             reach: overlay.reach(&reach).unwrap_or(reach),
@@ -74,8 +74,8 @@ impl<'a> Picture<'a> {
     }
 
     fn text(&self, glyphs: drawing::Glyphs, Size { cols, rows }: Size) -> String {
-        let view = |rows| View::fit(&self.reach, cols, rows, ASPECT);
-        let legend = |view: &View| {
+        let view = |rows| WorldView::fit(&self.reach, cols, rows, ASPECT);
+        let legend = |view: &WorldView| {
             let entries = self.overlay.legend(view, 1.0);
             drawing::legend_lines(&entries, glyphs, usize::from(cols), MOST_LEGEND)
         };
@@ -92,8 +92,8 @@ impl<'a> Picture<'a> {
 
     fn svg(&self, size: Option<Size>, at: f64) -> String {
         let view = match size {
-            Some(Size { cols, rows }) => View::fit(&self.reach, cols, rows, ASPECT),
-            None => View::snug(&self.reach, SVG_COLUMNS, SVG_ROWS, ASPECT),
+            Some(Size { cols, rows }) => WorldView::fit(&self.reach, cols, rows, ASPECT),
+            None => WorldView::snug(&self.reach, SVG_COLUMNS, SVG_ROWS, ASPECT),
         };
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
@@ -110,8 +110,8 @@ impl<'a> Picture<'a> {
 fn layers(args: &DrawArgs) -> Layers {
     Layers {
         ground: !args.no_guides,
-        points: args.names != Names::None,
-        links: args.names == Names::All,
+        points: args.names != NamesChoice::None,
+        links: args.names == NamesChoice::All,
         centres: args.centres,
     }
 }

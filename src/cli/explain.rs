@@ -4,15 +4,15 @@ use super::args::{ExplainArgs, TextFormat};
 use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
 use super::failure::Failure;
 use super::output::write_text;
-use super::screen::Screen;
-use super::source::Opened;
+use super::screen::TextScreen;
+use super::source::SolvableScene;
 use crate::page::TextStyle;
 use crate::report::Working;
 use crate::solver::{Condition, Order};
 
 /// Writes the working; where there is no assembly, what can still be said, and why there is none.
-pub(super) fn explain(args: &ExplainArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
+pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Force, &mut state);

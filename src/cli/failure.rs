@@ -1,6 +1,6 @@
 //! How a command fails, and the exit code that says so.
 
-use super::screen::Screen;
+use super::screen::TextScreen;
 use crate::scene::{Diagnostics, sanitized};
 use crate::wording::words;
 use std::io::{self, Write};
@@ -34,7 +34,7 @@ impl Failure {
     }
 
     /// Says it on standard error.
-    pub(super) fn tell(&self, screen: Screen) {
+    pub(super) fn tell(&self, screen: TextScreen) {
         let text = match self {
             Failure::PipeClosed => return,
             Failure::Scene(diagnostics) => diagnostics.render(screen.ascii, screen.colour),
@@ -48,12 +48,12 @@ impl Failure {
     }
 }
 
-fn error(message: &str, screen: Screen) -> String {
+fn error(message: &str, screen: TextScreen) -> String {
     words().error(&sanitized(message, screen.ascii)) + "\n"
 }
 
 /// A note on standard error: something the reader of the results should know.
-pub(super) fn note(message: &str, screen: Screen) {
+pub(super) fn note(message: &str, screen: TextScreen) {
     say(&(words().note(&sanitized(message, screen.ascii)) + "\n"));
 }
 

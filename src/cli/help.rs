@@ -4,8 +4,8 @@ use super::args::{Cli, HelpArgs};
 use super::failure::Failure;
 use super::output::write_text;
 use super::pager;
-use super::screen::{Screen, size};
-use crate::manual::{self, Kind, TOPICS, Topic};
+use super::screen::{TextScreen, size};
+use crate::manual::{self, LineKind, TOPICS, Topic};
 use crate::nearest::nearest;
 #[cfg(feature = "tui")]
 use crate::tui::key_rows;
@@ -17,7 +17,7 @@ const USUAL_WIDTH: usize = 80;
 
 /// Shows a topic or the help of a command; without a word what there is.
 pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
-    let screen = Screen::of_results();
+    let screen = TextScreen::of_results();
     let text = match args.topic.as_deref() {
         None => laid_out(&contents(), screen),
         Some(word) => match manual::find(word) {
@@ -32,12 +32,12 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
 }
 
 /// The text as wide as the terminal; there its headings are bold.
-fn laid_out(text: &str, screen: Screen) -> String {
+fn laid_out(text: &str, screen: TextScreen) -> String {
     let width = size().map_or(USUAL_WIDTH, |(columns, _)| columns.into());
     let lines = manual::lines(text, width).into_iter();
     let shown = lines.map(|line| match line.kind {
-        Kind::Title if screen.colour => format!("\x1b[1m{}\x1b[0m\n", line.text),
-        Kind::Title | Kind::Words | Kind::Code => line.text + "\n",
+        LineKind::Title if screen.colour => format!("\x1b[1m{}\x1b[0m\n", line.text),
+        LineKind::Title | LineKind::Words | LineKind::Code => line.text + "\n",
     });
     shown.collect()
 }

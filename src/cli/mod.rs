@@ -37,7 +37,7 @@ use crate::wording::words;
 use args::{Cli, Command};
 use clap::Parser;
 use failure::Failure;
-use screen::Screen;
+use screen::TextScreen;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
@@ -48,7 +48,7 @@ use std::process::ExitCode;
 /// results cannot be written, 2 where the command line or the scene is wrong.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
-    let screen = Screen::detect();
+    let screen = TextScreen::detect();
     complete_what_was_cut_off(screen);
     let done = match Cli::try_parse_from(&arguments) {
         Ok(cli) => obey(&cli, screen),
@@ -67,14 +67,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 /// A kill while a file was written in its place has left half of each text there.
-fn complete_what_was_cut_off(screen: Screen) {
+fn complete_what_was_cut_off(screen: TextScreen) {
     for file in output::records().iter().flat_map(|folder| mend(folder)) {
         failure::note(&words().file_was_mended(&file.display()), screen);
     }
 }
 
 /// Help and version are asked for and go to standard output; everything else is an error.
-fn refuse(error: &clap::Error, screen: Screen) -> ExitCode {
+fn refuse(error: &clap::Error, screen: TextScreen) -> ExitCode {
     let text = error.render().to_string();
     if error.use_stderr() {
         failure::say(&lines_made_harmless(&text, screen));
@@ -87,14 +87,14 @@ fn refuse(error: &clap::Error, screen: Screen) -> ExitCode {
 }
 
 /// An error quotes what was typed, or pasted.
-fn lines_made_harmless(text: &str, screen: Screen) -> String {
+fn lines_made_harmless(text: &str, screen: TextScreen) -> String {
     let lines = text
         .lines()
         .map(|line| sanitized(line, screen.ascii) + "\n");
     lines.collect()
 }
 
-fn obey(cli: &Cli, screen: Screen) -> Result<(), Failure> {
+fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
     match &cli.command {
         #[cfg(feature = "tui")]
         None if cli.workbench.diagnose => diagnose::diagnose(&cli.workbench),

@@ -1,11 +1,11 @@
 //! `krank motor`: what a scene asks of its motor over one cycle.
 
-use super::args::{Format, MotorArgs};
+use super::args::{MotorArgs, OutputFormat};
 use super::commands::tell_of_near_misses;
 use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
-use super::screen::Screen;
-use super::source::Opened;
+use super::screen::TextScreen;
+use super::source::SolvableScene;
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
 use crate::report::{MotorReport, MotorWishes, limits_text};
@@ -16,8 +16,8 @@ use crate::wording::words;
 use crate::{Body, SlideId};
 use std::fmt::Display;
 
-pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
+pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let wishes = MotorWishes {
         motor: given(args, &scene)?,
         ram: args
@@ -35,15 +35,15 @@ pub(super) fn motor(args: &MotorArgs, screen: Screen) -> Result<(), Failure> {
     let output = args.output.output.as_deref();
     match &report.duty {
         Ok(_) | Err(NoDuty::Withheld(_)) => {}
-        Err(NoDuty::NothingActs) if args.format == Format::Csv || report.ram.is_err() => {
+        Err(NoDuty::NothingActs) if args.format == OutputFormat::Csv || report.ram.is_err() => {
             return Err(Failure::Cannot(words().nothing_acts_on_it().into()));
         }
         Err(NoDuty::NothingActs) => note(words().nothing_acts_on_it(), screen),
     }
     match args.format {
-        Format::Text => write_text(output, &report.to_text(screen.ascii))?,
-        Format::Json => write_text(output, &format!("{:#}\n", report.to_json()))?,
-        Format::Csv => write_to(output, |out| report.write_csv(out))?,
+        OutputFormat::Text => write_text(output, &report.to_text(screen.ascii))?,
+        OutputFormat::Json => write_text(output, &format!("{:#}\n", report.to_json()))?,
+        OutputFormat::Csv => write_to(output, |out| report.write_csv(out))?,
     }
     match &report.duty {
         Ok(duty) => judge(duty),
@@ -149,7 +149,7 @@ fn between(
 }
 
 /// Who asked about a ram should know why nothing is said of one.
-fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: Screen) {
+fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: TextScreen) {
     let asked = args.ram.is_some() || args.height.is_some() || args.torque.is_some();
     if let (true, Err(why)) = (asked || args.tolerance.is_some(), &report.ram) {
         note(&words().no_ram(why), screen);

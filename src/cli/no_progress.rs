@@ -1,12 +1,12 @@
 //! In place of the line that tells how far a command has come, where krank knows no terminal.
 
-use super::screen::Screen;
+use super::screen::TextScreen;
 
 /// How far a command has come: told to nobody.
 pub(super) struct Progress;
 
 impl Progress {
-    pub(super) fn new(_: u64, _: &'static str, _: Screen, _: bool) -> Progress {
+    pub(super) fn new(_: u64, _: &'static str, _: TextScreen, _: bool) -> Progress {
         Progress
     }
 

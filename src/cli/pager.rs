@@ -2,10 +2,10 @@
 
 use super::failure::Failure;
 use super::output::write_text;
-use super::screen::Screen;
+use super::screen::TextScreen;
 
 /// Shows a text in the person's pager; where nobody reads, or no pager is there, it is written as it is.
-pub(super) fn show(text: &str, screen: Screen) -> Result<(), Failure> {
+pub(super) fn show(text: &str, screen: TextScreen) -> Result<(), Failure> {
     if screen.redraws {
         // Whatever keeps a pager from it, the text is still to be seen.
         let _ = become_pager(text);

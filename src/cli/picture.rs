@@ -1,6 +1,6 @@
 //! What pictures on standard output or in a file have in common: their characters and their size.
 
-use super::args::{Glyphs, Size};
+use super::args::{GlyphChoice, Size};
 use super::output::goes_to_terminal;
 use super::screen;
 use crate::drawing;
@@ -13,12 +13,12 @@ pub(super) const USUAL: Size = Size { cols: 80, rows: 24 };
 pub(super) const ASPECT: f64 = 2.0;
 
 /// The characters that were asked for, or that the locale and the terminal allow.
-pub(super) fn glyphs(wish: Glyphs) -> drawing::Glyphs {
+pub(super) fn glyphs(wish: GlyphChoice) -> drawing::Glyphs {
     match wish {
-        Glyphs::Auto => screen::judgement().glyphs().value,
-        Glyphs::Braille => drawing::Glyphs::Braille,
-        Glyphs::Ascii => drawing::Glyphs::Ascii,
-        Glyphs::Line => drawing::Glyphs::Line,
+        GlyphChoice::Auto => screen::judgement().glyphs().value,
+        GlyphChoice::Braille => drawing::Glyphs::Braille,
+        GlyphChoice::Ascii => drawing::Glyphs::Ascii,
+        GlyphChoice::Line => drawing::Glyphs::Line,
     }
 }
 

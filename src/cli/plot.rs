@@ -5,11 +5,11 @@ use super::commands::tell_of_near_misses;
 use super::failure::{Failure, note};
 use super::output::write_text;
 use super::picture::{self, ASPECT};
-use super::screen::Screen;
-use super::source::Opened;
+use super::screen::TextScreen;
+use super::source::SolvableScene;
 use super::sweep::{figures, first, last};
 use crate::Vec2;
-use crate::drawing::plot::{Look, Plot};
+use crate::drawing::plot::{Plot, PlotStyle};
 use crate::quantity::{Abscissa, Catalogue, Curves, Quantity, UnknownColumn};
 use crate::report::limits_text;
 use crate::solver::{Condition, Range};
@@ -22,8 +22,8 @@ const SVG: Size = Size {
 };
 const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 
-pub(super) fn plot(args: &PlotArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
+pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let figures: Vec<Quantity> = figures
@@ -58,9 +58,9 @@ pub(super) fn plot(args: &PlotArgs, screen: Screen) -> Result<(), Failure> {
     }
 }
 
-fn text(args: &PlotArgs, plot: &Plot, screen: Screen) -> Result<String, Failure> {
+fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Failure> {
     let Size { cols, rows } = picture::size(args.size, args.output.output.as_deref());
-    let look = Look {
+    let look = PlotStyle {
         cols,
         // Every panel has its place: paper has no end.
         rows: rows
@@ -113,7 +113,7 @@ fn window(args: &PlotArgs, range: Range) -> Result<Option<(f64, f64)>, Failure> 
 }
 
 /// Says what has no values; a plot without any has failed.
-fn judge(curves: &Curves, range: &str, screen: Screen) -> Result<(), Failure> {
+fn judge(curves: &Curves, range: &str, screen: TextScreen) -> Result<(), Failure> {
     let all = curves.conditions.len();
     let outside = |c: &&Condition| **c == Condition::NoAssembly;
     let outside = curves.conditions.iter().filter(outside).count();

@@ -6,7 +6,7 @@
 //! terminal themselves, on a terminal whose cursor does not go back, and in the background.
 
 use super::failure::say;
-use super::screen::Screen;
+use super::screen::TextScreen;
 use crate::wording::words;
 use rustix::process::getpgrp;
 use rustix::termios::{tcgetpgrp, tcgetwinsize};
@@ -39,7 +39,7 @@ pub(super) struct Progress {
     unit: &'static str,
     ascii: bool,
     /// `None` where nobody would see it.
-    line: Option<Arc<Mutex<Line>>>,
+    line: Option<Arc<Mutex<ProgressLine>>>,
     begin: Instant,
     /// When the line is looked at again.
     next: Duration,
@@ -47,11 +47,16 @@ pub(super) struct Progress {
 
 /// What stands on the terminal; empty before the first time and at the end.
 #[derive(Default)]
-struct Line(String);
+struct ProgressLine(String);
 
 impl Progress {
     /// Nothing done of `total`. With `beside`, results go to the terminal as well: no line then.
-    pub(super) fn new(total: u64, unit: &'static str, screen: Screen, beside: bool) -> Progress {
+    pub(super) fn new(
+        total: u64,
+        unit: &'static str,
+        screen: TextScreen,
+        beside: bool,
+    ) -> Progress {
         let seen = screen.redraws && !beside;
         Progress {
             total,
@@ -94,7 +99,7 @@ impl Progress {
     }
 }
 
-impl Line {
+impl ProgressLine {
     fn show(&mut self, text: String) {
         if self.0 != text && in_the_foreground() {
             say(&format!("{CLEAR}{text}"));
@@ -110,13 +115,13 @@ impl Line {
 }
 
 /// Nobody panics with the line in hand; if one did, the line would still be as good.
-fn hold(line: &Mutex<Line>) -> MutexGuard<'_, Line> {
+fn hold(line: &Mutex<ProgressLine>) -> MutexGuard<'_, ProgressLine> {
     line.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// From now on the line is cleared before a signal ends the program, even where it waits for somebody
 /// to take its results.
-fn watch_for_signals(line: Arc<Mutex<Line>>) -> io::Result<()> {
+fn watch_for_signals(line: Arc<Mutex<ProgressLine>>) -> io::Result<()> {
     let mut signals = Signals::new([SIGINT, SIGTERM, SIGQUIT])?;
     let wait = move || {
         if let Some(signal) = signals.forever().next() {

@@ -1,12 +1,12 @@
 //! What a terminal can show: the one behind standard error, or behind standard output.
 
-use crate::capability::{Colours, Judgement, Kind};
+use crate::capability::{Colours, Judgement, TerminalKind};
 use crate::drawing::Glyphs;
 use std::io::{IsTerminal, stderr, stdout};
 
 /// What messages and texts to be read may use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Screen {
+pub(super) struct TextScreen {
     /// 7-bit characters only.
     pub(super) ascii: bool,
     /// Colours.
@@ -15,24 +15,24 @@ pub(super) struct Screen {
     pub(super) redraws: bool,
 }
 
-impl Screen {
+impl TextScreen {
     /// As the environment says.
     pub(super) fn detect() -> Self {
-        Screen::judge(&judgement(), stderr().is_terminal())
+        TextScreen::judge(&judgement(), stderr().is_terminal())
     }
 
     /// The same of the terminal behind standard output, for what is read there.
     pub(super) fn of_results() -> Self {
-        Screen::judge(&judgement(), stdout().is_terminal())
+        TextScreen::judge(&judgement(), stdout().is_terminal())
     }
 
     fn judge(judgement: &Judgement, terminal: bool) -> Self {
         let kind = judgement.kind();
-        Screen {
+        TextScreen {
             // The Linux console speaks UTF-8, but its fonts lack most of it.
             ascii: judgement.glyphs().value != Glyphs::Braille,
             colour: terminal && judgement.colours().value != Colours::None,
-            redraws: terminal && !matches!(kind, Kind::Unknown | Kind::Dumb),
+            redraws: terminal && !matches!(kind, TerminalKind::Unknown | TerminalKind::Dumb),
         }
     }
 }
@@ -60,16 +60,16 @@ pub(super) fn size() -> Option<(u16, u16)> {
 mod tests {
     use super::*;
 
-    fn screen(variables: &[(&str, &str)], terminal: bool) -> Screen {
+    fn screen(variables: &[(&str, &str)], terminal: bool) -> TextScreen {
         let find = |name: &str| variables.iter().find(|(n, _)| *n == name);
         let judgement = Judgement::of(|name| find(name).map(|(_, v)| (*v).to_owned()));
-        Screen::judge(&judgement, terminal)
+        TextScreen::judge(&judgement, terminal)
     }
 
     #[test]
     fn an_emulator_in_a_utf_8_locale_has_everything() {
         let variables = [("LANG", "de_DE.UTF-8"), ("TERM", "xterm-256color")];
-        let all = Screen {
+        let all = TextScreen {
             ascii: false,
             colour: true,
             redraws: true,

@@ -15,19 +15,19 @@ use std::io::{self, stdin};
 use std::path::{Path, PathBuf, is_separator};
 
 /// A scene and its solver.
-pub(super) struct Opened {
+pub(super) struct SolvableScene {
     pub(super) scene: Scene,
     pub(super) solver: Solver,
 }
 
 impl SceneArgs {
     /// The scene that the command line names, in the assembly that it wishes.
-    pub(super) fn open(&self) -> Result<Opened, Failure> {
+    pub(super) fn open(&self) -> Result<SolvableScene, Failure> {
         load(&find(&self.scene)?, &self.assembly.wishes)
     }
 
     /// The same for a command that does not write a scene.
-    pub(super) fn open_for(&self, output: &OutputArgs) -> Result<Opened, Failure> {
+    pub(super) fn open_for(&self, output: &OutputArgs) -> Result<SolvableScene, Failure> {
         open_for(&self.scene, &self.assembly.wishes, output)
     }
 }
@@ -38,17 +38,17 @@ pub(super) fn open_for(
     name: &Path,
     wishes: &[Wish],
     output: &OutputArgs,
-) -> Result<Opened, Failure> {
+) -> Result<SolvableScene, Failure> {
     let source = find(name)?;
     keep_apart(&source, output.output.as_deref())?;
     load(&source, wishes)
 }
 
 /// The scene of a source, checked and assembled.
-pub(super) fn load(source: &Source, wishes: &[Wish]) -> Result<Opened, Failure> {
+pub(super) fn load(source: &SceneSource, wishes: &[Wish]) -> Result<SolvableScene, Failure> {
     let scene = read(source)?;
     let solver = assembled(&scene, wishes)?;
-    Ok(Opened { scene, solver })
+    Ok(SolvableScene { scene, solver })
 }
 
 fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
@@ -74,26 +74,26 @@ fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
 
 /// Where a scene comes from.
 #[derive(Debug)]
-pub(super) enum Source {
+pub(super) enum SceneSource {
     Stdin,
     Preset(&'static Preset),
     File(PathBuf),
 }
 
 /// Which scene the command line means.
-pub(super) fn find(name: &Path) -> Result<Source, Failure> {
+pub(super) fn find(name: &Path) -> Result<SceneSource, Failure> {
     source(name, Path::exists)
 }
 
-fn read(source: &Source) -> Result<Scene, Failure> {
+fn read(source: &SceneSource) -> Result<Scene, Failure> {
     let scene = match source {
-        Source::Preset(preset) => Scene::parse(preset.text, preset.name),
-        Source::Stdin => {
+        SceneSource::Preset(preset) => Scene::parse(preset.text, preset.name),
+        SceneSource::Stdin => {
             let bytes = limited(stdin(), LARGEST_FILE);
             let bytes = bytes.map_err(|e| unreadable(words().standard_input(), &e))?;
             Scene::read(&bytes, "stdin")
         }
-        Source::File(path) => {
+        SceneSource::File(path) => {
             let shown = path.display().to_string();
             let bytes = read_any(path, LARGEST_FILE);
             let bytes = bytes.map_err(|e| unreadable(&format!("`{shown}`"), &e))?;
@@ -104,11 +104,11 @@ fn read(source: &Source) -> Result<Scene, Failure> {
 }
 
 /// Refuses to write to the file that is read, whatever it is called there: the scene would be lost.
-fn keep_apart(source: &Source, output: Option<&Path>) -> Result<(), Failure> {
+fn keep_apart(source: &SceneSource, output: Option<&Path>) -> Result<(), Failure> {
     let read = match source {
-        Source::Preset(_) => return Ok(()),
-        Source::Stdin => None,
-        Source::File(path) => Some(path.as_path()),
+        SceneSource::Preset(_) => return Ok(()),
+        SceneSource::Stdin => None,
+        SceneSource::File(path) => Some(path.as_path()),
     };
     match is_same_file(read, output::file(output)) {
         false => Ok(()),
@@ -121,19 +121,19 @@ fn unreadable(what: &str, error: &io::Error) -> Failure {
 }
 
 /// A file wins over a preset only by path: a bare name that is a preset means the preset.
-fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<Source, Failure> {
-    let file = || Ok(Source::File(name.to_owned()));
+fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<SceneSource, Failure> {
+    let file = || Ok(SceneSource::File(name.to_owned()));
     let Some(text) = name.to_str() else {
         return file();
     };
     if text == "-" {
-        return Ok(Source::Stdin);
+        return Ok(SceneSource::Stdin);
     }
     if text.contains(is_separator) || text.ends_with(".toml") {
         return file();
     }
     match presets::find(text) {
-        Some(preset) => Ok(Source::Preset(preset)),
+        Some(preset) => Ok(SceneSource::Preset(preset)),
         None if exists(name) => file(),
         None => Err(unknown(text)),
     }
@@ -166,9 +166,9 @@ mod tests {
 
     fn found(name: &str, exists: bool) -> String {
         match source(Path::new(name), |_| exists) {
-            Ok(Source::Stdin) => "stdin".into(),
-            Ok(Source::Preset(preset)) => format!("preset {}", preset.name),
-            Ok(Source::File(path)) => format!("file {}", path.display()),
+            Ok(SceneSource::Stdin) => "stdin".into(),
+            Ok(SceneSource::Preset(preset)) => format!("preset {}", preset.name),
+            Ok(SceneSource::File(path)) => format!("file {}", path.display()),
             Err(Failure::Usage(message)) => message,
             Err(other) => panic!("{other:?}"),
         }

@@ -1,16 +1,16 @@
 //! `krank sweep`: which columns, which rows, and what to say about them.
 
-use super::args::{Format, SweepArgs};
+use super::args::{OutputFormat, SweepArgs};
 use super::commands::{few_enough, note_unproved, tell_of_near_misses};
 use super::failure::{Failure, note};
 use super::output::{goes_to_terminal, write_to};
 use super::progress::Progress;
-use super::screen::Screen;
-use super::source::Opened;
+use super::screen::TextScreen;
+use super::source::SolvableScene;
 use crate::Input;
 use crate::quantity::{Catalogue, Quantity, UnknownColumn};
 use crate::report::{
-    Beside, Columns, Decimal, Missing, Outcome, RowFormat, Steps, Sweep, limits_text,
+    Beside, Columns, Missing, RowFormat, Steps, Sweep, SweepOutcome, WrittenDecimal, limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Order, Range};
@@ -21,8 +21,8 @@ use crate::wording::words;
 /// many steps over the sweep.
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
-pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
-    let Opened { scene, solver } = args.scene.open_for(&args.output)?;
+pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let catalogue = Catalogue::new(&scene);
     let figures = figures(&catalogue, &args.columns)?;
     let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
@@ -37,9 +37,9 @@ pub(super) fn sweep(args: &SweepArgs, screen: Screen) -> Result<(), Failure> {
     let range = solver.motion().range;
     let steps = steps(&scene, whole(&scene, range, &figures), args)?;
     let format = match args.format {
-        Format::Csv => RowFormat::Csv,
-        Format::Json => RowFormat::Json,
-        Format::Text => RowFormat::Text {
+        OutputFormat::Csv => RowFormat::Csv,
+        OutputFormat::Json => RowFormat::Json,
+        OutputFormat::Text => RowFormat::Text {
             digits: usize::from(args.figures.digits),
         },
     };
@@ -91,8 +91,8 @@ pub(super) fn figures(
 }
 
 /// Says which rows have no values; a sweep without any has failed.
-fn judge(outcome: &Outcome, range: &str, screen: Screen) -> Result<(), Failure> {
-    let &Outcome {
+fn judge(outcome: &SweepOutcome, range: &str, screen: TextScreen) -> Result<(), Failure> {
+    let &SweepOutcome {
         rows,
         valued,
         missing,
@@ -111,7 +111,7 @@ fn judge(outcome: &Outcome, range: &str, screen: Screen) -> Result<(), Failure> 
 }
 
 /// Says what could not be said beside the figures.
-fn note_missing(missing: Missing, valued: u64, screen: Screen) {
+fn note_missing(missing: Missing, valued: u64, screen: TextScreen) {
     note_unproved(missing.unproved, missing.figures, screen);
     if missing.unanswered > 0 {
         let rows = missing.unanswered;
@@ -159,8 +159,8 @@ fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
 }
 
 /// Limits are finite, so that they have a decimal.
-fn decimal(value: f64) -> Result<Decimal, Failure> {
-    Decimal::of(value).ok_or_else(|| Failure::Cannot(words().no_finite_limits().into()))
+fn decimal(value: f64) -> Result<WrittenDecimal, Failure> {
+    WrittenDecimal::of(value).ok_or_else(|| Failure::Cannot(words().no_finite_limits().into()))
 }
 
 /// Where a sweep begins that was not told.

@@ -1,11 +1,11 @@
 //! Opening the workbench.
 
-use super::args::{Colour, Glyphs, Size, Theme, USUAL_SCENE, WorkbenchArgs};
+use super::args::{Colour, GlyphChoice, Size, ThemeChoice, USUAL_SCENE, WorkbenchArgs};
 use super::config;
 use super::failure::Failure;
 use super::output::write_text;
 use super::picture;
-use super::source::{Opened, Source, find, load};
+use super::source::{SceneSource, SolvableScene, find, load};
 use crate::drawing;
 use crate::tui::{self, Colours, Options, Origin};
 use std::path::Path;
@@ -16,13 +16,13 @@ pub(super) fn open(args: &WorkbenchArgs) -> Result<(), Failure> {
     let options = options(args)?;
     let named = args.scene.as_deref();
     let source = find(named.unwrap_or(Path::new(USUAL_SCENE)))?;
-    let Opened { scene, solver } = load(&source, &args.assembly.wishes)?;
+    let SolvableScene { scene, solver } = load(&source, &args.assembly.wishes)?;
     let origin = match source {
-        Source::Stdin => Origin::Stdin,
-        Source::Preset(preset) => Origin::Preset(preset.name.to_owned()),
+        SceneSource::Stdin => Origin::Stdin,
+        SceneSource::Preset(preset) => Origin::Preset(preset.name.to_owned()),
         // What came through a pipe cannot be read again, nor saved there.
-        Source::File(path) if !path.is_file() => Origin::Stdin,
-        Source::File(path) => Origin::File(path),
+        SceneSource::File(path) if !path.is_file() => Origin::Stdin,
+        SceneSource::File(path) => Origin::File(path),
     };
     let opened = tui::Opened {
         scene,
@@ -56,21 +56,21 @@ pub(super) fn options(args: &WorkbenchArgs) -> Result<Options, Failure> {
     })
 }
 
-fn theme(wish: Theme) -> tui::Theme {
+fn theme(wish: ThemeChoice) -> tui::Theme {
     match wish {
-        Theme::Auto => tui::Theme::Auto,
-        Theme::Light => tui::Theme::Light,
-        Theme::Dark => tui::Theme::Dark,
-        Theme::Plain => tui::Theme::Plain,
+        ThemeChoice::Auto => tui::Theme::Auto,
+        ThemeChoice::Light => tui::Theme::Light,
+        ThemeChoice::Dark => tui::Theme::Dark,
+        ThemeChoice::Plain => tui::Theme::Plain,
     }
 }
 
-fn glyphs(wish: Glyphs) -> Option<drawing::Glyphs> {
+fn glyphs(wish: GlyphChoice) -> Option<drawing::Glyphs> {
     match wish {
-        Glyphs::Auto => None,
-        Glyphs::Ascii => Some(drawing::Glyphs::Ascii),
-        Glyphs::Line => Some(drawing::Glyphs::Line),
-        Glyphs::Braille => Some(drawing::Glyphs::Braille),
+        GlyphChoice::Auto => None,
+        GlyphChoice::Ascii => Some(drawing::Glyphs::Ascii),
+        GlyphChoice::Line => Some(drawing::Glyphs::Line),
+        GlyphChoice::Braille => Some(drawing::Glyphs::Braille),
     }
 }
 

@@ -114,7 +114,7 @@ impl Diagnostics {
     /// consoles.
     #[must_use]
     pub fn render(&self, ascii: bool, colour: bool) -> String {
-        let shown = Shown::new(&self.text, ascii);
+        let shown = ShownText::new(&self.text, ascii);
         let origin = escaped(&self.origin, ascii);
         let base = if colour {
             Renderer::styled()
@@ -143,14 +143,14 @@ impl fmt::Display for Diagnostics {
 impl std::error::Error for Diagnostics {}
 
 /// The file's text as it may be shown, and where each of its bytes went.
-struct Shown {
+struct ShownText {
     text: String,
     /// For the characters whose replacement has another length in bytes: where they end in the
     /// file, and where their replacement ends.
     shifts: Vec<(usize, usize)>,
 }
 
-impl Shown {
+impl ShownText {
     /// Each character by one character, so that lines and columns stay. Line ends stay too; a
     /// carriage return that is no line end is replaced.
     fn new(original: &str, ascii: bool) -> Self {
@@ -165,7 +165,7 @@ impl Shown {
                 shifts.push((at + c.len_utf8(), text.len()));
             }
         }
-        Shown { text, shifts }
+        ShownText { text, shifts }
     }
 
     /// Where a byte of the file is in the shown text; always between two characters.

@@ -3,7 +3,7 @@
 //! A type that is read by `derive` ends at the first value that does not fit. Here such a value is kept with its
 //! place and with what stands there instead, so that one fault hides no other.
 
-use super::reader::{Name, Span, meant};
+use super::reader::{ByteSpan, Name, meant};
 use serde::de::value::{BoolDeserializer, F64Deserializer, StrDeserializer};
 use serde::de::{DeserializeSeed, Error, IgnoredAny, IntoDeserializer, MapAccess, SeqAccess};
 use serde::{Deserialize, Deserializer, de};
@@ -12,24 +12,24 @@ use std::marker::PhantomData;
 use toml::Spanned;
 
 /// A key as the file writes it.
-pub(crate) type Key = Spanned<String>;
+pub(crate) type WrittenKey = Spanned<String>;
 
 /// A value that is meant to be a `T`.
 #[derive(Clone, Debug)]
 pub(crate) struct Lenient<T> {
     /// Where it stands.
-    pub(crate) span: Span,
+    pub(crate) span: ByteSpan,
     /// What it is, or what stands there instead.
-    pub(crate) read: Result<T, Found>,
+    pub(crate) read: Result<T, Misplaced>,
     /// Of a table every key, known or not, in the order of the file.
-    pub(crate) keys: Vec<Key>,
+    pub(crate) keys: Vec<WrittenKey>,
     /// The keys that it may have: the fields of `T`.
     pub(crate) known: &'static [&'static str],
 }
 
 /// What stands where another kind of value is meant.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Found {
+pub(crate) enum Misplaced {
     Text(String),
     Number,
     /// A number that TOML allows and its reader cannot hold.
@@ -40,29 +40,29 @@ pub(crate) enum Found {
     Table,
 }
 
-impl Found {
+impl Misplaced {
     /// The text that stands there, if it is one.
     pub(crate) fn text(&self) -> Option<&str> {
         match self {
-            Found::Text(text) => Some(text),
-            Found::Number
-            | Found::Unheld
-            | Found::Boolean
-            | Found::Date
-            | Found::List
-            | Found::Table => None,
+            Misplaced::Text(text) => Some(text),
+            Misplaced::Number
+            | Misplaced::Unheld
+            | Misplaced::Boolean
+            | Misplaced::Date
+            | Misplaced::List
+            | Misplaced::Table => None,
         }
     }
 
     /// In a person's words.
     pub(super) fn words(&self) -> &'static str {
         match self {
-            Found::Text(_) => "a text",
-            Found::Number | Found::Unheld => "a number",
-            Found::Boolean => "true or false",
-            Found::Date => "a date",
-            Found::List => "a list",
-            Found::Table => "a table",
+            Misplaced::Text(_) => "a text",
+            Misplaced::Number | Misplaced::Unheld => "a number",
+            Misplaced::Boolean => "true or false",
+            Misplaced::Date => "a date",
+            Misplaced::List => "a list",
+            Misplaced::Table => "a table",
         }
     }
 }
@@ -74,7 +74,7 @@ impl<T> Lenient<T> {
     }
 
     /// A key of the table.
-    pub(crate) fn key(&self, name: &str) -> Option<&Key> {
+    pub(crate) fn key(&self, name: &str) -> Option<&WrittenKey> {
         self.keys.iter().find(|key| key.get_ref() == name)
     }
 
@@ -108,10 +108,10 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Lenient<T> {
 /// What came of reading a value, before it has a place; to read it never fails.
 struct Attempt<T>(Lenient<T>);
 
-impl<T> From<Result<T, Found>> for Attempt<T> {
-    fn from(read: Result<T, Found>) -> Self {
+impl<T> From<Result<T, Misplaced>> for Attempt<T> {
+    fn from(read: Result<T, Misplaced>) -> Self {
         Attempt(Lenient {
-            span: Span::default(),
+            span: ByteSpan::default(),
             read,
             keys: Vec::new(),
             known: &[],
@@ -123,7 +123,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Attempt<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let read = deserializer.deserialize_any(Trial(PhantomData));
         // The visitor takes everything: what is left is a number that is not handed on at all.
-        Ok(read.unwrap_or_else(|_| Err(Found::Unheld).into()))
+        Ok(read.unwrap_or_else(|_| Err(Misplaced::Unheld).into()))
     }
 }
 
@@ -140,7 +140,7 @@ impl<'de, T: Deserialize<'de>> de::Visitor<'de> for Trial<T> {
 
     fn visit_bool<E: Error>(self, value: bool) -> Result<Attempt<T>, E> {
         let read = T::deserialize::<BoolDeserializer<E>>(value.into_deserializer());
-        Ok(read.map_err(|_| Found::Boolean).into())
+        Ok(read.map_err(|_| Misplaced::Boolean).into())
     }
 
     fn visit_i64<E: Error>(self, value: i64) -> Result<Attempt<T>, E> {
@@ -161,40 +161,42 @@ impl<'de, T: Deserialize<'de>> de::Visitor<'de> for Trial<T> {
 
     fn visit_f64<E: Error>(self, value: f64) -> Result<Attempt<T>, E> {
         let read = T::deserialize::<F64Deserializer<E>>(value.into_deserializer());
-        Ok(read.map_err(|_| Found::Number).into())
+        Ok(read.map_err(|_| Misplaced::Number).into())
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<Attempt<T>, E> {
         let read = T::deserialize::<StrDeserializer<'_, E>>(text.into_deserializer());
-        Ok(read.map_err(|_| Found::Text(text.to_owned())).into())
+        Ok(read.map_err(|_| Misplaced::Text(text.to_owned())).into())
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Attempt<T>, A::Error> {
-        Ok(T::deserialize(List(list)).map_err(|_| Found::List).into())
+        Ok(T::deserialize(LenientList(list))
+            .map_err(|_| Misplaced::List)
+            .into())
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Attempt<T>, A::Error> {
         // A date comes as a table too, but nothing in it has a place.
         let Ok(first) = map.next_key() else {
-            return Ok(Err(Found::Date).into());
+            return Ok(Err(Misplaced::Date).into());
         };
-        let Attempt(mut value) = Err(Found::Table).into();
-        let table = Table {
+        let Attempt(mut value) = Err(Misplaced::Table).into();
+        let table = LenientTable {
             map,
             first,
             keys: &mut value.keys,
             known: &mut value.known,
             names: true,
         };
-        value.read = T::deserialize(table).map_err(|_| Found::Table);
+        value.read = T::deserialize(table).map_err(|_| Misplaced::Table);
         Ok(Attempt(value))
     }
 }
 
 /// A list on its way into a type. Derived types would take their fields from it one by one.
-struct List<A>(A);
+struct LenientList<A>(A);
 
-impl<'de, A: SeqAccess<'de>> Deserializer<'de> for List<A> {
+impl<'de, A: SeqAccess<'de>> Deserializer<'de> for LenientList<A> {
     type Error = A::Error;
 
     fn deserialize_any<V: de::Visitor<'de>>(self, visitor: V) -> Result<V::Value, A::Error> {
@@ -218,17 +220,17 @@ impl<'de, A: SeqAccess<'de>> Deserializer<'de> for List<A> {
 
 /// A table on its way into a type. Derived types forget where keys stand, and end at a number that cannot be
 /// held even under a key that they do not know.
-struct Table<'k, A> {
+struct LenientTable<'k, A> {
     map: A,
     /// The first key, which was read to see that this is a table.
-    first: Option<Key>,
-    keys: &'k mut Vec<Key>,
+    first: Option<WrittenKey>,
+    keys: &'k mut Vec<WrittenKey>,
     known: &'k mut &'static [&'static str],
     /// Whether any key is known: it is the name of an entry.
     names: bool,
 }
 
-impl<'de, A: MapAccess<'de>> Deserializer<'de> for Table<'_, A> {
+impl<'de, A: MapAccess<'de>> Deserializer<'de> for LenientTable<'_, A> {
     type Error = A::Error;
 
     fn deserialize_any<V: de::Visitor<'de>>(self, visitor: V) -> Result<V::Value, A::Error> {
@@ -252,7 +254,7 @@ impl<'de, A: MapAccess<'de>> Deserializer<'de> for Table<'_, A> {
     }
 }
 
-impl<'de, A: MapAccess<'de>> MapAccess<'de> for Table<'_, A> {
+impl<'de, A: MapAccess<'de>> MapAccess<'de> for LenientTable<'_, A> {
     type Error = A::Error;
 
     fn next_key_seed<K: DeserializeSeed<'de>>(
@@ -262,7 +264,7 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Table<'_, A> {
         loop {
             let key = match self.first.take() {
                 Some(key) => Some(key),
-                None => self.map.next_key::<Key>()?,
+                None => self.map.next_key::<WrittenKey>()?,
             };
             let Some(key) = key else { return Ok(None) };
             let text = key.get_ref().as_str();
@@ -283,14 +285,14 @@ impl<'de, A: MapAccess<'de>> MapAccess<'de> for Table<'_, A> {
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(Names(PhantomData))
+        deserializer.deserialize_map(TableNames(PhantomData))
     }
 }
 
 /// Takes the values of a table; their names are with [`Lenient::keys`].
-struct Names<T>(PhantomData<T>);
+struct TableNames<T>(PhantomData<T>);
 
-impl<'de, T: Deserialize<'de>> de::Visitor<'de> for Names<T> {
+impl<'de, T: Deserialize<'de>> de::Visitor<'de> for TableNames<T> {
     type Value = Entries<T>;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -12,7 +12,7 @@ mod syntax;
 
 pub(crate) use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub(crate) use lenient::{Entries, Found, Key, Lenient};
-pub(crate) use reader::{Name, Reader, Span, meant, quoted};
+pub(crate) use lenient::{Entries, Lenient, Misplaced, WrittenKey};
+pub(crate) use reader::{ByteSpan, Name, Reader, meant, quoted};
 pub use sanitize::{is_harmful, sanitized};
 pub(crate) use syntax::parse;

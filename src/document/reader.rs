@@ -1,13 +1,13 @@
 //! Values of a document; everything that does not fit becomes a diagnostic.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::lenient::{Found, Key, Lenient};
+use super::lenient::{Lenient, Misplaced, WrittenKey};
 use super::sanitize::escaped;
 use crate::nearest::{did_you_mean, nearest};
 use std::fmt;
 use std::ops::Range;
 
-pub(crate) type Span = Range<usize>;
+pub(crate) type ByteSpan = Range<usize>;
 
 /// Characters of a foreign text that a message quotes.
 const QUOTED: usize = 48;
@@ -20,12 +20,12 @@ const FULL: usize = 50;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Name<'t> {
     pub(crate) text: &'t str,
-    pub(crate) span: Span,
+    pub(crate) span: ByteSpan,
 }
 
 impl<'t> Name<'t> {
     /// The name that a key is.
-    pub(crate) fn of_key(key: &'t Key) -> Self {
+    pub(crate) fn of_key(key: &'t WrittenKey) -> Self {
         Name {
             text: key.get_ref(),
             span: key.span(),
@@ -99,7 +99,7 @@ impl<'t> Reader<'t> {
     }
 
     /// A value as the file writes it.
-    pub(crate) fn literal(&self, span: &Span) -> String {
+    pub(crate) fn literal(&self, span: &ByteSpan) -> String {
         quoted(self.text.get(span.clone()).unwrap_or(""))
     }
 
@@ -108,8 +108,8 @@ impl<'t> Reader<'t> {
         &self,
         what: &str,
         wanted: &str,
-        found: &Found,
-        span: &Span,
+        found: &Misplaced,
+        span: &ByteSpan,
     ) -> Diagnostic {
         let found = found.words();
         Diagnostic::new(format!("{what} must be {wanted}, not {found}"))
@@ -174,7 +174,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reports every key that is not among `known`.
-    pub(crate) fn only_these(&mut self, of: &str, keys: &[Key], known: &[&str]) {
+    pub(crate) fn only_these(&mut self, of: &str, keys: &[WrittenKey], known: &[&str]) {
         for key in keys {
             let text = key.get_ref().as_str();
             if known.contains(&text) {
@@ -190,7 +190,7 @@ impl<'t> Reader<'t> {
 }
 
 /// Whether an unknown key of a table was probably meant to be this one.
-pub(crate) fn meant(keys: &[Key], known: &[&str], key: &str) -> bool {
+pub(crate) fn meant(keys: &[WrittenKey], known: &[&str], key: &str) -> bool {
     // Who misspelt more keys than these has other worries.
     keys.iter().take(FULL).any(|k| {
         let text = k.get_ref().as_str();

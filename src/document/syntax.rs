@@ -2,12 +2,12 @@
 
 use super::diagnostic::Diagnostic;
 use super::lenient::Lenient;
-use super::reader::{Reader, Span, quoted};
+use super::reader::{ByteSpan, Reader, quoted};
 use serde::Deserialize;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
 /// What a person mostly meant, by the text, the parser's message and the place that it points at.
-pub(crate) type Mend = fn(&str, &str, &Span) -> Option<String>;
+pub(crate) type Mend = fn(&str, &str, &ByteSpan) -> Option<String>;
 
 /// Reads the text into a derived type, lenient in each of its values; `None` if the text cannot be gone on with.
 pub(crate) fn parse<'t, T: Deserialize<'t>>(
@@ -56,7 +56,7 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
     whole
 }
 
-fn fault(text: &str, error: &Error, span: Span, mend: Mend) -> Diagnostic {
+fn fault(text: &str, error: &Error, span: ByteSpan, mend: Mend) -> Diagnostic {
     let message = error.message();
     let help = mend(text, message, &span);
     Diagnostic::new(format!("not valid TOML: {message}"))
@@ -65,10 +65,10 @@ fn fault(text: &str, error: &Error, span: Span, mend: Mend) -> Diagnostic {
 }
 
 /// A key that stands twice in its table.
-fn duplicate(text: &str, root: &DeTable<'_>, span: Span) -> Diagnostic {
+fn duplicate(text: &str, root: &DeTable<'_>, span: ByteSpan) -> Diagnostic {
     let key = text.get(span.clone()).unwrap_or("");
     let key = key.trim_matches(['"', '\'']);
-    let mut first: Option<Span> = None;
+    let mut first: Option<ByteSpan> = None;
     // The recovered table keeps the first one; the nearest before is in the same table.
     each_key(root, &mut |other: &str, place| {
         let nearer = first.as_ref().is_none_or(|f| f.start < place.start);
@@ -86,14 +86,14 @@ fn duplicate(text: &str, root: &DeTable<'_>, span: Span) -> Diagnostic {
 }
 
 /// Visits every key of a table and of the tables in it. As deep as TOML's own limit of nesting.
-fn each_key(table: &DeTable<'_>, visit: &mut dyn FnMut(&str, Span)) {
+fn each_key(table: &DeTable<'_>, visit: &mut dyn FnMut(&str, ByteSpan)) {
     for (key, value) in table {
         visit(key.get_ref(), key.span());
         each_key_of(value.get_ref(), visit);
     }
 }
 
-fn each_key_of(value: &DeValue<'_>, visit: &mut dyn FnMut(&str, Span)) {
+fn each_key_of(value: &DeValue<'_>, visit: &mut dyn FnMut(&str, ByteSpan)) {
     if let Some(table) = value.as_table() {
         each_key(table, visit);
     }

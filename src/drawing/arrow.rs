@@ -110,12 +110,12 @@ pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::{Figure, Reach, Shape, View, render};
+    use crate::drawing::{Figure, Reach, Shape, WorldView, render};
 
     /// Arrows in twelve directions, from a ring around the middle.
     fn rosette(glyphs: Glyphs, role: Role, cut: bool) -> String {
         let corners = [Vec2::new(-14.0, -14.0), Vec2::new(14.0, 14.0)];
-        let view = View::fit(&Reach::by_hand(&corners, &[]), 44, 22, 2.0);
+        let view = WorldView::fit(&Reach::by_hand(&corners, &[]), 44, 22, 2.0);
         let mut figure = Figure::new();
         for k in 0..12 {
             let direction = crate::angle::unit(f64::from(k) * 30.0);

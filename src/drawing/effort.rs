@@ -1,6 +1,6 @@
 //! What the driver must do over a cycle, as a plot: its torque, with the worst instants marked.
 
-use super::plot::{Axis, Line, Panel, Plot, Turn};
+use super::plot::{Axis, CurveTurn, Panel, Plot, PlotCurve};
 use crate::Vec2;
 use crate::study::motor::Duty;
 
@@ -25,20 +25,20 @@ pub fn effort(duty: &Duty, coordinate: [&str; 2], effort: [&str; 2]) -> Plot {
     let peaks = [(cycle.all.largest, true), (cycle.all.least, false)];
     let turns = peaks.into_iter().filter_map(|(peak, is_peak)| {
         let peak = peak?;
-        Some(Turn {
+        Some(CurveTurn {
             at: Vec2::new(peak.at, peak.value),
             is_peak,
             is_extreme: true,
         })
     });
-    let turns: Vec<Turn> = turns.collect();
+    let turns: Vec<CurveTurn> = turns.collect();
     // The line of no torque is always seen.
     let values = pieces.iter().flatten().map(|p| p[1]);
     let values = values.chain(turns.iter().map(|turn| turn.at.y));
     let (low, high) = values.fold((0.0, 0.0), |(low, high): (f64, f64), v| {
         (low.min(v), high.max(v))
     });
-    let line = Line {
+    let line = PlotCurve {
         name: name.to_owned(),
         figure: Some(0),
         pieces: pieces

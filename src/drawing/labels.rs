@@ -1,20 +1,20 @@
 //! Names beside their points, out of the way of everything else.
 
 use super::figure::{Figure, Role, Shape};
-use super::raster::{Cell, Raster};
+use super::raster::{CharCell, Raster};
 use super::symbol::cell_of;
-use super::view::View;
+use super::view::WorldView;
 use crate::Vec2;
 
 /// Where the labels of a figure stood last; keep it from frame to frame.
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
-    places: Vec<Place>,
+    places: Vec<LabelPlace>,
 }
 
 /// What became of a label.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Place {
+enum LabelPlace {
     /// It was not drawn yet.
     New,
     /// There was no room.
@@ -24,7 +24,7 @@ enum Place {
 }
 
 /// A place for a label, relative to its point.
-struct Seat {
+struct LabelSeat {
     /// From the point's cell to the label's near end (or its middle, for `Align::Middle`).
     col: i32,
     row: i32,
@@ -42,8 +42,8 @@ enum Align {
     End,
 }
 
-const fn seat(col: i32, row: i32, align: Align, cost: i32) -> Seat {
-    Seat {
+const fn seat(col: i32, row: i32, align: Align, cost: i32) -> LabelSeat {
+    LabelSeat {
         col,
         row,
         align,
@@ -52,7 +52,7 @@ const fn seat(col: i32, row: i32, align: Align, cost: i32) -> Seat {
 }
 
 /// Above right is where readers look first; sides next, then below; the outer ring if the inner is full.
-const SEATS: [Seat; 14] = [
+const SEATS: [LabelSeat; 14] = [
     seat(1, -1, Align::Start, 0),
     seat(-1, -1, Align::End, 1),
     seat(2, 0, Align::Start, 1),
@@ -88,10 +88,10 @@ const INERTIA: i32 = 6;
 
 impl Labels {
     /// Draws the labels of a figure over a raster in which everything else is drawn.
-    pub(super) fn place(&mut self, figure: &Figure, view: &View, raster: &mut Raster) {
+    pub(super) fn place(&mut self, figure: &Figure, view: &WorldView, raster: &mut Raster) {
         let labels = names(figure);
         let length: usize = labels.clone().map(|(_, text, _)| text.len()).sum();
-        let is_line = |cell: &&Cell| matches!(cell.role, Role::Link | Role::Driver);
+        let is_line = |cell: &&CharCell| matches!(cell.role, Role::Link | Role::Driver);
         let lines = raster.lines().flatten().filter(is_line).count();
         let limit = if length > lines {
             TOO_MUCH_IN_A_CROWD
@@ -102,12 +102,12 @@ impl Labels {
         for (at, text, role) in labels {
             let point = cell_of(view.cell(at));
             if count == self.places.len() {
-                self.places.push(Place::New);
+                self.places.push(LabelPlace::New);
             }
             let place = best_place(raster, point, text, self.places[count], limit);
             self.places[count] = place;
             count += 1;
-            if let Place::Seat(seat) = place {
+            if let LabelPlace::Seat(seat) = place {
                 let (col, row) = origin(&SEATS[seat], point, text);
                 write(raster, col, row, text, role);
             }
@@ -121,15 +121,15 @@ impl Labels {
     pub(super) fn standing<'f>(
         &self,
         figure: &'f Figure,
-        view: &View,
+        view: &WorldView,
     ) -> impl Iterator<Item = (&'f str, i32, i32)> {
         let placed = names(figure).zip(&self.places);
         placed.filter_map(move |((at, text, _), place)| match *place {
-            Place::Seat(seat) => {
+            LabelPlace::Seat(seat) => {
                 let (col, row) = origin(&SEATS[seat], cell_of(view.cell(at)), text);
                 Some((text, col, row))
             }
-            Place::New | Place::Hidden => None,
+            LabelPlace::New | LabelPlace::Hidden => None,
         })
     }
 }
@@ -154,17 +154,23 @@ fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
             .cell(beside, row)
             .is_some_and(|c| c.role == Role::Ground)
         {
-            raster.put(beside, row, Cell::EMPTY.glyph, Role::Empty);
+            raster.put(beside, row, CharCell::EMPTY.glyph, Role::Empty);
         }
     }
 }
 
-fn best_place(raster: &Raster, point: (i32, i32), text: &str, last: Place, limit: i32) -> Place {
+fn best_place(
+    raster: &Raster,
+    point: (i32, i32),
+    text: &str,
+    last: LabelPlace,
+    limit: i32,
+) -> LabelPlace {
     if raster.cell(point.0, point.1).is_none() {
-        return Place::Hidden;
+        return LabelPlace::Hidden;
     }
     // One that was left out comes back only when there is clearly room for it.
-    let limit = if last == Place::Hidden {
+    let limit = if last == LabelPlace::Hidden {
         (limit - INERTIA).max(0)
     } else {
         limit
@@ -172,22 +178,22 @@ fn best_place(raster: &Raster, point: (i32, i32), text: &str, last: Place, limit
     let cost = |index: usize| {
         let seat = &SEATS[index];
         let (col, row) = origin(seat, point, text);
-        let inertia = i32::from(last == Place::Seat(index)) * INERTIA;
+        let inertia = i32::from(last == LabelPlace::Seat(index)) * INERTIA;
         Some(cover(raster, col, row, text)? + seat.cost - inertia).filter(|&cost| cost <= limit)
     };
     let priced = (0..SEATS.len()).filter_map(|index| cost(index).map(|cost| (cost, index)));
     priced
         .min()
-        .map_or(Place::Hidden, |(_, index)| Place::Seat(index))
+        .map_or(LabelPlace::Hidden, |(_, index)| LabelPlace::Seat(index))
 }
 
 /// Where a text can stand beside a cell and hides nothing, by its first cell, the best place first.
 pub(super) fn free_places(raster: &Raster, point: (i32, i32), text: &str) -> Vec<(i32, i32)> {
-    let free = |seat: &&Seat| {
+    let free = |seat: &&LabelSeat| {
         let (col, row) = origin(seat, point, text);
         cover(raster, col, row, text) == Some(0)
     };
-    let mut seats: Vec<&Seat> = SEATS.iter().filter(free).collect();
+    let mut seats: Vec<&LabelSeat> = SEATS.iter().filter(free).collect();
     seats.sort_by_key(|seat| seat.cost);
     seats.iter().map(|seat| origin(seat, point, text)).collect()
 }
@@ -198,7 +204,7 @@ fn width(text: &str) -> i32 {
 }
 
 /// The cell of the first character.
-fn origin(seat: &Seat, point: (i32, i32), text: &str) -> (i32, i32) {
+fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
     let back = match seat.align {
         Align::Start => 0,
         Align::Middle => width(text) / 2,
@@ -258,7 +264,10 @@ impl Labels {
 
     /// How many are left out.
     pub(super) fn hidden(&self) -> usize {
-        self.places.iter().filter(|&&p| p == Place::Hidden).count()
+        self.places
+            .iter()
+            .filter(|&&p| p == LabelPlace::Hidden)
+            .count()
     }
 
     pub(super) fn len(&self) -> usize {
@@ -284,9 +293,9 @@ mod tests {
         Shape::Label { at, text, role }
     }
 
-    fn view() -> View {
+    fn view() -> WorldView {
         let corners = [Vec2::ZERO, Vec2::new(30.0, 10.0)];
-        View::fit(&Reach::by_hand(&corners, &[]), 40, 12, 2.0)
+        WorldView::fit(&Reach::by_hand(&corners, &[]), 40, 12, 2.0)
     }
 
     fn count(raster: &Raster, role: Role) -> usize {

@@ -27,7 +27,7 @@ pub enum LegendEntry {
 
 /// A piece of a legend's line.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Piece {
+pub struct LegendPiece {
     /// What is written.
     pub text: String,
     /// What it stands for.
@@ -53,8 +53,8 @@ impl LegendEntry {
         }
     }
 
-    fn pieces(&self, glyphs: Glyphs) -> Vec<Piece> {
-        let piece = |text: String, role| Piece { text, role };
+    fn pieces(&self, glyphs: Glyphs) -> Vec<LegendPiece> {
+        let piece = |text: String, role| LegendPiece { text, role };
         match self {
             LegendEntry::Arrow { role, text, cells } => {
                 #[expect(clippy::cast_possible_truncation, reason = "some cells")]
@@ -77,20 +77,20 @@ pub fn legend_lines(
     glyphs: Glyphs,
     width: usize,
     most: usize,
-) -> Vec<Vec<Piece>> {
-    let mut lines: Vec<Vec<Piece>> = Vec::new();
+) -> Vec<Vec<LegendPiece>> {
+    let mut lines: Vec<Vec<LegendPiece>> = Vec::new();
     let length =
-        |pieces: &[Piece]| -> usize { pieces.iter().map(|p| p.text.chars().count()).sum() };
+        |pieces: &[LegendPiece]| -> usize { pieces.iter().map(|p| p.text.chars().count()).sum() };
     for key in keys {
         let pieces = key.pieces(glyphs);
         let wanted = length(&pieces);
         if wanted > width {
             continue;
         }
-        let room = |line: &&mut Vec<Piece>| length(line) + GAP.len() + wanted <= width;
+        let room = |line: &&mut Vec<LegendPiece>| length(line) + GAP.len() + wanted <= width;
         if let Some(line) = lines.last_mut().filter(room) {
             let (text, role) = (GAP.to_owned(), Role::Empty);
-            line.push(Piece { text, role });
+            line.push(LegendPiece { text, role });
             line.extend(pieces);
         } else if lines.len() < most {
             lines.push(pieces);
@@ -122,8 +122,8 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn text(lines: &[Vec<Piece>]) -> Vec<String> {
-        let line = |pieces: &Vec<Piece>| pieces.iter().map(|p| p.text.as_str()).collect();
+    fn text(lines: &[Vec<LegendPiece>]) -> Vec<String> {
+        let line = |pieces: &Vec<LegendPiece>| pieces.iter().map(|p| p.text.as_str()).collect();
         lines.iter().map(line).collect()
     }
 

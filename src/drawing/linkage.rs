@@ -35,7 +35,7 @@ impl Default for Layers {
 #[must_use]
 pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> Figure {
     let assembled = state.condition() != Condition::NoAssembly;
-    let mut sketch = Sketch {
+    let mut sketch = LinkageSketch {
         roles: roles(&scene.mechanism),
         scene,
         mechanism: &scene.mechanism,
@@ -134,7 +134,7 @@ fn roles(mechanism: &Mechanism) -> Vec<Role> {
     roles
 }
 
-struct Sketch<'a> {
+struct LinkageSketch<'a> {
     roles: Vec<Role>,
     scene: &'a Scene,
     mechanism: &'a Mechanism,
@@ -144,7 +144,7 @@ struct Sketch<'a> {
     figure: Figure,
 }
 
-impl Sketch<'_> {
+impl LinkageSketch<'_> {
     fn ground(&mut self) {
         for (id, slide) in self.mechanism.slide_ids().zip(self.mechanism.slides()) {
             let (Body::Ground, Some((low, high))) = (slide.on, self.reach.travel(id)) else {

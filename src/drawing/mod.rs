@@ -1,7 +1,7 @@
 //! Linkages in characters: primitives in world units, a window on them, and cells.
 //!
 //! The way is short: [`linkage`] turns a scene in a state into a [`Figure`] (lines, marks, labels in
-//! the scene's length unit, y upwards), a [`View`] says which cell a world point falls into, and
+//! the scene's length unit, y upwards), a [`WorldView`] says which cell a world point falls into, and
 //! [`render_into`] draws the figure into the cells of a [`Raster`] with one set of [`Glyphs`].
 //! An [`Overlay`] adds what belongs to the whole motion - traces, other positions, arrows to one scale -
 //! and [`svg`] draws the same figure in the same window as a document.
@@ -55,13 +55,13 @@ pub use chart::{Axis, Chart, Datum};
 pub use effort::effort;
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
-pub use legend::{LegendEntry, Piece, legend_lines};
+pub use legend::{LegendEntry, LegendPiece, legend_lines};
 pub use linkage::{Layers, add_ghost, add_other, linkage};
 pub use overlay::{Overlay, Wanted};
 pub use picture::svg;
 pub use points::{moving_points, usual_arrows, usual_traces};
-pub use raster::{Cell, Raster};
+pub use raster::{CharCell, Raster};
 pub use reach::Reach;
 pub use render::{Glyphs, render, render_into};
 pub use trade_off::trade_off;
-pub use view::{Bounds, View};
+pub use view::{Bounds, WorldView};

@@ -5,7 +5,7 @@ use super::figure::{Figure, Role, Shape};
 use super::legend::LegendEntry;
 use super::linkage::add_moved;
 use super::reach::Reach;
-use super::view::{Bounds, View};
+use super::view::{Bounds, WorldView};
 use crate::scene::Scene;
 use crate::solver::{Condition, Known, Order, Range, Solver, State, Workspace};
 use crate::{PointId, Vec2};
@@ -170,7 +170,7 @@ impl Overlay {
 
     /// What the arrows mean on a drawing with this window.
     #[must_use]
-    pub fn legend(&self, view: &View, zoom: f64) -> Vec<LegendEntry> {
+    pub fn legend(&self, view: &WorldView, zoom: f64) -> Vec<LegendEntry> {
         let kinds = [
             (Role::Velocity, "v", "/s", &self.velocities),
             (Role::Acceleration, "a", "/s^2", &self.accelerations),
@@ -440,7 +440,7 @@ mod tests {
         };
         let longest = LONGEST * stage.reach.bounds().size().norm();
         assert!(((to - from).norm() * 2.0 / longest - 1.0).abs() < 1e-9);
-        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let [LegendEntry::Arrow { text, cells, .. }] = &overlay.legend(&view, 1.0)[..] else {
             panic!("one arrow");
         };
@@ -499,7 +499,7 @@ mod tests {
             let stage = Stage::of(preset.text);
             let overlay = stage.overlay(&stage.everything());
             let reach = overlay.reach(&stage.reach).expect("something moves");
-            let view = View::fit(&reach, 80, 24, 2.0);
+            let view = WorldView::fit(&reach, 80, 24, 2.0);
             let mut state = stage.solver.state();
             for at in course(&stage.scene, &stage.solver).step_by(31) {
                 let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
@@ -524,7 +524,7 @@ mod tests {
     fn a_driver_that_stands_still_has_no_arrows() {
         let stage = Stage::of(&SWINGING.replace("1 rad/s", "0 rad/s"));
         let overlay = stage.overlay(&stage.everything());
-        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let legend = overlay.legend(&view, 1.0);
         assert!(matches!(&legend[0], LegendEntry::Note(text) if text.contains("stands still")));
     }

@@ -8,8 +8,8 @@ use super::labels::Labels;
 use super::legend::LegendEntry;
 use super::raster::Raster;
 use super::render::{Glyphs, draw_order, render_into};
-use super::svg::{Anchor, Style, Svg};
-use super::view::View;
+use super::svg::{Svg, SvgStyle, TextAnchor};
+use super::view::WorldView;
 use crate::Vec2;
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -28,7 +28,7 @@ const HEAD: f64 = 9.0;
 
 /// Paper, ink, and two colours that hold on both grounds; roles are told by dashes, weights and heads
 /// too.
-const STYLE: Style = Style {
+const STYLE: SvgStyle = SvgStyle {
     light: "\
 .link,.plate,.driver{stroke-width:3}
 .plate{fill:#222;fill-opacity:.06}
@@ -62,7 +62,7 @@ circle{stroke:#ddd}
 
 /// The figure in this window as a document of its own, with its legend below.
 #[must_use]
-pub fn svg(figure: &Figure, view: &View, title: &str, legend: &[LegendEntry]) -> String {
+pub fn svg(figure: &Figure, view: &WorldView, title: &str, legend: &[LegendEntry]) -> String {
     let cell = Vec2::new(COLUMN, COLUMN * view.aspect());
     let size = Vec2::new(
         f64::from(view.cols()) * cell.x,
@@ -84,7 +84,7 @@ pub fn svg(figure: &Figure, view: &View, title: &str, legend: &[LegendEntry]) ->
 }
 
 struct Picture<'a> {
-    view: &'a View,
+    view: &'a WorldView,
     cell: Vec2,
     svg: Svg,
 }
@@ -227,8 +227,8 @@ impl Picture<'_> {
                 f64::from(col) * self.cell.x,
                 (f64::from(row) + 0.75) * self.cell.y,
             );
-            self.svg.text(at, Anchor::Start, "halo", text);
-            self.svg.text(at, Anchor::Start, "name", text);
+            self.svg.text(at, TextAnchor::Start, "halo", text);
+            self.svg.text(at, TextAnchor::Start, "name", text);
         }
     }
 
@@ -242,7 +242,7 @@ impl Picture<'_> {
                 LegendEntry::Note(text) => (text.clone(), None),
             };
             self.svg
-                .text(at + Vec2::new(0.0, 4.0), Anchor::Start, "name", &text);
+                .text(at + Vec2::new(0.0, 4.0), TextAnchor::Start, "name", &text);
             at.x += (text.chars().count() as f64 + 1.0) * COLUMN;
             if let Some((role, length)) = arrow {
                 self.arrow(at, at + Vec2::new(length, 0.0), role, false);
@@ -350,7 +350,7 @@ mod tests {
         };
         let mut figure = linkage(&scene, &reach, &state, layers);
         overlay.add_to(&mut figure, &scene, &state, zoom);
-        let view = View::snug(&reach, 100, 50, 2.0).zoomed(&reach, zoom, Vec2::ZERO);
+        let view = WorldView::snug(&reach, 100, 50, 2.0).zoomed(&reach, zoom, Vec2::ZERO);
         svg(&figure, &view, title, &overlay.legend(&view, zoom))
     }
 

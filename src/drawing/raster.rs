@@ -4,16 +4,16 @@ use super::figure::Role;
 
 /// A character cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Cell {
+pub struct CharCell {
     /// What is seen.
     pub glyph: char,
     /// What it belongs to.
     pub role: Role,
 }
 
-impl Cell {
+impl CharCell {
     /// A cell in which nothing is drawn.
-    pub const EMPTY: Cell = Cell {
+    pub const EMPTY: CharCell = CharCell {
         glyph: ' ',
         role: Role::Empty,
     };
@@ -24,7 +24,7 @@ impl Cell {
 pub struct Raster {
     cols: u16,
     rows: u16,
-    cells: Vec<Cell>,
+    cells: Vec<CharCell>,
 }
 
 impl Raster {
@@ -40,7 +40,7 @@ impl Raster {
         self.rows = rows;
         self.cells.clear();
         self.cells
-            .resize(usize::from(cols) * usize::from(rows), Cell::EMPTY);
+            .resize(usize::from(cols) * usize::from(rows), CharCell::EMPTY);
     }
 
     /// Columns.
@@ -56,20 +56,20 @@ impl Raster {
     }
 
     /// The rows from the top, each of [`Raster::cols`] cells.
-    pub fn lines(&self) -> impl Iterator<Item = &[Cell]> {
+    pub fn lines(&self) -> impl Iterator<Item = &[CharCell]> {
         self.cells.chunks(usize::from(self.cols).max(1))
     }
 
     /// The cell in a column and a row, if it lies inside.
     #[must_use]
-    pub fn cell(&self, col: i32, row: i32) -> Option<Cell> {
+    pub fn cell(&self, col: i32, row: i32) -> Option<CharCell> {
         self.index(col, row).map(|i| self.cells[i])
     }
 
     /// Sets a cell; outside nothing happens.
     pub(super) fn put(&mut self, col: i32, row: i32, glyph: char, role: Role) {
         if let Some(i) = self.index(col, row) {
-            self.cells[i] = Cell { glyph, role };
+            self.cells[i] = CharCell { glyph, role };
         }
     }
 

@@ -7,7 +7,7 @@ use super::raster::Raster;
 use super::stroke;
 use super::symbol::Symbols;
 use super::trace;
-use super::view::View;
+use super::view::WorldView;
 use crate::Vec2;
 
 /// What a drawing is made of.
@@ -24,7 +24,7 @@ pub enum Glyphs {
 
 /// Layers from the lowest to the highest.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Layer {
+enum PaintLayer {
     Ghosts,
     Traces,
     Ground,
@@ -36,31 +36,31 @@ enum Layer {
     Labels,
 }
 
-const LAYERS: [Layer; 8] = [
-    Layer::Ghosts,
-    Layer::Traces,
-    Layer::Ground,
-    Layer::Guides,
-    Layer::Links,
-    Layer::Blocks,
-    Layer::Arrows,
-    Layer::Marks,
+const LAYERS: [PaintLayer; 8] = [
+    PaintLayer::Ghosts,
+    PaintLayer::Traces,
+    PaintLayer::Ground,
+    PaintLayer::Guides,
+    PaintLayer::Links,
+    PaintLayer::Blocks,
+    PaintLayer::Arrows,
+    PaintLayer::Marks,
 ];
 
-fn layer(shape: &Shape) -> Layer {
+fn layer(shape: &Shape) -> PaintLayer {
     match shape {
-        Shape::Support { .. } | Shape::Hatching { .. } => Layer::Ground,
+        Shape::Support { .. } | Shape::Hatching { .. } => PaintLayer::Ground,
         Shape::Line { role, .. } | Shape::Outline { role, .. } => match role {
-            Role::Guide => Layer::Guides,
-            Role::Ghost | Role::Echo => Layer::Ghosts,
-            _ => Layer::Links,
+            Role::Guide => PaintLayer::Guides,
+            Role::Ghost | Role::Echo => PaintLayer::Ghosts,
+            _ => PaintLayer::Links,
         },
-        Shape::Barrel { .. } => Layer::Links,
-        Shape::Block { .. } => Layer::Blocks,
-        Shape::Trace { .. } => Layer::Traces,
-        Shape::Arrow { .. } => Layer::Arrows,
-        Shape::Mark { .. } => Layer::Marks,
-        Shape::Label { .. } => Layer::Labels,
+        Shape::Barrel { .. } => PaintLayer::Links,
+        Shape::Block { .. } => PaintLayer::Blocks,
+        Shape::Trace { .. } => PaintLayer::Traces,
+        Shape::Arrow { .. } => PaintLayer::Arrows,
+        Shape::Mark { .. } => PaintLayer::Marks,
+        Shape::Label { .. } => PaintLayer::Labels,
     }
 }
 
@@ -70,7 +70,7 @@ fn layer(shape: &Shape) -> Layer {
 /// without need; a fresh one is right for a single picture.
 pub fn render_into(
     figure: &Figure,
-    view: &View,
+    view: &WorldView,
     glyphs: Glyphs,
     labels: &mut Labels,
     raster: &mut Raster,
@@ -97,7 +97,7 @@ pub(super) fn draw_order(figure: &Figure) -> impl Iterator<Item = &Shape> {
 
 /// Draws a single picture.
 #[must_use]
-pub fn render(figure: &Figure, view: &View, glyphs: Glyphs) -> Raster {
+pub fn render(figure: &Figure, view: &WorldView, glyphs: Glyphs) -> Raster {
     let mut raster = Raster::new();
     render_into(figure, view, glyphs, &mut Labels::default(), &mut raster);
     raster
@@ -221,7 +221,7 @@ mod tests {
         ) {
             let mut figure = Figure::new();
             shapes.into_iter().for_each(|shape| figure.add(shape));
-            let view = View::fit(&Reach::by_hand(&points, &points), cols, rows, 2.0);
+            let view = WorldView::fit(&Reach::by_hand(&points, &points), cols, rows, 2.0);
             let (mut labels, mut raster) = (Labels::default(), Raster::new());
             for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
                 render_into(&figure, &view, glyphs, &mut labels, &mut raster);
@@ -232,9 +232,9 @@ mod tests {
     }
 
     /// A window of 20 x 10 cells on which one unit of length is one column.
-    fn view() -> View {
+    fn view() -> WorldView {
         let corners = [Vec2::ZERO, Vec2::new(12.0, 10.0)];
-        View::fit(&Reach::by_hand(&corners, &[]), 20, 10, 2.0)
+        WorldView::fit(&Reach::by_hand(&corners, &[]), 20, 10, 2.0)
     }
 
     fn line(from: Vec2, to: Vec2, role: Role) -> Shape {

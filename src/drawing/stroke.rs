@@ -30,7 +30,7 @@ pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: 
 /// The cells of the line from `a` to `b`, from the left, or from above if it is steep.
 pub(super) fn cells(raster: &Raster, a: Vec2, b: Vec2) -> impl Iterator<Item = (i32, i32)> + use<> {
     let clipped = clip(middle_of_cell(a), middle_of_cell(b), raster);
-    let course = clipped.map(|(a, b)| Course::new(a, b));
+    let course = clipped.map(|(a, b)| LineFunction::new(a, b));
     course.into_iter().flat_map(|course| {
         let cells = course.cells();
         cells.map(move |cell| course.cell(cell, course.middle(cell).floor() as i32))
@@ -74,7 +74,7 @@ pub(super) fn clip_to(a: Vec2, b: Vec2, [low, high]: [Vec2; 2]) -> Option<(Vec2,
 
 /// A line as a function: of the column where it is shallow, of the row where it is steep.
 #[derive(Clone, Copy)]
-struct Course {
+struct LineFunction {
     steep: bool,
     /// The smaller and the larger end along the main axis, and the other coordinate at the first.
     from: f64,
@@ -88,8 +88,8 @@ struct Course {
 /// cells, pushes all of them to the same side whatever the rounding.
 const NUDGE: f64 = 1e-6;
 
-impl Course {
-    fn new(a: Vec2, b: Vec2) -> Course {
+impl LineFunction {
+    fn new(a: Vec2, b: Vec2) -> LineFunction {
         let step = b - a;
         let steep = step.y.abs() > step.x.abs();
         let turned = |p: Vec2| if steep { Vec2::new(p.y, p.x) } else { p };
@@ -100,7 +100,7 @@ impl Course {
         } else {
             (b.y - a.y) / (b.x - a.x)
         };
-        Course {
+        LineFunction {
             steep,
             from: a.x,
             to: b.x,
@@ -197,7 +197,7 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, (flat, upright): (
     let Some((a, b)) = clip(middle_of_cell(a), middle_of_cell(b), raster) else {
         return;
     };
-    let course = Course::new(a, b);
+    let course = LineFunction::new(a, b);
     for cell in course.cells() {
         let (side, glyph) = if course.steep {
             course.steep(cell, upright)
@@ -269,7 +269,7 @@ pub(super) fn parts(
     count: Vec2,
 ) -> impl Iterator<Item = (i32, i32)> + use<> {
     let finer = |p: Vec2| Vec2::new(p.x * count.x, p.y * count.y);
-    let course = clip(a, b, raster).map(|(a, b)| Course::new(finer(a), finer(b)));
+    let course = clip(a, b, raster).map(|(a, b)| LineFunction::new(finer(a), finer(b)));
     course.into_iter().flat_map(|course| {
         let cells = course.cells();
         cells.map(move |cell| course.cell(cell, course.middle(cell).floor() as i32))

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 
 /// Where a text stands against its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Anchor {
+pub(super) enum TextAnchor {
     /// It begins there.
     Start,
     /// Its middle is there.
@@ -24,13 +24,13 @@ pub(super) enum Anchor {
 pub(super) struct Svg {
     size: Vec2,
     title: String,
-    style: Style,
+    style: SvgStyle,
     body: String,
 }
 
 /// Rules of a style sheet beside those for paper, lines (`path`) and `text`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Style {
+pub(super) struct SvgStyle {
     /// Everywhere.
     pub(super) light: &'static str,
     /// On top of that, where the reader prefers a dark ground.
@@ -38,7 +38,7 @@ pub(super) struct Style {
 }
 
 impl Svg {
-    pub(super) fn new(size: Vec2, title: &str, style: Style) -> Self {
+    pub(super) fn new(size: Vec2, title: &str, style: SvgStyle) -> Self {
         Svg {
             size,
             title: escaped(title),
@@ -94,12 +94,12 @@ impl Svg {
         }
     }
 
-    pub(super) fn text(&mut self, at: Vec2, anchor: Anchor, class: &str, text: &str) {
+    pub(super) fn text(&mut self, at: Vec2, anchor: TextAnchor, class: &str, text: &str) {
         if at.is_finite() {
             let anchor = match anchor {
-                Anchor::Start => "start",
-                Anchor::Middle => "middle",
-                Anchor::End => "end",
+                TextAnchor::Start => "start",
+                TextAnchor::Middle => "middle",
+                TextAnchor::End => "end",
             };
             let ([x, y], text) = ([at.x, at.y].map(number), escaped(text));
             self.element(format_args!(
@@ -115,7 +115,7 @@ impl Svg {
     /// The whole document.
     pub(super) fn finish(self) -> String {
         let [w, h] = [self.size.x, self.size.y].map(number);
-        let Style { light, dark } = self.style;
+        let SvgStyle { light, dark } = self.style;
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
              viewBox=\"0 0 {w} {h}\">\n<title>{}</title>\n\
@@ -163,7 +163,7 @@ fn escaped(text: &str) -> String {
 mod tests {
     use super::*;
 
-    const PLAIN: Style = Style {
+    const PLAIN: SvgStyle = SvgStyle {
         light: "",
         dark: "",
     };
@@ -174,7 +174,7 @@ mod tests {
         let gap = Vec2::new(f64::NAN, 0.0);
         let [a, b] = [Vec2::new(0.0, 1.0), Vec2::new(2.5, 3.0)];
         svg.polyline([a, b, gap, a, b], "trace");
-        svg.text(a, Anchor::Middle, "label", "\"B'\" & C");
+        svg.text(a, TextAnchor::Middle, "label", "\"B'\" & C");
         let text = svg.finish();
         assert!(
             text.contains("<title>a &lt; b\u{fffd}[2J</title>"),

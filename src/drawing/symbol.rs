@@ -5,7 +5,7 @@ use super::figure::Role;
 use super::raster::Raster;
 use super::render::Glyphs;
 use super::stroke;
-use super::view::View;
+use super::view::WorldView;
 use crate::Vec2;
 
 /// From this size on there is room for the triangle under a ground pin.
@@ -16,7 +16,7 @@ const HATCHING: usize = 2;
 
 /// What the symbols are drawn with.
 pub(super) struct Symbols<'a> {
-    pub(super) view: &'a View,
+    pub(super) view: &'a WorldView,
     pub(super) glyphs: Glyphs,
     pub(super) raster: &'a mut Raster,
 }

@@ -6,20 +6,20 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
 
 /// A preset, ready to be drawn.
-struct Stage {
+struct PresetStage {
     name: String,
     scene: Scene,
     solver: Solver,
     reach: Reach,
 }
 
-impl Stage {
-    fn of(name: &str, text: &str) -> Stage {
+impl PresetStage {
+    fn of(name: &str, text: &str) -> PresetStage {
         let scene = Scene::parse(text, name).expect("the scene reads");
         let solver = Solver::new(&scene.mechanism).expect("the scene moves");
         let reach = Reach::of(&scene, &solver);
         let name = name.to_owned();
-        Stage {
+        PresetStage {
             name,
             scene,
             solver,
@@ -27,7 +27,7 @@ impl Stage {
         }
     }
 
-    fn presets() -> Vec<Stage> {
+    fn presets() -> Vec<PresetStage> {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/presets");
         let mut paths: Vec<_> = std::fs::read_dir(folder)
             .expect("the presets are there")
@@ -35,7 +35,7 @@ impl Stage {
             .collect();
         paths.sort();
         let stage = |path: &std::path::PathBuf| {
-            Stage::of(
+            PresetStage::of(
                 &path.display().to_string(),
                 &std::fs::read_to_string(path).expect("the preset reads"),
             )
@@ -71,16 +71,16 @@ const EVERYTHING: Layers = Layers {
     centres: true,
 };
 
-fn cell(view: &View, at: Vec2) -> (i32, i32) {
+fn cell(view: &WorldView, at: Vec2) -> (i32, i32) {
     let at = view.cell(at);
     (at.x.floor() as i32, at.y.floor() as i32)
 }
 
 #[test]
 fn no_joint_ever_leaves_the_window() {
-    for stage in Stage::presets() {
+    for stage in PresetStage::presets() {
         for (cols, rows) in [(200, 60), (80, 24), (40, 12), (13, 7)] {
-            let view = View::fit(&stage.reach, cols, rows, 2.0);
+            let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
             let mut raster = Raster::new();
             for state in stage.motion() {
                 let figure = stage.figure(&state);
@@ -109,8 +109,8 @@ fn no_joint_ever_leaves_the_window() {
 
 #[test]
 fn supports_stay_inside_where_there_is_room() {
-    for stage in Stage::presets() {
-        let view = View::fit(&stage.reach, 80, 24, 2.0);
+    for stage in PresetStage::presets() {
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         for point in stage.scene.mechanism.points() {
             if let Some(at) = point.ground {
                 let (col, row) = cell(&view, at);
@@ -124,8 +124,8 @@ fn supports_stay_inside_where_there_is_room() {
 /// Names used to change sides in every frame, nearly.
 #[test]
 fn names_are_calm() {
-    for stage in Stage::presets() {
-        let view = View::fit(&stage.reach, 80, 24, 2.0);
+    for stage in PresetStage::presets() {
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let mut raster = Raster::new();
         let mut labels = Labels::default();
         let mut before = None::<Labels>;
@@ -145,11 +145,11 @@ fn names_are_calm() {
 #[test]
 fn every_name_of_a_textbook_linkage_is_shown() {
     let crowded = ["scissor-lift"];
-    for stage in Stage::presets() {
+    for stage in PresetStage::presets() {
         if crowded.iter().any(|name| stage.name.contains(name)) {
             continue;
         }
-        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let mut raster = Raster::new();
         let mut labels = Labels::default();
         for state in stage.motion() {
@@ -163,8 +163,8 @@ fn every_name_of_a_textbook_linkage_is_shown() {
 
 #[test]
 fn ascii_is_seven_bit() {
-    for stage in Stage::presets() {
-        let view = View::fit(&stage.reach, 80, 24, 2.0);
+    for stage in PresetStage::presets() {
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         for state in stage.motion().step_by(20) {
             let text = render(&stage.figure(&state), &view, Glyphs::Ascii).text();
             assert!(text.is_ascii(), "{}\n{text}", stage.name);
@@ -175,7 +175,7 @@ fn ascii_is_seven_bit() {
 #[test]
 fn without_an_assembly_there_is_the_ground() {
     let text = include_str!("../../presets/double-rocker.toml");
-    let stage = Stage::of("double-rocker", text);
+    let stage = PresetStage::of("double-rocker", text);
     let mut state = stage.solver.state();
     let condition = stage.solver.solve(180.0, Order::Position, &mut state);
     assert_eq!(condition, Condition::NoAssembly);
@@ -192,7 +192,7 @@ fn without_an_assembly_there_is_the_ground() {
 }
 
 /// A four-bar of the same shape, `scale` times as large, with A at (x, y).
-fn four_bar(scale: f64, x: f64, y: f64) -> Stage {
+fn four_bar(scale: f64, x: f64, y: f64) -> PresetStage {
     let [a, b, c, d] = [100.0, 300.0, 250.0, 400.0].map(|length| length * scale);
     let (cx, cy) = (x + 310.0 * scale, y + 230.0 * scale);
     let text = format!(
@@ -207,15 +207,15 @@ fn four_bar(scale: f64, x: f64, y: f64) -> Stage {
         C = [{cx:e}, {cy:e}]",
         x + d
     );
-    Stage::of("a four-bar", &text)
+    PresetStage::of("a four-bar", &text)
 }
 
 #[test]
 fn size_and_place_do_not_show() {
-    let picture = |stage: &Stage| {
+    let picture = |stage: &PresetStage| {
         let mut state = stage.solver.state();
         let _ = stage.solver.solve(60.0, Order::Position, &mut state);
-        let view = View::fit(&stage.reach, 80, 24, 2.0);
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         render(&stage.figure(&state), &view, Glyphs::Ascii).text()
     };
     let plain = picture(&four_bar(1.0, 0.0, 0.0));
@@ -246,7 +246,7 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
     let text = crate::scene::presets::find("watt-six-bar")
         .expect("it is there")
         .text;
-    let stage = Stage::of("watt-six-bar", text);
+    let stage = PresetStage::of("watt-six-bar", text);
     let mut state = stage.solver.state();
     let _ = stage.solver.solve(100.0, Order::Position, &mut state);
     let mut figure = Figure::new();

@@ -4,7 +4,7 @@ use super::figure::Role;
 use super::raster::Raster;
 use super::render::Glyphs;
 use super::stroke;
-use super::view::View;
+use super::view::WorldView;
 use crate::Vec2;
 
 /// Characters tell two heights in a cell.
@@ -14,7 +14,7 @@ const LOWER: char = '.';
 const BOTH: char = ':';
 
 /// Draws a chain of straight lines in world units; what is not finite is a gap.
-pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &View, course: &[Vec2]) {
+pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &WorldView, course: &[Vec2]) {
     let mut places = course.iter().map(|&p| view.cell(p));
     let Some(mut last) = places.next() else {
         return;
@@ -69,7 +69,7 @@ mod tests {
 
     fn picture(glyphs: Glyphs) -> String {
         let corners = [Vec2::new(-8.0, -8.0), Vec2::new(8.0, 8.0)];
-        let view = View::fit(&Reach::by_hand(&corners, &[]), 26, 12, 2.0);
+        let view = WorldView::fit(&Reach::by_hand(&corners, &[]), 26, 12, 2.0);
         let mut figure = Figure::new();
         figure.add(Shape::Trace { course: circle() });
         render(&figure, &view, glyphs).text()
@@ -93,7 +93,7 @@ mod tests {
         ];
         let course = course.map(|(x, y)| Vec2::new(x, y)).into();
         figure.add(Shape::Trace { course });
-        let view = View::fit(&Reach::by_hand(&[Vec2::ZERO], &[]), 9, 4, 2.0);
+        let view = WorldView::fit(&Reach::by_hand(&[Vec2::ZERO], &[]), 9, 4, 2.0);
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             assert_eq!(render(&figure, &view, glyphs).text().lines().count(), 4);
         }

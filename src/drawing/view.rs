@@ -62,7 +62,7 @@ impl Bounds {
 /// Cell coordinates run from the upper left corner, x to the right, y downwards; the cell in column
 /// `c` and row `r` covers `c..c + 1` and `r..r + 1`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct WorldView {
     cols: u16,
     rows: u16,
     /// Cells per unit of length, along x and along y.
@@ -82,13 +82,13 @@ const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
 /// Rows that a drawing of its own has at least.
 const LOWEST: u16 = 8;
 
-impl View {
+impl WorldView {
     /// The largest window of true aspect that holds the whole `reach` with its labels and supports.
     ///
     /// `aspect` is the height of a cell for its width; 2 is right for most terminals, and stands in
     /// for anything that is not a positive number.
     #[must_use]
-    pub fn fit(reach: &Reach, cols: u16, rows: u16, aspect: f64) -> View {
+    pub fn fit(reach: &Reach, cols: u16, rows: u16, aspect: f64) -> WorldView {
         let aspect = if aspect > 0.0 && aspect.is_finite() {
             aspect
         } else {
@@ -101,14 +101,14 @@ impl View {
         );
         let parts = reach.parts();
         let centre = reach.bounds().centre();
-        let horizontal = parts.map(|(b, m)| Span {
+        let horizontal = parts.map(|(b, m)| AxisSpan {
             low: b.low.x - centre.x,
             high: b.high.x - centre.x,
             before: m.left * shrink.x,
             after: m.right * shrink.x,
         });
         // Rows count downwards, so the world's y axis is turned over here.
-        let vertical = parts.map(|(b, m)| Span {
+        let vertical = parts.map(|(b, m)| AxisSpan {
             low: centre.y - b.high.y,
             high: centre.y - b.low.y,
             before: m.above * shrink.y,
@@ -123,7 +123,7 @@ impl View {
             1.0
         };
         let scale = Vec2::new(scale, scale / aspect);
-        let mut view = View {
+        let mut view = WorldView {
             cols,
             rows,
             scale,
@@ -139,11 +139,11 @@ impl View {
 
     /// The lowest window of so many columns in which the drawing is as large as in one of `most` rows.
     #[must_use]
-    pub fn snug(reach: &Reach, cols: u16, most: u16, aspect: f64) -> View {
-        let highest = View::fit(reach, cols, most, aspect);
+    pub fn snug(reach: &Reach, cols: u16, most: u16, aspect: f64) -> WorldView {
+        let highest = WorldView::fit(reach, cols, most, aspect);
         // A rounding error makes no drawing smaller.
         let least = highest.scale.x * (1.0 - 1e-9);
-        let lower = (LOWEST..most).map(|rows| View::fit(reach, cols, rows, aspect));
+        let lower = (LOWEST..most).map(|rows| WorldView::fit(reach, cols, rows, aspect));
         let mut fitting = lower.filter(|view| view.scale.x >= least);
         fitting.next().unwrap_or(highest)
     }
@@ -153,7 +153,7 @@ impl View {
     /// Without a zoom and a shift it is the window as it is. Factors that are not positive and finite, and
     /// shifts that are not finite, stand for none.
     #[must_use]
-    pub fn zoomed(&self, reach: &Reach, zoom: f64, shift: Vec2) -> View {
+    pub fn zoomed(&self, reach: &Reach, zoom: f64, shift: Vec2) -> WorldView {
         let zoom = if zoom > 0.0 && zoom.is_finite() {
             zoom
         } else {
@@ -167,7 +167,7 @@ impl View {
         let middle = Vec2::new(f64::from(self.cols), f64::from(self.rows)) * 0.5;
         let centre = self.world(middle) + shift;
         let (pin, view) = (middle, *self);
-        let mut zoomed = View {
+        let mut zoomed = WorldView {
             scale,
             centre,
             pin,
@@ -230,7 +230,7 @@ impl View {
 
 /// What must lie inside along one axis: a stretch of the world with cells before and after it.
 #[derive(Clone, Copy)]
-struct Span {
+struct AxisSpan {
     low: f64,
     high: f64,
     before: f64,
@@ -238,7 +238,7 @@ struct Span {
 }
 
 /// The largest scale at which all spans fit into `cells`: every end must fit with every beginning.
-fn largest_scale(spans: &[Span], cells: f64) -> f64 {
+fn largest_scale(spans: &[AxisSpan], cells: f64) -> f64 {
     let mut scale = f64::INFINITY;
     for first in spans {
         for last in spans {
@@ -253,7 +253,7 @@ fn largest_scale(spans: &[Span], cells: f64) -> f64 {
 }
 
 /// Where the world's centre lies so that the spans and their margins stand in the middle of `cells`.
-fn middle(spans: &[Span], cells: f64, scale: f64) -> f64 {
+fn middle(spans: &[AxisSpan], cells: f64, scale: f64) -> f64 {
     let mut start = f64::INFINITY;
     let mut end = f64::NEG_INFINITY;
     for span in spans.iter().filter(|s| s.low <= s.high) {
@@ -290,7 +290,7 @@ mod tests {
             let shift = shift * size;
             let scaled: Vec<_> = points.iter().map(|p| (p.0 * size + shift, p.1 * size)).collect();
             let reach = reach(&scaled, &scaled[..1]);
-            let view = View::fit(&reach, cols, rows, aspect);
+            let view = WorldView::fit(&reach, cols, rows, aspect);
             for &(x, y) in &scaled {
                 let at = view.cell(Vec2::new(x, y));
                 prop_assert!(at.x >= 0.0 && at.x <= f64::from(cols), "{at:?}");
@@ -313,7 +313,7 @@ mod tests {
             (x, y) in (-60.0..60.0, -60.0..60.0),
         ) {
             let reach = reach(&points, &points[..1]);
-            let view = View::fit(&reach, cols, rows, 2.0);
+            let view = WorldView::fit(&reach, cols, rows, 2.0);
             let shift = Vec2::new(x, y);
             let zoomed = view.zoomed(&reach, zoom, shift);
             prop_assert_eq!((zoomed.cols(), zoomed.rows()), (cols, rows));
@@ -332,19 +332,19 @@ mod tests {
     fn a_snug_window_is_low_and_its_drawing_as_large() {
         let reach = reach(&[(0.0, 0.0), (40.0, 5.0)], &[(0.0, 0.0)]);
         let (snug, high) = (
-            View::snug(&reach, 80, 40, 2.0),
-            View::fit(&reach, 80, 40, 2.0),
+            WorldView::snug(&reach, 80, 40, 2.0),
+            WorldView::fit(&reach, 80, 40, 2.0),
         );
         assert!(snug.rows() < 20, "{snug:?}");
         assert!((snug.cells_along(1.0) / high.cells_along(1.0) - 1.0).abs() < 1e-6);
-        assert_eq!(View::snug(&reach, 80, 3, 2.0).rows(), 3);
+        assert_eq!(WorldView::snug(&reach, 80, 3, 2.0).rows(), 3);
     }
 
     #[test]
     fn the_first_ground_point_lies_in_the_middle_of_a_cell() {
         let reach = reach(&[(-3.0, -1.0), (9.7, 5.1)], &[(0.4, 0.3), (7.0, 0.3)]);
         for (cols, rows) in [(80, 24), (79, 23), (40, 12), (5, 3)] {
-            let at = View::fit(&reach, cols, rows, 2.0).cell(Vec2::new(0.4, 0.3));
+            let at = WorldView::fit(&reach, cols, rows, 2.0).cell(Vec2::new(0.4, 0.3));
             assert!((at.x.fract() - 0.5).abs() < 1e-9, "{at:?}");
             assert!((at.y.fract() - 0.5).abs() < 1e-9, "{at:?}");
         }
@@ -353,7 +353,7 @@ mod tests {
     #[test]
     fn there_is_room_for_the_support_below_the_lowest_pin() {
         let reach = reach(&[(0.0, 0.0), (9.0, 9.0)], &[(0.0, 0.0)]);
-        let at = View::fit(&reach, 60, 30, 2.0).cell(Vec2::ZERO);
+        let at = WorldView::fit(&reach, 60, 30, 2.0).cell(Vec2::ZERO);
         assert!(at.y.floor() + 2.0 < 30.0, "{at:?}");
     }
 
@@ -362,7 +362,7 @@ mod tests {
         for (cols, rows) in [(0, 0), (1, 1), (0, 9), (u16::MAX, 1)] {
             for points in [&[][..], &[(5.0, 5.0)], &[(1.0, 1.0), (1.0, 2.0)]] {
                 for aspect in [2.0, 0.0, -1.0, f64::NAN, f64::INFINITY] {
-                    let view = View::fit(&reach(points, points), cols, rows, aspect);
+                    let view = WorldView::fit(&reach(points, points), cols, rows, aspect);
                     let at = view.cell(Vec2::new(5.0, 5.0));
                     assert!(at.is_finite(), "{cols} x {rows}, {points:?}: {at:?}");
                 }

@@ -47,7 +47,7 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
     let fault = Fault::Mobility {
         mobility: 0,
         redundant: 2,
-        repeating: vec![Element::Link(link(&scene, "r3"))],
+        repeating: vec![ElementId::Link(link(&scene, "r3"))],
         floating: Vec::new(),
         is_unclear: true,
     };
@@ -148,8 +148,8 @@ fn a_coupled_group_that_was_not_found_asks_for_the_positions_that_are_missing() 
 fn a_misfit_names_its_element_and_size() {
     let scene = scene("excavator-boom");
     let fault = Fault::OverConstrained {
-        element: Element::Slide(scene.mechanism.slide_ids().next().unwrap()),
-        others: vec![Element::Link(LinkId::new(0))],
+        element: ElementId::Slide(scene.mechanism.slide_ids().next().unwrap()),
+        others: vec![ElementId::Link(LinkId::new(0))],
         misfit: 1e-9,
         at: 1.25,
     };
@@ -191,7 +191,7 @@ fn a_singular_group_names_its_elements() {
     let slide = scene.mechanism.slide_ids().next().unwrap();
     let point = scene.mechanism.slide(slide).slider.point();
     let fault = Fault::Singular {
-        elements: vec![Element::Point(point), Element::Driver],
+        elements: vec![ElementId::Point(point), ElementId::Driver],
         is_here_only: false,
     };
     says(
@@ -200,7 +200,7 @@ fn a_singular_group_names_its_elements() {
         &["never determine a position", "the driver"],
     );
     let fault = Fault::Singular {
-        elements: vec![Element::Point(point)],
+        elements: vec![ElementId::Point(point)],
         is_here_only: true,
     };
     says(

@@ -3,7 +3,7 @@
 //! Its lock tells that somebody is at work on it: one without is what a killed process has left, and is taken
 //! away by the next who writes in this folder.
 
-use super::lock::{self, Locked};
+use super::lock::{self, LockOutcome};
 use super::rights;
 use rustix::fs::{CWD, Mode, OFlags, RenameFlags, open, renameat_with};
 use rustix::io::Errno;
@@ -28,31 +28,31 @@ const MOST_ENTRIES: usize = 10_000;
 
 /// A file on the way; dropped before it has taken its place, it is taken away.
 #[derive(Debug)]
-pub(crate) struct Draft {
+pub(crate) struct DraftFile {
     /// To be written and read.
     pub(crate) file: File,
     path: Option<PathBuf>,
 }
 
-impl Draft {
+impl DraftFile {
     /// For a new file in a folder.
-    pub(super) fn new(folder: &Path) -> io::Result<Draft> {
-        Draft::make(folder, NEW)
+    pub(super) fn new(folder: &Path) -> io::Result<DraftFile> {
+        DraftFile::make(folder, NEW)
     }
 
     /// For a file of ours that is nobody else's business.
-    pub(crate) fn private(folder: &Path) -> io::Result<Draft> {
-        Draft::make(folder, PRIVATE)
+    pub(crate) fn private(folder: &Path) -> io::Result<DraftFile> {
+        DraftFile::make(folder, PRIVATE)
     }
 
     /// In the place of an old file, with all that this has but its text.
-    pub(super) fn like(folder: &Path, old: &File, has: &Metadata) -> io::Result<Draft> {
-        let draft = Draft::make(folder, PRIVATE)?;
+    pub(super) fn like(folder: &Path, old: &File, has: &Metadata) -> io::Result<DraftFile> {
+        let draft = DraftFile::make(folder, PRIVATE)?;
         rights::carry_over(old, has, &draft.file)?;
         Ok(draft)
     }
 
-    fn make(folder: &Path, mode: Mode) -> io::Result<Draft> {
+    fn make(folder: &Path, mode: Mode) -> io::Result<DraftFile> {
         static NUMBER: AtomicU32 = AtomicU32::new(0);
         sweep(folder);
         let flags = OFlags::RDWR | OFlags::CREATE | OFlags::EXCL | OFlags::CLOEXEC;
@@ -67,9 +67,9 @@ impl Draft {
                 Err(error) => return Err(error.into()),
             };
             // Who sweeps here may have come before the lock; then this one is gone, or soon.
-            if lock::take(&file) != Locked::Others && file.metadata()?.nlink() > 0 {
+            if lock::take(&file) != LockOutcome::Others && file.metadata()?.nlink() > 0 {
                 let path = Some(path);
-                return Ok(Draft { file, path });
+                return Ok(DraftFile { file, path });
             }
         }
         Err(Errno::EXIST.into())
@@ -110,7 +110,7 @@ impl Draft {
     }
 }
 
-impl Drop for Draft {
+impl Drop for DraftFile {
     fn drop(&mut self) {
         if let Some(path) = &self.path {
             // What cannot be taken away now is swept by the next.
@@ -154,7 +154,7 @@ fn sweep_one(entry: &DirEntry) {
     let file = File::from(file);
     let person = geteuid();
     // After the lock: whoever had it before may have taken the file away, and the name is another's now.
-    let is_locked = lock::take(&file) == Locked::Ours;
+    let is_locked = lock::take(&file) == LockOutcome::Ours;
     let is_own = file.metadata().is_ok_and(|found| {
         found.nlink() == 1 && (person.is_root() || found.uid() == person.as_raw())
     });

@@ -10,9 +10,9 @@
 //! old text, then new text
 //! ```
 
-use super::draft::Draft;
+use super::draft::DraftFile;
 use super::guard::open_file;
-use super::lock::{self, Locked};
+use super::lock::{self, LockOutcome};
 use crate::wording::words;
 use rustix::fs::OFlags;
 use std::ffi::OsString;
@@ -32,16 +32,16 @@ const LONGEST_HEAD: u64 = 16 << 10;
 const BLOCK: usize = 64 << 10;
 
 /// Old and new text of a file, on the disk.
-struct Record {
+struct RewriteRecord {
     file: File,
     target: PathBuf,
-    old: Span,
-    new: Span,
+    old: RecordSpan,
+    new: RecordSpan,
 }
 
 /// A part of a record.
 #[derive(Clone, Copy)]
-struct Span {
+struct RecordSpan {
     from: u64,
     length: u64,
 }
@@ -53,7 +53,7 @@ struct Span {
 pub(super) fn write_into(target: &Path, new: &mut File, folder: &Path) -> io::Result<()> {
     let mut file = open_file(target, OFlags::RDWR | OFlags::NOFOLLOW)?;
     make_private(folder)?;
-    let (record, path) = Record::keep(folder, target, &mut file, new)?;
+    let (record, path) = RewriteRecord::keep(folder, target, &mut file, new)?;
     let done = record.put(record.new, &file);
     if done.is_err() {
         // The room that the old text needs was its own before.
@@ -75,10 +75,10 @@ pub(crate) fn mend(folder: &Path) -> Vec<PathBuf> {
 fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
     let file = open_file(path, OFlags::RDWR | OFlags::NOFOLLOW)?;
     // One that is there no more another start has seen to.
-    if lock::take(&file) != Locked::Ours || file.metadata()?.nlink() == 0 {
+    if lock::take(&file) != LockOutcome::Ours || file.metadata()?.nlink() == 0 {
         return Ok(None);
     }
-    let record = Record::read(file)?;
+    let record = RewriteRecord::read(file)?;
     let torn = match open_file(&record.target, OFlags::RDWR | OFlags::NOFOLLOW) {
         Ok(file) if record.is_torn(&file)? => {
             record.put(record.new, &file)?;
@@ -93,15 +93,15 @@ fn mend_one(path: &Path) -> io::Result<Option<PathBuf>> {
     Ok(torn.then_some(record.target))
 }
 
-impl Record {
+impl RewriteRecord {
     /// Writes both texts to the disk. The record is locked as long as it is open.
     fn keep(
         folder: &Path,
         target: &Path,
         old: &mut File,
         new: &mut File,
-    ) -> io::Result<(Record, PathBuf)> {
-        let mut draft = Draft::private(folder)?;
+    ) -> io::Result<(RewriteRecord, PathBuf)> {
+        let mut draft = DraftFile::private(folder)?;
         let lengths = [old.metadata()?.len(), new.metadata()?.len()];
         let mut head = format!("{MAGIC} {} {} ", lengths[0], lengths[1]);
         for byte in target.as_os_str().as_bytes() {
@@ -121,10 +121,10 @@ impl Record {
         let path = folder.join(number).with_extension(ENDS);
         let file = draft.replace(&path)?;
         File::open(folder)?.sync_all()?;
-        Ok((Record::read(file)?, path))
+        Ok((RewriteRecord::read(file)?, path))
     }
 
-    fn read(mut file: File) -> io::Result<Record> {
+    fn read(mut file: File) -> io::Result<RewriteRecord> {
         let broken = || io::Error::other(words().is_no_record());
         file.seek(SeekFrom::Start(0))?;
         let mut head = String::new();
@@ -143,8 +143,8 @@ impl Record {
             return Err(broken());
         }
         let spans = [(from, old), (from + old, new)];
-        let [old, new] = spans.map(|(from, length)| Span { from, length });
-        Ok(Record {
+        let [old, new] = spans.map(|(from, length)| RecordSpan { from, length });
+        Ok(RewriteRecord {
             file,
             target,
             old,
@@ -153,7 +153,7 @@ impl Record {
     }
 
     /// Makes one of the texts what a file holds.
-    fn put(&self, text: Span, file: &File) -> io::Result<()> {
+    fn put(&self, text: RecordSpan, file: &File) -> io::Result<()> {
         // What finds no room finds that out before anything is changed.
         reserve(file, text.length.max(1))?;
         let mut block = vec![0; BLOCK];
@@ -201,7 +201,7 @@ impl Record {
     }
 
     /// A block of a text, as much of it as there is.
-    fn bytes(&self, text: Span, at: u64) -> io::Result<Vec<u8>> {
+    fn bytes(&self, text: RecordSpan, at: u64) -> io::Result<Vec<u8>> {
         let mut bytes = vec![0; piece(text.length.saturating_sub(at))];
         self.file.read_exact_at(&mut bytes, text.from + at)?;
         Ok(bytes)

@@ -20,7 +20,7 @@ const PAUSE: Duration = Duration::from_millis(10);
 
 /// Whether a lock was had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Locked {
+pub(crate) enum LockOutcome {
     /// It is ours until the file is closed.
     Ours,
     /// Somebody else has it.
@@ -30,13 +30,13 @@ pub(crate) enum Locked {
 }
 
 /// Takes the lock on an open file if nobody else has it.
-pub(crate) fn take(file: &File) -> Locked {
+pub(crate) fn take(file: &File) -> LockOutcome {
     loop {
         match flock(file, FlockOperation::NonBlockingLockExclusive) {
-            Ok(()) => return Locked::Ours,
+            Ok(()) => return LockOutcome::Ours,
             Err(Errno::INTR) => {}
-            Err(Errno::WOULDBLOCK) => return Locked::Others,
-            Err(_) => return Locked::Unknown,
+            Err(Errno::WOULDBLOCK) => return LockOutcome::Others,
+            Err(_) => return LockOutcome::Unknown,
         }
     }
 }
@@ -53,10 +53,10 @@ pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, super::Trouble> {
     let end = Instant::now() + PATIENCE;
     loop {
         match take(&folder) {
-            Locked::Ours => return Ok(Some(folder)),
-            Locked::Unknown => return Ok(None),
-            Locked::Others if Instant::now() >= end => return Err(super::Trouble::Busy),
-            Locked::Others => sleep(PAUSE),
+            LockOutcome::Ours => return Ok(Some(folder)),
+            LockOutcome::Unknown => return Ok(None),
+            LockOutcome::Others if Instant::now() >= end => return Err(super::Trouble::Busy),
+            LockOutcome::Others => sleep(PAUSE),
         }
     }
 }

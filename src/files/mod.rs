@@ -46,7 +46,7 @@ pub(crate) use same::is_same_file;
 pub(crate) use stamp::Stamp;
 #[cfg(feature = "tui")]
 pub(crate) use {
-    draft::Draft, in_place::make_private, lock::is_held, output::Saving, output::save,
+    draft::DraftFile, in_place::make_private, lock::is_held, output::Saving, output::save,
 };
 #[cfg(unix)]
 pub(crate) use {in_place::mend, output::Output};

@@ -1,7 +1,7 @@
 //! Writing a file: it is whole, or what it was.
 
 use super::Trouble;
-use super::draft::Draft;
+use super::draft::DraftFile;
 use super::guard::open_file;
 use super::in_place::{make_private, write_into};
 use super::target::Target;
@@ -15,19 +15,19 @@ use std::path::{Path, PathBuf};
 
 /// A file that is being written. Dropped before it is committed, it leaves everything as it was.
 #[derive(Debug)]
-pub(crate) struct Output(Way);
+pub(crate) struct Output(OutputWay);
 
 #[derive(Debug)]
-enum Way {
+enum OutputWay {
     /// To what is no file: there is nothing to keep.
     Stream(File),
     /// To a file that is not there yet.
-    New { draft: Draft, target: PathBuf },
+    New { draft: DraftFile, target: PathBuf },
     /// In the place of a file.
-    Over { draft: Draft, target: PathBuf },
+    Over { draft: DraftFile, target: PathBuf },
     /// Into a file that keeps its place.
     Into {
-        draft: Draft,
+        draft: DraftFile,
         target: PathBuf,
         folder: PathBuf,
     },
@@ -51,19 +51,19 @@ impl Output {
         Ok(Output(match target {
             Target::Stream(path) => {
                 // Where the shell has opened a file for us, what it holds so far stays.
-                Way::Stream(File::options().append(true).open(path)?)
+                OutputWay::Stream(File::options().append(true).open(path)?)
             }
-            Target::New(target) => Way::New {
-                draft: Draft::new(folder_of(&target))?,
+            Target::New(target) => OutputWay::New {
+                draft: DraftFile::new(folder_of(&target))?,
                 target,
             },
             Target::File(target, found) => match beside(&target, &found)? {
-                Some(draft) => Way::Over { draft, target },
+                Some(draft) => OutputWay::Over { draft, target },
                 None => {
                     let folder = records.ok_or(Trouble::NoJournal)?.to_owned();
                     make_private(&folder)?;
-                    let draft = Draft::private(&folder)?;
-                    Way::Into {
+                    let draft = DraftFile::private(&folder)?;
+                    OutputWay::Into {
                         draft,
                         target,
                         folder,
@@ -86,19 +86,19 @@ impl Output {
     fn sync(&self) -> io::Result<()> {
         match &self.0 {
             // What is written into a file lies on the disk in its record.
-            Way::Stream(_) | Way::Into { .. } => Ok(()),
-            Way::New { draft, .. } | Way::Over { draft, .. } => draft.file.sync_all(),
+            OutputWay::Stream(_) | OutputWay::Into { .. } => Ok(()),
+            OutputWay::New { draft, .. } | OutputWay::Over { draft, .. } => draft.file.sync_all(),
         }
     }
 
     fn take_place(self, records: Option<&Path>) -> Result<(), Trouble> {
         match self.0 {
-            Way::Stream(mut file) => file.flush()?,
-            Way::New { draft, target } => {
+            OutputWay::Stream(mut file) => file.flush()?,
+            OutputWay::New { draft, target } => {
                 draft.appear(&target)?;
                 sync_folder_of(&target);
             }
-            Way::Over { draft, target } => {
+            OutputWay::Over { draft, target } => {
                 let mut kept = draft.file.try_clone()?;
                 match draft.replace(&target) {
                     Ok(_) => sync_folder_of(&target),
@@ -110,7 +110,7 @@ impl Output {
                     Err(e) => return Err(e.into()),
                 }
             }
-            Way::Into {
+            OutputWay::Into {
                 mut draft,
                 target,
                 folder,
@@ -123,10 +123,10 @@ impl Output {
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.0 {
-            Way::Stream(file) => file.write(bytes),
-            Way::New { draft, .. } | Way::Over { draft, .. } | Way::Into { draft, .. } => {
-                draft.file.write(bytes)
-            }
+            OutputWay::Stream(file) => file.write(bytes),
+            OutputWay::New { draft, .. }
+            | OutputWay::Over { draft, .. }
+            | OutputWay::Into { draft, .. } => draft.file.write(bytes),
         }
     }
 
@@ -137,12 +137,12 @@ impl Write for Output {
 
 /// A draft that has all that the file has; `None` where the file would lose something by it, or where its
 /// folder takes none.
-fn beside(target: &Path, found: &Metadata) -> Result<Option<Draft>, Trouble> {
+fn beside(target: &Path, found: &Metadata) -> Result<Option<DraftFile>, Trouble> {
     if found.nlink() > 1 {
         return Ok(None);
     }
     let old = open_file(target, OFlags::RDONLY | OFlags::NOFOLLOW)?;
-    match Draft::like(folder_of(target), &old, found) {
+    match DraftFile::like(folder_of(target), &old, found) {
         Ok(draft) => Ok(Some(draft)),
         Err(e) if matches!(e.kind(), ErrorKind::StorageFull | ErrorKind::QuotaExceeded) => {
             Err(e.into())

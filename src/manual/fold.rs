@@ -1,14 +1,14 @@
 //! What stands as it is on a screen that is narrower, and what was broken as one text again.
 
-use super::layout::{Kind, Line};
+use super::layout::{LineKind, ManualLine};
 
 /// Blanks before what goes on with a line.
 const INDENT: usize = 2;
 
 /// The line in pieces of at most so many characters: behind a blank, where one is in the second half of a piece.
 /// Only the last piece is without blanks at its end, so that the pieces in a row are the line.
-pub(crate) fn folded(line: Line, width: usize) -> Vec<Line> {
-    if line.kind != Kind::Code {
+pub(crate) fn folded(line: ManualLine, width: usize) -> Vec<ManualLine> {
+    if line.kind != LineKind::Code {
         return vec![line];
     }
     let mut rest: Vec<char> = line.text.chars().collect();
@@ -30,13 +30,13 @@ pub(crate) fn folded(line: Line, width: usize) -> Vec<Line> {
 }
 
 /// The lines of a paragraph as it was before it was broken.
-pub(crate) fn joined(lines: &[Line]) -> String {
+pub(crate) fn joined(lines: &[ManualLine]) -> String {
     let mut text = String::new();
     for line in lines {
         match line.kind {
-            Kind::Code if line.goes_on => text += line.text.get(INDENT..).unwrap_or_default(),
-            Kind::Code => text += &line.text,
-            Kind::Title | Kind::Words => {
+            LineKind::Code if line.goes_on => text += line.text.get(INDENT..).unwrap_or_default(),
+            LineKind::Code => text += &line.text,
+            LineKind::Title | LineKind::Words => {
                 text.push(' ');
                 text += line.text.trim_start();
             }
@@ -45,10 +45,10 @@ pub(crate) fn joined(lines: &[Line]) -> String {
     text
 }
 
-fn piece(text: &[char], indent: usize) -> Line {
+fn piece(text: &[char], indent: usize) -> ManualLine {
     let text: String = text.iter().collect();
-    Line {
-        kind: Kind::Code,
+    ManualLine {
+        kind: LineKind::Code,
         text: format!("{:indent$}{text}", ""),
         goes_on: indent > 0,
     }

@@ -1,12 +1,12 @@
 //! A text in Markdown as lines of a width.
 
-use super::markdown::{Block, Content, blocks};
+use super::markdown::{MarkdownBlock, MarkdownContent, blocks};
 use super::table;
 use crate::page::wrapped;
 
 /// What a line is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum LineKind {
     /// A heading.
     Title,
     /// Words, or nothing.
@@ -17,8 +17,8 @@ pub(crate) enum Kind {
 
 /// A line, without the blanks at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Line {
-    pub(crate) kind: Kind,
+pub(crate) struct ManualLine {
+    pub(crate) kind: LineKind,
     pub(crate) text: String,
     /// Whether it goes on with the line before: with its next word, or as code right behind it. What begins is a
     /// paragraph, a row of a table or a line of code.
@@ -37,29 +37,29 @@ const TOGETHER: usize = 22;
 const TIED: char = '\u{1}';
 
 /// The text in lines of at most so many characters, however wide the screen is.
-pub(crate) fn lines(text: &str, width: usize) -> Vec<Line> {
-    let mut lines: Vec<Line> = Vec::new();
+pub(crate) fn lines(text: &str, width: usize) -> Vec<ManualLine> {
+    let mut lines: Vec<ManualLine> = Vec::new();
     for block in blocks(text) {
         if block.apart && !lines.is_empty() {
-            lines.push(line(Kind::Words, ""));
+            lines.push(line(LineKind::Words, ""));
         }
         lines.extend(laid_out(&block, width.clamp(NARROWEST, WIDEST)));
     }
     lines
 }
 
-fn laid_out(block: &Block<'_>, width: usize) -> Vec<Line> {
+fn laid_out(block: &MarkdownBlock<'_>, width: usize) -> Vec<ManualLine> {
     let room = width - block.indent;
     let inner = match &block.content {
-        Content::Heading(text) => passage(Kind::Title, broken(&plain(text), room)),
-        Content::Paragraph(text) => passage(Kind::Words, broken(&plain(text), room)),
-        Content::Item(text) => passage(Kind::Words, item(text, room)),
-        Content::Code(code) => as_it_stands(code, room),
-        Content::Table(table) => table::lines(table, room),
+        MarkdownContent::Heading(text) => passage(LineKind::Title, broken(&plain(text), room)),
+        MarkdownContent::Paragraph(text) => passage(LineKind::Words, broken(&plain(text), room)),
+        MarkdownContent::Item(text) => passage(LineKind::Words, item(text, room)),
+        MarkdownContent::Code(code) => as_it_stands(code, room),
+        MarkdownContent::Table(table) => table::lines(table, room),
     };
     let indented = inner.into_iter().map(|inner| match inner.text.as_str() {
         "" => inner,
-        text => Line {
+        text => ManualLine {
             text: format!("{:1$}{text}", "", block.indent),
             ..inner
         },
@@ -77,11 +77,11 @@ fn item(text: &str, width: usize) -> Vec<String> {
         .collect()
 }
 
-fn as_it_stands(code: &[&str], width: usize) -> Vec<Line> {
+fn as_it_stands(code: &[&str], width: usize) -> Vec<ManualLine> {
     let widest = code.iter().map(|line| line.chars().count()).max();
     let indent = CODE.min(width.saturating_sub(widest.unwrap_or(0)));
     let indented = code.iter().map(|code| format!("{:indent$}{code}", ""));
-    indented.map(|code| line(Kind::Code, &code)).collect()
+    indented.map(|code| line(LineKind::Code, &code)).collect()
 }
 
 /// Words in lines of at most so many characters; short code stays together.
@@ -103,8 +103,8 @@ pub(super) fn plain(text: &str) -> String {
 }
 
 /// A line that goes on with nothing.
-pub(super) fn line(kind: Kind, text: &str) -> Line {
-    Line {
+pub(super) fn line(kind: LineKind, text: &str) -> ManualLine {
+    ManualLine {
         kind,
         text: text.trim_end().to_owned(),
         goes_on: false,
@@ -112,8 +112,8 @@ pub(super) fn line(kind: Kind, text: &str) -> Line {
 }
 
 /// Lines of which each goes on with the one before.
-fn passage(kind: Kind, lines: Vec<String>) -> Vec<Line> {
-    let lines = lines.iter().enumerate().map(|(number, text)| Line {
+fn passage(kind: LineKind, lines: Vec<String>) -> Vec<ManualLine> {
+    let lines = lines.iter().enumerate().map(|(number, text)| ManualLine {
         goes_on: number > 0,
         ..line(kind, text)
     });

@@ -3,8 +3,8 @@
 
 /// A piece of a text.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Block<'t> {
-    pub(super) content: Content<'t>,
+pub(super) struct MarkdownBlock<'t> {
+    pub(super) content: MarkdownContent<'t>,
     /// Columns that it is indented by: it belongs to an item of a list.
     pub(super) indent: usize,
     /// Whether a blank line stands before it.
@@ -12,18 +12,18 @@ pub(super) struct Block<'t> {
 }
 
 #[derive(Debug, PartialEq, Eq)]
-pub(super) enum Content<'t> {
+pub(super) enum MarkdownContent<'t> {
     Heading(&'t str),
     Paragraph(String),
     /// A paragraph behind a mark.
     Item(String),
     /// As it stands.
     Code(Vec<&'t str>),
-    Table(Table<'t>),
+    Table(MarkdownTable<'t>),
 }
 
 #[derive(Debug, Default, PartialEq, Eq)]
-pub(super) struct Table<'t> {
+pub(super) struct MarkdownTable<'t> {
     /// Cells as they are written; the first row is the head.
     pub(super) rows: Vec<Vec<&'t str>>,
     /// Whether a column stands to the right.
@@ -37,8 +37,8 @@ const ITEM: &str = "  ";
 const CODE: &str = "    ";
 
 /// Takes a text apart.
-pub(super) fn blocks(text: &str) -> Vec<Block<'_>> {
-    let mut reader = Reader::default();
+pub(super) fn blocks(text: &str) -> Vec<MarkdownBlock<'_>> {
+    let mut reader = MarkdownReader::default();
     let mut lines = text.lines();
     while let Some(line) = lines.next() {
         if line.trim().is_empty() {
@@ -50,7 +50,7 @@ pub(super) fn blocks(text: &str) -> Vec<Block<'_>> {
             let indent = reader.indent;
             let code = lines.by_ref().map(|line| line.get(indent..).unwrap_or(""));
             let code = code.take_while(|line| !line.starts_with(FENCE)).collect();
-            reader.begin(Content::Code(code));
+            reader.begin(MarkdownContent::Code(code));
         } else {
             reader.line(inner);
         }
@@ -59,16 +59,16 @@ pub(super) fn blocks(text: &str) -> Vec<Block<'_>> {
 }
 
 #[derive(Default)]
-struct Reader<'t> {
-    blocks: Vec<Block<'t>>,
+struct MarkdownReader<'t> {
+    blocks: Vec<MarkdownBlock<'t>>,
     indent: usize,
     apart: bool,
 }
 
-impl<'t> Reader<'t> {
+impl<'t> MarkdownReader<'t> {
     /// The line without the blanks that make it part of an item.
     fn within_item(&mut self, line: &'t str) -> &'t str {
-        let in_list = self.indent > 0 || matches!(self.last(), Some(Content::Item(_)));
+        let in_list = self.indent > 0 || matches!(self.last(), Some(MarkdownContent::Item(_)));
         match line.strip_prefix(ITEM).filter(|_| in_list) {
             Some(inner) => {
                 self.indent = ITEM.len();
@@ -81,12 +81,12 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn last(&mut self) -> Option<&mut Content<'t>> {
+    fn last(&mut self) -> Option<&mut MarkdownContent<'t>> {
         self.blocks.last_mut().map(|block| &mut block.content)
     }
 
-    fn begin(&mut self, content: Content<'t>) {
-        self.blocks.push(Block {
+    fn begin(&mut self, content: MarkdownContent<'t>) {
+        self.blocks.push(MarkdownBlock {
             content,
             indent: self.indent,
             apart: self.apart,
@@ -98,13 +98,15 @@ impl<'t> Reader<'t> {
     fn line(&mut self, line: &'t str) {
         if let Some(code) = line.strip_prefix(CODE) {
             match self.last() {
-                Some(Content::Code(lines)) => lines.push(code),
-                _ => self.begin(Content::Code(vec![code])),
+                Some(MarkdownContent::Code(lines)) => lines.push(code),
+                _ => self.begin(MarkdownContent::Code(vec![code])),
             }
         } else if line.starts_with('#') {
-            self.begin(Content::Heading(line.trim_start_matches('#').trim()));
+            self.begin(MarkdownContent::Heading(
+                line.trim_start_matches('#').trim(),
+            ));
         } else if let Some(item) = line.strip_prefix("- ") {
-            self.begin(Content::Item(item.to_owned()));
+            self.begin(MarkdownContent::Item(item.to_owned()));
         } else if line.starts_with('|') {
             self.row(line);
         } else {
@@ -115,21 +117,21 @@ impl<'t> Reader<'t> {
     fn words(&mut self, line: &str) {
         let apart = self.apart;
         match self.last() {
-            Some(Content::Paragraph(text) | Content::Item(text)) if !apart => {
+            Some(MarkdownContent::Paragraph(text) | MarkdownContent::Item(text)) if !apart => {
                 text.push(' ');
                 text.push_str(line);
             }
-            _ => self.begin(Content::Paragraph(line.to_owned())),
+            _ => self.begin(MarkdownContent::Paragraph(line.to_owned())),
         }
     }
 
     fn row(&mut self, line: &'t str) {
-        if self.apart || !matches!(self.last(), Some(Content::Table(_))) {
-            self.begin(Content::Table(Table::default()));
+        if self.apart || !matches!(self.last(), Some(MarkdownContent::Table(_))) {
+            self.begin(MarkdownContent::Table(MarkdownTable::default()));
         }
         let cells = line.trim().trim_start_matches('|');
         let cells = split(cells.strip_suffix('|').unwrap_or(cells));
-        let Some(Content::Table(table)) = self.last() else {
+        let Some(MarkdownContent::Table(table)) = self.last() else {
             return;
         };
         if cells.iter().all(|cell| cell.contains("---")) {
@@ -157,7 +159,7 @@ fn split(row: &str) -> Vec<&str> {
 mod tests {
     use super::*;
 
-    fn contents(text: &str) -> Vec<(usize, bool, Content<'_>)> {
+    fn contents(text: &str) -> Vec<(usize, bool, MarkdownContent<'_>)> {
         let blocks = blocks(text).into_iter();
         blocks.map(|b| (b.indent, b.apart, b.content)).collect()
     }
@@ -165,14 +167,14 @@ mod tests {
     #[test]
     fn every_kind_of_block_is_known() {
         let text = "# One\n\nTwo\nwords.\n- an item\n  goes on\n\n  ```toml\n  a = 1\n\n    b\n  ```\n\n  and on\n\n    krank\n";
-        let paragraph = |text: &str| Content::Paragraph(text.into());
+        let paragraph = |text: &str| MarkdownContent::Paragraph(text.into());
         assert_eq!(
             contents(text),
             [
-                (0, false, Content::Heading("One")),
+                (0, false, MarkdownContent::Heading("One")),
                 (0, true, paragraph("Two words.")),
-                (0, false, Content::Item("an item goes on".into())),
-                (2, true, Content::Code(vec!["a = 1", "", "  b"])),
+                (0, false, MarkdownContent::Item("an item goes on".into())),
+                (2, true, MarkdownContent::Code(vec!["a = 1", "", "  b"])),
                 (2, true, paragraph("and on")),
                 (2, true, paragraph("  krank")),
             ]
@@ -182,12 +184,12 @@ mod tests {
     #[test]
     fn a_table_has_its_head_first() {
         let found = contents("|a|b|\n|---|---:|\n| 1 | |\n\n    krank list\n    krank\n");
-        let table = Table {
+        let table = MarkdownTable {
             rows: vec![vec!["a", "b"], vec!["1", ""]],
             right: vec![false, true],
         };
-        assert_eq!(found[0], (0, false, Content::Table(table)));
-        let code = Content::Code(vec!["krank list", "krank"]);
+        assert_eq!(found[0], (0, false, MarkdownContent::Table(table)));
+        let code = MarkdownContent::Code(vec!["krank list", "krank"]);
         assert_eq!(found[1], (0, true, code));
     }
 
@@ -198,7 +200,10 @@ mod tests {
 
     #[test]
     fn a_fence_that_is_left_open_ends_with_the_text() {
-        assert_eq!(contents("```\na"), [(0, false, Content::Code(vec!["a"]))]);
+        assert_eq!(
+            contents("```\na"),
+            [(0, false, MarkdownContent::Code(vec!["a"]))]
+        );
         assert_eq!(contents(""), []);
     }
 }

@@ -13,8 +13,8 @@ use crate::wording::{Wording, Words};
 #[cfg(feature = "tui")]
 pub(crate) use fold::{folded, joined};
 #[cfg(feature = "tui")]
-pub(crate) use layout::Line;
-pub(crate) use layout::{Kind, lines};
+pub(crate) use layout::ManualLine;
+pub(crate) use layout::{LineKind, lines};
 
 /// Something to read.
 #[derive(Debug)]
@@ -193,7 +193,7 @@ mod tests {
             for width in WIDTHS {
                 for line in lines(&topic.text(String::new), width) {
                     let length = line.text.chars().count();
-                    let fits = length <= width || line.kind == Kind::Code;
+                    let fits = length <= width || line.kind == LineKind::Code;
                     assert!(fits, "{} at {width}: {}", topic.name, line.text);
                 }
             }

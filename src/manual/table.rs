@@ -1,7 +1,7 @@
 //! Tables: in columns where they fit, the widest one wrapped where that helps, and else entry by entry.
 
-use super::layout::{Kind, Line, broken, line, plain};
-use super::markdown::Table;
+use super::layout::{LineKind, ManualLine, broken, line, plain};
+use super::markdown::MarkdownTable;
 
 /// Blanks between two columns.
 const GAP: usize = 2;
@@ -11,9 +11,9 @@ const NARROWEST: usize = 24;
 const INDENT: usize = 4;
 
 /// The table in lines of at most so many characters.
-pub(super) fn lines(table: &Table<'_>, width: usize) -> Vec<Line> {
-    let rows = table.rows.iter().map(|cells| Row::new(cells));
-    let rows: Vec<Row> = rows.collect();
+pub(super) fn lines(table: &MarkdownTable<'_>, width: usize) -> Vec<ManualLine> {
+    let rows = table.rows.iter().map(|cells| ManualRow::new(cells));
+    let rows: Vec<ManualRow> = rows.collect();
     let widths = widths(&rows);
     match fitting(&widths, width) {
         Some(widths) => in_columns(&rows, &table.right, &widths),
@@ -22,15 +22,15 @@ pub(super) fn lines(table: &Table<'_>, width: usize) -> Vec<Line> {
 }
 
 /// Cells as they are shown.
-struct Row {
+struct ManualRow {
     cells: Vec<String>,
     /// Whether it begins a group of rows.
     opens: bool,
 }
 
-impl Row {
+impl ManualRow {
     fn new(cells: &[&str]) -> Self {
-        Row {
+        ManualRow {
             opens: cells.first().is_some_and(|cell| cell.starts_with("**")),
             cells: cells.iter().map(|cell| plain(cell)).collect(),
         }
@@ -40,13 +40,17 @@ impl Row {
         self.cells.iter().all(String::is_empty)
     }
 
-    fn kind(&self) -> Kind {
-        if self.opens { Kind::Title } else { Kind::Words }
+    fn kind(&self) -> LineKind {
+        if self.opens {
+            LineKind::Title
+        } else {
+            LineKind::Words
+        }
     }
 }
 
 /// How wide each column is by itself; the name of a group has its line alone.
-fn widths(rows: &[Row]) -> Vec<usize> {
+fn widths(rows: &[ManualRow]) -> Vec<usize> {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows.iter().filter(|row| !is_title(row)) {
         widths.resize(widths.len().max(row.cells.len()), 0);
@@ -80,18 +84,18 @@ fn fitting(widths: &[usize], width: usize) -> Option<Vec<usize>> {
     Some(fitting)
 }
 
-fn is_title(row: &Row) -> bool {
+fn is_title(row: &ManualRow) -> bool {
     row.opens && row.cells.iter().skip(1).all(String::is_empty)
 }
 
-fn in_columns(rows: &[Row], right: &[bool], widths: &[usize]) -> Vec<Line> {
+fn in_columns(rows: &[ManualRow], right: &[bool], widths: &[usize]) -> Vec<ManualLine> {
     let mut lines = Vec::new();
     for row in rows.iter().filter(|row| !row.is_blank()) {
         if row.opens && !lines.is_empty() {
-            lines.push(line(Kind::Words, ""));
+            lines.push(line(LineKind::Words, ""));
         }
         if is_title(row) {
-            lines.push(line(Kind::Title, &row.cells[0]));
+            lines.push(line(LineKind::Title, &row.cells[0]));
             continue;
         }
         let cells = row.cells.iter().zip(widths);
@@ -107,7 +111,7 @@ fn in_columns(rows: &[Row], right: &[bool], widths: &[usize]) -> Vec<Line> {
                 };
                 text += &" ".repeat(GAP);
             }
-            lines.push(Line {
+            lines.push(ManualLine {
                 goes_on: depth > 0,
                 ..line(row.kind(), &text)
             });
@@ -117,24 +121,24 @@ fn in_columns(rows: &[Row], right: &[bool], widths: &[usize]) -> Vec<Line> {
 }
 
 /// The first cell, and below it what stands in the others with their head; the widest column speaks for itself.
-fn by_entry(rows: &[Row], widest: usize, width: usize) -> Vec<Line> {
+fn by_entry(rows: &[ManualRow], widest: usize, width: usize) -> Vec<ManualLine> {
     let Some((head, rows)) = rows.split_first() else {
         return Vec::new();
     };
     let mut lines = Vec::new();
     for row in rows {
         if row.opens && !lines.is_empty() {
-            lines.push(line(Kind::Words, ""));
+            lines.push(line(LineKind::Words, ""));
         }
         let cells = row.cells.iter().zip(&head.cells).enumerate();
         for (column, (cell, head)) in cells.filter(|(_, (cell, _))| !cell.is_empty()) {
             let (kind, indent, told) = match column {
                 0 => (row.kind(), 0, cell.clone()),
-                _ if column == widest => (Kind::Words, INDENT, cell.clone()),
-                _ => (Kind::Words, INDENT, format!("{head}: {cell}")),
+                _ if column == widest => (LineKind::Words, INDENT, cell.clone()),
+                _ => (LineKind::Words, INDENT, format!("{head}: {cell}")),
             };
             let told = broken(&told, width - indent).into_iter();
-            lines.extend(told.enumerate().map(|(number, text)| Line {
+            lines.extend(told.enumerate().map(|(number, text)| ManualLine {
                 goes_on: column > 0 || number > 0,
                 ..line(kind, &format!("{:indent$}{text}", ""))
             }));

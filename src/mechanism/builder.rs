@@ -1,7 +1,7 @@
 //! Builds a mechanism element by element, and checks each by itself.
 
 use super::{
-    Body, Defect, Defects, Driver, Element, Input, Link, LinkId, Load, Mechanism, Member, Parts,
+    Body, Defect, Defects, Driver, ElementId, Input, Link, LinkId, Load, Mechanism, Member, Parts,
     Point, PointId, Slide, SlideId, Slider,
 };
 use crate::Vec2;
@@ -255,7 +255,7 @@ impl Builder {
         for (i, point) in self.points.iter().enumerate() {
             let id = PointId::new(i);
             if point.ground.is_some_and(|p| !p.is_finite()) {
-                let of = Element::Point(id);
+                let of = ElementId::Point(id);
                 found.push(Defect::Coordinates { of });
             }
             let slides = || self.slides.iter().any(|s| s.slider.point() == id);
@@ -265,7 +265,7 @@ impl Builder {
         }
         for &(point, near) in &self.start {
             if !near.is_finite() {
-                let of = Element::Point(point);
+                let of = ElementId::Point(point);
                 found.push(Defect::Coordinates { of });
             }
         }
@@ -311,7 +311,7 @@ impl Builder {
                 Slider::Link { turn, .. } => turn,
             };
             if !(slide.through.is_finite() && slide.angle.is_finite() && turn.is_finite()) {
-                let of = Element::Slide(id);
+                let of = ElementId::Slide(id);
                 found.push(Defect::Coordinates { of });
             }
             let carried = match slide.on {
@@ -370,7 +370,7 @@ fn check_link(id: LinkId, link: &Link, found: &mut Vec<Defect>) {
         .skip(further)
         .all(|m| m.local.is_finite())
     {
-        let of = Element::Link(id);
+        let of = ElementId::Link(id);
         found.push(Defect::Coordinates { of });
     }
     let mut carried = HashSet::new();

@@ -3,27 +3,27 @@
 //! What a drawing, a rule or a workshop settles is never exact; how far a figure follows such a length
 //! is asked one at a time. Angles of guides and the driver's coordinate are no lengths.
 
-use super::{Body, Element, LinkId, Mechanism, Parts, PointId, SlideId, Slider};
+use super::{Body, ElementId, LinkId, Mechanism, Parts, PointId, SlideId, Slider};
 use crate::Vec2;
 use std::sync::Arc;
 
 /// Along which axis a coordinate counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
+pub enum CoordinateAxis {
     /// Along x.
     X,
     /// Along y.
     Y,
 }
 
-impl Axis {
+impl CoordinateAxis {
     /// Both, in their order.
-    pub const BOTH: [Axis; 2] = [Axis::X, Axis::Y];
+    pub const BOTH: [CoordinateAxis; 2] = [CoordinateAxis::X, CoordinateAxis::Y];
 
     fn along(self, by: f64) -> Vec2 {
         match self {
-            Axis::X => Vec2::new(by, 0.0),
-            Axis::Y => Vec2::new(0.0, by),
+            CoordinateAxis::X => Vec2::new(by, 0.0),
+            CoordinateAxis::Y => Vec2::new(0.0, by),
         }
     }
 }
@@ -35,22 +35,22 @@ pub enum Length {
     /// The length of a link between its two natural ends.
     Link(LinkId),
     /// A coordinate of a further point of a link, in the link's frame.
-    Local(LinkId, PointId, Axis),
+    Local(LinkId, PointId, CoordinateAxis),
     /// A coordinate of a ground point.
-    Ground(PointId, Axis),
+    Ground(PointId, CoordinateAxis),
     /// A coordinate of the point that a guide runs through, in the frame of what carries the guide,
     /// where it is given by coordinates and not by a point's name.
-    Through(SlideId, Axis),
+    Through(SlideId, CoordinateAxis),
 }
 
 impl Length {
     /// The element that the length belongs to.
     #[must_use]
-    pub fn element(self) -> Element {
+    pub fn element(self) -> ElementId {
         match self {
-            Length::Link(link) | Length::Local(link, ..) => Element::Link(link),
-            Length::Ground(point, _) => Element::Point(point),
-            Length::Through(slide, _) => Element::Slide(slide),
+            Length::Link(link) | Length::Local(link, ..) => ElementId::Link(link),
+            Length::Ground(point, _) => ElementId::Point(point),
+            Length::Through(slide, _) => ElementId::Slide(slide),
         }
     }
 }
@@ -63,8 +63,8 @@ impl Mechanism {
     #[must_use]
     pub fn lengths(&self) -> Vec<Length> {
         let fixed = self.point_ids().filter(|&p| self.point(p).ground.is_some());
-        let both = |length: fn(PointId, Axis) -> Length| {
-            move |point| Axis::BOTH.map(|axis| length(point, axis))
+        let both = |length: fn(PointId, CoordinateAxis) -> Length| {
+            move |point| CoordinateAxis::BOTH.map(|axis| length(point, axis))
         };
         let mut lengths: Vec<Length> = fixed.flat_map(both(Length::Ground)).collect();
         for link in self.link_ids() {
@@ -72,7 +72,7 @@ impl Mechanism {
         }
         for slide in self.slide_ids() {
             if self.slide(slide).named.is_none() {
-                lengths.extend(Axis::BOTH.map(|axis| Length::Through(slide, axis)));
+                lengths.extend(CoordinateAxis::BOTH.map(|axis| Length::Through(slide, axis)));
             }
         }
         lengths
@@ -94,7 +94,7 @@ impl Mechanism {
             let is_end = ends.is_some_and(|ends| ends.contains(&member.point));
             if !is_end && !is_origin(member.point) {
                 let local = |axis| Length::Local(id, member.point, axis);
-                lengths.extend(Axis::BOTH.map(local));
+                lengths.extend(CoordinateAxis::BOTH.map(local));
             }
         }
     }

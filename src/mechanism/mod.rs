@@ -9,7 +9,7 @@ mod lengths;
 mod load;
 
 pub use builder::Builder;
-pub use lengths::{Axis, Length};
+pub use lengths::{CoordinateAxis, Length};
 pub use load::{Load, Profile, StrokeEnd};
 
 use crate::Vec2;
@@ -370,7 +370,7 @@ pub enum Defect {
     #[error("the coordinates must be finite numbers")]
     Coordinates {
         /// Whose.
-        of: Element,
+        of: ElementId,
     },
     /// The same point twice in one link.
     #[error("the point stands twice in the link")]
@@ -462,7 +462,7 @@ impl std::error::Error for Defects {}
 /// An element of a mechanism that a message is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Element {
+pub enum ElementId {
     /// A point.
     Point(PointId),
     /// A link.

@@ -28,7 +28,7 @@ pub(crate) struct Basis {
 
 /// A sum of Chebyshev polynomials, by the coefficients of T0, T1, ...
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Sum(pub(crate) [f64; TERMS]);
+pub(crate) struct ChebyshevSum(pub(crate) [f64; TERMS]);
 
 impl Basis {
     pub(crate) fn new() -> Basis {
@@ -41,8 +41,8 @@ impl Basis {
     }
 
     /// The sum through these values at the places.
-    pub(crate) fn through(&self, values: &[f64; TERMS]) -> Sum {
-        Sum(std::array::from_fn(|k| {
+    pub(crate) fn through(&self, values: &[f64; TERMS]) -> ChebyshevSum {
+        ChebyshevSum(std::array::from_fn(|k| {
             let cosine = |j: usize| self.cosines[(k * (2 * j + 1)) % (4 * TERMS)];
             let terms = values.iter().enumerate().map(|(j, v)| v * cosine(j));
             let whole = if k == 0 { 1.0 } else { 2.0 };
@@ -51,7 +51,7 @@ impl Basis {
     }
 }
 
-impl Sum {
+impl ChebyshevSum {
     /// The value at t, by Clenshaw's recurrence.
     pub(crate) fn at(&self, t: f64) -> f64 {
         let (mut b1, mut b2) = (0.0, 0.0);
@@ -62,18 +62,18 @@ impl Sum {
     }
 
     /// The derivative by t.
-    pub(crate) fn slope(&self) -> Sum {
+    pub(crate) fn slope(&self) -> ChebyshevSum {
         let mut slope = [0.0; TERMS];
         for k in (1..TERMS).rev() {
             let beyond = if k + 1 < TERMS { slope[k + 1] } else { 0.0 };
             slope[k - 1] = beyond + 2.0 * k as f64 * self.0[k];
         }
         slope[0] *= 0.5;
-        Sum(slope)
+        ChebyshevSum(slope)
     }
 
     /// The integral by t from -1; without its highest term, which is a 48th of the last one here.
-    pub(crate) fn integral(&self) -> Sum {
+    pub(crate) fn integral(&self) -> ChebyshevSum {
         let c = &self.0;
         let mut integral: [f64; TERMS] = std::array::from_fn(|k| {
             let beyond = if k + 1 < TERMS { c[k + 1] } else { 0.0 };
@@ -89,11 +89,11 @@ impl Sum {
             .zip(signs)
             .map(|(c, s)| c * s)
             .sum::<f64>();
-        Sum(integral)
+        ChebyshevSum(integral)
     }
 
     /// The integral of the product with another sum, by t from -1 to 1.
-    pub(crate) fn product(&self, other: &Sum) -> f64 {
+    pub(crate) fn product(&self, other: &ChebyshevSum) -> f64 {
         // Tm Tn is half of T(m + n) + T(m - n), and only even ones have an integral: 2 / (1 - k^2).
         let even = |k: usize| 2.0 / (1.0 - (k * k) as f64);
         let mut whole = 0.0;
@@ -106,7 +106,7 @@ impl Sum {
     }
 
     /// The sum less a number.
-    pub(crate) fn less(mut self, offset: f64) -> Sum {
+    pub(crate) fn less(mut self, offset: f64) -> ChebyshevSum {
         self.0[0] -= offset;
         self
     }
@@ -122,7 +122,7 @@ impl Sum {
     }
 
     /// The largest of the terms after a third of them. Those of a smooth function fall as a geometric series
-    /// does, so that the last ones are smaller by the cube; as told by [`Sum::tail`] they end in rounding.
+    /// does, so that the last ones are smaller by the cube; as told by [`ChebyshevSum::tail`] they end in rounding.
     pub(crate) fn third(&self) -> f64 {
         let third = TERMS / 3;
         largest(&self.0[third..third + LAST])
@@ -163,7 +163,7 @@ pub(crate) fn crossings(f: impl Fn(f64) -> f64) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    fn through(f: impl Fn(f64) -> f64) -> Sum {
+    fn through(f: impl Fn(f64) -> f64) -> ChebyshevSum {
         let basis = Basis::new();
         basis.through(&basis.places.map(f))
     }

@@ -1,13 +1,13 @@
 //! Where the columns of a table stand at a width.
 
-use super::line::{Line, Role, Span};
+use super::line::{Line, Span, TextRole};
 use super::table::{Cell, Rest, Setting};
 use super::words::{cut_within, length};
 use std::ops::Range;
 
 /// Columns of figures behind names, side by side as far as there is room.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Columns {
+pub(crate) struct ColumnLayout {
     setting: Setting,
     /// The column behind the names.
     names: usize,
@@ -23,7 +23,7 @@ struct Chunk {
     gap: usize,
 }
 
-impl Columns {
+impl ColumnLayout {
     /// Columns of these widths behind names of so many characters; those that `open` are the first of what
     /// belongs together, and rather begin a chunk than end one.
     pub(crate) fn fit(
@@ -32,7 +32,7 @@ impl Columns {
         widths: Vec<usize>,
         opens: impl Fn(usize) -> bool,
         width: usize,
-    ) -> Columns {
+    ) -> ColumnLayout {
         let names = setting.indent + names;
         let needed = |columns: Range<usize>| names + sum(&widths[columns], setting.gap);
         let mut chunks = Vec::new();
@@ -62,7 +62,7 @@ impl Columns {
             columns,
         };
         let chunks = chunks.into_iter().map(chunk).collect();
-        Columns {
+        ColumnLayout {
             setting: setting.clone(),
             names,
             widths,
@@ -102,10 +102,10 @@ impl Columns {
         range: &Range<usize>,
         (mark, name): (&str, &str),
         cells: impl IntoIterator<Item = Option<&'c Cell>>,
-        [of_name, of_cells]: [Role; 2],
+        [of_name, of_cells]: [TextRole; 2],
     ) -> Line {
         let mut line = Line::default();
-        line.push(self.setting.indent, mark, Role::Mark);
+        line.push(self.setting.indent, mark, TextRole::Mark);
         let begin = self.setting.indent + self.setting.with_mark(mark);
         line.push(
             begin,
@@ -146,7 +146,7 @@ mod tests {
     fn chunks(widths: &[usize], opens: &[usize], width: usize) -> Vec<Range<usize>> {
         let setting = Setting::default();
         let opens = |c: usize| opens.contains(&c);
-        let columns = Columns::fit(&setting, 4, widths.to_vec(), opens, width);
+        let columns = ColumnLayout::fit(&setting, 4, widths.to_vec(), opens, width);
         columns.chunks.into_iter().map(|c| c.columns).collect()
     }
 
@@ -166,10 +166,10 @@ mod tests {
             spread: 4,
             ..Setting::default()
         };
-        let columns = Columns::fit(&setting, 4, vec![8; 3], |_| true, 28);
+        let columns = ColumnLayout::fit(&setting, 4, vec![8; 3], |_| true, 28);
         let gaps: Vec<usize> = columns.chunks.iter().map(|c| c.gap).collect();
         assert_eq!(gaps, [4, 4]);
-        let wide = Columns::fit(&setting, 4, vec![8; 3], |_| true, 99);
+        let wide = ColumnLayout::fit(&setting, 4, vec![8; 3], |_| true, 99);
         assert_eq!(wide.chunks[0].gap, 6);
     }
 }

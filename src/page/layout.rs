@@ -1,7 +1,7 @@
 //! A page line by line, at a width.
 
-use super::columns::Columns;
-use super::line::{Line, Role, Span};
+use super::columns::ColumnLayout;
+use super::line::{Line, Span, TextRole};
 use super::table::{Cell, Rest, Row, Setting, Table, Units};
 use super::words::{NARROWEST, broken, length, wrapped};
 use super::{Content, Facts, Page, TextStyle, formula};
@@ -20,7 +20,7 @@ impl Page {
     /// The lines.
     pub(super) fn laid_out(&self, style: TextStyle, medium: Medium) -> Vec<Line> {
         let TextStyle { ascii, width } = style;
-        let room = Room { width, medium };
+        let room = PageRoom { width, medium };
         let names = self.is_aligned.then(|| self.shown(ascii).names(room));
         let mut lines = Vec::new();
         for block in &self.blocks {
@@ -40,7 +40,7 @@ impl Page {
     }
 
     /// The room that names take everywhere.
-    fn names(&self, room: Room) -> Names {
+    fn names(&self, room: PageRoom) -> NameColumn {
         let contents = || self.blocks.iter().map(|block| &block.content);
         let tables = || {
             contents().filter_map(|content| match content {
@@ -63,7 +63,7 @@ impl Page {
             let columns = table.columns(names, usize::MAX, room);
             columns.spread(&table.setting)
         });
-        Names {
+        NameColumn {
             more,
             width: names,
             spread: spread.min().unwrap_or(0),
@@ -82,34 +82,34 @@ pub(super) enum Medium {
 
 /// How much room there is, and on what.
 #[derive(Clone, Copy, Debug)]
-struct Room {
+struct PageRoom {
     width: usize,
     medium: Medium,
 }
 
 /// The room that names take, whether they say more, and by how many blanks columns move apart at the most.
 #[derive(Clone, Copy, Debug)]
-struct Names {
+struct NameColumn {
     width: usize,
     more: bool,
     spread: usize,
 }
 
 impl Content {
-    fn lines(&self, names: Option<Names>, room: Room) -> Vec<Line> {
+    fn lines(&self, names: Option<NameColumn>, room: PageRoom) -> Vec<Line> {
         let width = room.width;
         let of = |role, text: &str| {
             let lines = broken(text, width).into_iter();
             lines.map(|line| Line::of(role, line)).collect()
         };
         match self {
-            Content::Title(title) => of(Role::Title, title),
-            Content::Heading(1, text) => of(Role::Part, text),
-            Content::Heading(_, text) => of(Role::Section, text),
-            Content::Text(text) => of(Role::Body, text),
+            Content::Title(title) => of(TextRole::Title, title),
+            Content::Heading(1, text) => of(TextRole::Part, text),
+            Content::Heading(_, text) => of(TextRole::Section, text),
+            Content::Text(text) => of(TextRole::Body, text),
             Content::Equations(equations) => {
                 let lines = equations.iter().flat_map(|e| formula::lines(e, width));
-                lines.map(|line| Line::of(Role::Body, line)).collect()
+                lines.map(|line| Line::of(TextRole::Body, line)).collect()
             }
             Content::Facts(facts) => facts.lines(names, width),
             Content::Table(table) => table.lines(names, room),
@@ -129,7 +129,7 @@ impl Facts {
         names.chain([fair(self.names, width)]).max().unwrap_or(0)
     }
 
-    fn lines(&self, names: Option<Names>, width: usize) -> Vec<Line> {
+    fn lines(&self, names: Option<NameColumn>, width: usize) -> Vec<Line> {
         let names = names.map_or_else(|| self.names(width), |names| names.width + 1);
         let room = width.saturating_sub(names + self.hanging);
         let mut lines = Vec::new();
@@ -141,9 +141,9 @@ impl Facts {
                     let label = std::mem::take(&mut name);
                     let begin = label.len() - label.trim_start_matches(' ').len();
                     let mut line = Line::default();
-                    line.push(begin, label.trim(), Role::Label);
+                    line.push(begin, label.trim(), TextRole::Label);
                     let hanging = if number == 0 { 0 } else { self.hanging };
-                    line.push(names + hanging, words, Role::Body);
+                    line.push(names + hanging, words, TextRole::Body);
                     lines.push(line);
                 }
             }
@@ -160,7 +160,7 @@ impl Table {
     }
 
     /// Characters of the names.
-    fn names(&self, more: bool, room: Room) -> usize {
+    fn names(&self, more: bool, room: PageRoom) -> usize {
         let rows = self.rows.iter().filter(|row| !matches!(row, Row::Part(_)));
         let names = rows.map(|row| {
             let (mark, name) = row.label(more);
@@ -209,7 +209,7 @@ impl Table {
             .collect()
     }
 
-    fn columns(&self, names: usize, spread: usize, room: Room) -> Columns {
+    fn columns(&self, names: usize, spread: usize, room: PageRoom) -> ColumnLayout {
         let setting = Setting {
             spread: self.setting.spread.min(spread),
             // Paper has room below for everything.
@@ -219,19 +219,19 @@ impl Table {
             },
             ..self.setting.clone()
         };
-        Columns::fit(&setting, names, self.widths(), |_| true, room.width)
+        ColumnLayout::fit(&setting, names, self.widths(), |_| true, room.width)
     }
 
     /// Whether all columns stand beside names of so many characters.
-    fn is_whole(&self, names: usize, room: Room) -> bool {
+    fn is_whole(&self, names: usize, room: PageRoom) -> bool {
         self.columns(names, 0, room).is_whole(room.width)
     }
 
-    fn lines(&self, names: Option<Names>, room: Room) -> Vec<Line> {
+    fn lines(&self, names: Option<NameColumn>, room: PageRoom) -> Vec<Line> {
         let names = names.unwrap_or_else(|| {
             let long = self.names(true, room);
             let more = self.is_whole(long, room);
-            Names {
+            NameColumn {
                 width: if more { long } else { self.names(false, room) },
                 more,
                 spread: usize::MAX,
@@ -253,13 +253,13 @@ impl Table {
         lines
     }
 
-    fn head_of(&self, columns: &Columns, chunk: &Range<usize>) -> Vec<Line> {
+    fn head_of(&self, columns: &ColumnLayout, chunk: &Range<usize>) -> Vec<Line> {
         let heads = &self.heads[chunk.clone()];
         let mark = " ".repeat(length(self.mark()));
         let line = |title: &str, texts: Vec<String>| {
             let cells: Vec<Cell> = texts.into_iter().map(Cell::sure).collect();
             let name = (mark.as_str(), title);
-            columns.line(chunk, name, cells.iter().map(Some), [Role::Head; 2])
+            columns.line(chunk, name, cells.iter().map(Some), [TextRole::Head; 2])
         };
         let title = self.title.as_str();
         match self.setting.units {
@@ -274,9 +274,9 @@ impl Table {
     /// The rows with something in a chunk; none where there is nothing but names.
     fn rows_of(
         &self,
-        columns: &Columns,
+        columns: &ColumnLayout,
         chunk: &Range<usize>,
-        names: Names,
+        names: NameColumn,
         width: usize,
     ) -> Vec<Line> {
         let mut lines = Vec::new();
@@ -286,12 +286,16 @@ impl Table {
             match row {
                 Row::Part(_) => {
                     let mut line = Line::default();
-                    line.push(self.setting.indent, name, Role::Section);
+                    line.push(self.setting.indent, name, TextRole::Section);
                     lines.push(line);
                 }
                 Row::Told { words, .. } if chunk.start == 0 => {
-                    let head =
-                        columns.line(chunk, (mark, name), [], [self.setting.called, Role::Body]);
+                    let head = columns.line(
+                        chunk,
+                        (mark, name),
+                        [],
+                        [self.setting.called, TextRole::Body],
+                    );
                     lines.extend(told(
                         head,
                         columns.names(),
@@ -306,7 +310,7 @@ impl Table {
                     let cells = || cells.iter().take(chunk.end).skip(chunk.start);
                     if cells().any(Option::is_some) {
                         let cells = cells().map(Option::as_ref);
-                        let roles = [self.setting.called, Role::Figure];
+                        let roles = [self.setting.called, TextRole::Figure];
                         lines.push(columns.line(chunk, (mark, name), cells, roles));
                         says = true;
                     }
@@ -328,14 +332,14 @@ fn told(
     let begin = names + setting.gap;
     let beside = format!("- {words}");
     if begin + length(&beside) <= width {
-        head.push(begin, beside, Role::Body);
+        head.push(begin, beside, TextRole::Body);
         return vec![head];
     }
     let indent = setting.indent + setting.with_mark(mark);
     let below = wrapped(words, width.saturating_sub(indent).max(NARROWEST));
     let below = below.into_iter().map(|words| {
         let mut line = Line::default();
-        line.push(indent, words, Role::Aside);
+        line.push(indent, words, TextRole::Aside);
         line
     });
     std::iter::once(head).chain(below).collect()
@@ -346,7 +350,7 @@ impl Line {
     fn cut(&mut self, most: usize) {
         let is_whole = |span: &Span| span.at + length(&span.text) <= most;
         self.spans
-            .retain(|span| span.at < most && (span.role != Role::Figure || is_whole(span)));
+            .retain(|span| span.at < most && (span.role != TextRole::Figure || is_whole(span)));
         for span in &mut self.spans {
             let room = most - span.at;
             if length(&span.text) > room {

@@ -17,14 +17,14 @@ pub struct Span {
     /// Its characters.
     pub text: String,
     /// What it is.
-    pub role: Role,
+    pub role: TextRole,
     /// Which of its characters nothing proves.
     pub unsure: Unsure,
 }
 
 /// What a piece of a line is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+pub enum TextRole {
     /// What the page is about.
     Title,
     /// A heading of the first level.
@@ -49,7 +49,7 @@ pub enum Role {
 
 impl Line {
     /// A line of one piece, which begins with its first character.
-    pub(crate) fn of(role: Role, text: impl Into<String>) -> Line {
+    pub(crate) fn of(role: TextRole, text: impl Into<String>) -> Line {
         let mut line = Line::default();
         let text: String = text.into();
         let begin = text.len() - text.trim_start_matches(' ').len();
@@ -59,12 +59,12 @@ impl Line {
 
     /// What the line is: as its first piece; the body of the page where there is none.
     #[must_use]
-    pub fn role(&self) -> Role {
-        self.spans.first().map_or(Role::Body, |span| span.role)
+    pub fn role(&self) -> TextRole {
+        self.spans.first().map_or(TextRole::Body, |span| span.role)
     }
 
     /// Adds a piece at a place; nothing where it says nothing.
-    pub(crate) fn push(&mut self, at: usize, text: impl Into<String>, role: Role) {
+    pub(crate) fn push(&mut self, at: usize, text: impl Into<String>, role: TextRole) {
         let text = text.into();
         if !text.is_empty() {
             let unsure = Unsure::Nothing;

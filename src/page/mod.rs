@@ -2,7 +2,7 @@
 //!
 //! Reports fill pages. A page is written as plain text ([`Page::to_text`]), as Markdown
 //! ([`Page::to_markdown`]), or line by line for a screen ([`Page::lines`]), where every part of a line says
-//! what it is by its [`Role`] and nothing about colours.
+//! what it is by its [`TextRole`] and nothing about colours.
 //!
 //! Its strings are written with Greek letters, `·` for a product and `→` from point to point; a writer
 //! spells them out where they cannot be shown.
@@ -20,8 +20,8 @@ mod text;
 mod words;
 
 #[cfg(feature = "tui")]
-pub(crate) use columns::Columns;
-pub use line::{Line, Role, Span};
+pub(crate) use columns::ColumnLayout;
+pub use line::{Line, Span, TextRole};
 pub use spelled::TextStyle;
 pub use table::{Cell, Head, Rest, Row, Setting, Table, Units, Unsure};
 #[cfg(feature = "tui")]

@@ -1,6 +1,6 @@
 //! Figures in columns, as data.
 
-use super::line::Role;
+use super::line::TextRole;
 use super::words::length;
 use std::ops::Range;
 
@@ -91,7 +91,7 @@ pub struct Setting {
     /// What becomes of columns that do not fit beside the others.
     pub(crate) rest: Rest,
     /// What the rows are called by: names of things, or labels of what is told.
-    pub(crate) called: Role,
+    pub(crate) called: TextRole,
 }
 
 /// Where the units of columns stand.
@@ -122,7 +122,7 @@ impl Default for Setting {
             spread: 0,
             units: Units::Behind,
             rest: Rest::Below,
-            called: Role::Name,
+            called: TextRole::Name,
         }
     }
 }

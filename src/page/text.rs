@@ -1,7 +1,7 @@
 //! A page as plain text.
 
 use super::layout::Medium;
-use super::{Content, Page, Role, TextStyle};
+use super::{Content, Page, TextRole, TextStyle};
 
 impl Page {
     /// The text, every line with its end. A page in parts has its title and its parts underlined.
@@ -17,7 +17,7 @@ impl Page {
             let written = line.text();
             text.push_str(&written);
             text.push('\n');
-            if is_ruled && matches!(line.role(), Role::Title | Role::Part) {
+            if is_ruled && matches!(line.role(), TextRole::Title | TextRole::Part) {
                 text.push_str(&"-".repeat(written.chars().count()));
                 text.push('\n');
             }

@@ -1,7 +1,7 @@
 //! Figures that exist in a state and are not shown: what does not balance, and what no double holds.
 
 use super::{Aspect, Quantity, Share, Subject};
-use crate::solver::{Check, Order, State, Withheld};
+use crate::solver::{ForceCheck, Order, State, Withheld};
 use crate::wording::words;
 
 /// Why some figures of a state are not shown.
@@ -90,13 +90,13 @@ impl Hidden {
 }
 
 /// What a check leaves, as columns are named, with its unit.
-fn residual(check: Check, state: &State) -> [String; 2] {
+fn residual(check: ForceCheck, state: &State) -> [String; 2] {
     let (of, aspect) = match check {
-        Check::Drive if state.turns() => ("driver", Aspect::Torque),
-        Check::Drive => ("driver", Aspect::Force),
-        Check::ForceX => ("ground", Aspect::Fx),
-        Check::ForceY => ("ground", Aspect::Fy),
-        Check::Moment => ("ground", Aspect::Moment),
+        ForceCheck::Drive if state.turns() => ("driver", Aspect::Torque),
+        ForceCheck::Drive => ("driver", Aspect::Force),
+        ForceCheck::ForceX => ("ground", Aspect::Fx),
+        ForceCheck::ForceY => ("ground", Aspect::Fy),
+        ForceCheck::Moment => ("ground", Aspect::Moment),
     };
     let residual = Share::Residual.name().unwrap_or_default();
     // Forces have their units whatever that of lengths is.

@@ -8,7 +8,7 @@
 use super::{Aspect, Quantity};
 use crate::scene::Scene;
 use crate::solver::{ByLength, Condition, Demand, Order, Solver, State, Workspace};
-use crate::{Axis, Dual, Length};
+use crate::{CoordinateAxis, Dual, Length};
 
 /// What sums of many terms leave of a derivative that is nothing, in parts of the largest term.
 const ROUNDING: f64 = 128.0 * f64::EPSILON;
@@ -161,15 +161,15 @@ impl Sensitivity {
     /// What rounding has left of derivatives that are nothing is nothing.
     fn round(&self, numbers: &mut [f64]) {
         let count = self.lengths.len().max(1);
-        let mut sizes = [0.0_f64; Kind::COUNT];
+        let mut sizes = [0.0_f64; UnitClass::COUNT];
         for (figure, all) in self.figures.iter().zip(numbers.chunks(count)) {
             let value = figure.value(self.base.state()).map_or(0.0, f64::abs);
-            let size = &mut sizes[Kind::of(figure)];
+            let size = &mut sizes[UnitClass::of(figure)];
             *size = size.max(value / self.solver.scale());
             *size = all.iter().fold(*size, |size, d| size.max(d.abs()));
         }
         for (figure, all) in self.figures.iter().zip(numbers.chunks_mut(count)) {
-            let nothing = ROUNDING * sizes[Kind::of(figure)];
+            let nothing = ROUNDING * sizes[UnitClass::of(figure)];
             let small = all.iter_mut().filter(|d| d.abs() <= nothing);
             small.for_each(|d| *d = 0.0);
         }
@@ -182,9 +182,9 @@ fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
 }
 
 /// Figures of one unit: their derivatives are measured by the largest.
-struct Kind;
+struct UnitClass;
 
-impl Kind {
+impl UnitClass {
     const COUNT: usize = 9;
 
     fn of(figure: &Quantity) -> usize {
@@ -206,9 +206,9 @@ impl Kind {
 
 /// As the scene names it.
 fn name(scene: &Scene, length: Length) -> String {
-    let axis = |axis: Axis| match axis {
-        Axis::X => "x",
-        Axis::Y => "y",
+    let axis = |axis: CoordinateAxis| match axis {
+        CoordinateAxis::X => "x",
+        CoordinateAxis::Y => "y",
     };
     let point = |point| scene.point_name(point).unwrap_or("?");
     match length {

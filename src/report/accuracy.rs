@@ -6,7 +6,7 @@ use crate::PointId;
 use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextStyle};
 use crate::scene::Scene;
 use crate::solver::{Method, Start, Unfit};
-use crate::study::{Errors, Figures, Finding, Findings, Spread, Verdict};
+use crate::study::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict, Spread};
 use crate::wording::{Words, for_programs, words};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
@@ -124,13 +124,13 @@ impl Accuracy<'_> {
         let mut page = Page::default();
         page.title(&self.scene.name);
         page.text_below(words().positions_over_cycle(positions, &longest, unit));
-        page.table(self.table(&Measure::ALL));
+        page.table(self.table(&StudyMeasure::ALL));
         page.to_text(TextStyle::plain(ascii))
     }
 
     /// A row per method, with these figures.
     #[must_use]
-    pub fn table(&self, measures: &[Measure]) -> Table {
+    pub fn table(&self, measures: &[StudyMeasure]) -> Table {
         let heads = measures.iter().map(|measure| measure.name());
         let mut table = Table::new(words().method(), heads).set(Setting {
             names: NAME,
@@ -143,7 +143,7 @@ impl Accuracy<'_> {
             let mark = format!("{}{best}", finding.key);
             let name = method_name(finding.method);
             table.rows.push(match &finding.verdict {
-                Verdict::Measured(figures) => Row::Figures {
+                MethodVerdict::Measured(figures) => Row::Figures {
                     mark,
                     name,
                     more: None,
@@ -152,11 +152,11 @@ impl Accuracy<'_> {
                         .map(|m| Some(m.text(figures).into()))
                         .collect(),
                 },
-                Verdict::Unfit(unfit) => {
+                MethodVerdict::Unfit(unfit) => {
                     let words = unfit_text(*unfit, self.scene);
                     Row::Told { mark, name, words }
                 }
-                Verdict::Pending => {
+                MethodVerdict::Pending => {
                     let words = words().not_measured().into();
                     Row::Told { mark, name, words }
                 }
@@ -203,12 +203,12 @@ impl Accuracy<'_> {
         let time = figures.and_then(|f| f.time);
         let time = |part: fn(&Spread) -> f64| time.map(|t| part(&t) * 1e9);
         let errors = figures.and_then(|f| f.errors);
-        let error = |part: fn(&Errors) -> f64| errors.map(|e| part(&e));
+        let error = |part: fn(&MethodErrors) -> f64| errors.map(|e| part(&e));
         let say = for_programs();
         let reason = match finding.verdict {
-            Verdict::Measured(_) => None,
-            Verdict::Unfit(unfit) => Some(why_unfit(unfit, self.scene, say)),
-            Verdict::Pending => Some(say.not_measured().into()),
+            MethodVerdict::Measured(_) => None,
+            MethodVerdict::Unfit(unfit) => Some(why_unfit(unfit, self.scene, say)),
+            MethodVerdict::Pending => Some(say.not_measured().into()),
         };
         let values = [
             json!(finding.key),
@@ -281,7 +281,7 @@ const COLUMNS: [&str; 12] = [
 
 /// What was measured of a method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
+pub enum StudyMeasure {
     /// How long one position takes.
     Time,
     /// Between what half of all samples of that lie.
@@ -296,47 +296,51 @@ pub enum Measure {
     Failures,
 }
 
-impl Measure {
+impl StudyMeasure {
     /// All of them.
-    pub const ALL: [Measure; 6] = [
-        Measure::Time,
-        Measure::Quartiles,
-        Measure::Position,
-        Measure::Velocity,
-        Measure::Acceleration,
-        Measure::Failures,
+    pub const ALL: [StudyMeasure; 6] = [
+        StudyMeasure::Time,
+        StudyMeasure::Quartiles,
+        StudyMeasure::Position,
+        StudyMeasure::Velocity,
+        StudyMeasure::Acceleration,
+        StudyMeasure::Failures,
     ];
 
     fn name(self) -> &'static str {
         match self {
-            Measure::Time => words().time(),
-            Measure::Quartiles => words().quartiles(),
-            Measure::Position => words().error_of_positions(),
-            Measure::Velocity => words().error_of_velocities(),
-            Measure::Acceleration => words().error_of_accelerations(),
-            Measure::Failures => words().failures(),
+            StudyMeasure::Time => words().time(),
+            StudyMeasure::Quartiles => words().quartiles(),
+            StudyMeasure::Position => words().error_of_positions(),
+            StudyMeasure::Velocity => words().error_of_velocities(),
+            StudyMeasure::Acceleration => words().error_of_accelerations(),
+            StudyMeasure::Failures => words().failures(),
         }
     }
 
     /// The columns that its figures take, so that they stay where they are while they come in.
     fn width(self) -> usize {
         match self {
-            Measure::Quartiles => 11,
-            Measure::Failures => 5,
-            Measure::Time | Measure::Position | Measure::Velocity | Measure::Acceleration => 7,
+            StudyMeasure::Quartiles => 11,
+            StudyMeasure::Failures => 5,
+            StudyMeasure::Time
+            | StudyMeasure::Position
+            | StudyMeasure::Velocity
+            | StudyMeasure::Acceleration => 7,
         }
     }
 
-    fn text(self, figures: &Figures) -> String {
-        let error = |part: fn(&Errors) -> f64| figures.errors.as_ref().map(part).map(error_text);
+    fn text(self, figures: &MethodFigures) -> String {
+        let error =
+            |part: fn(&MethodErrors) -> f64| figures.errors.as_ref().map(part).map(error_text);
         let time = figures.time.as_ref();
         let text = match self {
-            Measure::Time => time.map(|t| time_text(t.median, TIME_DIGITS)),
-            Measure::Quartiles => time.map(spread_text),
-            Measure::Position => error(|e| e.position),
-            Measure::Velocity => error(|e| e.velocity),
-            Measure::Acceleration => error(|e| e.acceleration),
-            Measure::Failures => Some(figures.failures.to_string()),
+            StudyMeasure::Time => time.map(|t| time_text(t.median, TIME_DIGITS)),
+            StudyMeasure::Quartiles => time.map(spread_text),
+            StudyMeasure::Position => error(|e| e.position),
+            StudyMeasure::Velocity => error(|e| e.velocity),
+            StudyMeasure::Acceleration => error(|e| e.acceleration),
+            StudyMeasure::Failures => Some(figures.failures.to_string()),
         };
         text.unwrap_or_else(|| "-".into())
     }
@@ -347,14 +351,14 @@ mod tests {
     use super::*;
     use crate::scene::presets;
 
-    fn figures(median: f64, failures: u64) -> Figures {
-        Figures {
+    fn figures(median: f64, failures: u64) -> MethodFigures {
+        MethodFigures {
             time: Some(Spread {
                 low: 0.9 * median,
                 median,
                 high: 1.1 * median,
             }),
-            errors: (failures < 3600).then_some(Errors {
+            errors: (failures < 3600).then_some(MethodErrors {
                 position: 2.34e-16,
                 velocity: 5e-7,
                 acceleration: 0.0,
@@ -364,7 +368,7 @@ mod tests {
         }
     }
 
-    fn finding(key: char, method: Method, verdict: Verdict) -> Finding {
+    fn finding(key: char, method: Method, verdict: MethodVerdict) -> Finding {
         Finding {
             key,
             method,
@@ -398,15 +402,19 @@ mod tests {
             finding(
                 'a',
                 Method::ClosedForm,
-                Verdict::Measured(figures(71e-9, 0)),
+                MethodVerdict::Measured(figures(71e-9, 0)),
             ),
             finding(
                 'b',
                 Method::Bisection,
-                Verdict::Measured(figures(3.9994e-6, 3600)),
+                MethodVerdict::Measured(figures(3.9994e-6, 3600)),
             ),
-            finding('c', Method::Polished, Verdict::Unfit(Unfit::Coupled(point))),
-            finding('d', Method::Single, Verdict::Pending),
+            finding(
+                'c',
+                Method::Polished,
+                MethodVerdict::Unfit(Unfit::Coupled(point)),
+            ),
+            finding('d', Method::Single, MethodVerdict::Pending),
         ]);
         let expected = [
             "a* closed form          71.0 ns    63.9-78.1  2.3e-16   5.0e-7        0      0",

@@ -9,7 +9,7 @@ use crate::scene::Scene;
 use crate::solver::{Extreme, Group, GroupKind, NearMiss, Range, Solver, Transmission};
 use crate::study::motor;
 use crate::wording::words;
-use crate::{Body, Element, Input, Link, LinkId, Load, Mechanism, PointId, Slider, Vec2};
+use crate::{Body, ElementId, Input, Link, LinkId, Load, Mechanism, PointId, Slider, Vec2};
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
@@ -199,7 +199,7 @@ pub struct Check {
     #[serde(rename = "loop")]
     pub first_loop: Option<LoopFacts>,
     /// What acts: how many loads of each kind, springs, masses; whether there is gravity.
-    pub acting: Acting,
+    pub acting: LoadCounts,
     /// Reactions that the redundant constraints leave open, as their columns are named.
     pub indeterminate: Vec<String>,
     /// The range in words.
@@ -209,7 +209,7 @@ pub struct Check {
 
 /// What acts on a mechanism, counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Acting {
+pub struct LoadCounts {
     /// Forces at points.
     pub forces: usize,
     /// Torques on links.
@@ -226,18 +226,18 @@ pub struct Acting {
     pub period: Option<f64>,
 }
 
-impl Acting {
-    fn on(mechanism: &Mechanism, range: Range) -> Acting {
+impl LoadCounts {
+    fn on(mechanism: &Mechanism, range: Range) -> LoadCounts {
         let repeats = motor::repeats(mechanism, range);
         let has_mass = |link: &&Link| link.mass > 0.0 || link.inertia > 0.0;
-        let mut acting = Acting {
+        let mut acting = LoadCounts {
             masses: mechanism.links().iter().filter(has_mass).count(),
             gravity: mechanism.gravity() != Vec2::ZERO,
             period: match (range, repeats) {
                 (Range::Full { period }, Some(times @ 2..)) => Some(period * f64::from(times)),
                 _ => None,
             },
-            ..Acting::default()
+            ..LoadCounts::default()
         };
         for load in mechanism.loads() {
             match load {
@@ -281,7 +281,7 @@ pub fn limits_text(range: Range, driver: &Quantity) -> String {
 /// Where two assemblies of a group all but meet on the way.
 #[must_use]
 pub fn near_misses(scene: &Scene, solver: &Solver) -> Vec<NearMissFacts> {
-    let names = Names { scene };
+    let names = ElementNames { scene };
     let facts = |miss: &NearMiss| {
         let group = solver.plan().group(miss.group)?;
         Some(NearMissFacts {
@@ -311,7 +311,7 @@ impl Check {
     /// Gathers the facts.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver) -> Self {
-        let names = Names { scene };
+        let names = ElementNames { scene };
         let mechanism = &scene.mechanism;
         let plan = solver.plan();
         let (range, period) = match solver.motion().range {
@@ -345,7 +345,7 @@ impl Check {
             near_misses: near_misses(scene, solver),
             transmission: names.transmission(solver),
             first_loop: solver.first_loop().map(LoopFacts::new),
-            acting: Acting::on(mechanism, solver.motion().range),
+            acting: LoadCounts::on(mechanism, solver.motion().range),
             indeterminate: indeterminate(scene, solver),
             range_text: range_text(solver.motion().range, Catalogue::new(scene).driver()),
         }
@@ -372,11 +372,11 @@ fn unsigned_zero<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
 }
 
 /// Gives elements their names.
-struct Names<'a> {
+struct ElementNames<'a> {
     scene: &'a Scene,
 }
 
-impl Names<'_> {
+impl ElementNames<'_> {
     fn links(&self, links: impl IntoIterator<Item = LinkId>) -> Vec<String> {
         let name = |link| self.scene.link_name(link).to_owned();
         links.into_iter().map(name).collect()
@@ -393,12 +393,12 @@ impl Names<'_> {
         }
     }
 
-    fn element(&self, element: Element) -> String {
+    fn element(&self, element: ElementId) -> String {
         match element {
-            Element::Point(point) => self.point(point).unwrap_or_else(|| "a point".into()),
-            Element::Link(link) => self.scene.link_name(link).to_owned(),
-            Element::Slide(slide) => self.scene.slide_name(slide).to_owned(),
-            Element::Driver => "driver".into(),
+            ElementId::Point(point) => self.point(point).unwrap_or_else(|| "a point".into()),
+            ElementId::Link(link) => self.scene.link_name(link).to_owned(),
+            ElementId::Slide(slide) => self.scene.slide_name(slide).to_owned(),
+            ElementId::Driver => "driver".into(),
         }
     }
 

@@ -15,7 +15,7 @@ pub struct Beside {
 
 /// Where the cells of a column come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Source {
+pub(super) enum CellSource {
     /// The figure itself.
     Figure,
     /// What its error does not exceed.
@@ -31,7 +31,7 @@ pub struct Columns {
     /// The driver's coordinate first. Beside a figure there is the same again under another name.
     pub(super) quantities: Vec<Quantity>,
     /// For each where its cells come from.
-    pub(super) sources: Vec<Source>,
+    pub(super) sources: Vec<CellSource>,
     /// The figures alone, without the driver's coordinate.
     pub(super) figures: Vec<Quantity>,
     pub(super) beside: Beside,
@@ -46,7 +46,7 @@ impl Columns {
         let figures: Vec<Quantity> = figures.cloned().collect();
         let quantities: Vec<Quantity> = std::iter::once(driver).chain(&figures).cloned().collect();
         Columns {
-            sources: vec![Source::Figure; quantities.len()],
+            sources: vec![CellSource::Figure; quantities.len()],
             quantities,
             figures,
             beside: Beside::default(),
@@ -68,15 +68,15 @@ impl Columns {
                 ..figure.clone()
             };
             self.quantities.push(figure.clone());
-            self.sources.push(Source::Figure);
+            self.sources.push(CellSource::Figure);
             if beside.bounds {
                 self.quantities.push(named("bound", figure.unit.clone()));
-                self.sources.push(Source::Bound);
+                self.sources.push(CellSource::Bound);
             }
             if beside.sensitivity {
                 let unit = per(&figure.unit, length);
                 self.quantities.push(named("sensitivity", unit));
-                self.sources.push(Source::Sensitivity(number));
+                self.sources.push(CellSource::Sensitivity(number));
             }
         }
         self

@@ -1,6 +1,6 @@
 //! Tables of differences: what one scene's figures are more than another's.
 
-use super::tables::{Entry, Plane, PointRow, Tables, VectorColumn, seen, seen_bound};
+use super::tables::{Entry, PlaneVector, PointRow, Tables, VectorColumn, seen, seen_bound};
 use crate::Vec2;
 use crate::angle::TURN;
 use std::collections::{HashMap, HashSet};
@@ -124,11 +124,11 @@ fn point(own: &PointRow, other: Option<&PointRow>, scale: f64) -> PointRow {
 
 /// The differences of the figures, not the figures of a difference: of two speeds, not of two
 /// velocities.
-fn plane(own: Plane, other: Plane, scale: f64) -> Plane {
+fn plane(own: PlaneVector, other: PlaneVector, scale: f64) -> PlaneVector {
     let [a, b] = [own, other].map(|plane| plane.entries(false));
     let [x, y, magnitude] = std::array::from_fn(|i| less(a[i], b[i], scale));
     let direction = turned(a[3], b[3]);
-    Plane {
+    PlaneVector {
         components: Vec2::new(x.value.unwrap_or(0.0), y.value.unwrap_or(0.0)),
         magnitude: magnitude.value.unwrap_or(0.0),
         direction: direction.value,

@@ -1,7 +1,7 @@
 //! A row of a sweep with what is known of the errors of its figures: far from the speed of figures
 //! alone, and apart from their way.
 
-use super::columns::{Columns, Source};
+use super::columns::{CellSource, Columns};
 use super::tables::{seen, seen_bound};
 use crate::Ball;
 use crate::quantity::{Quantity, Sensitivity, Subject};
@@ -9,7 +9,7 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 
 /// Fills the cells of rows.
-pub(super) struct Errors<'a> {
+pub(super) struct ErrorCells<'a> {
     columns: &'a Columns,
     /// What rounding may have left of a zero is shown as zero: for text, which people read.
     rounded: bool,
@@ -22,7 +22,7 @@ pub(super) struct Errors<'a> {
     unanswered: u64,
 }
 
-impl<'a> Errors<'a> {
+impl<'a> ErrorCells<'a> {
     /// For a sweep with this solver, which solves what the columns need.
     pub(super) fn new(
         columns: &'a Columns,
@@ -32,7 +32,7 @@ impl<'a> Errors<'a> {
         rounded: bool,
     ) -> Self {
         let asked = columns.beside.sensitivity;
-        Errors {
+        ErrorCells {
             columns,
             rounded,
             enclosure: solver.enclosure(),
@@ -58,9 +58,11 @@ impl<'a> Errors<'a> {
         let columns = self.columns;
         for (quantity, source) in columns.quantities.iter().zip(&columns.sources) {
             cells.push(match source {
-                Source::Figure => self.figure(quantity, state),
-                Source::Bound => self.bound(quantity, state),
-                Source::Sensitivity(figure) => derivatives.as_ref().and_then(|d| d.worst(*figure)),
+                CellSource::Figure => self.figure(quantity, state),
+                CellSource::Bound => self.bound(quantity, state),
+                CellSource::Sensitivity(figure) => {
+                    derivatives.as_ref().and_then(|d| d.worst(*figure))
+                }
             });
         }
     }

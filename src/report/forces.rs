@@ -2,7 +2,7 @@
 //! and how far the two checks miss.
 
 use super::least::Least;
-use super::tables::{Entry, Plane, Reading};
+use super::tables::{Entry, PlaneVector, ProvedState};
 use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
 use crate::scene::Scene;
 use crate::solver::{Condition, Indeterminate, Solver, State};
@@ -36,7 +36,7 @@ pub struct JointRow {
     /// Whether a row before it has the same force with the other sign.
     pub repeats: bool,
     /// In N, in the ground's frame; `None` where it does not exist or is left open.
-    pub force: Option<Plane>,
+    pub force: Option<PlaneVector>,
 }
 
 /// The force of a guide on what slides along it.
@@ -60,7 +60,7 @@ pub struct GuideRow {
 #[derive(Clone, Debug)]
 pub struct Shaking {
     /// In N.
-    pub force: Option<Plane>,
+    pub force: Option<PlaneVector>,
     /// In N m about the scene's origin, the driver's included.
     pub moment: Entry,
 }
@@ -125,7 +125,7 @@ impl Forces {
         if !scene.mechanism.has_forces() {
             return None;
         }
-        let reading = Reading {
+        let reading = ProvedState {
             mechanism: &scene.mechanism,
             state,
             enclosure,
@@ -249,7 +249,7 @@ const RESIDUAL: &str = "residual";
 /// A force by components, size and direction.
 pub(super) fn plane_figures(
     name: &str,
-    force: Option<Plane>,
+    force: Option<PlaneVector>,
 ) -> [(String, &'static str, Entry); 4] {
     let entries = force.map_or([Entry::NONE; 4], |force| force.entries(false));
     let named = [("fx", "N"), ("fy", "N"), ("f", "N"), ("f.angle", "deg")];
@@ -260,7 +260,7 @@ pub(super) fn plane_figures(
 }
 
 /// One figure, which no scene gives.
-fn found(subject: Subject, aspect: Aspect, reading: &Reading<'_>) -> Entry {
+fn found(subject: Subject, aspect: Aspect, reading: &ProvedState<'_>) -> Entry {
     Entry {
         value: value(subject, aspect, reading.state),
         given: false,
@@ -268,10 +268,10 @@ fn found(subject: Subject, aspect: Aspect, reading: &Reading<'_>) -> Entry {
     }
 }
 
-fn plane(subject: Subject, reading: &Reading<'_>) -> Option<Plane> {
+fn plane(subject: Subject, reading: &ProvedState<'_>) -> Option<PlaneVector> {
     let [x, y] = [Aspect::Fx, Aspect::Fy].map(|aspect| found(subject, aspect, reading));
     let force = Vec2::new(x.value?, y.value?);
-    let mut plane = Plane::new(force, [x.bound, y.bound]);
+    let mut plane = PlaneVector::new(force, [x.bound, y.bound]);
     // Loads may be so large that the squares of forces overflow.
     for bound in &mut plane.bounds {
         *bound = bound.filter(|bound| bound.is_finite());
@@ -279,7 +279,7 @@ fn plane(subject: Subject, reading: &Reading<'_>) -> Option<Plane> {
     plane.magnitude.is_finite().then_some(plane)
 }
 
-fn drive(scene: &Scene, reading: &Reading<'_>) -> Drive {
+fn drive(scene: &Scene, reading: &ProvedState<'_>) -> Drive {
     let (name, aspect) = match scene.mechanism.driver().input {
         crate::Input::Turn(link) => (scene.link_name(link), Aspect::Torque),
         crate::Input::Push(slide) => (scene.slide_name(slide), Aspect::Force),
@@ -295,7 +295,7 @@ fn drive(scene: &Scene, reading: &Reading<'_>) -> Drive {
     }
 }
 
-fn checks(scene: &Scene, reading: &Reading<'_>) -> Checks {
+fn checks(scene: &Scene, reading: &ProvedState<'_>) -> Checks {
     let aspect = match scene.mechanism.driver().input {
         crate::Input::Turn(_) => Aspect::Torque,
         crate::Input::Push(_) => Aspect::Force,
@@ -307,7 +307,7 @@ fn checks(scene: &Scene, reading: &Reading<'_>) -> Checks {
     }
 }
 
-fn joints(scene: &Scene, reading: &Reading<'_>) -> Vec<JointRow> {
+fn joints(scene: &Scene, reading: &ProvedState<'_>) -> Vec<JointRow> {
     let mechanism = &scene.mechanism;
     let mut rows = Vec::new();
     for link in mechanism.link_ids() {
@@ -359,7 +359,7 @@ pub(super) fn partner(
     }
 }
 
-fn guides(scene: &Scene, reading: &Reading<'_>) -> Vec<GuideRow> {
+fn guides(scene: &Scene, reading: &ProvedState<'_>) -> Vec<GuideRow> {
     let mechanism = &scene.mechanism;
     let guide = |slide: SlideId| {
         let subject = Subject::Slide(slide);

@@ -2,9 +2,9 @@
 
 use super::forces::{Existence, Forces, GuideRow, JointRow};
 use super::number::significant;
-use super::tables::{Entry, Plane};
+use super::tables::{Entry, PlaneVector};
 use super::tables_data::number;
-use super::tables_page::{BOUND, VECTOR_LABELS, Writer, point_labels, set};
+use super::tables_page::{BOUND, TablesWriter, VECTOR_LABELS, point_labels, set};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Aspect;
 use crate::wording::words;
@@ -21,7 +21,7 @@ pub(crate) fn missed(entry: &Entry) -> String {
     text.unwrap_or_else(|| "-".into())
 }
 
-impl Writer<'_> {
+impl TablesWriter<'_> {
     /// A table each of what exists, and what is to be said about the rest.
     pub(super) fn add_forces(&self, forces: &Forces, page: &mut Page) {
         let mut tables = Vec::new();
@@ -168,7 +168,7 @@ impl Writer<'_> {
         &self,
         table: &mut Table,
         label: String,
-        force: Option<Plane>,
+        force: Option<PlaneVector>,
         others: [Entry; N],
     ) {
         let entries = force.map_or([Entry::NONE; 4], |force| force.entries(false));

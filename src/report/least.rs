@@ -1,7 +1,7 @@
 //! The reactions of least norm, for those that a redundant linkage leaves open.
 
 use super::forces::{GuideRow, JointRow, plane_figures};
-use super::tables::{Entry, Plane};
+use super::tables::{Entry, PlaneVector};
 use crate::scene::Scene;
 use crate::solver::{Indeterminate, LeastNorm, Solver, State};
 
@@ -37,7 +37,7 @@ impl Least {
                         .iter()
                         .find(|row| (row.link.as_str(), Some(row.point.as_str())) == names);
                     let force = found.joint_force(link, point);
-                    let force = force.map(|force| Plane::new(force, [None; 2]));
+                    let force = force.map(|force| PlaneVector::new(force, [None; 2]));
                     least.joints.extend(row.map(|row| JointRow {
                         force,
                         ..row.clone()

@@ -1,7 +1,7 @@
 //! The first loop in the words of the textbooks: a four-bar's class, a slider-crank's condition.
 
 use super::number::concise;
-use crate::solver::{Grashof, Inversion, Loop};
+use crate::solver::{DrivenLoop, Grashof, Inversion};
 use crate::wording::{Words, for_programs, words};
 use serde::Serialize;
 
@@ -46,9 +46,9 @@ pub enum LoopFacts {
 impl LoopFacts {
     /// Names what the solver found.
     #[must_use]
-    pub fn new(found: Loop) -> Self {
+    pub fn new(found: DrivenLoop) -> Self {
         match found {
-            Loop::FourBar {
+            DrivenLoop::FourBar {
                 driven,
                 coupler,
                 follower,
@@ -64,7 +64,7 @@ impl LoopFacts {
                 follower,
                 frame,
             },
-            Loop::SliderCrank {
+            DrivenLoop::SliderCrank {
                 crank,
                 rod,
                 offset,

@@ -31,7 +31,8 @@ mod tables_page;
 mod working;
 
 pub use accuracy::{
-    Accuracy, Measure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text, unfit_text,
+    Accuracy, StudyMeasure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text,
+    unfit_text,
 };
 pub use answers::{Answer, Answers};
 pub use check::{
@@ -46,9 +47,9 @@ pub use errors::Missing;
 pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
 pub use least::Least;
 pub use motor::{MotorReport, MotorWishes, RamReport};
-pub use steps::{Decimal, DecimalError, MOST_ROWS, Steps, StepsError};
-pub use sweep::{Outcome, RowFormat, Sweep};
-pub use tables::{DriverLine, Entry, ORDERS, Plane, PointRow, Tables, VectorColumn};
+pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
+pub use sweep::{RowFormat, Sweep, SweepOutcome};
+pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use working::{Agreement, Worked, Working};
 #[cfg(feature = "tui")]

@@ -6,8 +6,8 @@ use crate::quantity::{Catalogue, state_word};
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
 use crate::study::motor::{
-    Asked, Course, Duty, Dwell, Effect, Fit, NoDuty, NoRam, Passing, Peak, Ram, RamEnd, Rule,
-    SMALL_FLUCTUATION, Shaking, fluctuation_with, flywheel_for, rams,
+    Course, CycleShaking, DriveEffort, Duty, Dwell, MotorDemand, MotorFit, NoDuty, NoRam, Passing,
+    Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with, flywheel_for, rams,
 };
 use crate::wording::words;
 use crate::{Input, Load, SlideId, StrokeEnd};
@@ -38,7 +38,7 @@ pub struct MotorReport {
     /// The ram; the reason where there is none.
     pub ram: Result<RamReport, String>,
     pub(super) wishes: MotorWishes,
-    pub(super) fit: Fit,
+    pub(super) fit: MotorFit,
     pub(super) scene: String,
     /// The length unit, and that of the driver's coordinate.
     pub(super) unit: &'static str,
@@ -140,7 +140,7 @@ impl MotorReport {
 
     /// The rated torque against about the mean of the cycle, where a flywheel leaves little fluctuation:
     /// it takes and gives the rest.
-    pub(super) fn with_flywheel(&self) -> Option<Asked> {
+    pub(super) fn with_flywheel(&self) -> Option<MotorDemand> {
         let (_, fluctuation) = self.evenness()?.with?;
         let all = &self.duty.as_ref().ok()?.cycle.all;
         let mean = all.mean?.abs();
@@ -151,7 +151,7 @@ impl MotorReport {
             mean
         };
         let has = self.wishes.motor.rated?;
-        (fluctuation <= SMALL_FLUCTUATION).then_some(Asked { asked, has })
+        (fluctuation <= SMALL_FLUCTUATION).then_some(MotorDemand { asked, has })
     }
 
     /// Everything as JSON; what does not exist is null.
@@ -205,7 +205,7 @@ impl MotorReport {
     }
 
     fn fit_json(&self) -> Value {
-        let asked = |asked: Option<Asked>| {
+        let asked = |asked: Option<MotorDemand>| {
             asked.map(|a| json!({"asked": a.asked, "has": a.has, "enough": a.is_enough()}))
         };
         json!({
@@ -408,7 +408,7 @@ fn peak_json(peak: Option<Peak>) -> Value {
     json!(peak.map(|p| json!({"value": p.value, "at": p.at, "back": p.back})))
 }
 
-fn effect_json(effect: &Effect, seconds: Option<f64>) -> Value {
+fn effect_json(effect: &DriveEffort, seconds: Option<f64>) -> Value {
     json!({
         "largest": peak_json(effect.largest),
         "least": peak_json(effect.least),
@@ -423,7 +423,7 @@ fn effect_json(effect: &Effect, seconds: Option<f64>) -> Value {
     })
 }
 
-fn shaking_json(shaking: &Shaking) -> Value {
+fn shaking_json(shaking: &CycleShaking) -> Value {
     json!({
         "force": peak_json(shaking.force),
         "vector": shaking.vector.map(|v| [v.x, v.y]),

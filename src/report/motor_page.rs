@@ -2,9 +2,9 @@
 
 use super::motor::{MotorReport, NOTHING, RamReport, end_word};
 use super::number::{concise, significant};
-use crate::page::{Content, Facts, Page, Rest, Role, Row, Setting, Table, TextStyle};
+use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextRole, TextStyle};
 use crate::study::motor::{
-    Asked, Cycle, Duty, Effect, NoDuty, Passing, Peak, Rule, SMALL_FLUCTUATION,
+    Cycle, DriveEffort, Duty, MotorDemand, NoDuty, Passing, Peak, Rule, SMALL_FLUCTUATION,
 };
 use crate::wording::words;
 
@@ -175,19 +175,19 @@ impl MotorReport {
         let parts = parts.into_iter();
         let acting = parts.filter(|(_, effect)| !effect.is_nothing_beside(&cycle.parts));
         let all = std::iter::once((words().label_all(), &cycle.all));
-        let (names, columns): (Vec<&str>, Vec<&Effect>) = all.chain(acting).unzip();
+        let (names, columns): (Vec<&str>, Vec<&DriveEffort>) = all.chain(acting).unzip();
         let what = self.effort();
         let mut table = columns_of(format!("{what} [{}]", self.effort_unit()), names);
         let larger = |a: Option<Peak>, b: Option<Peak>| Some(a?.value.abs().max(b?.value.abs()));
-        let torque = |e: &Effect| larger(e.largest, e.least);
-        let power = |e: &Effect| larger(e.largest_power, e.least_power);
-        let energy = |e: &Effect| Some(e.put_in? + e.given_back?);
+        let torque = |e: &DriveEffort| larger(e.largest, e.least);
+        let power = |e: &DriveEffort| larger(e.largest_power, e.least_power);
+        let energy = |e: &DriveEffort| Some(e.put_in? + e.given_back?);
         let peak = |peak: Option<Peak>, size| figure(cleaned(peak.map(|p| p.value), size));
-        let place = |e: &Effect, peak: Option<Peak>| match peak {
+        let place = |e: &DriveEffort, peak: Option<Peak>| match peak {
             Some(_) if is_constant(e) => String::new(),
             peak => peak.map_or_else(none, |p| self.short_place(&p)),
         };
-        let mean_power = |e: &Effect| {
+        let mean_power = |e: &DriveEffort| {
             let work = cleaned(e.work(), energy(e))?;
             Some(work / duty.seconds()?)
         };
@@ -195,7 +195,7 @@ impl MotorReport {
         let largest = indented(words().label_largest());
         let least = indented(words().label_least());
         let mean = indented(words().label_mean());
-        let cells = |cell: &dyn Fn(&Effect) -> String| -> Vec<String> {
+        let cells = |cell: &dyn Fn(&DriveEffort) -> String| -> Vec<String> {
             columns.iter().map(|effect| cell(effect)).collect()
         };
         table.row(largest.as_str(), cells(&|e| peak(e.largest, torque(e))));
@@ -244,8 +244,8 @@ impl MotorReport {
         } else {
             (1.0, "m/s")
         };
-        let torque = |asked: &Asked| verdict(asked, 1.0, unit);
-        let speed = |asked: &Asked| verdict(asked, scale, speeds);
+        let torque = |asked: &MotorDemand| verdict(asked, 1.0, unit);
+        let speed = |asked: &MotorDemand| verdict(asked, scale, speeds);
         let flywheel = self.with_flywheel();
         let flywheel = flywheel.map(|asked| words().about_the_mean(&verdict(&asked, 1.0, unit)));
         let gear = self.fit.geared.filter(|_| is_enough == Some(false));
@@ -485,7 +485,7 @@ fn columns_of<'h>(title: String, heads: impl IntoIterator<Item = &'h str>) -> Ta
         names: LABEL,
         least: vec![FIGURE],
         rest: Rest::LeftOut,
-        called: Role::Label,
+        called: TextRole::Label,
         ..Setting::default()
     })
 }
@@ -517,7 +517,7 @@ fn cleaned(value: Option<f64>, size: Option<f64>) -> Option<f64> {
 
 /// Whether a motor has what is asked, and what is left or how much of it that is; one of its own unit is so many of that
 /// which is told.
-fn verdict(asked: &Asked, scale: f64, unit: &str) -> String {
+fn verdict(asked: &MotorDemand, scale: f64, unit: &str) -> String {
     let [wants, has, left] =
         [asked.asked, asked.has, asked.lacks().abs()].map(|v| trimmed(v * scale));
     let [has, left] = [has, left].map(|size| format!("{size} {unit}"));
@@ -530,7 +530,7 @@ fn verdict(asked: &Asked, scale: f64, unit: &str) -> String {
 }
 
 /// Whether it is the same all the way, but for rounding.
-fn is_constant(effect: &Effect) -> bool {
+fn is_constant(effect: &DriveEffort) -> bool {
     let both = effect.largest.zip(effect.least);
     both.is_some_and(|(most, least)| {
         let size = most.value.abs().max(least.value.abs());

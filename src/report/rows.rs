@@ -3,7 +3,7 @@
 //! Each way keeps one line of text, which is filled and handed on row by row: rows of CSV and JSON
 //! allocate nothing.
 
-use super::columns::{Columns, Source};
+use super::columns::{CellSource, Columns};
 use super::number::{direction, shortest, significant, upwards};
 use crate::quantity::{Aspect, Quantity, Subject, state_word};
 use crate::solver::Condition;
@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use std::io::{self, Write};
 
 /// One way to write rows.
-pub(super) trait Rows {
+pub(super) trait RowWriter {
     /// A row: a cell for every column, empty where no value exists, and what the state is.
     fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()>;
 
@@ -46,7 +46,7 @@ impl<W: Write> CsvRows<W> {
     }
 }
 
-impl<W: Write> Rows for CsvRows<W> {
+impl<W: Write> RowWriter for CsvRows<W> {
     /// Numbers and the words for a state need no quotes.
     fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
         self.line.clear();
@@ -98,7 +98,7 @@ impl<W: Write> JsonRows<W> {
     }
 }
 
-impl<W: Write> Rows for JsonRows<W> {
+impl<W: Write> RowWriter for JsonRows<W> {
     fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
         self.line.clear();
         self.line.push_str(self.before);
@@ -154,7 +154,7 @@ impl<'c, W: Write> TextRows<'c, W> {
     }
 }
 
-impl<W: Write> Rows for TextRows<'_, W> {
+impl<W: Write> RowWriter for TextRows<'_, W> {
     fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
         self.line.clear();
         let columns = self.columns.quantities.iter().zip(&self.columns.sources);
@@ -162,9 +162,9 @@ impl<W: Write> Rows for TextRows<'_, W> {
             let shown = cell.map_or_else(
                 || "-".into(),
                 |v| match source {
-                    Source::Figure => in_text(quantity, v, self.digits),
-                    Source::Bound => format!("+-{}", upwards(v, BOUND_DIGITS)),
-                    Source::Sensitivity(_) => significant(v, self.digits),
+                    CellSource::Figure => in_text(quantity, v, self.digits),
+                    CellSource::Bound => format!("+-{}", upwards(v, BOUND_DIGITS)),
+                    CellSource::Sensitivity(_) => significant(v, self.digits),
                 },
             );
             write!(self.line, "{shown:>width$}  ").map_err(io::Error::other)?;

@@ -18,13 +18,13 @@ const EXACT_TEN: u32 = 22;
 
 /// A finite decimal number as it was written.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Decimal {
+pub struct WrittenDecimal {
     value: f64,
     /// `digits * 10^exponent` is the number; `None` where 38 digits do not hold it.
     exact: Option<(i128, i32)>,
 }
 
-/// Why a text is no [`Decimal`].
+/// Why a text is no [`WrittenDecimal`].
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DecimalError {
@@ -36,7 +36,7 @@ pub enum DecimalError {
     NotFinite,
 }
 
-impl Decimal {
+impl WrittenDecimal {
     /// The nearest double.
     #[must_use]
     pub fn value(self) -> f64 {
@@ -45,7 +45,7 @@ impl Decimal {
 
     /// The shortest decimal that stands for this double; `None` if it is not finite.
     #[must_use]
-    pub fn of(value: f64) -> Option<Decimal> {
+    pub fn of(value: f64) -> Option<WrittenDecimal> {
         format!("{value:e}").parse().ok()
     }
 
@@ -60,7 +60,7 @@ impl Decimal {
     }
 }
 
-impl FromStr for Decimal {
+impl FromStr for WrittenDecimal {
     type Err = DecimalError;
 
     fn from_str(text: &str) -> Result<Self, DecimalError> {
@@ -69,7 +69,7 @@ impl FromStr for Decimal {
             return Err(DecimalError::NotFinite);
         }
         let exact = exact(text);
-        Ok(Decimal { value, exact })
+        Ok(WrittenDecimal { value, exact })
     }
 }
 
@@ -124,14 +124,14 @@ pub enum StepsError {
 /// The driver's coordinates of a sweep, both ends included where they are hit.
 #[derive(Clone, Debug)]
 pub struct Steps {
-    kind: Kind,
+    kind: StepsKind,
     count: u64,
     /// A last coordinate that the step does not hit.
     end: Option<f64>,
 }
 
 #[derive(Clone, Debug)]
-enum Kind {
+enum StepsKind {
     /// `from + k * step` in units of `10^exponent`: exact.
     Exact {
         from: i128,
@@ -147,7 +147,11 @@ impl Steps {
     ///
     /// # Errors
     /// A step of 0, one that leads away from `to`, or more than 10^9 rows.
-    pub fn new(from: Decimal, to: Decimal, step: Decimal) -> Result<Steps, StepsError> {
+    pub fn new(
+        from: WrittenDecimal,
+        to: WrittenDecimal,
+        step: WrittenDecimal,
+    ) -> Result<Steps, StepsError> {
         let (a, b, s) = (from.value, to.value, step.value);
         if s == 0.0 {
             return Err(StepsError::Zero);
@@ -158,14 +162,14 @@ impl Steps {
         }
         let (kind, last) = match counted(from, to, step) {
             Some((from, to, step, exponent)) => {
-                let kind = Kind::Exact {
+                let kind = StepsKind::Exact {
                     from,
                     step,
                     exponent,
                 };
                 (kind, to.checked_sub(from).map(|way| way / step))
             }
-            None => (Kind::Fused { from: a, step: s }, fused_last(a, b, s)),
+            None => (StepsKind::Fused { from: a, step: s }, fused_last(a, b, s)),
         };
         let count = last.and_then(|last| u64::try_from(last).ok()?.checked_add(1));
         match count {
@@ -206,21 +210,25 @@ impl Steps {
 
     fn coordinate(&self, k: u64, text: &mut String) -> f64 {
         match self.kind {
-            Kind::Exact {
+            StepsKind::Exact {
                 from,
                 step,
                 exponent,
             } => nearest(from + i128::from(k) * step, exponent, text),
             #[expect(clippy::cast_precision_loss, reason = "at most 10^9 rows")]
-            Kind::Fused { from, step } => step.mul_add(k as f64, from),
+            StepsKind::Fused { from, step } => step.mul_add(k as f64, from),
         }
     }
 }
 
 /// All three in units of the same power of ten, which comes last.
-fn counted(from: Decimal, to: Decimal, step: Decimal) -> Option<(i128, i128, i128, i32)> {
+fn counted(
+    from: WrittenDecimal,
+    to: WrittenDecimal,
+    step: WrittenDecimal,
+) -> Option<(i128, i128, i128, i32)> {
     let exponent = from.exact?.1.min(to.exact?.1).min(step.exact?.1);
-    let in_units = |d: Decimal| d.counted_in(exponent);
+    let in_units = |d: WrittenDecimal| d.counted_in(exponent);
     let (from, to, step) = (in_units(from)?, in_units(to)?, in_units(step)?);
     // A step that the text has and the double has not would be 0 here as well.
     (step != 0).then_some((from, to, step, exponent))
@@ -270,7 +278,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn decimal(text: &str) -> Decimal {
+    fn decimal(text: &str) -> WrittenDecimal {
         text.parse().unwrap()
     }
 
@@ -337,10 +345,14 @@ mod tests {
     #[test]
     fn what_is_no_finite_decimal_is_refused() {
         for text in ["", "x", "60deg", "1,5", "--1", "0x10"] {
-            assert_eq!(text.parse::<Decimal>(), Err(DecimalError::Syntax), "{text}");
+            assert_eq!(
+                text.parse::<WrittenDecimal>(),
+                Err(DecimalError::Syntax),
+                "{text}"
+            );
         }
         for text in ["nan", "inf", "-Infinity", "1e400"] {
-            assert_eq!(text.parse::<Decimal>(), Err(DecimalError::NotFinite));
+            assert_eq!(text.parse::<WrittenDecimal>(), Err(DecimalError::NotFinite));
         }
     }
 
@@ -362,9 +374,9 @@ mod tests {
         fn a_limit_is_its_own_first_row(bits: u64, step in 1..900_i32) {
             let low = f64::from_bits(bits);
             prop_assume!(low.is_finite() && low.abs() < 1e12);
-            let from = Decimal::of(low).unwrap();
+            let from = WrittenDecimal::of(low).unwrap();
             let step = decimal(&format!("{step}e-1"));
-            let to = Decimal::of(low + 100.0).unwrap();
+            let to = WrittenDecimal::of(low + 100.0).unwrap();
             let rows: Vec<f64> = Steps::new(from, to, step).unwrap().iter().collect();
             prop_assert_eq!(rows[0], low);
             prop_assert!(*rows.last().unwrap() <= low + 100.0);

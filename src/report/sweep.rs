@@ -3,8 +3,8 @@
 //! A few states and one line of text serve all rows: a sweep of a billion rows takes the memory of one.
 
 use super::columns::{Beside, Columns};
-use super::errors::{Errors, Missing};
-use super::rows::{CsvRows, JsonRows, Rows, TextRows};
+use super::errors::{ErrorCells, Missing};
+use super::rows::{CsvRows, JsonRows, RowWriter, TextRows};
 use super::steps::Steps;
 use crate::quantity::{Hidden, Quantity, demand};
 use crate::scene::Scene;
@@ -28,7 +28,7 @@ pub enum RowFormat {
 
 /// What a sweep came to.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Outcome {
+pub struct SweepOutcome {
     /// Rows written.
     pub rows: u64,
     /// Of these, rows in which the mechanism can be: the others have no values.
@@ -64,7 +64,7 @@ impl<'a> Sweep<'a> {
     ///
     /// # Errors
     /// Those of the writer.
-    pub fn write(&self, to: impl Write, watch: &mut dyn FnMut(u64)) -> io::Result<Outcome> {
+    pub fn write(&self, to: impl Write, watch: &mut dyn FnMut(u64)) -> io::Result<SweepOutcome> {
         let columns = self.columns;
         match self.format {
             RowFormat::Csv => self.run(CsvRows::new(columns, to)?, watch),
@@ -73,9 +73,13 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    fn run(&self, mut rows: impl Rows, watch: &mut dyn FnMut(u64)) -> io::Result<Outcome> {
-        let mut reader = Reader::new(self);
-        let mut outcome = Outcome::default();
+    fn run(
+        &self,
+        mut rows: impl RowWriter,
+        watch: &mut dyn FnMut(u64),
+    ) -> io::Result<SweepOutcome> {
+        let mut reader = RowReader::new(self);
+        let mut outcome = SweepOutcome::default();
         let mut steps = self.steps.iter();
         let mut block = Vec::with_capacity(LANES);
         let mut reported = 0;
@@ -101,20 +105,20 @@ impl<'a> Sweep<'a> {
 
     /// What is known of errors, where it is asked for or shows in what is read: in text zero is what may
     /// be zero.
-    fn errors(&self, solver: &Solver) -> Option<Errors<'a>> {
+    fn errors(&self, solver: &Solver) -> Option<ErrorCells<'a>> {
         let rounded = matches!(self.format, RowFormat::Text { .. });
         let wanted = rounded || self.columns.beside != Beside::default();
-        wanted.then(|| Errors::new(self.columns, self.scene, self.solver, solver, rounded))
+        wanted.then(|| ErrorCells::new(self.columns, self.scene, self.solver, solver, rounded))
     }
 }
 
 /// Solves for a few coordinates, at once where that can be, and reads the columns row by row.
-struct Reader<'a> {
+struct RowReader<'a> {
     solver: Solver,
     quantities: &'a [Quantity],
     order: Order,
     /// What is known of errors, if that is wanted: then rows are read one by one.
-    errors: Option<Errors<'a>>,
+    errors: Option<ErrorCells<'a>>,
     state: Workspace,
     lanes: Workspace<Lanes>,
     /// What was read from the lanes, column by column.
@@ -126,12 +130,12 @@ struct Reader<'a> {
     first_hidden: Option<Hidden>,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> RowReader<'a> {
     fn new(sweep: &Sweep<'a>) -> Self {
         let quantities = &sweep.columns.quantities;
         let (wanted, order) = demand(quantities);
         let solver = sweep.solver.only(&wanted);
-        Reader {
+        RowReader {
             errors: sweep.errors(&solver),
             quantities,
             order,
@@ -147,7 +151,7 @@ impl<'a> Reader<'a> {
 
     /// Hands over the rows at these coordinates, no more than there are lanes; gives the number of
     /// those that have values.
-    fn hand_over(&mut self, at: &[f64], rows: &mut impl Rows) -> io::Result<u64> {
+    fn hand_over(&mut self, at: &[f64], rows: &mut impl RowWriter) -> io::Result<u64> {
         if self.errors.is_none() && self.read_at_once(at) {
             for lane in 0..at.len() {
                 self.cells.clear();

@@ -93,7 +93,7 @@ pub struct VectorColumn {
 
 /// A plane vector in the ground frame, by components and by magnitude and direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plane {
+pub struct PlaneVector {
     /// Both components, in the scene's unit (per s, per s^2), or in N.
     pub components: Vec2,
     /// Its length.
@@ -104,8 +104,8 @@ pub struct Plane {
     pub bounds: [Option<f64>; 4],
 }
 
-impl Plane {
-    pub(super) fn new(components: Vec2, bounds: [Option<f64>; 2]) -> Plane {
+impl PlaneVector {
+    pub(super) fn new(components: Vec2, bounds: [Option<f64>; 2]) -> PlaneVector {
         let magnitude = components.norm();
         let [x, y] = bounds;
         let error = x.zip(y).map(|(x, y)| Vec2::new(x, y).norm());
@@ -121,7 +121,7 @@ impl Plane {
         // What may be the null vector has no direction.
         let is_null = magnitude <= error.unwrap_or(0.0);
         let direction = (!is_null).then(|| angle::degrees(components));
-        Plane {
+        PlaneVector {
             components,
             magnitude,
             direction,
@@ -157,7 +157,7 @@ pub struct PointRow {
     /// Whether it is a point of the ground: then the scene gives where it is.
     pub fixed: bool,
     /// Position, velocity and acceleration; `None` where none exists.
-    pub motion: [Option<Plane>; 3],
+    pub motion: [Option<PlaneVector>; 3],
 }
 
 /// The driver in the state that the tables show.
@@ -240,7 +240,7 @@ impl Tables {
     }
 
     fn of(scene: &Scene, state: &State, enclosure: Option<&State<Ball>>) -> Self {
-        let reading = Reading {
+        let reading = ProvedState {
             mechanism: &scene.mechanism,
             state,
             enclosure,
@@ -270,13 +270,13 @@ impl Tables {
 }
 
 /// A state, and what is proved of its figures.
-pub(super) struct Reading<'a> {
+pub(super) struct ProvedState<'a> {
     pub(super) mechanism: &'a Mechanism,
     pub(super) state: &'a State,
     pub(super) enclosure: Option<&'a State<Ball>>,
 }
 
-impl Reading<'_> {
+impl ProvedState<'_> {
     /// How far a distance that was had from given coordinates can be from the true one: as far as from
     /// that of the state, and the state's from the truth.
     fn distance_bound(&self, subject: Subject, distance: f64) -> Option<f64> {
@@ -318,7 +318,7 @@ fn driver_line(scene: &Scene, state: &State) -> DriverLine {
     }
 }
 
-fn point_rows(scene: &Scene, reading: &Reading<'_>) -> Vec<PointRow> {
+fn point_rows(scene: &Scene, reading: &ProvedState<'_>) -> Vec<PointRow> {
     let named = |point| Some((point, scene.point_name(point)?));
     let points = scene.mechanism.point_ids().filter_map(named);
     points
@@ -330,7 +330,7 @@ fn point_rows(scene: &Scene, reading: &Reading<'_>) -> Vec<PointRow> {
         .collect()
 }
 
-fn plane(point: PointId, order: Order, reading: &Reading<'_>) -> Option<Plane> {
+fn plane(point: PointId, order: Order, reading: &ProvedState<'_>) -> Option<PlaneVector> {
     let (x, y) = match order {
         Order::Position => (Aspect::X, Aspect::Y),
         Order::Velocity => (Aspect::Vx, Aspect::Vy),
@@ -340,7 +340,7 @@ fn plane(point: PointId, order: Order, reading: &Reading<'_>) -> Option<Plane> {
     let component = |aspect| value(subject, aspect, reading.state);
     let components = Vec2::new(component(x)?, component(y)?);
     let bounds = [x, y].map(|aspect| reading.bound(subject, aspect));
-    Some(Plane::new(components, bounds))
+    Some(PlaneVector::new(components, bounds))
 }
 
 /// The lengths of a rigid vector: one that is given and never changes.
@@ -350,7 +350,7 @@ const fn rigid(length: f64) -> [Entry; 3] {
 
 /// What a scene says by itself about a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Known {
+enum GivenCoordinate {
     /// Nothing: the coordinate is found.
     Nothing,
     /// It never changes.
@@ -360,18 +360,23 @@ enum Known {
 }
 
 /// Three figures of a subject. Rates that the scene gives exist at a dead point too.
-fn read(subject: Subject, aspects: [Aspect; 3], known: Known, reading: &Reading<'_>) -> [Entry; 3] {
+fn read(
+    subject: Subject,
+    aspects: [Aspect; 3],
+    known: GivenCoordinate,
+    reading: &ProvedState<'_>,
+) -> [Entry; 3] {
     let state = reading.state;
     let entry = |aspect| Entry {
         value: value(subject, aspect, state),
-        given: known != Known::Nothing,
+        given: known != GivenCoordinate::Nothing,
         bound: reading.bound(subject, aspect),
     };
     let [position, rate, accel] = aspects;
     let (rate, accel) = match known {
-        Known::Nothing => (entry(rate), entry(accel)),
-        Known::Fixed => (Entry::given(0.0), Entry::given(0.0)),
-        Known::Driven => (
+        GivenCoordinate::Nothing => (entry(rate), entry(accel)),
+        GivenCoordinate::Fixed => (Entry::given(0.0), Entry::given(0.0)),
+        GivenCoordinate::Driven => (
             reading.driver_rate(rate, state.driver_speed()),
             reading.driver_rate(accel, state.driver_acceleration()),
         ),
@@ -379,7 +384,11 @@ fn read(subject: Subject, aspects: [Aspect; 3], known: Known, reading: &Reading<
     [entry(position), rate, accel]
 }
 
-fn vector_column(mechanism: &Mechanism, vector: &Vector, reading: &Reading<'_>) -> VectorColumn {
+fn vector_column(
+    mechanism: &Mechanism,
+    vector: &Vector,
+    reading: &ProvedState<'_>,
+) -> VectorColumn {
     let (length, direction) = match vector.kind {
         VectorKind::Link(link) => {
             let ends = mechanism.link(link).ends;
@@ -398,10 +407,10 @@ fn vector_column(mechanism: &Mechanism, vector: &Vector, reading: &Reading<'_>) 
 }
 
 /// The direction of a link and its rates.
-fn turning(mechanism: &Mechanism, link: LinkId, reading: &Reading<'_>) -> [Entry; 3] {
+fn turning(mechanism: &Mechanism, link: LinkId, reading: &ProvedState<'_>) -> [Entry; 3] {
     let known = known_direction(mechanism, Body::Link(link));
     let mut entries = read(Subject::Link(link), Aspect::TURNING, known, reading);
-    if known == Known::Driven && entries[0].value.is_some() {
+    if known == GivenCoordinate::Driven && entries[0].value.is_some() {
         // As it was asked, without the detour over the direction's components; but a coordinate that is not
         // within one turn is no longer the number that was typed.
         let at = reading.state.at();
@@ -419,32 +428,32 @@ fn turning(mechanism: &Mechanism, link: LinkId, reading: &Reading<'_>) -> [Entry
 }
 
 /// The scene gives the direction of the driven link, and of a link that cannot turn.
-fn known_direction(mechanism: &Mechanism, body: Body) -> Known {
+fn known_direction(mechanism: &Mechanism, body: Body) -> GivenCoordinate {
     let Body::Link(link) = body else {
-        return Known::Fixed;
+        return GivenCoordinate::Fixed;
     };
     let locks = |slide: &Slide| match slide.slider {
         Slider::Link { link: sliding, .. } => sliding == link && slide.on == Body::Ground,
         Slider::Pin(_) => false,
     };
     if mechanism.driver().input == Input::Turn(link) {
-        Known::Driven
+        GivenCoordinate::Driven
     } else if mechanism.slides().iter().any(locks) {
-        Known::Fixed
+        GivenCoordinate::Fixed
     } else {
-        Known::Nothing
+        GivenCoordinate::Nothing
     }
 }
 
 /// Length and direction of a vector, each with its rates.
-type Pair = (Option<[Entry; 3]>, [Entry; 3]);
+type PolarPair = (Option<[Entry; 3]>, [Entry; 3]);
 
-fn slide_entries(mechanism: &Mechanism, slide: SlideId, reading: &Reading<'_>) -> Pair {
+fn slide_entries(mechanism: &Mechanism, slide: SlideId, reading: &ProvedState<'_>) -> PolarPair {
     let subject = Subject::Slide(slide);
     let position = if mechanism.driver().input == Input::Push(slide) {
-        Known::Driven
+        GivenCoordinate::Driven
     } else {
-        Known::Nothing
+        GivenCoordinate::Nothing
     };
     let guide = known_direction(mechanism, mechanism.slide(slide).on);
     (
@@ -458,13 +467,18 @@ fn between_entries(
     mechanism: &Mechanism,
     tail: PointId,
     head: PointId,
-    reading: &Reading<'_>,
-) -> Pair {
+    reading: &ProvedState<'_>,
+) -> PolarPair {
     let subject = Subject::Between(tail, head);
     match shared_body(mechanism, tail, head) {
         None => (
-            Some(read(subject, Aspect::STRETCHING, Known::Nothing, reading)),
-            read(subject, Aspect::TURNING, Known::Nothing, reading),
+            Some(read(
+                subject,
+                Aspect::STRETCHING,
+                GivenCoordinate::Nothing,
+                reading,
+            )),
+            read(subject, Aspect::TURNING, GivenCoordinate::Nothing, reading),
         ),
         Some((body, local)) => {
             let known = known_direction(mechanism, body);

@@ -59,7 +59,7 @@ impl Tables {
     /// # Errors
     /// Those of the writer.
     pub fn write_csv(&self, style: TableStyle, to: impl Write) -> io::Result<()> {
-        let mut lines = Lines {
+        let mut lines = TableCsv {
             csv: csv::Writer::from_writer(to),
             style,
             answers: self.answers.as_ref(),
@@ -193,13 +193,13 @@ fn insert(object: &mut Map<String, Value>, name: &str, entry: &Entry, bounds: bo
     }
 }
 
-struct Lines<'a, W: Write> {
+struct TableCsv<'a, W: Write> {
     csv: csv::Writer<W>,
     style: TableStyle,
     answers: Option<&'a Answers>,
 }
 
-impl<W: Write> Lines<'_, W> {
+impl<W: Write> TableCsv<'_, W> {
     /// What is always there, the bound, and what the lengths do.
     fn record(&mut self, cells: [&str; 4], bound: &str, answer: [&str; 3]) -> io::Result<()> {
         let [name, value, unit, entry] = cells;

@@ -30,7 +30,7 @@ impl Tables {
     /// The tables: a column per vector, then a line per point.
     #[must_use]
     pub fn page(&self, style: TableStyle) -> Page {
-        let writer = Writer {
+        let writer = TablesWriter {
             tables: self,
             style,
         };
@@ -84,12 +84,12 @@ fn title(order: Order) -> &'static str {
     }
 }
 
-pub(super) struct Writer<'a> {
+pub(super) struct TablesWriter<'a> {
     tables: &'a Tables,
     pub(super) style: TableStyle,
 }
 
-impl Writer<'_> {
+impl TablesWriter<'_> {
     fn add_heading(&self, page: &mut Page) {
         let driver = &self.tables.driver;
         let aspects = driver.aspects();

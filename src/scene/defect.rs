@@ -1,18 +1,18 @@
 //! Says in the words of the file what the builder found wrong with an element.
 
-use super::draft::Draft;
-use super::input::Input;
-use super::link::Link;
+use super::draft::SceneDraft;
+use super::input::DraftInput;
+use super::link::DraftLink;
 use super::reader::{Name, Reader, quoted};
-use super::slide::{Slide, Slider};
+use super::slide::{DraftSlide, DraftSlider};
 use crate::document::Diagnostic;
 use crate::{Defect, LinkId, PointId, SlideId};
 
 /// The draft behind the ids of a builder.
 pub(super) struct Drafted<'r, 't> {
-    pub(super) draft: &'r Draft<'t>,
+    pub(super) draft: &'r SceneDraft<'t>,
     /// The slides that were built, by id.
-    pub(super) slides: &'r [&'r Slide<'t>],
+    pub(super) slides: &'r [&'r DraftSlide<'t>],
     pub(super) point_names: &'r [Option<String>],
 }
 
@@ -60,7 +60,7 @@ impl<'t> Drafted<'_, 't> {
     }
 
     /// A link about which nothing was reported yet.
-    fn sound(&self, link: LinkId) -> Option<&Link<'t>> {
+    fn sound(&self, link: LinkId) -> Option<&DraftLink<'t>> {
         let link = &self.draft.links[link.index()];
         (!link.broken).then_some(link)
     }
@@ -69,7 +69,7 @@ impl<'t> Drafted<'_, 't> {
         self.point_names[point.index()].as_deref().unwrap_or("?")
     }
 
-    fn twice(&self, link: &Link<'t>, point: PointId) -> Diagnostic {
+    fn twice(&self, link: &DraftLink<'t>, point: PointId) -> Diagnostic {
         let name = self.point_name(point);
         let mut same = link.point_names().filter(|n| n.text == name);
         let (first, second) = (same.next(), same.next());
@@ -108,14 +108,14 @@ impl<'t> Drafted<'_, 't> {
             format!("link {}", quoted(on))
         };
         let (what, span) = match &slide.slider {
-            Some(Slider::Link { link, .. }) if link.text == on => {
+            Some(DraftSlider::Link { link, .. }) if link.text == on => {
                 (format!("{body} cannot slide on itself"), &link.span)
             }
-            Some(Slider::Link { link, .. }) => (
+            Some(DraftSlider::Link { link, .. }) => (
                 format!("link {link} cannot slide on {body}: its origin is fixed there"),
                 &link.span,
             ),
-            Some(Slider::Pin(point)) => (
+            Some(DraftSlider::Pin(point)) => (
                 format!("{point} cannot slide on {body}, which carries it"),
                 &point.span,
             ),
@@ -130,11 +130,11 @@ impl<'t> Drafted<'_, 't> {
         .help("a guide and what slides along it belong to different bodies")
     }
 
-    fn no_pivot(&self, link: &Link<'t>) -> Option<Diagnostic> {
-        let Some(Input::Link(driven)) = self.draft.driver.as_ref().map(|d| &d.input) else {
+    fn no_pivot(&self, link: &DraftLink<'t>) -> Option<Diagnostic> {
+        let Some(DraftInput::Link(driven)) = self.draft.driver.as_ref().map(|d| &d.input) else {
             return None;
         };
-        let joins = |link: &&Link<'t>| link.point_names().any(|n| self.is_ground(n));
+        let joins = |link: &&DraftLink<'t>| link.point_names().any(|n| self.is_ground(n));
         let mut fit = self
             .draft
             .links
@@ -163,7 +163,7 @@ impl<'t> Drafted<'_, 't> {
         if self.draft.driver_key.is_some() {
             return None;
         }
-        let joins = |link: &&Link<'t>| link.point_names().any(|n| self.is_ground(n));
+        let joins = |link: &&DraftLink<'t>| link.point_names().any(|n| self.is_ground(n));
         let crank = self
             .draft
             .links
@@ -181,7 +181,7 @@ impl<'t> Drafted<'_, 't> {
     }
 }
 
-fn proportion(link: &Link<'_>, length: f64, longest: f64) -> Diagnostic {
+fn proportion(link: &DraftLink<'_>, length: f64, longest: f64) -> Diagnostic {
     let of = &link.name;
     Diagnostic::new(format!(
         "link {of} is out of all proportion: {length:e} long, where the longest length of the scene is {longest:e}"
@@ -190,7 +190,7 @@ fn proportion(link: &Link<'_>, length: f64, longest: f64) -> Diagnostic {
     .help("no double holds products of both; look for a coordinate, a `com` or a length that is mistyped")
 }
 
-fn no_centre(link: &Link<'_>) -> Diagnostic {
+fn no_centre(link: &DraftLink<'_>) -> Diagnostic {
     let (key, span) = link
         .mass_key
         .clone()

@@ -1,58 +1,58 @@
 //! What the file says, element by element, before names are joined.
 
 use super::Unit;
-use super::input::{self, Driver};
-use super::link::{self, Link, Links};
-use super::loads::{self, Load, Loads, Spring, Springs};
+use super::input::{self, DraftDriver};
+use super::link::{self, DraftLink, Links};
+use super::loads::{self, DraftLoad, DraftSpring, Loads, Springs};
 use super::motor::{self, Motor};
-use super::points::{self, Place, Vector, Vectors, places};
-use super::reader::{Pair, Points, Reader, Span};
+use super::points::{self, DraftVector, PlacedPoint, Vectors, places};
+use super::reader::{ByteSpan, CoordinatePair, Points, Reader};
 use super::redundant::{self, Redundant};
-use super::slide::{self, Slide, Slides};
+use super::slide::{self, DraftSlide, Slides};
 use crate::Vec2;
-use crate::document::{Diagnostic, Found, Lenient};
+use crate::document::{Diagnostic, Lenient, Misplaced};
 use crate::nearest::did_you_mean;
 use serde::Deserialize;
 
 /// A scene as its file writes it.
 #[derive(Debug, Deserialize)]
-pub(super) struct File {
+pub(super) struct SceneFile {
     name: Option<Lenient<String>>,
     source: Option<Lenient<String>>,
     note: Option<Lenient<String>>,
     unit: Option<Lenient<String>>,
     ground: Option<Points>,
-    driver: Option<Lenient<input::Table>>,
+    driver: Option<Lenient<input::DriverTable>>,
     links: Option<Links>,
     slides: Option<Slides>,
     start: Option<Points>,
     vectors: Option<Vectors>,
     loads: Option<Loads>,
     springs: Option<Springs>,
-    gravity: Option<Pair>,
-    motor: Option<Lenient<motor::Table>>,
-    redundant: Option<Lenient<redundant::Table>>,
+    gravity: Option<CoordinatePair>,
+    motor: Option<Lenient<motor::MotorTable>>,
+    redundant: Option<Lenient<redundant::RedundantTable>>,
 }
 
 /// What a scene says. Values that could not be read have a placeholder, so that what they do not
 /// touch can still be checked; a diagnostic was reported for each.
 #[derive(Debug, Default)]
-pub(super) struct Draft<'t> {
+pub(super) struct SceneDraft<'t> {
     pub(super) name: Option<String>,
     pub(super) source: Option<String>,
     pub(super) note: Option<String>,
     pub(super) unit: Unit,
-    pub(super) ground: Vec<Place<'t>>,
-    pub(super) links: Vec<Link<'t>>,
-    pub(super) links_key: Option<Span>,
-    pub(super) slides: Vec<Slide<'t>>,
-    pub(super) driver: Option<Driver<'t>>,
+    pub(super) ground: Vec<PlacedPoint<'t>>,
+    pub(super) links: Vec<DraftLink<'t>>,
+    pub(super) links_key: Option<ByteSpan>,
+    pub(super) slides: Vec<DraftSlide<'t>>,
+    pub(super) driver: Option<DraftDriver<'t>>,
     /// The key `driver`, whether or not what follows could be read.
-    pub(super) driver_key: Option<Span>,
-    pub(super) start: Vec<Place<'t>>,
-    pub(super) vectors: Vec<Vector<'t>>,
-    pub(super) loads: Vec<Load<'t>>,
-    pub(super) springs: Vec<Spring<'t>>,
+    pub(super) driver_key: Option<ByteSpan>,
+    pub(super) start: Vec<PlacedPoint<'t>>,
+    pub(super) vectors: Vec<DraftVector<'t>>,
+    pub(super) loads: Vec<DraftLoad<'t>>,
+    pub(super) springs: Vec<DraftSpring<'t>>,
     pub(super) motor: Option<Motor>,
     pub(super) gravity: Vec2,
     pub(super) redundant: Redundant,
@@ -65,8 +65,8 @@ pub(super) struct Draft<'t> {
 }
 
 /// Reads the whole document.
-pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<File>) -> Draft<'v> {
-    let mut draft = Draft::default();
+pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) -> SceneDraft<'v> {
+    let mut draft = SceneDraft::default();
     // The root of a document is always a table.
     let Some(file) = root.get() else { return draft };
     reader.only("the scene", root);
@@ -79,7 +79,8 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<File>) -> Draf
     draft.references(reader, file);
     if let Some(value) = &file.gravity {
         let gravity = reader.pair("`gravity` (m/s^2)", value);
-        draft.unreadable |= gravity.is_none() && value.read.as_ref().err() != Some(&Found::Table);
+        draft.unreadable |=
+            gravity.is_none() && value.read.as_ref().err() != Some(&Misplaced::Table);
         draft.gravity = gravity.unwrap_or_default();
     }
     if let Some(value) = &file.redundant {
@@ -97,9 +98,9 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<File>) -> Draf
     draft
 }
 
-impl<'v> Draft<'v> {
+impl<'v> SceneDraft<'v> {
     /// What moves, and where it is. A section that is no table has lost all its names.
-    fn moving(&mut self, reader: &mut Reader<'_>, root: &Lenient<File>, file: &'v File) {
+    fn moving(&mut self, reader: &mut Reader<'_>, root: &Lenient<SceneFile>, file: &'v SceneFile) {
         let place = |name| root.key(name).map(|key| key.span());
         if let Some(value) = &file.ground {
             self.ground = places(reader, "[ground]", "ground point", value);
@@ -129,7 +130,7 @@ impl<'v> Draft<'v> {
     }
 
     /// What names points without defining them.
-    fn references(&mut self, reader: &mut Reader<'_>, file: &'v File) {
+    fn references(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
         let before = reader.found.len();
         if let Some(value) = &file.vectors {
             self.vectors = points::vectors(reader, value);

@@ -3,7 +3,7 @@
 use super::names::Sort;
 use super::reader::Name;
 use super::resolve::Resolver;
-use super::slide::{Slide, Slider, Through};
+use super::slide::{DraftSlide, DraftSlider, Through};
 use crate::document::Diagnostic;
 use crate::{Body, LinkId, PointId, Vec2};
 
@@ -24,7 +24,7 @@ impl Carrier {
 }
 
 /// What slides, by id.
-enum Sliding {
+enum SlidingId {
     Pin(PointId),
     Link { link: LinkId, turn: f64 },
 }
@@ -47,11 +47,11 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         }
     }
 
-    fn slide(&mut self, slide: &'r Slide<'t>, sliding: Sliding, on: Body, through: Vec2) {
+    fn slide(&mut self, slide: &'r DraftSlide<'t>, sliding: SlidingId, on: Body, through: Vec2) {
         let angle = slide.angle;
         let id = match sliding {
-            Sliding::Pin(point) => self.builder.pin_in_slot(point, on, through, angle),
-            Sliding::Link { link, turn } => {
+            SlidingId::Pin(point) => self.builder.pin_in_slot(point, on, through, angle),
+            SlidingId::Link { link, turn } => {
                 self.builder.sliding_link(link, turn, on, through, angle)
             }
         };
@@ -63,7 +63,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         self.push_slide(slide, id);
     }
 
-    fn carrier(&mut self, slide: &Slide<'t>, on: &Name<'t>) -> Option<Carrier> {
+    fn carrier(&mut self, slide: &DraftSlide<'t>, on: &Name<'t>) -> Option<Carrier> {
         if on.text == "ground" {
             return Some(Carrier::Ground);
         }
@@ -75,13 +75,13 @@ impl<'r, 't> Resolver<'r, '_, 't> {
         link.map(Carrier::Link)
     }
 
-    fn sliding(&mut self, slide: &Slide<'t>, slider: &Slider<'t>) -> Option<Sliding> {
+    fn sliding(&mut self, slide: &DraftSlide<'t>, slider: &DraftSlider<'t>) -> Option<SlidingId> {
         match slider {
-            Slider::Pin(point) => Some(Sliding::Pin(self.points[point.text])),
-            Slider::Link { link, turn } => {
+            DraftSlider::Pin(point) => Some(SlidingId::Pin(self.points[point.text])),
+            DraftSlider::Link { link, turn } => {
                 let what = format!("`link` of slide {}", slide.name);
                 let link = self.names.find(self.reader, &what, link, Sort::Link)?;
-                Some(Sliding::Link {
+                Some(SlidingId::Link {
                     link: LinkId::new(link),
                     turn: *turn,
                 })
@@ -90,7 +90,7 @@ impl<'r, 't> Resolver<'r, '_, 't> {
     }
 
     /// The place of a named point of the guide in the frame of what carries the guide.
-    fn through(&mut self, slide: &Slide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
+    fn through(&mut self, slide: &DraftSlide<'t>, name: &Name<'t>, on: Carrier) -> Option<Vec2> {
         let what = format!("`through` of slide {}", slide.name);
         self.referred.insert(name.text);
         self.names.find(self.reader, &what, name, Sort::Point)?;

@@ -1,16 +1,16 @@
 //! Reads the driver.
 
-use super::rate::{self, Degree, Kind, Misfit, Rate};
-use super::reader::{Name, Reader, Span};
+use super::rate::{self, Degree, Misfit, Rate, RateKind};
+use super::reader::{ByteSpan, Name, Reader};
 use super::{Unit, keys};
 use crate::Mechanism;
-use crate::document::{Diagnostic, Found, Lenient, meant};
+use crate::document::{Diagnostic, Lenient, Misplaced, meant};
 use crate::nearest::did_you_mean;
 use serde::Deserialize;
 
 /// The section `[driver]` as it is written.
 #[derive(Debug, Deserialize)]
-pub(super) struct Table {
+pub(super) struct DriverTable {
     link: Option<Lenient<String>>,
     slide: Option<Lenient<String>>,
     angle: Option<Lenient<f64>>,
@@ -20,9 +20,9 @@ pub(super) struct Table {
 }
 
 #[derive(Debug)]
-pub(super) struct Driver<'t> {
+pub(super) struct DraftDriver<'t> {
     /// The key `link` or `slide`.
-    pub(super) input: Input<'t>,
+    pub(super) input: DraftInput<'t>,
     pub(super) start: f64,
     pub(super) speed: f64,
     pub(super) acceleration: f64,
@@ -31,7 +31,7 @@ pub(super) struct Driver<'t> {
 }
 
 #[derive(Debug)]
-pub(super) enum Input<'t> {
+pub(super) enum DraftInput<'t> {
     Link(Name<'t>),
     Slide(Name<'t>),
 }
@@ -44,7 +44,7 @@ const UNIT_SPEED: f64 = 1.0;
 const OF: &str = "the driver";
 
 /// How a kind of driver is written.
-pub(super) struct Form {
+pub(super) struct DriverForm {
     /// The key that names what is driven.
     pub(super) driven: &'static str,
     /// The key of its coordinate.
@@ -56,7 +56,7 @@ pub(super) struct Form {
     example: &'static str,
 }
 
-pub(super) const TURNED: Form = Form {
+pub(super) const TURNED: DriverForm = DriverForm {
     driven: "link",
     coordinate: "angle",
     other: "position",
@@ -64,7 +64,7 @@ pub(super) const TURNED: Form = Form {
     example: r#"link = "r2", angle = 60, speed = "15 rad/s""#,
 };
 
-pub(super) const PUSHED: Form = Form {
+pub(super) const PUSHED: DriverForm = DriverForm {
     driven: "slide",
     coordinate: "position",
     other: "angle",
@@ -85,14 +85,14 @@ pub(crate) fn coordinate_key(mechanism: &Mechanism) -> &'static str {
 pub(super) fn driver<'v>(
     reader: &mut Reader<'_>,
     unit: Unit,
-    key: &Span,
-    value: &'v Lenient<Table>,
-) -> Option<Driver<'v>> {
+    key: &ByteSpan,
+    value: &'v Lenient<DriverTable>,
+) -> Option<DraftDriver<'v>> {
     let example = format!("{{ {} }}", TURNED.example);
     let table = reader.table("[driver]", &example, value)?;
     let (form, driven, kind) = match (&table.link, &table.slide) {
-        (Some(link), None) => (TURNED, link, Kind::Turn),
-        (None, Some(slide)) => (PUSHED, slide, Kind::Push(unit)),
+        (Some(link), None) => (TURNED, link, RateKind::Turn),
+        (None, Some(slide)) => (PUSHED, slide, RateKind::Push(unit)),
         (None, None) => {
             neither(reader, value, key);
             return None;
@@ -107,8 +107,8 @@ pub(super) fn driver<'v>(
     };
     let name = reader.string(&format!("`{}` of {OF}", form.driven), driven);
     let (given, other) = match kind {
-        Kind::Turn => (&table.angle, &table.position),
-        Kind::Push(_) => (&table.position, &table.angle),
+        RateKind::Turn => (&table.angle, &table.position),
+        RateKind::Push(_) => (&table.position, &table.angle),
     };
     let start = if given.is_none() && other.is_some() {
         other_coordinate(reader, value, &form);
@@ -124,10 +124,10 @@ pub(super) fn driver<'v>(
     let name = name?;
     let rates = [speed, acceleration];
     let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
-    Some(Driver {
+    Some(DraftDriver {
         input: match kind {
-            Kind::Turn => Input::Link(name),
-            Kind::Push(_) => Input::Slide(name),
+            RateKind::Turn => DraftInput::Link(name),
+            RateKind::Push(_) => DraftInput::Slide(name),
         },
         start: start.unwrap_or(0.0),
         speed: speed.unwrap_or(UNIT_SPEED),
@@ -137,7 +137,7 @@ pub(super) fn driver<'v>(
 }
 
 /// Nothing is driven: a misspelt key, or none at all.
-fn neither(reader: &mut Reader<'_>, value: &Lenient<Table>, key: &Span) {
+fn neither(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, key: &ByteSpan) {
     reader.only(OF, value);
     if !value.meant("link") && !value.meant("slide") {
         let message = "the driver has neither `link` nor `slide`";
@@ -154,8 +154,8 @@ fn both_forms(fault: Diagnostic) -> Diagnostic {
 }
 
 /// The coordinate of the other kind of driver.
-fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<Table>, form: &Form) {
-    let Form {
+fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, form: &DriverForm) {
+    let DriverForm {
         driven,
         coordinate,
         other,
@@ -177,10 +177,10 @@ fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<Table>, form: &Form
 /// The coordinate at which the scene opens.
 fn start(
     reader: &mut Reader<'_>,
-    value: &Lenient<Table>,
+    value: &Lenient<DriverTable>,
     given: Option<&Lenient<f64>>,
-    form: &Form,
-    key: &Span,
+    form: &DriverForm,
+    key: &ByteSpan,
 ) -> Option<f64> {
     let coordinate = form.coordinate;
     let known = keys::of(keys::DRIVER, form.driven);
@@ -202,7 +202,7 @@ pub(super) fn rate(
     reader: &mut Reader<'_>,
     of: &str,
     key: &str,
-    kind: Kind,
+    kind: RateKind,
     degree: Degree,
     value: &Lenient<String>,
 ) -> Option<Rate> {
@@ -213,7 +213,7 @@ pub(super) fn rate(
             Ok(rate) => return Some(rate),
             Err(misfit) => misfit,
         },
-        Err(Found::Number | Found::Unheld) => Misfit::NoUnit,
+        Err(Misplaced::Number | Misplaced::Unheld) => Misfit::NoUnit,
         Err(_) => Misfit::NoNumber,
     };
     let units = rate::units(kind, degree);

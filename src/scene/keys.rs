@@ -7,9 +7,9 @@ use super::measure::Measure;
 use super::rate::Degree;
 
 /// A key.
-pub(super) struct Key {
+pub(super) struct SceneKey {
     pub(super) name: &'static str,
-    pub(super) kind: Kind,
+    pub(super) kind: KeyKind,
     /// The kinds of elements that have it, each called by a key of its own; every kind where none is named.
     of: &'static [&'static str],
     /// What it is; nothing where it is told with the next one.
@@ -20,29 +20,29 @@ pub(super) struct Key {
 
 /// What stands behind a key.
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+pub(super) enum KeyKind {
     /// A name, a text or a choice.
     Text,
-    Number(Size),
+    Number(NumberMeasure),
     /// `[x, y]`.
-    Pair(Size),
+    Pair(NumberMeasure),
     /// A number with a unit of its own.
     Rate(Degree),
     /// Named pairs.
-    Points(Size),
+    Points(NumberMeasure),
     /// Pairs of where and how much; what the latter is called.
-    Knots([Size; 2], &'static str),
+    Knots([NumberMeasure; 2], &'static str),
     /// A table, one of each name, or a list of them.
-    Table(&'static [Key]),
-    Each(&'static [Key]),
-    List(&'static [Key]),
+    Table(&'static [SceneKey]),
+    Each(&'static [SceneKey]),
+    List(&'static [SceneKey]),
     /// Named pairs of names.
     Vectors,
 }
 
 /// What a number measures.
 #[derive(Clone, Copy)]
-pub(super) enum Size {
+pub(super) enum NumberMeasure {
     Of(Measure),
     /// The driver's coordinate.
     Driver,
@@ -50,15 +50,15 @@ pub(super) enum Size {
     Effort,
 }
 
-impl Size {
+impl NumberMeasure {
     /// `turns` tells that a link is driven, and no slide.
     pub(super) fn measure(self, turns: bool) -> Measure {
         match (self, turns) {
-            (Size::Of(measure), _) => measure,
-            (Size::Driver, true) => Measure::Angle,
-            (Size::Driver, false) => Measure::Coordinate,
-            (Size::Effort, true) => Measure::Torque,
-            (Size::Effort, false) => Measure::Force,
+            (NumberMeasure::Of(measure), _) => measure,
+            (NumberMeasure::Driver, true) => Measure::Angle,
+            (NumberMeasure::Driver, false) => Measure::Coordinate,
+            (NumberMeasure::Effort, true) => Measure::Torque,
+            (NumberMeasure::Effort, false) => Measure::Force,
         }
     }
 }
@@ -66,7 +66,7 @@ impl Size {
 /// Rows of `name: kind, of, words, default`.
 macro_rules! keys {
     ($($table:ident = $($name:literal: $kind:expr, $of:expr, $words:literal, $default:literal;)*)*) => {
-        $(pub(super) const $table: &[Key] = &[$(Key {
+        $(pub(super) const $table: &[SceneKey] = &[$(SceneKey {
             name: $name,
             kind: $kind,
             of: &$of,
@@ -76,8 +76,8 @@ macro_rules! keys {
     };
 }
 
-use Kind::{Each, Knots, List, Number, Pair, Points, Rate, Table, Text, Vectors};
-use Size::{Driver, Effort, Of};
+use KeyKind::{Each, Knots, List, Number, Pair, Points, Rate, Table, Text, Vectors};
+use NumberMeasure::{Driver, Effort, Of};
 
 keys! {
 SCENE =
@@ -173,13 +173,13 @@ REDUNDANT =
 }
 
 /// The row of a key.
-pub(super) fn find(keys: &'static [Key], name: &str) -> Option<&'static Key> {
+pub(super) fn find(keys: &'static [SceneKey], name: &str) -> Option<&'static SceneKey> {
     keys.iter().find(|key| key.name == name)
 }
 
 /// The names of the keys that an element of a kind has.
-pub(super) fn of(keys: &'static [Key], kind: &str) -> Vec<&'static str> {
-    let fits = |key: &&Key| key.of.is_empty() || key.of.contains(&kind);
+pub(super) fn of(keys: &'static [SceneKey], kind: &str) -> Vec<&'static str> {
+    let fits = |key: &&SceneKey| key.of.is_empty() || key.of.contains(&kind);
     keys.iter().filter(fits).map(|key| key.name).collect()
 }
 
@@ -188,7 +188,7 @@ pub(super) fn of(keys: &'static [Key], kind: &str) -> Vec<&'static str> {
 #[must_use]
 pub fn reference() -> String {
     let mut table = "| key | what it is | default |\n|---|---|---|\n".to_owned();
-    let section = |key: &&Key| key.heading().is_some();
+    let section = |key: &&SceneKey| key.heading().is_some();
     rows(&mut table, SCENE.iter().filter(|key| !section(key)));
     for key in SCENE.iter().filter(section) {
         if let Some((heading, keys)) = key.heading() {
@@ -199,9 +199,9 @@ pub fn reference() -> String {
     table
 }
 
-impl Key {
+impl SceneKey {
     /// Of a section how a file begins it, and the keys in it.
-    fn heading(&self) -> Option<(String, &'static [Key])> {
+    fn heading(&self) -> Option<(String, &'static [SceneKey])> {
         let name = self.name;
         match self.kind {
             Text | Number(_) | Pair(_) | Rate(_) | Knots(..) => None,
@@ -212,7 +212,7 @@ impl Key {
     }
 }
 
-fn rows<'k>(table: &mut String, keys: impl Iterator<Item = &'k Key>) {
+fn rows<'k>(table: &mut String, keys: impl Iterator<Item = &'k SceneKey>) {
     let mut names = Vec::new();
     for key in keys {
         names.push(format!("`{}`", key.name));
@@ -223,7 +223,7 @@ fn rows<'k>(table: &mut String, keys: impl Iterator<Item = &'k Key>) {
     }
 }
 
-fn row(table: &mut String, name: &str, key: &Key) {
+fn row(table: &mut String, name: &str, key: &SceneKey) {
     let default = match key.default {
         "" => String::new(),
         default => format!("{default} "),
@@ -249,14 +249,14 @@ mod tests {
                 .known
         }
         for (table, read) in [
-            (SCENE, read::<draft::File>()),
-            (DRIVER, read::<input::Table>()),
-            (LINK, read::<link::Table>()),
-            (SLIDE, read::<slide::Table>()),
+            (SCENE, read::<draft::SceneFile>()),
+            (DRIVER, read::<input::DriverTable>()),
+            (LINK, read::<link::LinkTable>()),
+            (SLIDE, read::<slide::SlideTable>()),
             (LOAD, read::<loads::LoadTable>()),
             (SPRING, read::<loads::SpringTable>()),
-            (MOTOR, read::<motor::Table>()),
-            (REDUNDANT, read::<redundant::Table>()),
+            (MOTOR, read::<motor::MotorTable>()),
+            (REDUNDANT, read::<redundant::RedundantTable>()),
         ] {
             let rows: Vec<_> = table.iter().map(|key| key.name).collect();
             assert_eq!(rows, read);
@@ -267,7 +267,7 @@ mod tests {
     #[test]
     fn the_reference_has_every_key() {
         let told = reference();
-        let sections = SCENE.iter().filter_map(Key::heading);
+        let sections = SCENE.iter().filter_map(SceneKey::heading);
         for (heading, keys) in sections {
             let (_, section) = told.split_once(&format!("| **`{heading}`** | ")).unwrap();
             let section = section.split("| **").next().unwrap();

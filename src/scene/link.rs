@@ -1,7 +1,7 @@
 //! Reads links.
 
-use super::points::{Place, places};
-use super::reader::{Name, ORDINARY, Pair, Points, Reader, SMALLEST_LENGTH, Span};
+use super::points::{PlacedPoint, places};
+use super::reader::{ByteSpan, CoordinatePair, Name, ORDINARY, Points, Reader, SMALLEST_LENGTH};
 use crate::Vec2;
 use crate::document::{Diagnostic, Entries, Lenient};
 use serde::Deserialize;
@@ -13,36 +13,36 @@ const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
 const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
 
 /// The section `[links]` as it is written.
-pub(super) type Links = Lenient<Entries<Lenient<Table>>>;
+pub(super) type Links = Lenient<Entries<Lenient<LinkTable>>>;
 
 /// A link as it is written.
 #[derive(Debug, Deserialize)]
-pub(super) struct Table {
+pub(super) struct LinkTable {
     from: Option<Lenient<String>>,
     to: Option<Lenient<String>>,
     length: Option<Lenient<f64>>,
     points: Option<Points>,
-    com: Option<Pair>,
+    com: Option<CoordinatePair>,
     mass: Option<Lenient<f64>>,
     inertia: Option<Lenient<f64>>,
 }
 
 #[derive(Debug)]
-pub(super) struct Link<'t> {
+pub(super) struct DraftLink<'t> {
     pub(super) name: Name<'t>,
     pub(super) ends: Option<Ends<'t>>,
-    pub(super) points: Vec<Place<'t>>,
+    pub(super) points: Vec<PlacedPoint<'t>>,
     /// The centre of mass, with the place of the key.
-    pub(super) com: Option<(Span, Vec2)>,
+    pub(super) com: Option<(ByteSpan, Vec2)>,
     pub(super) mass: f64,
     pub(super) inertia: f64,
     /// The key `mass`, or `inertia` where there is no mass.
-    pub(super) mass_key: Option<(&'static str, Span)>,
+    pub(super) mass_key: Option<(&'static str, ByteSpan)>,
     /// Whether something about it was reported.
     pub(super) broken: bool,
 }
 
-impl<'t> Link<'t> {
+impl<'t> DraftLink<'t> {
     /// Its named points, the ends first.
     pub(super) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
         let ends = self.ends.iter().flat_map(|ends| [&ends.from, &ends.to]);
@@ -59,7 +59,7 @@ impl<'t> Link<'t> {
             }
         });
         let listed = || self.points.iter().find(|p| p.name.text == point);
-        ends.or_else(|| listed().map(Place::at))
+        ends.or_else(|| listed().map(PlacedPoint::at))
     }
 }
 
@@ -79,7 +79,7 @@ pub(super) fn nothing_moves() -> Diagnostic {
 /// The links of a scene, and what a fault among them takes away.
 #[derive(Debug, Default)]
 pub(super) struct Read<'t> {
-    pub(super) links: Vec<Link<'t>>,
+    pub(super) links: Vec<DraftLink<'t>>,
     /// Whether there are more than a scene may have.
     pub(super) too_many: bool,
     /// Whether one names a point that could not be read.
@@ -112,10 +112,10 @@ fn link<'v>(
     reader: &mut Reader<'_>,
     lost_points: &mut bool,
     name: Name<'v>,
-    value: &'v Lenient<Table>,
-) -> Link<'v> {
+    value: &'v Lenient<LinkTable>,
+) -> DraftLink<'v> {
     let before = reader.found.len();
-    let mut link = Link {
+    let mut link = DraftLink {
         name,
         ends: None,
         points: Vec::new(),
@@ -153,9 +153,9 @@ fn no_points(of: &str, name: &Name<'_>) -> Diagnostic {
 fn link_ends<'v>(
     reader: &mut Reader<'_>,
     of: &str,
-    value: &Lenient<Table>,
-    table: &'v Table,
-    link: &mut Link<'v>,
+    value: &Lenient<LinkTable>,
+    table: &'v LinkTable,
+    link: &mut DraftLink<'v>,
 ) -> bool {
     let from = reader.text_of("from", of, table.from.as_ref());
     let to = reader.text_of("to", of, table.to.as_ref());
@@ -187,7 +187,8 @@ fn link_ends<'v>(
         (one, other) => {
             let named = one.into_iter().chain(other);
             let read = None;
-            link.points.extend(named.map(|name| Place { name, read }));
+            link.points
+                .extend(named.map(|name| PlacedPoint { name, read }));
             missing.is_none() && !has_from && !has_to
         }
     }
@@ -197,9 +198,9 @@ fn link_ends<'v>(
 fn link_points<'v>(
     reader: &mut Reader<'_>,
     of: &str,
-    value: &Lenient<Table>,
-    table: &'v Table,
-    link: &mut Link<'v>,
+    value: &Lenient<LinkTable>,
+    table: &'v LinkTable,
+    link: &mut DraftLink<'v>,
 ) -> bool {
     let Some(points) = &table.points else {
         return !value.meant("points");
@@ -213,9 +214,9 @@ fn link_points<'v>(
 fn link_mass(
     reader: &mut Reader<'_>,
     of: &str,
-    value: &Lenient<Table>,
-    table: &Table,
-    link: &mut Link<'_>,
+    value: &Lenient<LinkTable>,
+    table: &LinkTable,
+    link: &mut DraftLink<'_>,
 ) {
     let key = |name| Some((name, value.key(name)?.span()));
     if let (Some(com), Some((_, place))) = (&table.com, key("com")) {
@@ -227,7 +228,7 @@ fn link_mass(
     link.mass_key = key("mass").or_else(|| key("inertia"));
 }
 
-fn incomplete(of: &str, missing: &str, span: Span) -> Diagnostic {
+fn incomplete(of: &str, missing: &str, span: ByteSpan) -> Diagnostic {
     Diagnostic::new(format!("{of} has {missing}"))
         .at(span, "`from`, `to` and `length` belong together")
         .help(format!("for example: {LINK}"))

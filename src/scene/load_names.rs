@@ -1,11 +1,11 @@
 //! Joins the names of loads and springs.
 
-use super::link::Link;
-use super::loads::{Load as Drafted, Spring};
+use super::link::DraftLink;
+use super::loads::{DraftLoad, DraftSpring};
 use super::names::Sort;
 use super::reader::Name;
 use super::resolve::Resolver;
-use super::slide::Slide;
+use super::slide::DraftSlide;
 use crate::document::Diagnostic;
 use crate::{Body, LinkId, Load, Profile, SlideId, StrokeEnd, angle};
 
@@ -22,9 +22,9 @@ impl<'t> Resolver<'_, '_, 't> {
         self.builder.metres(draft.unit.metres());
     }
 
-    fn load(&mut self, load: &Drafted<'t>) -> Option<Load> {
+    fn load(&mut self, load: &DraftLoad<'t>) -> Option<Load> {
         match load {
-            Drafted::Force {
+            DraftLoad::Force {
                 point,
                 force,
                 frame,
@@ -42,7 +42,7 @@ impl<'t> Resolver<'_, '_, 't> {
                     over: over.clone(),
                 })
             }
-            Drafted::Torque { link, torque, over } => {
+            DraftLoad::Torque { link, torque, over } => {
                 let what = "`link` of the load";
                 let link = self.names.find(self.reader, what, link, Sort::Link)?;
                 Some(Load::Torque {
@@ -51,7 +51,7 @@ impl<'t> Resolver<'_, '_, 't> {
                     over: over.clone(),
                 })
             }
-            Drafted::Press { slide, curve, end } => self.press(slide, curve, *end),
+            DraftLoad::Press { slide, curve, end } => self.press(slide, curve, *end),
         }
     }
 
@@ -86,12 +86,12 @@ impl<'t> Resolver<'_, '_, 't> {
     }
 
     /// The slide, unless something about it was reported.
-    fn built(&self, slide: &Slide<'t>) -> Option<SlideId> {
+    fn built(&self, slide: &DraftSlide<'t>) -> Option<SlideId> {
         self.slides.get(slide.name.text).copied()
     }
 
     /// Reports a press whose guide moves: its stroke would have no ends in the frame.
-    fn on_ground(&mut self, name: &Name<'t>, slide: &Slide<'t>) -> Option<()> {
+    fn on_ground(&mut self, name: &Name<'t>, slide: &DraftSlide<'t>) -> Option<()> {
         let on = slide.on.as_ref()?;
         if on.text == "ground" {
             return Some(());
@@ -109,7 +109,7 @@ impl<'t> Resolver<'_, '_, 't> {
     }
 
     /// The end at which the guide is lower, in the direction of y.
-    fn lower_end(&mut self, name: &Name<'t>, slide: &Slide<'t>) -> Option<StrokeEnd> {
+    fn lower_end(&mut self, name: &Name<'t>, slide: &DraftSlide<'t>) -> Option<StrokeEnd> {
         let up = angle::unit(slide.angle).y;
         if up > 0.0 {
             return Some(StrokeEnd::Least);
@@ -153,8 +153,8 @@ impl<'t> Resolver<'_, '_, 't> {
     }
 
     /// The fault of a spring whose length never changes.
-    fn idle(&self, spring: &Spring<'t>) -> Option<Diagnostic> {
-        let Spring { from, to, .. } = spring;
+    fn idle(&self, spring: &DraftSpring<'t>) -> Option<Diagnostic> {
+        let DraftSpring { from, to, .. } = spring;
         if from.text == to.text {
             return Some(
                 Diagnostic::new(format!("the spring runs from {from} to itself"))
@@ -164,7 +164,7 @@ impl<'t> Resolver<'_, '_, 't> {
             );
         }
         let grounded = |name: &Name<'_>| self.ground.contains_key(name.text);
-        let carried = |link: &&Link<'_>| [from, to].iter().all(|name| carries(link, name));
+        let carried = |link: &&DraftLink<'_>| [from, to].iter().all(|name| carries(link, name));
         let body = if grounded(from) && grounded(to) {
             "the ground".to_owned()
         } else {
@@ -181,7 +181,7 @@ impl<'t> Resolver<'_, '_, 't> {
 }
 
 /// Whether a point, or a centre of mass, is one of the link's.
-fn carries(link: &Link<'_>, name: &Name<'_>) -> bool {
+fn carries(link: &DraftLink<'_>, name: &Name<'_>) -> bool {
     let centre = name.text.strip_suffix(".com");
     centre == Some(link.name.text) || link.point_names().any(|point| point.text == name.text)
 }

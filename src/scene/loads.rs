@@ -2,8 +2,8 @@
 
 use super::keys;
 use super::profile::{self, Knots};
-use super::reader::{Name, Pair, Reader};
-use crate::document::{Diagnostic, Key, Lenient};
+use super::reader::{CoordinatePair, Name, Reader};
+use crate::document::{Diagnostic, Lenient, WrittenKey};
 use crate::nearest::did_you_mean;
 use crate::{Profile, StrokeEnd, Vec2};
 use serde::Deserialize;
@@ -22,7 +22,7 @@ pub(super) type Springs = Lenient<Vec<Lenient<SpringTable>>>;
 #[derive(Debug, Deserialize)]
 pub(super) struct LoadTable {
     point: Option<Lenient<String>>,
-    force: Option<Pair>,
+    force: Option<CoordinatePair>,
     frame: Option<Lenient<String>>,
     link: Option<Lenient<String>>,
     torque: Option<Lenient<f64>>,
@@ -43,7 +43,7 @@ pub(super) struct SpringTable {
 }
 
 #[derive(Debug)]
-pub(super) enum Load<'t> {
+pub(super) enum DraftLoad<'t> {
     Force {
         point: Name<'t>,
         force: Vec2,
@@ -65,7 +65,7 @@ pub(super) enum Load<'t> {
 }
 
 #[derive(Debug)]
-pub(super) struct Spring<'t> {
+pub(super) struct DraftSpring<'t> {
     pub(super) from: Name<'t>,
     pub(super) to: Name<'t>,
     pub(super) stiffness: f64,
@@ -75,50 +75,50 @@ pub(super) struct Spring<'t> {
 
 /// The kinds of loads, each known by the key of its size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum LoadKind {
     Force,
     Torque,
     Press,
 }
 
-impl Kind {
-    const ALL: [Kind; 3] = [Kind::Force, Kind::Torque, Kind::Press];
+impl LoadKind {
+    const ALL: [LoadKind; 3] = [LoadKind::Force, LoadKind::Torque, LoadKind::Press];
 
     /// The key of its size, and its name.
     fn size(self) -> &'static str {
         match self {
-            Kind::Force => "force",
-            Kind::Torque => "torque",
-            Kind::Press => "press",
+            LoadKind::Force => "force",
+            LoadKind::Torque => "torque",
+            LoadKind::Press => "press",
         }
     }
 
     /// The key of what it acts on.
     fn on(self) -> &'static str {
         match self {
-            Kind::Force => "point",
-            Kind::Torque => "link",
-            Kind::Press => "slide",
+            LoadKind::Force => "point",
+            LoadKind::Torque => "link",
+            LoadKind::Press => "slide",
         }
     }
 
     fn example(self) -> &'static str {
         match self {
-            Kind::Force => r#"point = "C", force = [0, -500]"#,
-            Kind::Torque => r#"link = "r4", torque = 12"#,
-            Kind::Press => r#"slide = "r6", press = [[12, 0], [0, 350e3]]"#,
+            LoadKind::Force => r#"point = "C", force = [0, -500]"#,
+            LoadKind::Torque => r#"link = "r4", torque = 12"#,
+            LoadKind::Press => r#"slide = "r6", press = [[12, 0], [0, 350e3]]"#,
         }
     }
 }
 
 /// Reads the loads. What could not be read is left out, and reported.
-pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Loads) -> Vec<Load<'v>> {
+pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Loads) -> Vec<DraftLoad<'v>> {
     let items = list(reader, "loads", LOAD, value);
     items.iter().filter_map(|v| load(reader, v)).collect()
 }
 
 /// Reads the springs, likewise.
-pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Springs) -> Vec<Spring<'v>> {
+pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Springs) -> Vec<DraftSpring<'v>> {
     let items = list(reader, "springs", SPRING, value);
     items.iter().filter_map(|v| spring(reader, v)).collect()
 }
@@ -140,40 +140,40 @@ fn list<'v, T>(
     &[]
 }
 
-fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Load<'v>> {
+fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<DraftLoad<'v>> {
     let table = reader.table("a load", LOAD, value)?;
     reader.only("the load", value);
     let kind = kind(reader, table, value)?;
     foreign(reader, &value.keys, kind);
     let on = reader.text_of(kind.on(), OF, table.on(kind));
     match kind {
-        Kind::Force => {
+        LoadKind::Force => {
             let force = reader.pair("`force` of the load (N)", table.force.as_ref()?);
             let frame = reader.text_of("frame", OF, table.frame.as_ref());
             let over = profile::over(reader, table.over.as_ref());
             if frame.is_none() && table.frame.is_some() {
                 return None;
             }
-            Some(Load::Force {
+            Some(DraftLoad::Force {
                 point: on?,
                 force: force?,
                 frame,
                 over: over?,
             })
         }
-        Kind::Torque => {
+        LoadKind::Torque => {
             let torque = reader.number("`torque` of the load (N m)", table.torque.as_ref()?);
             let over = profile::over(reader, table.over.as_ref());
-            Some(Load::Torque {
+            Some(DraftLoad::Torque {
                 link: on?,
                 torque: torque?,
                 over: over?,
             })
         }
-        Kind::Press => {
+        LoadKind::Press => {
             let curve = profile::press(reader, table.press.as_ref()?);
             let end = table.end.as_ref().map(|value| stroke_end(reader, value));
-            Some(Load::Press {
+            Some(DraftLoad::Press {
                 slide: on?,
                 curve: curve?,
                 end: match end {
@@ -187,19 +187,23 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Lo
 
 impl LoadTable {
     /// What a load of a kind acts on.
-    fn on(&self, kind: Kind) -> Option<&Lenient<String>> {
+    fn on(&self, kind: LoadKind) -> Option<&Lenient<String>> {
         match kind {
-            Kind::Force => self.point.as_ref(),
-            Kind::Torque => self.link.as_ref(),
-            Kind::Press => self.slide.as_ref(),
+            LoadKind::Force => self.point.as_ref(),
+            LoadKind::Torque => self.link.as_ref(),
+            LoadKind::Press => self.slide.as_ref(),
         }
     }
 }
 
 /// What kind of load it is; one that says on what it acts, and how much.
-fn kind(reader: &mut Reader<'_>, table: &LoadTable, value: &Lenient<LoadTable>) -> Option<Kind> {
-    let given = |kind: Kind| Some((kind, value.key(kind.size())?.span()));
-    let mut sizes = Kind::ALL.into_iter().filter_map(given);
+fn kind(
+    reader: &mut Reader<'_>,
+    table: &LoadTable,
+    value: &Lenient<LoadTable>,
+) -> Option<LoadKind> {
+    let given = |kind: LoadKind| Some((kind, value.key(kind.size())?.span()));
+    let mut sizes = LoadKind::ALL.into_iter().filter_map(given);
     let fault = match (sizes.next(), sizes.next()) {
         (Some((kind, _)), None) if table.on(kind).is_some() => return Some(kind),
         (Some((kind, _)), None) => without(value, kind)?,
@@ -222,7 +226,7 @@ fn kind(reader: &mut Reader<'_>, table: &LoadTable, value: &Lenient<LoadTable>) 
 
 /// The fault of a load that acts on nothing. A misspelt key was reported already; what it leaves
 /// missing is no second fault.
-fn without(load: &Lenient<LoadTable>, kind: Kind) -> Option<Diagnostic> {
+fn without(load: &Lenient<LoadTable>, kind: LoadKind) -> Option<Diagnostic> {
     let (size, on) = (kind.size(), kind.on());
     if load.meant(on) {
         return None;
@@ -235,8 +239,8 @@ fn without(load: &Lenient<LoadTable>, kind: Kind) -> Option<Diagnostic> {
 
 /// The fault of a load without a size.
 fn nothing(load: &Lenient<LoadTable>) -> Option<Diagnostic> {
-    let meant = |kind: &Kind| load.meant(kind.size());
-    if Kind::ALL.iter().any(meant) {
+    let meant = |kind: &LoadKind| load.meant(kind.size());
+    if LoadKind::ALL.iter().any(meant) {
         return None;
     }
     Some(match load.key("over") {
@@ -251,7 +255,7 @@ fn nothing(load: &Lenient<LoadTable>) -> Option<Diagnostic> {
 }
 
 /// Reports keys that belong to another kind of load.
-fn foreign(reader: &mut Reader<'_>, given: &[Key], kind: Kind) {
+fn foreign(reader: &mut Reader<'_>, given: &[WrittenKey], kind: LoadKind) {
     let fitting = keys::of(keys::LOAD, kind.size());
     for key in given {
         let text = key.get_ref().as_str();
@@ -290,7 +294,7 @@ fn stroke_end(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Stroke
     None
 }
 
-fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Option<Spring<'v>> {
+fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Option<DraftSpring<'v>> {
     let of = "the spring";
     let table = reader.table("a spring", SPRING, value)?;
     reader.only(of, value);
@@ -319,7 +323,7 @@ fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Optio
                 .help("give it one: stiffness = 1200 is in N/m, damping = 5 in N s/m"),
         );
     }
-    Some(Spring {
+    Some(DraftSpring {
         from: from?,
         to: to?,
         stiffness,

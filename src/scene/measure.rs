@@ -1,7 +1,7 @@
 //! What the numbers of a scene measure, and the units in which they may be typed.
 
 use super::Unit;
-use super::rate::{Degree, Kind};
+use super::rate::{Degree, RateKind};
 
 /// What a value measures, and what it may be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,19 +43,19 @@ pub enum Measure {
 
 /// The units of a measure.
 #[derive(Clone, Copy)]
-pub(super) enum Units {
+pub(super) enum MeasureUnits {
     /// Every unit of length; the file has the scene's.
     Length,
     /// Degrees, which the file has, and radians.
     Angle,
     /// A rate brings its unit along.
-    Rate(Kind, Degree),
+    Rate(RateKind, Degree),
     /// The first one is the file's; a plain number has none.
-    Scales(&'static [Scale]),
+    Scales(&'static [UnitScale]),
 }
 
 /// A unit that may be typed; it is worth so many, divided by so many, of the one in the file.
-pub(super) type Scale = (&'static str, u32, u32);
+pub(super) type UnitScale = (&'static str, u32, u32);
 
 impl Measure {
     /// What a rate of the driver measures, which is turned or pushed.
@@ -69,15 +69,17 @@ impl Measure {
     }
 
     /// Its units in a scene with this unit of length.
-    pub(super) fn units(self, scene: Unit) -> Units {
-        let push = Kind::Push(scene);
-        let scales: &'static [Scale] = match self {
-            Measure::Length | Measure::Coordinate | Measure::Start => return Units::Length,
-            Measure::Angle => return Units::Angle,
-            Measure::TurnSpeed => return Units::Rate(Kind::Turn, Degree::Speed),
-            Measure::TurnAcceleration => return Units::Rate(Kind::Turn, Degree::Acceleration),
-            Measure::PushSpeed => return Units::Rate(push, Degree::Speed),
-            Measure::PushAcceleration => return Units::Rate(push, Degree::Acceleration),
+    pub(super) fn units(self, scene: Unit) -> MeasureUnits {
+        let push = RateKind::Push(scene);
+        let scales: &'static [UnitScale] = match self {
+            Measure::Length | Measure::Coordinate | Measure::Start => return MeasureUnits::Length,
+            Measure::Angle => return MeasureUnits::Angle,
+            Measure::TurnSpeed => return MeasureUnits::Rate(RateKind::Turn, Degree::Speed),
+            Measure::TurnAcceleration => {
+                return MeasureUnits::Rate(RateKind::Turn, Degree::Acceleration);
+            }
+            Measure::PushSpeed => return MeasureUnits::Rate(push, Degree::Speed),
+            Measure::PushAcceleration => return MeasureUnits::Rate(push, Degree::Acceleration),
             Measure::Mass => &[("kg", 1, 1), ("g", 1, 1000)],
             Measure::Inertia => &[
                 ("kg m^2", 1, 1),
@@ -96,16 +98,16 @@ impl Measure {
             Measure::Damping => &[("N s/m", 1, 1), ("N s/mm", 1000, 1)],
             Measure::Factor => &[("", 1, 1), ("%", 1, 100)],
         };
-        Units::Scales(scales)
+        MeasureUnits::Scales(scales)
     }
 
     /// The unit in which the file has it; a rate brings its own.
     pub(super) fn unit(self, scene: Unit) -> &'static str {
         match self.units(scene) {
-            Units::Length => scene.symbol(),
-            Units::Angle => "deg",
-            Units::Rate(..) => "",
-            Units::Scales(scales) => scales[0].0,
+            MeasureUnits::Length => scene.symbol(),
+            MeasureUnits::Angle => "deg",
+            MeasureUnits::Rate(..) => "",
+            MeasureUnits::Scales(scales) => scales[0].0,
         }
     }
 }

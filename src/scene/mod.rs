@@ -80,7 +80,7 @@ pub use unit::Unit;
 pub use values::Value;
 
 use crate::document;
-use crate::{Element, LinkId, Mechanism, PointId, SlideId};
+use crate::{ElementId, LinkId, Mechanism, PointId, SlideId};
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -108,14 +108,14 @@ pub struct Scene {
     pub(crate) point_names: Vec<Option<String>>,
     pub(crate) link_names: Vec<String>,
     pub(crate) slide_names: Vec<String>,
-    places: Places,
+    places: TextPlaces,
     origin: String,
     text: Arc<str>,
 }
 
 /// Where the elements stand in the text, as ranges of bytes.
 #[derive(Clone, Debug, Default)]
-struct Places {
+struct TextPlaces {
     points: Vec<Range<usize>>,
     links: Vec<Range<usize>>,
     slides: Vec<Range<usize>>,
@@ -211,12 +211,12 @@ impl Scene {
 
     /// Where an element stands in the text: the bytes of its name where it is defined.
     #[must_use]
-    pub fn place(&self, element: Element) -> Range<usize> {
+    pub fn place(&self, element: ElementId) -> Range<usize> {
         match element {
-            Element::Point(point) => self.places.points[point.index()].clone(),
-            Element::Link(link) => self.places.links[link.index()].clone(),
-            Element::Slide(slide) => self.places.slides[slide.index()].clone(),
-            Element::Driver => self.places.driver.clone(),
+            ElementId::Point(point) => self.places.points[point.index()].clone(),
+            ElementId::Link(link) => self.places.links[link.index()].clone(),
+            ElementId::Slide(slide) => self.places.slides[slide.index()].clone(),
+            ElementId::Driver => self.places.driver.clone(),
         }
     }
 

@@ -1,10 +1,10 @@
 //! The motor that a scene is to be driven by.
 
-use super::input::{self, Input, PUSHED, TURNED};
-use super::rate::{Degree, Kind};
-use super::reader::{Reader, Span};
+use super::input::{self, DraftInput, PUSHED, TURNED};
+use super::rate::{Degree, RateKind};
+use super::reader::{ByteSpan, Reader};
 use super::{Scene, Unit, keys, rate};
-use crate::document::{Diagnostic, Key, Lenient};
+use crate::document::{Diagnostic, Lenient, WrittenKey};
 use serde::Deserialize;
 
 /// What the motor at the driver's shaft can do, and what is wished of the whole; for a driven slide the
@@ -35,8 +35,8 @@ impl Scene {
     /// What would be read.
     pub fn speed(&self, text: &str) -> Result<f64, String> {
         let kind = match self.mechanism.driver().input {
-            crate::Input::Turn(_) => Kind::Turn,
-            crate::Input::Push(_) => Kind::Push(self.unit),
+            crate::Input::Turn(_) => RateKind::Turn,
+            crate::Input::Push(_) => RateKind::Push(self.unit),
         };
         let rate = rate::parse(text, kind, Degree::Speed);
         rate.map(|rate| rate.value).map_err(|_| {
@@ -50,7 +50,7 @@ const EXAMPLE: &str = r#"{ torque = 20, peak = 60, speed = "1500 rpm" }"#;
 
 /// The section `[motor]` as it is written.
 #[derive(Debug, Deserialize)]
-pub(super) struct Table {
+pub(super) struct MotorTable {
     torque: Option<Lenient<f64>>,
     force: Option<Lenient<f64>>,
     peak: Option<Lenient<f64>>,
@@ -64,18 +64,18 @@ pub(super) struct Table {
 pub(super) fn read(
     reader: &mut Reader<'_>,
     unit: Unit,
-    driven: Option<&Input<'_>>,
-    value: &Lenient<Table>,
+    driven: Option<&DraftInput<'_>>,
+    value: &Lenient<MotorTable>,
 ) -> Option<Motor> {
     let table = reader.table("[motor]", EXAMPLE, value)?;
     reader.only("the motor", value);
     // Without a driver nothing can be said about its motor.
-    let pushes = matches!(driven?, Input::Slide(_));
+    let pushes = matches!(driven?, DraftInput::Slide(_));
     misfits(reader, &value.keys, pushes);
     let (form, rated, size, kind) = if pushes {
-        (PUSHED, &table.force, " (N)", Kind::Push(unit))
+        (PUSHED, &table.force, " (N)", RateKind::Push(unit))
     } else {
-        (TURNED, &table.torque, " (N m)", Kind::Turn)
+        (TURNED, &table.torque, " (N m)", RateKind::Turn)
     };
     let mut positive = |key: &str, unit: &str, value: &Option<Lenient<f64>>| {
         positive(reader, key, unit, value.as_ref()?)
@@ -96,7 +96,7 @@ pub(super) fn read(
 }
 
 /// Reports keys of a motor of the other kind.
-fn misfits(reader: &mut Reader<'_>, given: &[Key], pushes: bool) {
+fn misfits(reader: &mut Reader<'_>, given: &[WrittenKey], pushes: bool) {
     let driven = if pushes { PUSHED.driven } else { TURNED.driven };
     let fitting = keys::of(keys::MOTOR, driven);
     for key in given {
@@ -135,8 +135,8 @@ fn positive(reader: &mut Reader<'_>, key: &str, unit: &str, value: &Lenient<f64>
 }
 
 /// What the numbers must be to each other.
-fn check(reader: &mut Reader<'_>, table: &Table, rated: &str, motor: &Motor) {
-    let mut fault = |span: Span, message: String, label: &str, help: &str| {
+fn check(reader: &mut Reader<'_>, table: &MotorTable, rated: &str, motor: &Motor) {
+    let mut fault = |span: ByteSpan, message: String, label: &str, help: &str| {
         reader.report(Diagnostic::new(message).at(span, label).help(help));
     };
     if let (Some(continuous), Some(peak)) = (motor.rated, motor.peak)
@@ -158,7 +158,7 @@ fn check(reader: &mut Reader<'_>, table: &Table, rated: &str, motor: &Motor) {
     }
 }
 
-fn place<T>(value: &Option<Lenient<T>>) -> Span {
+fn place<T>(value: &Option<Lenient<T>>) -> ByteSpan {
     let span = value.as_ref().map(|value| value.span.clone());
     span.unwrap_or_default()
 }

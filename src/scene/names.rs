@@ -1,9 +1,9 @@
 //! The one namespace of points, links, slides and vectors.
 
-use super::draft::Draft;
+use super::draft::SceneDraft;
 use super::keys;
-use super::reader::{Name, Reader, Span, quoted};
-use super::slide::Slider;
+use super::reader::{ByteSpan, Name, Reader, quoted};
+use super::slide::DraftSlider;
 use crate::document::Diagnostic;
 use crate::nearest::did_you_mean;
 use std::collections::{HashMap, HashSet};
@@ -40,21 +40,21 @@ impl Sort {
 struct Symbol {
     /// The position among those of its sort, in the order of the draft (points: of the file).
     index: usize,
-    span: Span,
+    span: ByteSpan,
 }
 
 /// All names of a scene.
 pub(super) struct Names<'t> {
     /// By [`Sort`]: a name with two meanings, once reported, has both.
     symbols: HashMap<&'t str, [Option<Symbol>; 4]>,
-    points: Vec<(&'t str, Span)>,
+    points: Vec<(&'t str, ByteSpan)>,
     lost_points: bool,
 }
 
 impl<'t> Names<'t> {
     /// Takes in every name that the draft defines, in the order of the file. A point is defined by
     /// the ground, a link or a slide that names it.
-    pub(super) fn collect(reader: &mut Reader<'_>, draft: &Draft<'t>) -> Self {
+    pub(super) fn collect(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Self {
         let mut names = Names {
             symbols: HashMap::new(),
             points: Vec::new(),
@@ -114,7 +114,7 @@ impl<'t> Names<'t> {
     }
 
     /// The points in the order of the file, each with the place that first names it.
-    pub(super) fn points(&self) -> impl Iterator<Item = (&'t str, &Span)> {
+    pub(super) fn points(&self) -> impl Iterator<Item = (&'t str, &ByteSpan)> {
         self.points.iter().map(|(name, span)| (*name, span))
     }
 
@@ -180,7 +180,7 @@ impl<'t> Names<'t> {
 }
 
 /// Every definition of a name.
-fn mentions<'d, 't>(draft: &'d Draft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
+fn mentions<'d, 't>(draft: &'d SceneDraft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
     let mut all = Vec::new();
     all.extend(draft.ground.iter().map(|p| (&p.name, Sort::Point, 0)));
     for (i, link) in draft.links.iter().enumerate() {
@@ -192,7 +192,7 @@ fn mentions<'d, 't>(draft: &'d Draft<'t>) -> Vec<(&'d Name<'t>, Sort, usize)> {
     }
     for (i, slide) in draft.slides.iter().enumerate() {
         all.push((&slide.name, Sort::Slide, i));
-        if let Some(Slider::Pin(point)) = &slide.slider {
+        if let Some(DraftSlider::Pin(point)) = &slide.slider {
             all.push((point, Sort::Point, 0));
         }
     }

@@ -1,6 +1,6 @@
 //! Reads named places, and the vectors between them.
 
-use super::reader::{Name, Pair, Points, Reader, quoted};
+use super::reader::{CoordinatePair, Name, Points, Reader, quoted};
 use crate::Vec2;
 use crate::document::{Entries, Lenient};
 
@@ -8,13 +8,13 @@ const VECTOR: &str = r#"r1 = ["D", "A"]"#;
 
 /// A point with coordinates, in whatever frame.
 #[derive(Debug)]
-pub(super) struct Place<'t> {
+pub(super) struct PlacedPoint<'t> {
     pub(super) name: Name<'t>,
     /// `None` if the coordinates could not be read.
     pub(super) read: Option<Vec2>,
 }
 
-impl Place<'_> {
+impl PlacedPoint<'_> {
     /// The coordinates, or a placeholder.
     pub(super) fn at(&self) -> Vec2 {
         self.read.unwrap_or_default()
@@ -27,11 +27,11 @@ pub(super) fn places<'v>(
     section: &str,
     what: &str,
     value: &'v Points,
-) -> Vec<Place<'v>> {
+) -> Vec<PlacedPoint<'v>> {
     reader.table(section, "{ A = [0, 0] }", value);
-    let place = |(name, value): (Name<'v>, &Pair)| {
+    let place = |(name, value): (Name<'v>, &CoordinatePair)| {
         let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
-        Place { name, read }
+        PlacedPoint { name, read }
     };
     value.entries().map(place).collect()
 }
@@ -40,14 +40,14 @@ pub(super) fn places<'v>(
 pub(super) type Vectors = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
 #[derive(Debug)]
-pub(super) struct Vector<'t> {
+pub(super) struct DraftVector<'t> {
     pub(super) name: Name<'t>,
     pub(super) tail: Name<'t>,
     pub(super) head: Name<'t>,
 }
 
 /// Reads the section. What could not be read is left out, and reported.
-pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Vectors) -> Vec<Vector<'v>> {
+pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Vectors) -> Vec<DraftVector<'v>> {
     reader.table("[vectors]", VECTOR, value);
     let read = |(name, value)| vector(reader, name, value);
     value.entries().filter_map(read).collect()
@@ -57,12 +57,12 @@ fn vector<'v>(
     reader: &mut Reader<'_>,
     name: Name<'v>,
     value: &'v Lenient<Vec<Lenient<String>>>,
-) -> Option<Vector<'v>> {
+) -> Option<DraftVector<'v>> {
     let what = format!("vector {}", quoted(name.text));
     let ends = reader.two(&what, "[tail, head] of points", r#"["D", "A"]"#, value)?;
     let tail = reader.string(&format!("the tail of {what}"), ends[0]);
     let head = reader.string(&format!("the head of {what}"), ends[1]);
-    Some(Vector {
+    Some(DraftVector {
         tail: tail?,
         head: head?,
         name,

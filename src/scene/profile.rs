@@ -1,11 +1,11 @@
 //! Reads values over a coordinate, as lists of knots `[coordinate, value]`.
 
-use super::reader::{Pair, Reader, Span};
+use super::reader::{ByteSpan, CoordinatePair, Reader};
 use crate::Profile;
 use crate::document::{Diagnostic, Lenient};
 
 /// A list of knots as it is written.
-pub(super) type Knots = Lenient<Vec<Pair>>;
+pub(super) type Knots = Lenient<Vec<CoordinatePair>>;
 
 const OVER: &str = "over = [[0, 0.2], [15, 1], [180, 0]]";
 const PRESS: &str = "press = [[12, 0], [4, 200e3], [0, 350e3]]";
@@ -14,8 +14,8 @@ const PRESS: &str = "press = [[12, 0], [4, 200e3], [0, 350e3]]";
 struct Knot {
     at: f64,
     value: f64,
-    at_place: Span,
-    value_place: Span,
+    at_place: ByteSpan,
+    value_place: ByteSpan,
 }
 
 /// The factor of a load over the driver's coordinate; 1 everywhere where nothing is given.
@@ -96,7 +96,7 @@ fn each(
     what: &str,
     form: &str,
     example: &str,
-    items: &[Pair],
+    items: &[CoordinatePair],
 ) -> Option<Vec<Knot>> {
     let mut knots = Vec::with_capacity(items.len());
     for (i, item) in items.iter().enumerate() {

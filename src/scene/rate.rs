@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 /// What a rate is the rate of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum RateKind {
     /// An angle: the result is in rad/s or rad/s^2.
     Turn,
     /// A length: the result is in the scene's unit per s or s^2.
@@ -44,17 +44,17 @@ pub(super) enum Misfit<'t> {
 }
 
 /// The units that may be written.
-pub(super) fn units(kind: Kind, degree: Degree) -> &'static [&'static str] {
+pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
     match (kind, degree) {
-        (Kind::Turn, Degree::Speed) => &["rad/s", "deg/s", "rpm"],
-        (Kind::Turn, Degree::Acceleration) => &["rad/s^2", "deg/s^2"],
-        (Kind::Push(_), Degree::Speed) => &["mm/s", "cm/s", "m/s", "in/s"],
-        (Kind::Push(_), Degree::Acceleration) => &["mm/s^2", "cm/s^2", "m/s^2", "in/s^2"],
+        (RateKind::Turn, Degree::Speed) => &["rad/s", "deg/s", "rpm"],
+        (RateKind::Turn, Degree::Acceleration) => &["rad/s^2", "deg/s^2"],
+        (RateKind::Push(_), Degree::Speed) => &["mm/s", "cm/s", "m/s", "in/s"],
+        (RateKind::Push(_), Degree::Acceleration) => &["mm/s^2", "cm/s^2", "m/s^2", "in/s^2"],
     }
 }
 
 /// Reads a number and a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`.
-pub(super) fn parse(text: &str, kind: Kind, degree: Degree) -> Result<Rate, Misfit<'_>> {
+pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
     let text = text.trim();
     let (number, unit) = text.split_at(number_length(text));
     let number: f64 = number.parse().map_err(|_| Misfit::NoNumber)?;
@@ -76,15 +76,15 @@ pub(super) fn parse(text: &str, kind: Kind, degree: Degree) -> Result<Rate, Misf
 }
 
 /// Turned into radians or the scene's unit; `None` for a value in the unit that is kept.
-fn converted(number: f64, unit: &str, kind: Kind) -> Option<f64> {
+fn converted(number: f64, unit: &str, kind: RateKind) -> Option<f64> {
     let base = unit.split('/').next().unwrap_or(unit);
     match kind {
-        Kind::Turn => match base {
+        RateKind::Turn => match base {
             "deg" => Some(angle::radians(number)),
             "rpm" => Some(number / 30.0 * PI),
             _ => None,
         },
-        Kind::Push(scene) => {
+        RateKind::Push(scene) => {
             let from = Unit::ALL.into_iter().find(|u| u.symbol() == base);
             let from = from.filter(|from| *from != scene)?;
             Some(number * from.tenths_of_mm() / scene.tenths_of_mm())
@@ -120,11 +120,11 @@ pub(super) fn number_length(text: &str) -> usize {
 mod tests {
     use super::*;
 
-    const PUSH: Kind = Kind::Push(Unit::Millimetre);
+    const PUSH: RateKind = RateKind::Push(Unit::Millimetre);
 
     #[test]
     fn every_unit_of_the_list_is_read() {
-        for kind in [Kind::Turn, PUSH] {
+        for kind in [RateKind::Turn, PUSH] {
             for degree in [Degree::Speed, Degree::Acceleration] {
                 for unit in units(kind, degree) {
                     let value = parse(&format!("2 {unit}"), kind, degree).unwrap().value;
@@ -136,7 +136,7 @@ mod tests {
 
     #[test]
     fn values_are_converted_with_one_or_two_roundings() {
-        let turn = |text| parse(text, Kind::Turn, Degree::Speed).unwrap().value;
+        let turn = |text| parse(text, RateKind::Turn, Degree::Speed).unwrap().value;
         assert_eq!(turn("15 rad/s"), 15.0);
         assert_eq!(turn("-1.5e1rad/s"), -15.0);
         assert_eq!(turn(" 60  rpm "), 2.0 * PI);
@@ -147,7 +147,7 @@ mod tests {
         assert_eq!(push("5 cm/s"), 50.0);
         assert_eq!(push(".5 mm/s"), 0.5);
         assert_eq!(push("0 m/s"), 0.0);
-        let metres = Kind::Push(Unit::Metre);
+        let metres = RateKind::Push(Unit::Metre);
         let rate = parse("50 mm/s^2", metres, Degree::Acceleration).unwrap();
         assert_eq!((rate.value, rate.is_converted), (0.05, true));
         let rate = parse("50 m/s^2", metres, Degree::Acceleration).unwrap();
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn what_is_no_rate_says_why() {
-        let turn = |text| parse(text, Kind::Turn, Degree::Speed);
+        let turn = |text| parse(text, RateKind::Turn, Degree::Speed);
         assert_eq!(turn("15"), Err(Misfit::NoUnit));
         assert_eq!(turn(""), Err(Misfit::NoNumber));
         assert_eq!(turn("fast"), Err(Misfit::NoNumber));

@@ -2,13 +2,13 @@
 
 use super::rate;
 use crate::Vec2;
-use crate::document::{Diagnostic, Entries, Found, Lenient};
-pub(super) use crate::document::{Name, Reader, Span, quoted};
+pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
+use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
 
 /// A pair of coordinates, as far as it is one.
-pub(super) type Pair = Lenient<Vec<Lenient<f64>>>;
+pub(super) type CoordinatePair = Lenient<Vec<Lenient<f64>>>;
 /// Points by their names.
-pub(super) type Points = Lenient<Entries<Pair>>;
+pub(super) type Points = Lenient<Entries<CoordinatePair>>;
 
 /// No coordinate or length may be larger: squares of scaled values must stay finite, and nothing
 /// that a person builds comes near.
@@ -83,7 +83,7 @@ impl Reader<'_> {
     }
 
     /// A pair `[x, y]`.
-    pub(super) fn pair(&mut self, what: &str, value: &Pair) -> Option<Vec2> {
+    pub(super) fn pair(&mut self, what: &str, value: &CoordinatePair) -> Option<Vec2> {
         let [x, y] = self.two(what, "[x, y]", "[12.5, 0]", value)?;
         let x = self.number(&format!("x of {what}"), x);
         let y = self.number(&format!("y of {what}"), y);
@@ -147,10 +147,10 @@ fn bare_number(text: &str) -> Option<String> {
 
 /// The nearest double of the digits in the text, infinite where they overflow: TOML's own reading has no negative
 /// zero among whole numbers, and ends at 128 bits.
-pub(super) fn number_of<'v>(text: &str, value: &'v Lenient<f64>) -> Result<f64, &'v Found> {
+pub(super) fn number_of<'v>(text: &str, value: &'v Lenient<f64>) -> Result<f64, &'v Misplaced> {
     let number = match &value.read {
         Ok(number) => *number,
-        Err(Found::Unheld) => f64::INFINITY,
+        Err(Misplaced::Unheld) => f64::INFINITY,
         Err(found) => return Err(found),
     };
     let digits = text.get(value.span.clone()).unwrap_or("").replace('_', "");

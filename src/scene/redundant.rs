@@ -1,9 +1,9 @@
 //! How far constraints that repeat others may be from fitting.
 
 use super::Unit;
-use super::draft::Draft;
-use super::points::Place;
-use super::reader::{Reader, Span};
+use super::draft::SceneDraft;
+use super::points::PlacedPoint;
+use super::reader::{ByteSpan, Reader};
 use crate::Vec2;
 use crate::document::{Diagnostic, Lenient};
 use serde::Deserialize;
@@ -16,17 +16,21 @@ const LARGEST_PART: f64 = 0.01;
 #[derive(Debug, Default)]
 pub(super) struct Redundant {
     pub(super) misfit: f64,
-    place: Span,
+    place: ByteSpan,
 }
 
 /// The section `[redundant]` as it is written.
 #[derive(Debug, Deserialize)]
-pub(super) struct Table {
+pub(super) struct RedundantTable {
     misfit: Option<Lenient<f64>>,
 }
 
 /// Reads the section.
-pub(super) fn read(reader: &mut Reader<'_>, unit: Unit, value: &Lenient<Table>) -> Redundant {
+pub(super) fn read(
+    reader: &mut Reader<'_>,
+    unit: Unit,
+    value: &Lenient<RedundantTable>,
+) -> Redundant {
     let of = "[redundant]";
     let Some(table) = reader.table(of, EXAMPLE, value) else {
         return Redundant::default();
@@ -41,7 +45,7 @@ pub(super) fn read(reader: &mut Reader<'_>, unit: Unit, value: &Lenient<Table>) 
 }
 
 /// Reports a misfit that is out of proportion: it would make a mechanism of what is none.
-pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
+pub(super) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
     let Redundant { misfit, place } = &draft.redundant;
     let most = LARGEST_PART * longest(draft);
     if *misfit > most {
@@ -59,9 +63,9 @@ pub(super) fn check(reader: &mut Reader<'_>, draft: &Draft<'_>) {
 }
 
 /// The longest distance of two points of a link, or of a point of the ground from the first one.
-fn longest(draft: &Draft<'_>) -> f64 {
-    let ground = draft.ground.iter().map(Place::at);
-    let first = draft.ground.first().map_or(Vec2::ZERO, Place::at);
+fn longest(draft: &SceneDraft<'_>) -> f64 {
+    let ground = draft.ground.iter().map(PlacedPoint::at);
+    let first = draft.ground.first().map_or(Vec2::ZERO, PlacedPoint::at);
     let ground = ground.map(|place| (place - first).norm());
     let ends = draft.links.iter().filter_map(|l| l.ends.as_ref());
     let points = draft.links.iter().flat_map(|l| &l.points);

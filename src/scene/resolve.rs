@@ -1,13 +1,13 @@
 //! Joins the names of a draft and builds the mechanism.
 
-use super::draft::Draft;
-use super::input::Input;
-use super::link::Link;
+use super::draft::SceneDraft;
+use super::input::DraftInput;
+use super::link::DraftLink;
 use super::names::{Names, Sort};
-use super::points::Place;
-use super::reader::{Name, Reader, Span};
-use super::slide::{Slide, Slider};
-use super::{Places, Vector, VectorKind, defect, redundant};
+use super::points::PlacedPoint;
+use super::reader::{ByteSpan, Name, Reader};
+use super::slide::{DraftSlide, DraftSlider};
+use super::{TextPlaces, Vector, VectorKind, defect, redundant};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
 use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, mechanism};
@@ -20,11 +20,11 @@ pub(super) struct Resolved {
     pub(super) point_names: Vec<Option<String>>,
     pub(super) link_names: Vec<String>,
     pub(super) slide_names: Vec<String>,
-    pub(super) places: Places,
+    pub(super) places: TextPlaces,
 }
 
 /// Joins names and builds; `None` if anything was or is reported.
-pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &Draft<'t>) -> Option<Resolved> {
+pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Option<Resolved> {
     if draft.unreadable {
         return None;
     }
@@ -49,10 +49,10 @@ pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &Draft<'t>) -> Option<
 /// The mechanism as far as it is built.
 pub(super) struct Resolver<'r, 's, 't> {
     pub(super) reader: &'r mut Reader<'s>,
-    pub(super) draft: &'r Draft<'t>,
+    pub(super) draft: &'r SceneDraft<'t>,
     pub(super) names: &'r Names<'t>,
     pub(super) builder: Builder,
-    pub(super) ground: HashMap<&'t str, &'r Place<'t>>,
+    pub(super) ground: HashMap<&'t str, &'r PlacedPoint<'t>>,
     pub(super) points: HashMap<&'t str, PointId>,
     /// Points that slides, vectors and loads refer to without defining them.
     pub(super) referred: HashSet<&'t str>,
@@ -60,14 +60,14 @@ pub(super) struct Resolver<'r, 's, 't> {
     centres: HashMap<usize, PointId>,
     pub(super) slides: HashMap<&'t str, SlideId>,
     /// The slides that could be built, by id.
-    built_slides: Vec<&'r Slide<'t>>,
+    built_slides: Vec<&'r DraftSlide<'t>>,
     point_names: Vec<Option<String>>,
-    vectors: Vec<(Span, Vector)>,
-    places: Places,
+    vectors: Vec<(ByteSpan, Vector)>,
+    places: TextPlaces,
 }
 
 impl<'r, 's, 't> Resolver<'r, 's, 't> {
-    fn new(reader: &'r mut Reader<'s>, draft: &'r Draft<'t>, names: &'r Names<'t>) -> Self {
+    fn new(reader: &'r mut Reader<'s>, draft: &'r SceneDraft<'t>, names: &'r Names<'t>) -> Self {
         Resolver {
             reader,
             draft,
@@ -81,9 +81,9 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             built_slides: Vec::new(),
             point_names: Vec::new(),
             vectors: Vec::new(),
-            places: Places {
+            places: TextPlaces {
                 driver: draft.driver_key.clone().unwrap_or_default(),
-                ..Places::default()
+                ..TextPlaces::default()
             },
         }
     }
@@ -103,7 +103,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
-    fn name_point(&mut self, name: String, span: Span) {
+    fn name_point(&mut self, name: String, span: ByteSpan) {
         self.point_names.push(Some(name));
         self.places.points.push(span);
     }
@@ -148,7 +148,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 
     /// Takes note of a slide that was built.
-    pub(super) fn push_slide(&mut self, slide: &'r Slide<'t>, id: SlideId) {
+    pub(super) fn push_slide(&mut self, slide: &'r DraftSlide<'t>, id: SlideId) {
         self.slides.insert(slide.name.text, id);
         self.built_slides.push(slide);
         self.places.slides.push(slide.name.span.clone());
@@ -159,8 +159,8 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         let draft = self.draft;
         let Some(driver) = &draft.driver else { return };
         let input = match &driver.input {
-            Input::Link(name) => self.driven_link(name).map(mechanism::Input::Turn),
-            Input::Slide(name) => self.driven_slide(name).map(mechanism::Input::Push),
+            DraftInput::Link(name) => self.driven_link(name).map(mechanism::Input::Turn),
+            DraftInput::Slide(name) => self.driven_slide(name).map(mechanism::Input::Push),
         };
         if let Some(input) = input {
             self.builder.driver(Driver {
@@ -295,10 +295,10 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
     /// A ground point that nothing refers to is a slip: mostly a name written in two ways.
     fn unused(&mut self) {
-        let links = self.draft.links.iter().flat_map(Link::point_names);
+        let links = self.draft.links.iter().flat_map(DraftLink::point_names);
         let pins = self.draft.slides.iter().filter_map(|s| match &s.slider {
-            Some(Slider::Pin(point)) => Some(point),
-            Some(Slider::Link { .. }) | None => None,
+            Some(DraftSlider::Pin(point)) => Some(point),
+            Some(DraftSlider::Link { .. }) | None => None,
         });
         let mut used = std::mem::take(&mut self.referred);
         used.extend(links.chain(pins).map(|name| name.text));
@@ -355,7 +355,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
 /// The origins that sliding links were given have no name, and the place of their slide. They follow
 /// all named points.
-fn name_origins(mechanism: &Mechanism, names: &mut Vec<Option<String>>, places: &mut Places) {
+fn name_origins(mechanism: &Mechanism, names: &mut Vec<Option<String>>, places: &mut TextPlaces) {
     names.resize(mechanism.points().len(), None);
     places.points.resize(mechanism.points().len(), 0..0);
     for (slide, span) in mechanism.slides().iter().zip(&places.slides) {

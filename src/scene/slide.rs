@@ -1,40 +1,40 @@
 //! Reads slides.
 
 use super::keys;
-use super::reader::{Name, Pair, Reader};
+use super::reader::{CoordinatePair, Name, Reader};
 use crate::Vec2;
-use crate::document::{Diagnostic, Entries, Found, Lenient, meant};
+use crate::document::{Diagnostic, Entries, Lenient, Misplaced, meant};
 use serde::Deserialize;
 
 const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
 
 /// The section `[slides]` as it is written.
-pub(super) type Slides = Lenient<Entries<Lenient<Table>>>;
+pub(super) type Slides = Lenient<Entries<Lenient<SlideTable>>>;
 
 /// A slide as it is written.
 #[derive(Debug, Deserialize)]
-pub(super) struct Table {
+pub(super) struct SlideTable {
     point: Option<Lenient<String>>,
     link: Option<Lenient<String>>,
     on: Option<Lenient<String>>,
     /// Coordinates, or the name of a point in their place.
-    through: Option<Pair>,
+    through: Option<CoordinatePair>,
     angle: Option<Lenient<f64>>,
     turn: Option<Lenient<f64>>,
 }
 
 #[derive(Debug)]
-pub(super) struct Slide<'t> {
+pub(super) struct DraftSlide<'t> {
     pub(super) name: Name<'t>,
     /// `None` for this and the following: a fault was reported.
-    pub(super) slider: Option<Slider<'t>>,
+    pub(super) slider: Option<DraftSlider<'t>>,
     pub(super) on: Option<Name<'t>>,
     pub(super) through: Option<Through<'t>>,
     pub(super) angle: f64,
 }
 
 #[derive(Debug)]
-pub(super) enum Slider<'t> {
+pub(super) enum DraftSlider<'t> {
     Pin(Name<'t>),
     Link { link: Name<'t>, turn: f64 },
 }
@@ -46,15 +46,19 @@ pub(super) enum Through<'t> {
 }
 
 /// Reads the section.
-pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Slides) -> Vec<Slide<'v>> {
+pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Slides) -> Vec<DraftSlide<'v>> {
     reader.table("[slides]", SLIDE, value);
     let read = |(name, value)| slide(reader, name, value);
     value.entries().map(read).collect()
 }
 
-fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Lenient<Table>) -> Slide<'v> {
+fn slide<'v>(
+    reader: &mut Reader<'_>,
+    name: Name<'v>,
+    value: &'v Lenient<SlideTable>,
+) -> DraftSlide<'v> {
     let of = format!("slide {name}");
-    let mut slide = Slide {
+    let mut slide = DraftSlide {
         name,
         slider: None,
         on: None,
@@ -86,8 +90,12 @@ fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Lenient<Table>)
 }
 
 /// A point of the guide, by name or by coordinates.
-fn through<'v>(reader: &mut Reader<'_>, of: &str, value: &'v Pair) -> Option<Through<'v>> {
-    if let Err(Found::Text(text)) = &value.read {
+fn through<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    value: &'v CoordinatePair,
+) -> Option<Through<'v>> {
+    if let Err(Misplaced::Text(text)) = &value.read {
         let span = value.span.clone();
         return Some(Through::Point(Name { text, span }));
     }
@@ -100,9 +108,9 @@ fn slider<'v>(
     reader: &mut Reader<'_>,
     of: &str,
     name: &Name<'v>,
-    value: &Lenient<Table>,
-    table: &'v Table,
-) -> Option<Slider<'v>> {
+    value: &Lenient<SlideTable>,
+    table: &'v SlideTable,
+) -> Option<DraftSlider<'v>> {
     let fault = |message: String, label: &str| {
         Diagnostic::new(message)
             .at(name.span.clone(), label)
@@ -120,13 +128,13 @@ fn slider<'v>(
                 reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "point"));
             }
             let pin = reader.string(&format!("`point` of {of}"), point)?;
-            Some(Slider::Pin(pin))
+            Some(DraftSlider::Pin(pin))
         }
         (None, Some(link)) => {
             reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "link"));
             let turn = angle(reader, of, "turn", table.turn.as_ref());
             let link = reader.string(&format!("`link` of {of}"), link)?;
-            Some(Slider::Link { link, turn })
+            Some(DraftSlider::Link { link, turn })
         }
         (Some(_), Some(_)) => {
             reader.report(fault(

@@ -1,10 +1,10 @@
 //! What people mostly meant where a scene is not valid TOML.
 
 use super::rate::number_length;
-use crate::document::Span;
+use crate::document::ByteSpan;
 
 /// What was mostly meant, by the parser's message and what stands there.
-pub(super) fn mend(text: &str, message: &str, span: &Span) -> Option<String> {
+pub(super) fn mend(text: &str, message: &str, span: &ByteSpan) -> Option<String> {
     let at = text.get(span.start..).unwrap_or("");
     let before = text.get(..span.start).unwrap_or("");
     let begin = before.rfind('\n').map_or(0, |newline| newline + 1);

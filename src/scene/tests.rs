@@ -332,12 +332,18 @@ fn every_element_knows_its_place_in_the_text() {
     let scene = Scene::parse(EVERYTHING, "made-up").unwrap();
     let m = &scene.mechanism;
     let shown = |element| &scene.text()[scene.place(element)];
-    assert_eq!(shown(Element::Driver), "driver");
-    let links: Vec<_> = m.link_ids().map(|id| shown(Element::Link(id))).collect();
+    assert_eq!(shown(ElementId::Driver), "driver");
+    let links: Vec<_> = m.link_ids().map(|id| shown(ElementId::Link(id))).collect();
     assert_eq!(links, ["barrel", "boom", "ram", "arm"]);
-    let slides: Vec<_> = m.slide_ids().map(|id| shown(Element::Slide(id))).collect();
+    let slides: Vec<_> = m
+        .slide_ids()
+        .map(|id| shown(ElementId::Slide(id)))
+        .collect();
     assert_eq!(slides, ["rod", "guide", "pin"]);
-    let points: Vec<_> = m.point_ids().map(|id| shown(Element::Point(id))).collect();
+    let points: Vec<_> = m
+        .point_ids()
+        .map(|id| shown(ElementId::Point(id)))
+        .collect();
     let expected = [
         "O",
         "\"Q'\"",

@@ -5,7 +5,7 @@
 //! become `300`.
 
 use super::Unit;
-use super::measure::Units;
+use super::measure::MeasureUnits;
 use super::rate::{self, number_length};
 use super::values::Value;
 use std::fmt;
@@ -68,7 +68,7 @@ impl Value {
         if unit.starts_with(|c: char| c.is_ascii_digit() || c == '.') {
             return Err(self.no_number(typed));
         }
-        let written = if let Units::Rate(kind, degree) = self.measure.units(self.scene) {
+        let written = if let MeasureUnits::Rate(kind, degree) = self.measure.units(self.scene) {
             let unit = if unit.is_empty() { self.unit } else { unit };
             let known = rate::units(kind, degree).iter();
             let known = known.copied().find(|known| same(known, unit));
@@ -114,10 +114,10 @@ impl Value {
     #[must_use]
     pub fn units(&self) -> Vec<&'static str> {
         let all: Vec<&'static str> = match self.measure.units(self.scene) {
-            Units::Length => Unit::ALL.map(Unit::symbol).to_vec(),
-            Units::Angle => vec!["deg", "rad"],
-            Units::Rate(kind, degree) => rate::units(kind, degree).to_vec(),
-            Units::Scales(scales) => scales.iter().map(|(unit, ..)| *unit).collect(),
+            MeasureUnits::Length => Unit::ALL.map(Unit::symbol).to_vec(),
+            MeasureUnits::Angle => vec!["deg", "rad"],
+            MeasureUnits::Rate(kind, degree) => rate::units(kind, degree).to_vec(),
+            MeasureUnits::Scales(scales) => scales.iter().map(|(unit, ..)| *unit).collect(),
         };
         let others = all.into_iter().filter(|&unit| unit != self.unit);
         let all = std::iter::once(self.unit).chain(others);
@@ -128,21 +128,21 @@ impl Value {
     /// A number in another unit than the file's, in the file's; `None` where the unit does not fit.
     fn converted(&self, number: &str, plain: f64, unit: &str) -> Option<f64> {
         match self.measure.units(self.scene) {
-            Units::Length => {
+            MeasureUnits::Length => {
                 let typed = Unit::ALL.into_iter().find(|u| u.symbol() == unit)?;
                 let [times, of] = [typed, self.scene].map(Unit::whole_tenths_of_mm);
                 Some(scaled(number, plain, times, of))
             }
-            Units::Angle => {
+            MeasureUnits::Angle => {
                 let degrees = degrees(number);
                 (unit == "rad").then(|| degrees.unwrap_or(plain.to_degrees()))
             }
-            Units::Scales(scales) => {
+            MeasureUnits::Scales(scales) => {
                 let (_, times, of) = scales.iter().find(|(known, ..)| same(known, unit))?;
                 Some(scaled(number, plain, *times, *of))
             }
             // Written with the unit that was typed.
-            Units::Rate(..) => None,
+            MeasureUnits::Rate(..) => None,
         }
     }
 }
@@ -164,11 +164,11 @@ fn scaled(number: &str, plain: f64, times: u32, of: u32) -> f64 {
 
 /// The same in decimals; `None` where there are more digits than anybody types.
 fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
-    let Decimal {
+    let TypedDecimal {
         sign,
         digits,
         mut exponent,
-    } = Decimal::of(number)?;
+    } = TypedDecimal::of(number)?;
     let (mut product, of) = (digits.checked_mul(times.into())?, u128::from(of));
     // As many more digits as there is room for, until the division leaves nothing.
     while product % of != 0 {
@@ -189,11 +189,11 @@ fn exactly(number: &str, times: u32, of: u32) -> Option<f64> {
 /// The double nearest to a number of radians in degrees; `None` where there are more digits than anybody
 /// types.
 fn degrees(number: &str) -> Option<f64> {
-    let Decimal {
+    let TypedDecimal {
         sign,
         digits,
         exponent,
-    } = Decimal::of(number)?;
+    } = TypedDecimal::of(number)?;
     let product = digits.checked_mul(RADIAN.0)?;
     format!("{sign}{product}e{}", exponent + RADIAN.1)
         .parse()
@@ -201,20 +201,20 @@ fn degrees(number: &str) -> Option<f64> {
 }
 
 /// A decimal number as it was typed: `digits` times ten to the power of `exponent`.
-struct Decimal {
+struct TypedDecimal {
     sign: &'static str,
     digits: u128,
     exponent: i64,
 }
 
-impl Decimal {
-    fn of(number: &str) -> Option<Decimal> {
+impl TypedDecimal {
+    fn of(number: &str) -> Option<TypedDecimal> {
         let (mantissa, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
         let sign = if mantissa.starts_with('-') { "-" } else { "" };
         let mantissa = mantissa.trim_start_matches(['+', '-']);
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
         let exponent: i64 = exponent.parse().ok()?;
-        Some(Decimal {
+        Some(TypedDecimal {
             sign,
             digits: format!("{whole}{fraction}").parse().ok()?,
             // Small enough that a few more digits lead to no overflow.

@@ -3,8 +3,8 @@
 //! A value is changed in the text, and the text is read again: what may stand there is said in one
 //! place, by the reader of scenes, and comments, order and blanks stay as they are.
 
-use super::keys::{self, Key, Kind, Size};
-use super::measure::{Measure, Units};
+use super::keys::{self, KeyKind, NumberMeasure, SceneKey};
+use super::measure::{Measure, MeasureUnits};
 use super::rate::{self, Degree, number_length};
 use super::reader::number_of;
 use super::rewrite::Edits;
@@ -17,7 +17,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
-type Item<'t> = Spanned<DeValue<'t>>;
+type SpannedValue<'t> = Spanned<DeValue<'t>>;
 
 /// A number of the scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,8 +50,10 @@ impl Value {
     /// The text for another number in the same unit.
     pub(super) fn written(&self, literal: &str) -> String {
         match self.measure.units(self.scene) {
-            Units::Rate(..) => format!("{literal} {}", self.unit),
-            Units::Length | Units::Angle | Units::Scales(_) => literal.to_owned(),
+            MeasureUnits::Rate(..) => format!("{literal} {}", self.unit),
+            MeasureUnits::Length | MeasureUnits::Angle | MeasureUnits::Scales(_) => {
+                literal.to_owned()
+            }
         }
     }
 }
@@ -119,7 +121,7 @@ struct Collector<'t> {
 
 impl Collector<'_> {
     /// The values of a table that is called `of`.
-    fn table(&mut self, keys: &'static [Key], of: &str, table: &DeTable<'_>, again: &str) {
+    fn table(&mut self, keys: &'static [SceneKey], of: &str, table: &DeTable<'_>, again: &str) {
         for (key, value) in table {
             if let Some(key) = keys::find(keys, key.get_ref()) {
                 self.value(key, (of, key.name), value, again);
@@ -128,39 +130,45 @@ impl Collector<'_> {
     }
 
     /// The values of a key: of what, and how they are called; `again` stands behind their names.
-    fn value(&mut self, key: &Key, (of, name): (&str, &str), value: &Item<'_>, again: &str) {
+    fn value(
+        &mut self,
+        key: &SceneKey,
+        (of, name): (&str, &str),
+        value: &SpannedValue<'_>,
+        again: &str,
+    ) {
         let name = join(of, name);
         match key.kind {
-            Kind::Text | Kind::Vectors => {}
-            Kind::Number(size) => self.number(name + again, size, value),
+            KeyKind::Text | KeyKind::Vectors => {}
+            KeyKind::Number(size) => self.number(name + again, size, value),
             // A point by its name has no coordinates here.
-            Kind::Pair(size) => self.pair(&name, again, size, value),
-            Kind::Rate(degree) => self.rate(&name, degree, value),
-            Kind::Knots(sizes, called) => self.knots(&name, again, (sizes, called), value),
-            Kind::Points(size) => {
+            KeyKind::Pair(size) => self.pair(&name, again, size, value),
+            KeyKind::Rate(degree) => self.rate(&name, degree, value),
+            KeyKind::Knots(sizes, called) => self.knots(&name, again, (sizes, called), value),
+            KeyKind::Points(size) => {
                 // Where a point starts is not where it is.
                 let start = if key.name == "start" { " start" } else { "" };
                 each(value, |point, at| {
                     self.pair(&(join(of, point) + start), "", size, at)
                 });
             }
-            Kind::Table(keys) => self.inner(keys, key.name, value),
-            Kind::Each(keys) => each(value, |name, value| self.inner(keys, name, value)),
-            Kind::List(keys) => {
+            KeyKind::Table(keys) => self.inner(keys, key.name, value),
+            KeyKind::Each(keys) => each(value, |name, value| self.inner(keys, name, value)),
+            KeyKind::List(keys) => {
                 let tables = items(value).filter_map(|item| item.get_ref().as_table());
                 tables.for_each(|table| self.acting(keys, table));
             }
         }
     }
 
-    fn inner(&mut self, keys: &'static [Key], name: &str, value: &Item<'_>) {
+    fn inner(&mut self, keys: &'static [SceneKey], name: &str, value: &SpannedValue<'_>) {
         if let Some(table) = value.get_ref().as_table() {
             self.table(keys, name, table, "");
         }
     }
 
     /// The values of a spring or a load: it has no name, but what it acts on has.
-    fn acting(&mut self, keys: &'static [Key], table: &DeTable<'_>) {
+    fn acting(&mut self, keys: &'static [SceneKey], table: &DeTable<'_>) {
         let name = |key| table.get(key)?.get_ref().as_str();
         if let (Some(from), Some(to)) = (name("from"), name("to")) {
             let of = format!("spring {from}-{to}");
@@ -188,8 +196,8 @@ impl Collector<'_> {
         &mut self,
         what: &str,
         again: &str,
-        (sizes, called): ([Size; 2], &str),
-        list: &Item<'_>,
+        (sizes, called): ([NumberMeasure; 2], &str),
+        list: &SpannedValue<'_>,
     ) {
         for (i, knot) in items(list).enumerate() {
             let parts = items(knot).zip(["at", called]).zip(sizes);
@@ -210,13 +218,13 @@ impl Collector<'_> {
         }
     }
 
-    fn pair(&mut self, name: &str, behind: &str, size: Size, value: &Item<'_>) {
+    fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &SpannedValue<'_>) {
         for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
             self.number(format!("{name} {axis}{behind}"), size, item);
         }
     }
 
-    fn number(&mut self, name: String, size: Size, value: &Item<'_>) {
+    fn number(&mut self, name: String, size: NumberMeasure, value: &SpannedValue<'_>) {
         let read = Lenient::deserialize(ValueDeserializer::from(value.clone()));
         let number = read.map(|value| number_of(self.text, &value).ok());
         let Ok(Some(number)) = number else { return };
@@ -236,9 +244,9 @@ impl Collector<'_> {
 
     /// A number and a unit in quotes. The quotes stay as they are, unless what is between them is
     /// written with escapes.
-    fn rate(&mut self, name: &str, degree: Degree, value: &Item<'_>) {
+    fn rate(&mut self, name: &str, degree: Degree, value: &SpannedValue<'_>) {
         let measure = Measure::of_rate(degree, self.turns);
-        let (Some(text), Units::Rate(kind, degree)) =
+        let (Some(text), MeasureUnits::Rate(kind, degree)) =
             (value.get_ref().as_str(), measure.units(self.unit))
         else {
             return;
@@ -267,7 +275,7 @@ impl Collector<'_> {
 }
 
 /// The items of a list, if it is one.
-fn items<'v>(value: &'v Item<'v>) -> impl Iterator<Item = &'v Item<'v>> {
+fn items<'v>(value: &'v SpannedValue<'v>) -> impl Iterator<Item = &'v SpannedValue<'v>> {
     let items = value.get_ref().as_array();
     items.into_iter().flat_map(|items| items.iter())
 }
@@ -282,7 +290,7 @@ fn join(of: &str, name: &str) -> String {
 }
 
 /// The entries of a table, if it is one.
-fn each<'v>(value: &'v Item<'v>, mut take: impl FnMut(&str, &'v Item<'v>)) {
+fn each<'v>(value: &'v SpannedValue<'v>, mut take: impl FnMut(&str, &'v SpannedValue<'v>)) {
     if let DeValue::Table(table) = value.get_ref() {
         for (key, value) in table {
             take(key.get_ref(), value);

@@ -1,6 +1,6 @@
 //! The assemblies beside the one that is followed: of a group, and of the whole mechanism.
 
-use super::assemble::{Assembler, Request, Way, handedness};
+use super::assemble::{Assembler, Placement, Request, handedness};
 use super::elements::Step;
 use super::engine::Engine;
 use super::fault::Fault;
@@ -8,7 +8,7 @@ use super::network::Network;
 use super::plan::{Group, GroupId, Pick};
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
-use crate::{Element, Mechanism, PointId, Vec2};
+use crate::{ElementId, Mechanism, PointId, Vec2};
 
 /// Whole assemblies are listed as long as there are no more.
 pub const MOST_ASSEMBLIES: usize = 64;
@@ -111,7 +111,7 @@ impl Solver {
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
         state.state.begin(at, Order::Position);
         // The ways of each group so far, and which of them is taken: an odometer.
-        let mut taken: Vec<(Vec<Way>, usize)> = Vec::new();
+        let mut taken: Vec<(Vec<Placement>, usize)> = Vec::new();
         let mut tried = 0;
         loop {
             let number = taken.len();
@@ -164,14 +164,14 @@ impl Solver {
                 .plan
                 .group(group)
                 .and_then(Group::name)
-                .unwrap_or(Element::Driver),
+                .unwrap_or(ElementId::Driver),
             found: 0,
         };
         if !self.plan.group(group).is_some_and(Group::has_choices) {
             return Err(nothing());
         }
         let present = self.present(at).ok_or_else(nothing)?;
-        let mut picks: Vec<(Element, Pick)> = Vec::new();
+        let mut picks: Vec<(ElementId, Pick)> = Vec::new();
         for (number, of) in self.plan.numbered() {
             let own = if number == group {
                 Some(pick)
@@ -193,7 +193,7 @@ impl Solver {
             return Solver::new(changed);
         };
         let named = self.plan.groups.iter().zip(&present.picks);
-        let picks: Vec<(Element, Pick)> = named
+        let picks: Vec<(ElementId, Pick)> = named
             .filter_map(|(group, pick)| group.name().zip(*pick))
             .collect();
         Solver::open(changed, changed.driver().start, &present.near, &picks)
@@ -213,10 +213,10 @@ impl Solver {
     }
 
     /// What picks one of the ways of a group, the i-th of them.
-    fn pick_of(&self, group: usize, way: &Way, i: usize) -> Pick {
+    fn pick_of(&self, group: usize, way: &Placement, i: usize) -> Pick {
         match way {
-            Way::Side(sign) => self.side_pick(group, *sign).unwrap_or(Pick::Plus),
-            Way::Root(_) | Way::Only => Pick::Number(i + 1),
+            Placement::Side(sign) => self.side_pick(group, *sign).unwrap_or(Pick::Plus),
+            Placement::Root(_) | Placement::Only => Pick::Number(i + 1),
         }
     }
 
@@ -234,7 +234,7 @@ impl Solver {
     }
 
     /// Keeps a whole assembly.
-    fn note(&self, taken: &[(Vec<Way>, usize)], present: &Present, found: &mut Assemblies) {
+    fn note(&self, taken: &[(Vec<Placement>, usize)], present: &Present, found: &mut Assemblies) {
         let chosen = || {
             taken
                 .iter()
@@ -283,7 +283,7 @@ impl Solver {
 }
 
 /// The next way of the last group.
-fn step(taken: &mut [(Vec<Way>, usize)]) {
+fn step(taken: &mut [(Vec<Placement>, usize)]) {
     if let Some((_, next)) = taken.last_mut() {
         *next += 1;
     }
@@ -311,11 +311,11 @@ impl Present {
     }
 
     /// Whether a group is in this way.
-    fn is_in(&self, solver: &Solver, group: usize, way: &Way) -> bool {
+    fn is_in(&self, solver: &Solver, group: usize, way: &Placement) -> bool {
         match way {
-            Way::Only => true,
-            Way::Side(sign) => sign * self.signs[group] > 0.0,
-            Way::Root(z) => self.has_root(&solver.engine, group, z),
+            Placement::Only => true,
+            Placement::Side(sign) => sign * self.signs[group] > 0.0,
+            Placement::Root(z) => self.has_root(&solver.engine, group, z),
         }
     }
 

@@ -40,7 +40,7 @@ pub enum Inversion {
 /// A loop of the driven link, a dyad and the ground; lengths in the scene's unit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Loop {
+pub enum DrivenLoop {
     /// Four links and four pins.
     FourBar {
         /// The driven link.
@@ -70,7 +70,7 @@ pub enum Loop {
 }
 
 /// The loop that the driven link closes with a dyad and the ground, if there is one.
-pub(super) fn classify(engine: &Engine, network: &Network<'_>) -> Option<Loop> {
+pub(super) fn classify(engine: &Engine, network: &Network<'_>) -> Option<DrivenLoop> {
     let steps = &engine.program.steps;
     let (pin, pivot, crank) = steps.iter().find_map(|step| match *step {
         Step::Spin(Spin {
@@ -121,7 +121,7 @@ fn arms(pin: PointId, [a, b]: [Arm; 2]) -> Option<(Arm, Arm)> {
     }
 }
 
-fn four_bar([driven, coupler, follower, frame]: [f64; 4]) -> Loop {
+fn four_bar([driven, coupler, follower, frame]: [f64; 4]) -> DrivenLoop {
     let mut sorted = [driven, coupler, follower, frame];
     sorted.sort_by(f64::total_cmp);
     let [shortest, p, q, longest] = sorted;
@@ -145,7 +145,7 @@ fn four_bar([driven, coupler, follower, frame]: [f64; 4]) -> Loop {
     } else {
         Inversion::DoubleRocker
     };
-    Loop::FourBar {
+    DrivenLoop::FourBar {
         driven,
         coupler,
         follower,
@@ -155,14 +155,14 @@ fn four_bar([driven, coupler, follower, frame]: [f64; 4]) -> Loop {
     }
 }
 
-fn slider_crank([crank, rod, offset]: [f64; 3]) -> Loop {
+fn slider_crank([crank, rod, offset]: [f64; 3]) -> DrivenLoop {
     let gap = (rod - crank) - offset;
     let margin = if gap.abs() <= EQUAL * rod.max(crank) {
         0.0
     } else {
         gap
     };
-    Loop::SliderCrank {
+    DrivenLoop::SliderCrank {
         crank,
         rod,
         offset,
@@ -176,10 +176,10 @@ mod tests {
 
     fn kind(lengths: [f64; 4]) -> (Grashof, Inversion) {
         match four_bar(lengths) {
-            Loop::FourBar {
+            DrivenLoop::FourBar {
                 grashof, inversion, ..
             } => (grashof, inversion),
-            Loop::SliderCrank { .. } => unreachable!("four lengths make a four-bar"),
+            DrivenLoop::SliderCrank { .. } => unreachable!("four lengths make a four-bar"),
         }
     }
 
@@ -216,8 +216,8 @@ mod tests {
     #[test]
     fn a_rod_as_long_as_crank_and_offset_is_a_change_point() {
         let margin = |lengths| match slider_crank(lengths) {
-            Loop::SliderCrank { margin, .. } => margin,
-            Loop::FourBar { .. } => f64::NAN,
+            DrivenLoop::SliderCrank { margin, .. } => margin,
+            DrivenLoop::FourBar { .. } => f64::NAN,
         };
         assert_eq!(margin([10.0, 20.0, 0.0]), 10.0);
         assert_eq!(margin([0.1, 0.3, 0.2]), 0.0);

@@ -14,7 +14,7 @@ pub(super) struct Marks {
 
 /// What a step places.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Part {
+pub(super) enum PlacedPart {
     Point(PointId),
     Link(LinkId),
     Slide(SlideId),
@@ -29,11 +29,11 @@ impl Marks {
         }
     }
 
-    fn of(&mut self, part: Part) -> &mut bool {
+    fn of(&mut self, part: PlacedPart) -> &mut bool {
         match part {
-            Part::Point(point) => &mut self.points[point.index()],
-            Part::Link(link) => &mut self.links[link.index()],
-            Part::Slide(slide) => &mut self.slides[slide.index()],
+            PlacedPart::Point(point) => &mut self.points[point.index()],
+            PlacedPart::Link(link) => &mut self.links[link.index()],
+            PlacedPart::Slide(slide) => &mut self.slides[slide.index()],
         }
     }
 }
@@ -41,9 +41,9 @@ impl Marks {
 /// Takes the steps that the demand does not need out of a program, and marks what they placed.
 pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks) {
     let mut needed = Marks::none(program, left_out.slides.len());
-    let points = demand.points.iter().map(|&p| Part::Point(p));
-    let links = demand.links.iter().map(|&l| Part::Link(l));
-    let slides = demand.slides.iter().map(|&s| Part::Slide(s));
+    let points = demand.points.iter().map(|&p| PlacedPart::Point(p));
+    let links = demand.links.iter().map(|&l| PlacedPart::Link(l));
+    let slides = demand.slides.iter().map(|&s| PlacedPart::Slide(s));
     let asked = points.chain(links).chain(slides);
     asked.for_each(|part| *needed.of(part) = true);
     let mut kept = Vec::new();

@@ -5,7 +5,7 @@
 //! There the steps before the first coupled group are run in twice the digits, from the numbers that are
 //! meant, and the figures are rounded once.
 
-use super::demand::Part;
+use super::demand::PlacedPart;
 use super::exact::Exact;
 use super::state::{Condition, LinkState, PointState, State, TravelState};
 use super::{Order, Solver, Workspace};
@@ -70,15 +70,15 @@ impl Exact {
         let program = &self.engine.program;
         for step in &program.steps[..steps] {
             step.outputs(&program.coupled, &mut |part| match part {
-                Part::Point(point) => {
+                PlacedPart::Point(point) => {
                     let PointState { p, v, a } = from.points[point.index()];
                     let [p, v, a] = [p, v, a].map(|v| v.nearest());
                     to.points[point.index()] = PointState { p, v, a };
                 }
-                Part::Link(link) => {
+                PlacedPart::Link(link) => {
                     to.links[link.index()] = rounded(&from.links[link.index()]);
                 }
-                Part::Slide(slide) => {
+                PlacedPart::Slide(slide) => {
                     let TravelState { s, v, a, guide } = &from.travels[slide.index()];
                     to.travels[slide.index()] = TravelState {
                         s: s.nearest(),

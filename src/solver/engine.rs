@@ -2,11 +2,11 @@
 
 use super::change_point::Passages;
 use super::coupled::{Coupled, Scratch};
-use super::demand::{Marks, Part, prune};
-use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::demand::{Marks, PlacedPart, prune};
+use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
 use super::frame::Frame;
 use super::motion::Folded;
-use super::plan::{Gauge, Program, Watch};
+use super::plan::{Gauge, Program, WatchedConstraint};
 use super::state::{Condition, LinkState, PointState, Rates, State, TravelState};
 use super::workspace::Workspace;
 use super::{Demand, Order};
@@ -200,9 +200,9 @@ impl Engine {
                 _ => run_step::<ORDER>(step, q, direction, state),
             };
             match outcome {
-                Outcome::Done => {}
-                Outcome::Stretched => condition = Condition::DeadPoint,
-                Outcome::Open | Outcome::Unclear => return Condition::NoAssembly,
+                StepOutcome::Done => {}
+                StepOutcome::Stretched => condition = Condition::DeadPoint,
+                StepOutcome::Open | StepOutcome::Unclear => return Condition::NoAssembly,
             }
         }
         condition
@@ -220,7 +220,7 @@ impl Engine {
         let (q, direction) = self.coordinate(at);
         self.program.steps.iter().all(|step| match step.coupled() {
             Some(index) => place(&self.program.coupled[index], q, state, scratch),
-            None => step.run::<T, ORDER>(q, direction, state) == Outcome::Done,
+            None => step.run::<T, ORDER>(q, direction, state) == StepOutcome::Done,
         })
     }
 
@@ -309,9 +309,9 @@ impl Engine {
     pub(super) fn outputs(&self, step: usize) -> (Vec<PointId>, Vec<LinkId>) {
         let (mut points, mut links) = (Vec::new(), Vec::new());
         self.program.steps[step].outputs(&self.program.coupled, &mut |part| match part {
-            Part::Point(point) => points.push(point),
-            Part::Link(link) => links.push(link),
-            Part::Slide(_) => {}
+            PlacedPart::Point(point) => points.push(point),
+            PlacedPart::Link(link) => links.push(link),
+            PlacedPart::Slide(_) => {}
         });
         (points, links)
     }
@@ -328,7 +328,7 @@ impl Engine {
     }
 
     /// Places what one dyad places.
-    pub(super) fn place_dyad(&self, step: &Step, at: f64, state: &mut State) -> Outcome {
+    pub(super) fn place_dyad(&self, step: &Step, at: f64, state: &mut State) -> StepOutcome {
         let (q, direction) = self.coordinate(at);
         run_step::<POSITION>(step, q, direction, state)
     }
@@ -340,20 +340,24 @@ impl Engine {
         order: u8,
         state: &mut State,
         scratch: &mut Scratch,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let group = &self.program.coupled[index];
         let corrected = group.correct(q, state, scratch);
         scratch.first[index] = corrected.first;
         let kept = corrected.side * group.side * state.signs[group.group] >= 0.0;
         let solved = corrected.settled && kept && group.finish(q, order, state, scratch);
-        if solved { Outcome::Done } else { Outcome::Open }
+        if solved {
+            StepOutcome::Done
+        } else {
+            StepOutcome::Open
+        }
     }
 
     /// By how much each watched constraint misses, and how far out: rounding grows with the distance.
     pub(super) fn misses<T: Number>(
         &self,
         state: &State<T>,
-    ) -> impl Iterator<Item = (Watch, T, f64)> {
+    ) -> impl Iterator<Item = (WatchedConstraint, T, f64)> {
         let watches = self.program.watches.iter();
         watches.map(|watch| {
             let (miss, reach) = watch.gauge.misfit(state);
@@ -363,7 +367,7 @@ impl Engine {
 
     /// The first watched constraint that misses by more than rounding, or than the scene accepts, and
     /// by how much, in the solver's unit.
-    pub(super) fn misfit(&self, state: &State) -> Option<(Watch, f64)> {
+    pub(super) fn misfit(&self, state: &State) -> Option<(WatchedConstraint, f64)> {
         // Written so that NaN counts as a misfit.
         let fits = |miss: f64, reach: f64| miss.abs() <= (MISFIT * reach).max(self.accepted);
         let mut misses = self.misses(state);
@@ -389,27 +393,37 @@ impl Engine {
 /// Runs a step of a single state: those that most mechanisms are made of in place, so that what else there
 /// is takes no registers from them.
 #[inline(always)]
-fn run_step<const ORDER: u8>(step: &Step, q: f64, direction: Vec2, state: &mut State) -> Outcome {
+fn run_step<const ORDER: u8>(
+    step: &Step,
+    q: f64,
+    direction: Vec2,
+    state: &mut State,
+) -> StepOutcome {
     match step.run_frequent::<f64, ORDER>(q, direction, state) {
-        Some(Outcome::Unclear) => look_closer(step, q, state),
+        Some(StepOutcome::Unclear) => look_closer(step, q, state),
         Some(outcome) => outcome,
         None => run_seldom::<ORDER>(step, q, direction, state),
     }
 }
 
 #[inline(never)]
-fn run_seldom<const ORDER: u8>(step: &Step, q: f64, direction: Vec2, state: &mut State) -> Outcome {
+fn run_seldom<const ORDER: u8>(
+    step: &Step,
+    q: f64,
+    direction: Vec2,
+    state: &mut State,
+) -> StepOutcome {
     match step.run::<f64, ORDER>(q, direction, state) {
-        Outcome::Unclear => look_closer(step, q, state),
+        StepOutcome::Unclear => look_closer(step, q, state),
         outcome => outcome,
     }
 }
 
 /// Where rounding decides, a dyad looks closer.
 #[cold]
-fn look_closer(step: &Step, q: f64, state: &mut State) -> Outcome {
+fn look_closer(step: &Step, q: f64, state: &mut State) -> StepOutcome {
     let dyad = step.dyad();
-    dyad.map_or(Outcome::Open, |dyad| dyad.stretch(q, state))
+    dyad.map_or(StepOutcome::Open, |dyad| dyad.stretch(q, state))
 }
 
 /// The driver's speed and acceleration in the solver's units.

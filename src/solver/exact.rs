@@ -3,7 +3,7 @@
 //! Where doubles cannot tell - whether lengths are equal, on which side of an end a coordinate lies, how
 //! far from its limit a dyad stands - this engine is asked, in twice the digits.
 
-use super::elements::{ACCELERATION, Outcome, POSITION, Step, VELOCITY};
+use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
 use super::engine::Engine;
 use super::network::Network;
 use super::order::Ordering;
@@ -116,15 +116,15 @@ impl Exact {
             if let Some(dyad) = step.dyad() {
                 if ending == Some(dyad.group()) {
                     dyad.align(q, state);
-                    outcome = Outcome::Stretched;
-                } else if outcome == Outcome::Unclear {
+                    outcome = StepOutcome::Stretched;
+                } else if outcome == StepOutcome::Unclear {
                     outcome = dyad.stretch(q, state);
                 }
             }
             match outcome {
-                Outcome::Done => {}
-                Outcome::Stretched => condition = Condition::DeadPoint,
-                Outcome::Open | Outcome::Unclear => return Condition::NoAssembly,
+                StepOutcome::Done => {}
+                StepOutcome::Stretched => condition = Condition::DeadPoint,
+                StepOutcome::Open | StepOutcome::Unclear => return Condition::NoAssembly,
             }
         }
         condition
@@ -134,7 +134,8 @@ impl Exact {
     pub(super) fn stops(&self, at: f64, state: &mut State<Double>) -> Option<usize> {
         let (q, direction) = self.engine.coordinate(Double::exactly(at));
         let mut steps = self.engine.program.steps[..self.closed].iter();
-        steps.position(|step| step.run::<Double, POSITION>(q, direction, state) != Outcome::Done)
+        steps
+            .position(|step| step.run::<Double, POSITION>(q, direction, state) != StepOutcome::Done)
     }
 
     /// The same without the steps that `demand` does not need.

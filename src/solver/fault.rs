@@ -1,4 +1,4 @@
-use crate::{Element, LinkId, PointId, Vec2};
+use crate::{ElementId, LinkId, PointId, Vec2};
 use thiserror::Error;
 
 /// Why a mechanism as a whole cannot be solved. Carries ids; a scene knows the lines.
@@ -13,7 +13,7 @@ pub enum Fault {
         /// Constraints that repeat others.
         redundant: usize,
         /// What these belong to, and what they repeat.
-        repeating: Vec<Element>,
+        repeating: Vec<ElementId>,
         /// Links that the driver does not determine.
         floating: Vec<LinkId>,
         /// Whether rounding hides what is free: a mechanism next to this one may have none.
@@ -23,9 +23,9 @@ pub enum Fault {
     #[error("over-constrained: the parts do not fit by {misfit:e}")]
     OverConstrained {
         /// The element set aside as redundant that does not fit.
-        element: Element,
+        element: ElementId,
         /// What it repeats at the start, where that can be told: any of these may be the wrong one.
-        others: Vec<Element>,
+        others: Vec<ElementId>,
         /// By how much, in the scene's length unit; of slides that hold one link at two angles, at the
         /// end of the longest length.
         misfit: f64,
@@ -55,13 +55,13 @@ pub enum Fault {
     #[error("the start is a change point, where two ways lead on")]
     ChangePoint {
         /// What names the dyad.
-        group: Element,
+        group: ElementId,
     },
     /// A pick that its group does not have.
     #[error("the group has no such assembly, but {found}")]
     NoChoice {
         /// What names the group.
-        group: Element,
+        group: ElementId,
         /// How many assemblies it has here; 0 where nothing of that name has any choice.
         found: usize,
     },
@@ -77,7 +77,7 @@ pub enum Fault {
     #[error("the group is singular")]
     Singular {
         /// The elements of the group.
-        elements: Vec<Element>,
+        elements: Vec<ElementId>,
         /// Whether it is so only where the scene opens: at a change point or a dead point.
         is_here_only: bool,
     },

@@ -17,12 +17,12 @@ pub(super) struct Frame {
     pub(super) far: f64,
     /// The longest length in the solver's unit: in [1, 2), or 0 where there is none.
     pub(super) longest: f64,
-    reading: Reading,
+    reading: NumberReading,
 }
 
 /// What the numbers of a mechanism are taken for.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Reading {
+enum NumberReading {
     /// For the doubles that they are, known to half an ulp of what was meant.
     Given,
     /// For what is meant, see [`Constant::meant`].
@@ -61,7 +61,7 @@ impl Frame {
             scale,
             far: furthest(mechanism) / scale,
             longest: longest / scale,
-            reading: Reading::Given,
+            reading: NumberReading::Given,
         }
     }
 
@@ -69,7 +69,7 @@ impl Frame {
     pub(super) fn meant(self, mechanism: &Mechanism) -> Frame {
         let decimals = mechanism.has_decimals();
         Frame {
-            reading: Reading::Meant { decimals },
+            reading: NumberReading::Meant { decimals },
             ..self
         }
     }
@@ -101,8 +101,8 @@ impl Frame {
     /// A place of the scene, as it is taken.
     fn read(&self, place: Vec2) -> Vec2<Constant> {
         match self.reading {
-            Reading::Given => place.map(Constant::given),
-            Reading::Meant { decimals } => Constant::meant(place, decimals),
+            NumberReading::Given => place.map(Constant::given),
+            NumberReading::Meant { decimals } => Constant::meant(place, decimals),
         }
     }
 
@@ -114,8 +114,8 @@ impl Frame {
     /// The unit vector at an angle in degrees.
     pub(super) fn unit(&self, degrees: f64) -> Vec2<Constant> {
         match self.reading {
-            Reading::Given => Constant::given_unit(degrees),
-            Reading::Meant { decimals } => Constant::meant_unit(degrees, decimals),
+            NumberReading::Given => Constant::given_unit(degrees),
+            NumberReading::Meant { decimals } => Constant::meant_unit(degrees, decimals),
         }
     }
 
@@ -128,8 +128,8 @@ impl Frame {
     pub(super) fn local(&self, local: Vec2) -> Vec2<Constant> {
         match self.reading {
             // Scaled first: the smallest doubles know no half of an ulp.
-            Reading::Given => local.map(|v| Constant::given_in(v, self.scale)),
-            Reading::Meant { .. } => self.read(local).map(|v| self.inwards(v)),
+            NumberReading::Given => local.map(|v| Constant::given_in(v, self.scale)),
+            NumberReading::Meant { .. } => self.read(local).map(|v| self.inwards(v)),
         }
     }
 

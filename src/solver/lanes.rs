@@ -2,7 +2,7 @@
 //!
 //! The steps are those of a single state, written once, in an arithmetic of several doubles.
 
-use super::elements::{ACCELERATION, Outcome, POSITION, VELOCITY};
+use super::elements::{ACCELERATION, POSITION, StepOutcome, VELOCITY};
 use super::engine::Engine;
 use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
@@ -98,9 +98,9 @@ impl Engine {
         let (q, direction) = self.coordinate(at);
         for step in &self.program.steps {
             match step.run::<Lanes, ORDER>(q, direction, state) {
-                Outcome::Done => {}
+                StepOutcome::Done => {}
                 // Some lane wants to be looked at more closely.
-                Outcome::Unclear | Outcome::Stretched | Outcome::Open => return false,
+                StepOutcome::Unclear | StepOutcome::Stretched | StepOutcome::Open => return false,
             }
         }
         true

@@ -59,15 +59,15 @@ mod zero;
 
 pub use by_length::ByLength;
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
-pub use classify::{Grashof, Inversion, Loop};
+pub use classify::{DrivenLoop, Grashof, Inversion};
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};
 pub use dead_centres::DeadCentre;
 pub use fault::Fault;
 #[cfg(test)]
 pub(crate) use forces::falsified;
-pub use forces::{Acted, Check, Indeterminate, LeastNorm, Residual, Withheld};
+pub use forces::{Acted, ForceCheck, Indeterminate, LeastNorm, Residual, Withheld};
 pub(crate) use known::Known;
-pub(crate) use methods::{Deviation, Drift, Methods, Runner};
+pub(crate) use methods::{Deviation, DriftMethod, Methods, Runner};
 pub use methods::{Method, Start, Unfit};
 pub use motion::{Motion, NearMiss, Range};
 pub use plan::{Group, GroupId, GroupKind, Pick, Plan};
@@ -77,7 +77,7 @@ pub use state::{Condition, State, Travel};
 pub use transmission::{Extreme, Transmission};
 pub use workspace::Workspace;
 
-use crate::{Element, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
+use crate::{ElementId, LinkId, Mechanism, Number, PointId, SlideId, Vec2};
 use assemble::Request;
 use engine::Engine;
 use exact::Exact;
@@ -124,7 +124,7 @@ pub struct Solver {
     ordering: Ordering,
     plan: Plan,
     motion: Motion,
-    first_loop: Option<Loop>,
+    first_loop: Option<DrivenLoop>,
     slides: usize,
     /// Where the scene opens, if the motion comes there.
     opening: f64,
@@ -150,7 +150,7 @@ impl Solver {
     /// See [`Fault`]; a pick that its group does not have among them.
     pub fn with_assembly(
         mechanism: &Mechanism,
-        picks: &[(Element, Pick)],
+        picks: &[(ElementId, Pick)],
     ) -> Result<Solver, Fault> {
         let start = mechanism.driver().start;
         Solver::open(mechanism, start, mechanism.start(), picks)
@@ -161,12 +161,12 @@ impl Solver {
         mechanism: &Mechanism,
         at: f64,
         near: &[(PointId, Vec2)],
-        picks: &[(Element, Pick)],
+        picks: &[(ElementId, Pick)],
     ) -> Result<Solver, Fault> {
         let frame = Frame::of(mechanism);
         let network = Network::new(mechanism, frame);
         if let Some(clash) = network.clash {
-            let element = Element::Slide(clash.slide);
+            let element = ElementId::Slide(clash.slide);
             let misfit = clash.misfit.abs() * frame.longest * frame.scale;
             return Err(Fault::OverConstrained {
                 element,
@@ -188,7 +188,7 @@ impl Solver {
         ordering: &Ordering,
         at: f64,
         near: &[(PointId, Vec2)],
-        picks: &[(Element, Pick)],
+        picks: &[(ElementId, Pick)],
     ) -> Result<Solver, Fault> {
         let mechanism = network.mechanism;
         let (plan, program) = chain::build(network, ordering, chain::Dyads::Closed)?;
@@ -267,7 +267,7 @@ impl Solver {
 
     /// The loop of the driven link, a dyad and the ground, if the mechanism begins with one.
     #[must_use]
-    pub fn first_loop(&self) -> Option<Loop> {
+    pub fn first_loop(&self) -> Option<DrivenLoop> {
         self.first_loop
     }
 

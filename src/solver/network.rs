@@ -6,7 +6,8 @@
 
 use super::frame::Frame;
 use crate::{
-    Body, Constant, Element, Input, Length, Link, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
+    Body, Constant, ElementId, Input, Length, Link, LinkId, Mechanism, PointId, SlideId, Slider,
+    Vec2,
 };
 
 /// A class of links that keep their angles to each other.
@@ -18,7 +19,7 @@ pub(super) const GROUND: ClassId = ClassId(0);
 
 /// One scalar equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Row {
+pub(super) enum ScalarEquation {
     /// The distance of a link's joint from the link's centre joint.
     Along { link: LinkId, end: PointId },
     /// The direction in which it is seen from there.
@@ -29,19 +30,21 @@ pub(super) enum Row {
     Push(SlideId),
 }
 
-impl Row {
+impl ScalarEquation {
     /// The element that the equation belongs to.
-    pub(super) fn element(self) -> Element {
+    pub(super) fn element(self) -> ElementId {
         match self {
-            Row::Along { link, .. } | Row::Across { link, .. } => Element::Link(link),
-            Row::Slot(slide) | Row::Push(slide) => Element::Slide(slide),
+            ScalarEquation::Along { link, .. } | ScalarEquation::Across { link, .. } => {
+                ElementId::Link(link)
+            }
+            ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => ElementId::Slide(slide),
         }
     }
 }
 
 /// One scalar unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unknown {
+pub(super) enum ScalarUnknown {
     /// A coordinate of a joint.
     Point(PointId),
     /// The direction of a class of links.
@@ -72,7 +75,7 @@ pub(super) struct Network<'m> {
     /// The joint from which a link's other joints are seen.
     centre: Vec<Option<PointId>>,
     joint: Vec<bool>,
-    pub rows: Vec<Row>,
+    pub rows: Vec<ScalarEquation>,
     /// Locks that repeat others, and agree with them as far as it matters.
     pub repeated_locks: Vec<SlideId>,
     /// The largest sine by which these disagree.
@@ -318,14 +321,14 @@ impl<'m> Network<'m> {
                 .filter(|m| Some(m.point) != self.centre[link.index()])
             {
                 let end = member.point;
-                rows.push(Row::Along { link, end });
-                rows.push(Row::Across { link, end });
+                rows.push(ScalarEquation::Along { link, end });
+                rows.push(ScalarEquation::Across { link, end });
             }
         }
         for slide in self.mechanism.slide_ids() {
-            rows.push(Row::Slot(slide));
+            rows.push(ScalarEquation::Slot(slide));
             if self.mechanism.driver().input == Input::Push(slide) {
-                rows.push(Row::Push(slide));
+                rows.push(ScalarEquation::Push(slide));
             }
         }
         self.rows = rows;
@@ -341,35 +344,37 @@ impl<'m> Network<'m> {
     }
 
     /// The unknowns of an equation: each point stands for its two coordinates.
-    pub(super) fn unknowns(&self, row: Row) -> Vec<Unknown> {
+    pub(super) fn unknowns(&self, row: ScalarEquation) -> Vec<ScalarUnknown> {
         let (body, point) = match row {
-            Row::Along { link, end } | Row::Across { link, end } => (link, end),
-            Row::Slot(slide) | Row::Push(slide) => {
+            ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
+                (link, end)
+            }
+            ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => {
                 let slide = self.mechanism.slide(slide);
                 (self.body(slide.on), slide.slider.point())
             }
         };
         let points = [Some(point), self.centre(body)].into_iter().flatten();
-        let mut unknowns: Vec<Unknown> = points
+        let mut unknowns: Vec<ScalarUnknown> = points
             .filter(|&p| !self.is_ground(p))
-            .map(Unknown::Point)
+            .map(ScalarUnknown::Point)
             .collect();
         let class = self.class(body);
         if !self.is_given(class) {
-            unknowns.push(Unknown::Class(class));
+            unknowns.push(ScalarUnknown::Class(class));
         }
         unknowns
     }
 
     /// How readily an equation is set aside where there are too many: the length of a bar inside
     /// another body first, since it cannot but repeat that body's; then that of any bar, then a slot, since what is left of the element can then still be placed.
-    pub(super) fn readiness(&self, row: Row) -> u8 {
+    pub(super) fn readiness(&self, row: ScalarEquation) -> u8 {
         match row {
-            Row::Along { link, .. } if self.is_strut(link) => 4,
-            Row::Along { link, .. } if self.is_bar(link) => 3,
-            Row::Slot(_) => 2,
-            Row::Along { .. } => 1,
-            Row::Across { .. } | Row::Push(_) => 0,
+            ScalarEquation::Along { link, .. } if self.is_strut(link) => 4,
+            ScalarEquation::Along { link, .. } if self.is_bar(link) => 3,
+            ScalarEquation::Slot(_) => 2,
+            ScalarEquation::Along { .. } => 1,
+            ScalarEquation::Across { .. } | ScalarEquation::Push(_) => 0,
         }
     }
 

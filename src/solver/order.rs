@@ -1,32 +1,32 @@
 //! Which equation settles which unknown, and in which order: matching and strong components.
 
 use super::fault::Fault;
-use super::network::{Network, Row, Unknown};
-use crate::{Element, LinkId};
+use super::network::{Network, ScalarEquation, ScalarUnknown};
+use crate::{ElementId, LinkId};
 use petgraph::algo::{kosaraju_scc, maximum_matching};
 use petgraph::graph::{DiGraph, NodeIndex, UnGraph};
 use std::collections::{HashMap, HashSet};
 
 /// A smallest set of unknowns that must be settled at once, with its equations.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Block {
-    pub unknowns: Vec<Unknown>,
-    pub rows: Vec<Row>,
+pub(super) struct CoupledBlock {
+    pub unknowns: Vec<ScalarUnknown>,
+    pub rows: Vec<ScalarEquation>,
 }
 
 /// The blocks in the order in which they can be settled.
 #[derive(Clone, Debug)]
 pub(super) struct Ordering {
-    pub blocks: Vec<Block>,
+    pub blocks: Vec<CoupledBlock>,
     /// Equations that repeat others.
-    pub set_aside: Vec<Row>,
+    pub set_aside: Vec<ScalarEquation>,
     /// These, and those that could have been set aside in their stead: what stands over its unknowns.
-    pub over: Vec<Row>,
+    pub over: Vec<ScalarEquation>,
 }
 
 /// The unknowns as scalars: a point twice, a class once.
 struct Scalars {
-    list: Vec<Unknown>,
+    list: Vec<ScalarUnknown>,
     /// For every equation its scalars.
     of_row: Vec<Vec<usize>>,
 }
@@ -42,12 +42,12 @@ impl Scalars {
             // A class whose direction nothing asks for is an unknown all the same.
             let class = network.class(link);
             if !network.is_given(class) {
-                scalars.number(Unknown::Class(class), &mut first);
+                scalars.number(ScalarUnknown::Class(class), &mut first);
             }
         }
         for point in network.mechanism.point_ids() {
             if network.is_joint(point) && !network.is_ground(point) {
-                scalars.number(Unknown::Point(point), &mut first);
+                scalars.number(ScalarUnknown::Point(point), &mut first);
             }
         }
         for &row in &network.rows {
@@ -61,7 +61,7 @@ impl Scalars {
         scalars
     }
 
-    fn number(&mut self, unknown: Unknown, first: &mut HashMap<UnknownKey, usize>) -> usize {
+    fn number(&mut self, unknown: ScalarUnknown, first: &mut HashMap<UnknownKey, usize>) -> usize {
         *first.entry(key(unknown)).or_insert_with(|| {
             let at = self.list.len();
             self.list
@@ -73,17 +73,17 @@ impl Scalars {
 
 type UnknownKey = (bool, usize);
 
-fn key(unknown: Unknown) -> UnknownKey {
+fn key(unknown: ScalarUnknown) -> UnknownKey {
     match unknown {
-        Unknown::Point(point) => (false, point.index()),
-        Unknown::Class(class) => (true, class.0),
+        ScalarUnknown::Point(point) => (false, point.index()),
+        ScalarUnknown::Class(class) => (true, class.0),
     }
 }
 
-fn width(unknown: Unknown) -> usize {
+fn width(unknown: ScalarUnknown) -> usize {
     match unknown {
-        Unknown::Point(_) => 2,
-        Unknown::Class(_) => 1,
+        ScalarUnknown::Point(_) => 2,
+        ScalarUnknown::Class(_) => 1,
     }
 }
 
@@ -147,11 +147,14 @@ fn matching(scalars: &Scalars) -> Matching {
 ///
 /// # Errors
 /// [`Fault::Mobility`] where unknowns remain that no equation settles.
-pub(super) fn ordering(network: &Network<'_>, preferred: &[Row]) -> Result<Ordering, Fault> {
+pub(super) fn ordering(
+    network: &Network<'_>,
+    preferred: &[ScalarEquation],
+) -> Result<Ordering, Fault> {
     let scalars = Scalars::of(network);
     let mut matched = matching(&scalars);
     let (mut set_aside, mut over) = (Vec::new(), Vec::new());
-    let readiness = |row: Row| (preferred.contains(&row), network.readiness(row));
+    let readiness = |row: ScalarEquation| (preferred.contains(&row), network.readiness(row));
     for free in 0..network.rows.len() {
         // One that was set aside for an earlier one is met again here.
         if matched.scalar_of[free].is_some() || set_aside.contains(&network.rows[free]) {
@@ -234,15 +237,15 @@ fn floating(
     }
     let floats = |link: &LinkId| {
         part.iter().any(|&s| match scalars.list[s] {
-            Unknown::Class(class) => network.class(*link) == class,
-            Unknown::Point(_) => false,
+            ScalarUnknown::Class(class) => network.class(*link) == class,
+            ScalarUnknown::Point(_) => false,
         })
     };
     network.mechanism.link_ids().filter(floats).collect()
 }
 
 /// The strong components of the dependencies, each before those that need it.
-fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<Block> {
+fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<CoupledBlock> {
     let mut graph = DiGraph::<(), ()>::new();
     let nodes: Vec<NodeIndex> = scalars.list.iter().map(|_| graph.add_node(())).collect();
     for (s, row) in matched.row_of.iter().enumerate() {
@@ -254,7 +257,7 @@ fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<B
     // the stack; it lists the components in reverse topological order.
     let mut blocks = Vec::new();
     for component in kosaraju_scc(&graph) {
-        let mut block = Block::default();
+        let mut block = CoupledBlock::default();
         let mut scalars_in: Vec<usize> = component.iter().map(|n| n.index()).collect();
         scalars_in.sort_unstable();
         for s in scalars_in {
@@ -271,7 +274,7 @@ fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<B
 }
 
 /// The elements of a list of equations, each once.
-pub(super) fn elements(rows: &[Row]) -> Vec<Element> {
+pub(super) fn elements(rows: &[ScalarEquation]) -> Vec<ElementId> {
     let mut elements = Vec::new();
     for row in rows {
         if !elements.contains(&row.element()) {

@@ -6,7 +6,7 @@ use super::fault::Fault;
 use super::frame::Frame;
 use super::network::Network;
 use crate::mechanism::id;
-use crate::{Constant, Element, LinkId, Mechanism, PointId, SlideId, Vec2};
+use crate::{Constant, ElementId, LinkId, Mechanism, PointId, SlideId, Vec2};
 
 /// How a group is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,12 +91,12 @@ pub struct Group {
 impl Group {
     /// What names it: the joint of a dyad, the first of a coupled group, the arm of an RPR.
     #[must_use]
-    pub fn name(&self) -> Option<Element> {
-        let arm = self.links.first().map(|&link| Element::Link(link));
+    pub fn name(&self) -> Option<ElementId> {
+        let arm = self.links.first().map(|&link| ElementId::Link(link));
         match self.kind {
             GroupKind::Driver => None,
             GroupKind::Rpr => arm,
-            _ => self.point.map(Element::Point).or(arm),
+            _ => self.point.map(ElementId::Point).or(arm),
         }
     }
 
@@ -118,7 +118,7 @@ pub struct Plan {
     /// Degrees of freedom by rank: 1 for a mechanism that opens.
     pub mobility: usize,
     /// Elements with a constraint that repeats others and was set aside.
-    pub redundant: Vec<Element>,
+    pub redundant: Vec<ElementId>,
 }
 
 impl Plan {
@@ -147,7 +147,7 @@ impl Plan {
 
     /// The group of a name, if there is one with choices.
     #[must_use]
-    pub fn named(&self, name: Element) -> Option<GroupId> {
+    pub fn named(&self, name: ElementId) -> Option<GroupId> {
         let mut groups = self.numbered();
         let found = groups.find(|(_, g)| g.has_choices() && g.name() == Some(name));
         found.map(|(id, _)| id)
@@ -156,8 +156,8 @@ impl Plan {
 
 /// A constraint that must hold whether or not the steps are built on it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watch {
-    pub element: Element,
+pub(super) struct WatchedConstraint {
+    pub element: ElementId,
     pub gauge: Gauge,
 }
 
@@ -181,12 +181,12 @@ pub(super) enum Gauge {
     /// A point on a line of a body.
     OnLine {
         point: PointId,
-        line: super::elements::Line,
+        line: super::elements::GuideLine,
     },
     /// A driven point at the driver's coordinate along a line of a body.
     Pushed {
         point: PointId,
-        line: super::elements::Line,
+        line: super::elements::GuideLine,
     },
 }
 
@@ -220,7 +220,7 @@ pub(super) struct Program {
     /// The places of constant points and the directions of constant links; all others are overwritten.
     pub points: Vec<Vec2<Constant>>,
     pub links: Vec<Vec2<Constant>>,
-    pub watches: Vec<Watch>,
+    pub watches: Vec<WatchedConstraint>,
     /// By their places among the steps, in order: through what those with a guide hold their joint.
     pub holds: Vec<(usize, Hold)>,
     /// Likewise: the links of their arms, the last one of each arm first, where these are several.

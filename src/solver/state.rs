@@ -2,7 +2,7 @@
 
 use super::Order;
 use super::demand::Marks;
-use super::forces::Forces;
+use super::forces::ForceState;
 use super::frame::Frame;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use std::sync::Arc;
@@ -106,7 +106,7 @@ pub struct State<T = f64> {
     /// For every group the sign that chooses its assembly, where it has two.
     pub(super) signs: Vec<T>,
     /// The forces, where anything acts.
-    pub(super) forces: Option<Box<Forces<T>>>,
+    pub(super) forces: Option<Box<ForceState<T>>>,
     pub(super) frame: Frame,
     /// What the solver never places.
     pub(super) left_out: Option<Arc<Marks>>,

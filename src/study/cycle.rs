@@ -3,15 +3,15 @@
 use super::rk4::Rk4;
 use super::tally::{Stopwatch, Tally};
 use super::{PASS, SAMPLES};
-use crate::solver::{Drift, Methods, Range};
+use crate::solver::{DriftMethod, Methods, Range};
 use std::time::Duration;
 
 /// Positions that are compared in one piece of work.
 const COMPARED: u32 = 36;
 
 /// An integration of the velocities, from a position to which it comes back every cycle.
-pub(super) struct Cycle {
-    drift: Drift,
+pub(super) struct IntegrationCycle {
+    drift: DriftMethod,
     rk4: Rk4,
     start: f64,
     /// The driver's coordinate from one step to the next, and as derivatives count it.
@@ -26,14 +26,14 @@ pub(super) struct Cycle {
     stuck: bool,
 }
 
-impl Cycle {
+impl IntegrationCycle {
     /// Begins at a position; `None` where the mechanism cannot go round.
     pub(super) fn begin(
         methods: &mut Methods,
         start: f64,
         steps: u16,
         turns: u16,
-    ) -> Option<Cycle> {
+    ) -> Option<IntegrationCycle> {
         let Range::Full { period } = methods.range() else {
             return None;
         };
@@ -48,7 +48,7 @@ impl Cycle {
             reason = "a few turns of at most 65535 steps"
         )]
         let cycle = (period / step).round() as u32;
-        Some(Cycle {
+        Some(IntegrationCycle {
             rk4: Rk4::new(drift.unknowns()),
             drift,
             start,
@@ -109,7 +109,7 @@ impl Cycle {
     /// One step.
     fn go(&mut self, methods: &Methods) {
         let from = self.at(0.0);
-        let Cycle { drift, step, .. } = self;
+        let IntegrationCycle { drift, step, .. } = self;
         let change = self.rk4.step(self.h, |part, change, rates| {
             drift.rates(methods, from + part * *step, change, rates)
         });

@@ -5,7 +5,7 @@ use crate::solver::{Method, Unfit};
 
 /// The largest errors over all positions at which a method found the mechanism.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Errors {
+pub struct MethodErrors {
     /// Of the positions of points, over the longest length.
     pub position: f64,
     /// Of their velocities, over the largest velocity of the cycle.
@@ -16,11 +16,11 @@ pub struct Errors {
 
 /// What was measured of a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Figures {
+pub struct MethodFigures {
     /// Seconds for one position with velocities and accelerations; of an integration, for a step.
     pub time: Option<Spread>,
     /// `None` where it was right nowhere.
-    pub errors: Option<Errors>,
+    pub errors: Option<MethodErrors>,
     /// Positions at which it was tried.
     pub tried: u64,
     /// Of these, positions at which it found nothing, or another assembly.
@@ -29,9 +29,9 @@ pub struct Figures {
 
 /// What there is to say about a method.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Verdict {
+pub enum MethodVerdict {
     /// It was measured.
-    Measured(Figures),
+    Measured(MethodFigures),
     /// It cannot be used for this mechanism.
     Unfit(Unfit),
     /// The study has not come to it.
@@ -46,7 +46,7 @@ pub struct Finding {
     /// The method.
     pub method: Method,
     /// What there is to say about it.
-    pub verdict: Verdict,
+    pub verdict: MethodVerdict,
     /// Whether it never fails and no other such method is both faster and nearer.
     pub best: bool,
 }
@@ -67,10 +67,10 @@ pub struct Findings {
 impl Finding {
     /// Its figures, if it was measured.
     #[must_use]
-    pub fn figures(&self) -> Option<&Figures> {
+    pub fn figures(&self) -> Option<&MethodFigures> {
         match &self.verdict {
-            Verdict::Measured(figures) => Some(figures),
-            Verdict::Unfit(_) | Verdict::Pending => None,
+            MethodVerdict::Measured(figures) => Some(figures),
+            MethodVerdict::Unfit(_) | MethodVerdict::Pending => None,
         }
     }
 }

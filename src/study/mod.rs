@@ -17,11 +17,11 @@ mod spread;
 mod tally;
 
 pub use crate::solver::{Method, Start, Unfit};
-pub use findings::{Errors, Figures, Finding, Findings, Verdict};
+pub use findings::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict};
 pub use spread::Spread;
 
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};
-use cycle::Cycle;
+use cycle::IntegrationCycle;
 use std::hint::black_box;
 use std::time::Duration;
 use tally::{Stopwatch, Tally};
@@ -70,12 +70,12 @@ pub fn all_methods(cycles: u16) -> Vec<Method> {
 /// A method and what has been measured of it.
 struct Contender {
     method: Method,
-    work: Work,
+    work: StudyWork,
     tally: Tally,
     watch: Stopwatch,
 }
 
-enum Work {
+enum StudyWork {
     Unfit(Unfit),
     /// It solves positions; `next` is the one that is timed next.
     Solves {
@@ -83,12 +83,12 @@ enum Work {
         next: usize,
     },
     /// It goes through cycles; `None` before it has begun, and where it could not.
-    Integrates(Option<Box<Cycle>>),
+    Integrates(Option<Box<IntegrationCycle>>),
 }
 
 /// What is done next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stage {
+enum StudyStage {
     Errors { place: usize },
     Times { round: usize, contender: usize },
     Cycles { contender: usize },
@@ -107,7 +107,7 @@ pub struct Study {
     anew: bool,
     /// The largest velocity and acceleration.
     sizes: Deviation,
-    stage: Stage,
+    stage: StudyStage,
 }
 
 impl Study {
@@ -132,12 +132,12 @@ impl Study {
         let contender = |&method: &Method| Contender {
             method,
             work: match (methods.usable(method), methods.runner(method)) {
-                (Err(unfit), _) => Work::Unfit(unfit),
-                (Ok(()), Some(runner)) => Work::Solves {
+                (Err(unfit), _) => StudyWork::Unfit(unfit),
+                (Ok(()), Some(runner)) => StudyWork::Solves {
                     runner: Box::new(runner),
                     next: 0,
                 },
-                (Ok(()), None) => Work::Integrates(None),
+                (Ok(()), None) => StudyWork::Integrates(None),
             },
             tally: Tally::default(),
             watch: Stopwatch::default(),
@@ -149,7 +149,7 @@ impl Study {
             sound: Vec::new(),
             anew: true,
             sizes: Deviation::default(),
-            stage: Stage::Errors { place: 0 },
+            stage: StudyStage::Errors { place: 0 },
         }
     }
 
@@ -157,13 +157,13 @@ impl Study {
     /// do. A piece of work takes a millisecond or so.
     pub fn advance(&mut self, clock: &mut dyn FnMut() -> Duration, budget: Duration) -> bool {
         let end = clock() + budget;
-        while self.stage != Stage::Done {
+        while self.stage != StudyStage::Done {
             self.piece(clock);
             if clock() >= end {
                 break;
             }
         }
-        self.stage != Stage::Done
+        self.stage != StudyStage::Done
     }
 
     /// How much is done, from 0 to 1.
@@ -171,12 +171,12 @@ impl Study {
     pub fn progress(&self) -> f64 {
         let part = |done: usize, all: usize| done as f64 / all.max(1) as f64;
         match self.stage {
-            Stage::Errors { place } => ERRORS_DONE * part(place, self.places.len()),
-            Stage::Times { round, .. } => {
+            StudyStage::Errors { place } => ERRORS_DONE * part(place, self.places.len()),
+            StudyStage::Times { round, .. } => {
                 ERRORS_DONE + (TIMES_DONE - ERRORS_DONE) * part(round, SAMPLES)
             }
-            Stage::Cycles { .. } => TIMES_DONE + (1.0 - TIMES_DONE) * self.integrated(),
-            Stage::Done => 1.0,
+            StudyStage::Cycles { .. } => TIMES_DONE + (1.0 - TIMES_DONE) * self.integrated(),
+            StudyStage::Done => 1.0,
         }
     }
 
@@ -184,8 +184,8 @@ impl Study {
     #[must_use]
     pub fn current(&self) -> Option<Method> {
         match self.stage {
-            Stage::Cycles { contender } => self.contenders.get(contender).map(|c| c.method),
-            Stage::Errors { .. } | Stage::Times { .. } | Stage::Done => None,
+            StudyStage::Cycles { contender } => self.contenders.get(contender).map(|c| c.method),
+            StudyStage::Errors { .. } | StudyStage::Times { .. } | StudyStage::Done => None,
         }
     }
 
@@ -204,21 +204,23 @@ impl Study {
             methods,
             longest: self.methods.longest(),
             positions: self.sound.len(),
-            finished: self.stage == Stage::Done,
+            finished: self.stage == StudyStage::Done,
         }
     }
 
-    fn verdict(&self, contender: &Contender) -> Verdict {
+    fn verdict(&self, contender: &Contender) -> MethodVerdict {
         let Contender { tally, watch, .. } = contender;
         match &contender.work {
-            Work::Unfit(unfit) => Verdict::Unfit(*unfit),
-            _ if tally.tried == 0 => Verdict::Pending,
-            Work::Solves { .. } | Work::Integrates(_) => Verdict::Measured(Figures {
-                time: Spread::of(watch.samples()),
-                errors: tally.errors(self.sizes),
-                tried: tally.tried,
-                failures: tally.failures,
-            }),
+            StudyWork::Unfit(unfit) => MethodVerdict::Unfit(*unfit),
+            _ if tally.tried == 0 => MethodVerdict::Pending,
+            StudyWork::Solves { .. } | StudyWork::Integrates(_) => {
+                MethodVerdict::Measured(MethodFigures {
+                    time: Spread::of(watch.samples()),
+                    errors: tally.errors(self.sizes),
+                    tried: tally.tried,
+                    failures: tally.failures,
+                })
+            }
         }
     }
 
@@ -226,37 +228,39 @@ impl Study {
 
     fn piece(&mut self, clock: &mut dyn FnMut() -> Duration) {
         self.stage = match self.stage {
-            Stage::Errors { place } => match self.places.get(place) {
+            StudyStage::Errors { place } => match self.places.get(place) {
                 Some(&at) => {
                     self.compare(at);
-                    Stage::Errors { place: place + 1 }
+                    StudyStage::Errors { place: place + 1 }
                 }
-                None => Stage::Times {
+                None => StudyStage::Times {
                     round: 0,
                     contender: 0,
                 },
             },
-            Stage::Times { round, .. } if round == SAMPLES || self.sound.is_empty() => {
-                Stage::Cycles { contender: 0 }
+            StudyStage::Times { round, .. } if round == SAMPLES || self.sound.is_empty() => {
+                StudyStage::Cycles { contender: 0 }
             }
-            Stage::Times { round, contender } if contender == self.contenders.len() => {
-                Stage::Times {
+            StudyStage::Times { round, contender } if contender == self.contenders.len() => {
+                StudyStage::Times {
                     round: round + 1,
                     contender: 0,
                 }
             }
-            Stage::Times { round, contender } => {
+            StudyStage::Times { round, contender } => {
                 let taken = self.time(contender, clock);
                 let contender = contender + usize::from(taken);
-                Stage::Times { round, contender }
+                StudyStage::Times { round, contender }
             }
-            Stage::Cycles { contender } if contender == self.contenders.len() => Stage::Done,
-            Stage::Cycles { contender } => {
+            StudyStage::Cycles { contender } if contender == self.contenders.len() => {
+                StudyStage::Done
+            }
+            StudyStage::Cycles { contender } => {
                 let done = self.integrate(contender, clock);
                 let contender = contender + usize::from(done);
-                Stage::Cycles { contender }
+                StudyStage::Cycles { contender }
             }
-            Stage::Done => Stage::Done,
+            StudyStage::Done => StudyStage::Done,
         };
     }
 
@@ -270,7 +274,7 @@ impl Study {
         self.sound.push(at);
         self.sizes = self.sizes.max(methods.sizes());
         for Contender { work, tally, .. } in &mut self.contenders {
-            let Work::Solves { runner, .. } = work else {
+            let StudyWork::Solves { runner, .. } = work else {
                 continue;
             };
             if self.anew {
@@ -291,7 +295,7 @@ impl Study {
     fn time(&mut self, contender: usize, clock: &mut dyn FnMut() -> Duration) -> bool {
         let (methods, sound) = (&mut self.methods, &self.sound);
         let Contender { work, watch, .. } = &mut self.contenders[contender];
-        let Work::Solves { runner, next } = work else {
+        let StudyWork::Solves { runner, next } = work else {
             return true;
         };
         watch.take(clock, usize::MAX, |count| {
@@ -315,7 +319,8 @@ impl Study {
             tally,
             watch,
         } = &mut self.contenders[contender];
-        let (Work::Integrates(cycle), &mut Method::Integration { steps, turns }) = (work, method)
+        let (StudyWork::Integrates(cycle), &mut Method::Integration { steps, turns }) =
+            (work, method)
         else {
             return true;
         };
@@ -323,7 +328,7 @@ impl Study {
             Some(cycle) => cycle.go_on(methods, tally, watch, clock),
             None => {
                 let start = sound.first().copied().unwrap_or_default();
-                *cycle = Cycle::begin(methods, start, steps, turns).map(Box::new);
+                *cycle = IntegrationCycle::begin(methods, start, steps, turns).map(Box::new);
                 if cycle.is_none() {
                     tally.note(None);
                 }
@@ -336,11 +341,12 @@ impl Study {
     fn integrated(&self) -> f64 {
         let (mut done, mut all) = (0.0, 0.0);
         for (i, contender) in self.contenders.iter().enumerate() {
-            if let (Work::Integrates(cycle), Method::Integration { steps, turns }) =
+            if let (StudyWork::Integrates(cycle), Method::Integration { steps, turns }) =
                 (&contender.work, contender.method)
             {
                 let share = f64::from(steps) * f64::from(turns);
-                let is_past = matches!(self.stage, Stage::Cycles { contender } if i < contender);
+                let is_past =
+                    matches!(self.stage, StudyStage::Cycles { contender } if i < contender);
                 let own = cycle.as_ref().map_or(0.0, |cycle| cycle.progress());
                 done += share * if is_past { 1.0 } else { own };
                 all += share;

@@ -1,6 +1,6 @@
 //! What is counted and timed of one method.
 
-use super::findings::Errors;
+use super::findings::MethodErrors;
 use crate::solver::Deviation;
 use std::time::Duration;
 
@@ -28,9 +28,9 @@ impl Tally {
     }
 
     /// The errors as parts of the largest velocity and acceleration.
-    pub(super) fn errors(&self, sizes: Deviation) -> Option<Errors> {
+    pub(super) fn errors(&self, sizes: Deviation) -> Option<MethodErrors> {
         let part = |error: f64, size: f64| if error > 0.0 { error / size } else { 0.0 };
-        (self.failures < self.tried).then(|| Errors {
+        (self.failures < self.tried).then(|| MethodErrors {
             position: self.worst.position,
             velocity: part(self.worst.velocity, sizes.velocity),
             acceleration: part(self.worst.acceleration, sizes.acceleration),

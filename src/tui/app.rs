@@ -31,7 +31,7 @@ use crate::solver::Condition;
 use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::keymap::Keymap;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 pub(crate) use crate::tui::commands::view::View;
 use crate::tui::document::Document;
 use crate::tui::document::clerk::Clerk;
@@ -40,7 +40,7 @@ use crate::tui::figures::cursor::Cursor;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::playback::Playback;
-use crate::tui::player::steps::Steps;
+use crate::tui::player::steps::StepLadder;
 use crate::tui::views::accuracy::study_run::StudyRun;
 use crate::tui::views::motion::followed::FollowedPoints;
 use crate::tui::views::motion::viewport::Viewport;
@@ -168,7 +168,7 @@ impl App {
         &self.player.open_scene
     }
 
-    pub(crate) fn steps(&self) -> &Steps {
+    pub(crate) fn steps(&self) -> &StepLadder {
         &self.player.steps
     }
 
@@ -305,7 +305,7 @@ impl App {
             Action::StepForward => self.step(self.player.steps.size(), now),
             Action::SmallerStep => self.player.steps.smaller(),
             Action::LargerStep => self.player.steps.larger(),
-            Action::GoTo => self.shell.mode = Mode::GoTo(Line::for_number()),
+            Action::GoTo => self.shell.mode = Mode::GoTo(EditLine::for_number()),
             Action::Opening => self.player.go_to_opening(now),
             Action::NextPreset => self.open(1),
             Action::PreviousPreset => self.open(-1),

@@ -228,10 +228,10 @@ struct Session {
 }
 
 /// By what signal the process is to end, if not by itself.
-type End = Option<i32>;
+type EndSignal = Option<i32>;
 
 impl Session {
-    fn run(mut self) -> Result<End, Error> {
+    fn run(mut self) -> Result<EndSignal, Error> {
         // Whether something has happened that no frame has shown yet, and whether that is worth another
         // picture before the last one was sent to its end.
         let (mut owed, mut anew) = (true, true);
@@ -294,7 +294,7 @@ impl Session {
         Some(ready.map_or(next, |ready| ready.max(next)))
     }
 
-    fn take_all(&mut self, wakes: Vec<Wake>) -> Result<Option<End>, Error> {
+    fn take_all(&mut self, wakes: Vec<Wake>) -> Result<Option<EndSignal>, Error> {
         // Time in which the program was stopped has not passed for what is played.
         let mut stopped = wakes.contains(&Wake::Notice(Notice::Continued));
         if !stopped {
@@ -313,7 +313,7 @@ impl Session {
     }
 
     /// Takes in what has happened; the end, if that was it.
-    fn take(&mut self, wake: Wake) -> Result<Option<End>, Error> {
+    fn take(&mut self, wake: Wake) -> Result<Option<EndSignal>, Error> {
         match wake {
             Wake::HungUp => return Ok(Some(Some(terminal::HANG_UP))),
             Wake::Notice(Notice::End(signal)) => return Ok(Some(Some(signal))),
@@ -349,7 +349,7 @@ impl Session {
     }
 
     /// Takes in what was done to files; the end, if the program was to be left after it.
-    fn attend(&mut self, now: Duration) -> Option<End> {
+    fn attend(&mut self, now: Duration) -> Option<EndSignal> {
         (self.workbench.app().attend(now) == Effect::Quit).then_some(None)
     }
 

@@ -4,7 +4,7 @@ use crate::exact::{DoubleDouble, PI};
 use crate::rig::{U, assert_near, exact, note, push, solved, turn};
 use krank::quantity::{self, Aspect, Subject};
 use krank::solver::{Condition, Fault, GroupKind, Order, Solver};
-use krank::{Body, Driver, Element, Input, LinkId, Mechanism, PointId, Vec2, angle};
+use krank::{Body, Driver, ElementId, Input, LinkId, Mechanism, PointId, Vec2, angle};
 
 struct ThreeCranks {
     mechanism: Mechanism,
@@ -74,7 +74,7 @@ fn h17_a_third_crank_a_billionth_longer_is_refused() {
         Err(Fault::OverConstrained {
             element, misfit, ..
         }) => {
-            assert_eq!(element, Element::Link(of.last));
+            assert_eq!(element, ElementId::Link(of.last));
             assert!((0.5e-9..2e-9).contains(&misfit), "{misfit:e}");
         }
         other => panic!("{other:?}"),

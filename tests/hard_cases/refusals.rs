@@ -1,10 +1,10 @@
 //! What must be refused, and by name: links of no length, figures that are no numbers.
 
 use crate::rig::{FourBar, LECTURE};
-use krank::report::{Decimal, DecimalError, Steps, StepsError};
+use krank::report::{DecimalError, Steps, StepsError, WrittenDecimal};
 use krank::scene::Scene;
 use krank::solver::Fault;
-use krank::{Defect, Driver, Element, Input, Mechanism, Vec2};
+use krank::{Defect, Driver, ElementId, Input, Mechanism, Vec2};
 
 /// The lecture's four-bar with other figures, as a scene.
 fn scene(lengths: [&str; 3], angle: &str, speed: &str) -> String {
@@ -154,7 +154,7 @@ fn h19_rates_and_angles_that_are_no_numbers_are_refused() {
     let mut builder = Mechanism::builder();
     let point = builder.ground_point(f64::NAN, 0.0);
     let found = builder.build().expect_err("a coordinate is no number");
-    let of = Element::Point(point);
+    let of = ElementId::Point(point);
     assert!(
         found.list().contains(&Defect::Coordinates { of }),
         "{found:?}"
@@ -172,7 +172,7 @@ fn h19_coordinates_that_are_no_numbers_have_no_state() {
 
 #[test]
 fn h19_a_sweep_has_a_step_and_an_end() {
-    let decimal = |text: &str| text.parse::<Decimal>();
+    let decimal = |text: &str| text.parse::<WrittenDecimal>();
     for text in ["nan", "inf", "1e400"] {
         assert_eq!(decimal(text), Err(DecimalError::NotFinite), "{text}");
     }

@@ -4,7 +4,8 @@
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
 use krank::study::{
-    Errors, Figures, Findings, Method, Start, Study, USUAL_CYCLES, Unfit, Verdict, all_methods,
+    Findings, Method, MethodErrors, MethodFigures, MethodVerdict, Start, Study, USUAL_CYCLES,
+    Unfit, all_methods,
 };
 use std::time::Duration;
 
@@ -32,12 +33,12 @@ fn findings(preset: &str, methods: &[Method], positions: u32) -> Findings {
 }
 
 /// What was measured of one method.
-fn figures(preset: &str, method: Method) -> Figures {
+fn figures(preset: &str, method: Method) -> MethodFigures {
     let findings = findings(preset, &[method], 3600);
     *findings.methods[0].figures().unwrap()
 }
 
-fn errors(preset: &str, method: Method) -> Errors {
+fn errors(preset: &str, method: Method) -> MethodErrors {
     let figures = figures(preset, method);
     assert_eq!(figures.failures, 0, "{method:?}");
     figures.errors.unwrap()
@@ -90,8 +91,8 @@ fn an_integration_gains_a_factor_of_16_where_its_steps_double_and_loses_with_tim
 #[test]
 fn methods_that_a_mechanism_does_not_allow_say_why() {
     let unfit = |preset: &str, method| match findings(preset, &[method], 360).methods[0].verdict {
-        Verdict::Unfit(unfit) => Some(unfit),
-        Verdict::Measured(_) | Verdict::Pending => None,
+        MethodVerdict::Unfit(unfit) => Some(unfit),
+        MethodVerdict::Measured(_) | MethodVerdict::Pending => None,
     };
     assert_eq!(unfit("four-bar", Method::Anchored), Some(Unfit::AllClosed));
     let six_bar = "stephenson-six-bar";
@@ -119,11 +120,11 @@ fn every_preset_is_solved_by_rows_too() {
         let list = [&own[..], &by_rows].concat();
         let findings = findings(preset.name, &list, 360);
         for finding in &findings.methods {
-            let Verdict::Measured(figures) = finding.verdict else {
+            let MethodVerdict::Measured(figures) = finding.verdict else {
                 assert!(
                     matches!(
                         finding.verdict,
-                        Verdict::Unfit(Unfit::Coupled(_) | Unfit::AllClosed)
+                        MethodVerdict::Unfit(Unfit::Coupled(_) | Unfit::AllClosed)
                     ),
                     "{}: {finding:?}",
                     preset.name
@@ -173,12 +174,12 @@ fn a_study_can_be_read_before_its_end() {
     let findings = study.findings();
     assert!(!findings.finished);
     for finding in &findings.methods {
-        let is_pending = finding.verdict == Verdict::Pending;
+        let is_pending = finding.verdict == MethodVerdict::Pending;
         // The short integrations may be done within the last slice.
         assert!(!is_pending || is_integration(finding.method), "{finding:?}");
     }
     let last = findings.methods.last().unwrap();
-    assert_eq!(last.verdict, Verdict::Pending);
+    assert_eq!(last.verdict, MethodVerdict::Pending);
 }
 
 #[test]

@@ -1,12 +1,12 @@
 //! Rows that are solved several at once are those that are solved one by one.
 
 use krank::quantity::{Catalogue, Quantity, state_word};
-use krank::report::{Columns, Decimal, RowFormat, Steps, Sweep};
+use krank::report::{Columns, RowFormat, Steps, Sweep, WrittenDecimal};
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver};
 
-fn decimal(value: f64) -> Decimal {
-    Decimal::of(value).unwrap()
+fn decimal(value: f64) -> WrittenDecimal {
+    WrittenDecimal::of(value).unwrap()
 }
 
 /// The rows of a sweep over all figures, cell by cell; the last is the state.

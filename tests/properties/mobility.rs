@@ -7,7 +7,7 @@
 
 use crate::plant::unit;
 use krank::solver::{Fault, Solver};
-use krank::{Body, Builder, Driver, Element, Input, LinkId, Mechanism, PointId, Vec2};
+use krank::{Body, Builder, Driver, ElementId, Input, LinkId, Mechanism, PointId, Vec2};
 use std::collections::BTreeSet;
 
 const MACHINES: u64 = 150;
@@ -247,8 +247,8 @@ impl Plan {
 struct Built {
     mechanism: Mechanism,
     links: Vec<Option<LinkId>>,
-    slots: Vec<Element>,
-    guides: Vec<(usize, Element)>,
+    slots: Vec<ElementId>,
+    guides: Vec<(usize, ElementId)>,
 }
 
 impl Built {
@@ -302,14 +302,14 @@ impl Built {
             if let Some(angle) = bar.ram {
                 let through = at(ends[0]) - own * 0.4;
                 let slide = b.sliding_link(link, 0.0, Body::Ground, through, angle + turn);
-                guides.push((i, Element::Slide(slide)));
+                guides.push((i, ElementId::Slide(slide)));
             }
             links[i] = Some(link);
         }
         let slots = plan.slots.iter().map(|&(p, angle)| {
             let at = place(plan.points[p].0);
             let through = at - unit(angle + turn) * 0.3;
-            Element::Slide(b.pin_in_slot(points[p], Body::Ground, through, angle + turn))
+            ElementId::Slide(b.pin_in_slot(points[p], Body::Ground, through, angle + turn))
         });
         let slots = slots.collect();
         let crank = links[0].unwrap();
@@ -330,10 +330,10 @@ impl Built {
         }
     }
 
-    fn elements(&self, numbers: &BTreeSet<usize>) -> Vec<Element> {
+    fn elements(&self, numbers: &BTreeSet<usize>) -> Vec<ElementId> {
         let element = |&n: &usize| {
             if n < SLOT {
-                self.links[n].map(Element::Link)
+                self.links[n].map(ElementId::Link)
             } else if n < 2 * SLOT {
                 self.slots.get(n - SLOT).copied()
             } else {
@@ -363,13 +363,13 @@ impl FirstEnd for Builder {
     }
 }
 
-fn is_in(set: &[Element], elements: &[Element]) -> bool {
+fn is_in(set: &[ElementId], elements: &[ElementId]) -> bool {
     elements.iter().all(|e| set.contains(e))
 }
 
 /// What is wrong with what is said of a machine.
 fn complaint(plan: &Plan, built: &Built) -> Option<String> {
-    let planted: Vec<Vec<Element>> = plan.repeating.iter().map(|s| built.elements(s)).collect();
+    let planted: Vec<Vec<ElementId>> = plan.repeating.iter().map(|s| built.elements(s)).collect();
     let told = Solver::new(&built.mechanism);
     match told {
         _ if !plan.held.is_empty() => {
@@ -385,7 +385,7 @@ fn complaint(plan: &Plan, built: &Built) -> Option<String> {
             let found = &solver.rank().redundancies;
             let count: usize = found.iter().map(|r| r.constraints).sum();
             let fits = found.iter().all(|r| {
-                let names: Vec<Element> = [&r.repeats[..], &[r.element]].concat();
+                let names: Vec<ElementId> = [&r.repeats[..], &[r.element]].concat();
                 r.misfit <= 1e-11 && planted.iter().any(|set| is_in(set, &names))
             });
             (count != planted.len() || !fits).then(|| format!("{found:?} for {planted:?}"))
@@ -400,11 +400,11 @@ fn complaint(plan: &Plan, built: &Built) -> Option<String> {
             let numbers = (mobility, redundant, is_unclear);
             let wanted = (1 + plan.free, planted.len(), false);
             let free = built.elements(&plan.floating);
-            let floating: Vec<Element> = floating.into_iter().map(Element::Link).collect();
+            let floating: Vec<ElementId> = floating.into_iter().map(ElementId::Link).collect();
             let floats = is_in(&free, &floating) && is_in(&floating, &free);
             let all = planted.concat();
             // A driven link repeats nothing where what stands on it does without it.
-            let crank = Element::Link(built.links[0].unwrap());
+            let crank = ElementId::Link(built.links[0].unwrap());
             let missing = all
                 .iter()
                 .filter(|&e| *e != crank && !repeating.contains(e));

@@ -2,7 +2,7 @@
 //! read is a fault, whatever else it does.
 
 use krank::drawing::{
-    Figure, Glyphs, Labels, Layers, Raster, Reach, View, linkage, render, render_into,
+    Figure, Glyphs, Labels, Layers, Raster, Reach, WorldView, linkage, render, render_into,
 };
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver, State};
@@ -14,14 +14,14 @@ fn drawn(
     at: Option<f64>,
     (cols, rows): (u16, u16),
     layers: Layers,
-) -> (Scene, State, View, Figure) {
+) -> (Scene, State, WorldView, Figure) {
     let scene = Scene::parse(text, "a preset").expect("the scene reads");
     let solver = Solver::new(&scene.mechanism).expect("the scene moves");
     let mut state = solver.state();
     let at = at.unwrap_or(scene.mechanism.driver().start);
     let _ = solver.solve(at, Order::Position, &mut state);
     let reach = Reach::of(&scene, &solver);
-    let view = View::fit(&reach, cols, rows, 2.0);
+    let view = WorldView::fit(&reach, cols, rows, 2.0);
     let figure = linkage(&scene, &reach, state.state(), layers);
     let state = state.state().clone();
     (scene, state, view, figure)
@@ -198,7 +198,7 @@ fn a_raster_can_be_used_again_for_another_size() {
     let figure = linkage(&scene, &reach, &state, Layers::default());
     let mut raster = Raster::new();
     for (cols, rows) in [(80, 24), (0, 0), (200, 60), (40, 12)] {
-        let view = View::fit(&reach, cols, rows, 2.0);
+        let view = WorldView::fit(&reach, cols, rows, 2.0);
         let labels = &mut Labels::default();
         render_into(&figure, &view, Glyphs::Ascii, labels, &mut raster);
         assert_eq!(raster, render(&figure, &view, Glyphs::Ascii));

@@ -4,7 +4,7 @@
 
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Fault, GroupId, Order, Pick, Range, Solver, State};
-use krank::{Element, PointId, Vec2};
+use krank::{ElementId, PointId, Vec2};
 
 fn scene(text: &str) -> Scene {
     Scene::parse(text, "test").unwrap()
@@ -30,7 +30,7 @@ fn point(scene: &Scene, name: &str) -> PointId {
 }
 
 fn picked(scene: &Scene, name: &str, pick: Pick) -> Result<Solver, Fault> {
-    let element = Element::Point(point(scene, name));
+    let element = ElementId::Point(point(scene, name));
     Solver::with_assembly(&scene.mechanism, &[(element, pick)])
 }
 
@@ -300,7 +300,7 @@ fn a_scene_may_open_at_its_dead_point() {
 fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
     for (opening, anti_at_0) in [(0.0, -2.0), (180.0, -0.5)] {
         let scene = four_bar([1.0, 3.0, 1.0, 3.0], opening, "");
-        let group = Element::Point(point(&scene, "C"));
+        let group = ElementId::Point(point(&scene, "C"));
         assert_eq!(
             Solver::new(&scene.mechanism).unwrap_err(),
             Fault::ChangePoint { group }
@@ -341,13 +341,13 @@ fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
 #[test]
 fn what_cannot_be_picked_is_refused_with_what_there_is() {
     let scene = preset("four-bar");
-    let group = Element::Point(point(&scene, "C"));
+    let group = ElementId::Point(point(&scene, "C"));
     let refused = |name, pick| picked(&scene, name, pick).unwrap_err();
     assert_eq!(
         refused("C", Pick::Number(2)),
         Fault::NoChoice { group, found: 2 }
     );
-    let group = Element::Point(point(&scene, "B"));
+    let group = ElementId::Point(point(&scene, "B"));
     assert_eq!(
         refused("B", Pick::Plus),
         Fault::NoChoice { group, found: 0 }

@@ -145,7 +145,7 @@ fn the_search_finds_as_many_assemblies_as_a_fine_scan() {
         let somewhere = match Solver::new(&mechanism) {
             Ok(solver) => solver,
             Err(krank::solver::Fault::Vague { .. }) => {
-                let first = krank::Element::Point(tops[0]);
+                let first = krank::ElementId::Point(tops[0]);
                 Solver::with_assembly(&mechanism, &[(first, krank::solver::Pick::Number(1))])
                     .unwrap()
             }

@@ -5,7 +5,7 @@
 
 use krank::solver::{Condition, Demand, Fault, GroupKind, Order, Range, Solver, State};
 use krank::{
-    Body, Builder, Driver, Element, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
+    Body, Builder, Driver, ElementId, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2,
 };
 
 const GROUND: Body = Body::Ground;
@@ -482,7 +482,7 @@ fn three_parallel_cranks_are_redundant_and_move_and_a_misfit_is_told() {
     };
     let (mechanism, last) = parallel(1.0);
     let s = Solver::new(&mechanism).unwrap();
-    assert_eq!(s.plan().redundant, [Element::Link(last)]);
+    assert_eq!(s.plan().redundant, [ElementId::Link(last)]);
     assert_assembled(&mechanism, &at(&s, 75.0), 4.0);
 
     let (mechanism, last) = parallel(1.0 + 1e-9);
@@ -490,7 +490,7 @@ fn three_parallel_cranks_are_redundant_and_move_and_a_misfit_is_told() {
         Err(Fault::OverConstrained {
             element, misfit, ..
         }) => {
-            assert_eq!(element, Element::Link(last));
+            assert_eq!(element, ElementId::Link(last));
             assert!((0.5e-9..2e-9).contains(&misfit), "{misfit:e}");
         }
         other => panic!("{:?}", other.err()),
@@ -954,7 +954,7 @@ fn a_strut_inside_a_link_of_a_coupled_group_is_what_is_set_aside() {
     b.start(q, Vec2::new(4.2, 0.8));
     b.start(r, Vec2::new(3.9, 2.2));
     let (m, s) = solver(b);
-    assert_eq!(s.plan().redundant, [Element::Link(strut)]);
+    assert_eq!(s.plan().redundant, [ElementId::Link(strut)]);
     check(&m, &s);
 }
 

@@ -1,14 +1,14 @@
 //! Figures: at one place, row by row, and how exact they are.
 
 use super::{AssemblyArgs, OutputArgs, PlaceArgs, SceneArgs};
-use crate::report::Decimal;
+use crate::report::WrittenDecimal;
 use crate::study::USUAL_POSITIONS;
 use crate::wording::words;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum Format {
+pub(in crate::cli) enum OutputFormat {
     #[value(help = words().format_text())]
     Text,
     #[value(help = words().format_csv())]
@@ -40,8 +40,8 @@ pub(in crate::cli) struct TableArgs {
     #[command(flatten)]
     pub(in crate::cli) place: PlaceArgs,
     #[arg(help = words().how_to_write())]
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(in crate::cli) format: Format,
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    pub(in crate::cli) format: OutputFormat,
     #[command(flatten)]
     pub(in crate::cli) figures: FigureArgs,
     #[command(flatten)]
@@ -78,19 +78,19 @@ pub(in crate::cli) struct SweepArgs {
     pub(in crate::cli) scene: SceneArgs,
     #[arg(help = words().first_row())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) from: Option<Decimal>,
+    pub(in crate::cli) from: Option<WrittenDecimal>,
     #[arg(help = words().last_row())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) to: Option<Decimal>,
+    pub(in crate::cli) to: Option<WrittenDecimal>,
     #[arg(help = words().row_to_row())]
     #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
-    pub(in crate::cli) step: Option<Decimal>,
+    pub(in crate::cli) step: Option<WrittenDecimal>,
     #[arg(help = words().columns_or_all())]
     #[arg(long, value_name = "PATTERNS", value_delimiter = ',')]
     pub(in crate::cli) columns: Vec<String>,
     #[arg(help = words().how_to_write())]
-    #[arg(long, value_enum, default_value_t = Format::Csv)]
-    pub(in crate::cli) format: Format,
+    #[arg(long, value_enum, default_value_t = OutputFormat::Csv)]
+    pub(in crate::cli) format: OutputFormat,
     #[command(flatten)]
     pub(in crate::cli) figures: FigureArgs,
     #[command(flatten)]
@@ -109,8 +109,8 @@ pub(in crate::cli) struct AccuracyArgs {
     #[arg(long, value_name = "N", default_value_t = USUAL_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MOST_POSITIONS))]
     pub(in crate::cli) positions: u32,
     #[arg(help = words().how_to_write())]
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(in crate::cli) format: Format,
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    pub(in crate::cli) format: OutputFormat,
     #[command(flatten)]
     pub(in crate::cli) assembly: AssemblyArgs,
     #[command(flatten)]

@@ -5,15 +5,17 @@ mod motor;
 mod pictures;
 mod workbench;
 
-pub(super) use figures::{AccuracyArgs, ExplainArgs, Format, SweepArgs, TableArgs, TextFormat};
+pub(super) use figures::{
+    AccuracyArgs, ExplainArgs, OutputFormat, SweepArgs, TableArgs, TextFormat,
+};
 pub(super) use motor::MotorArgs;
-pub(super) use pictures::{DrawArgs, Glyphs, Names, PictureFormat, PlotArgs, Size};
+pub(super) use pictures::{DrawArgs, GlyphChoice, NamesChoice, PictureFormat, PlotArgs, Size};
 #[cfg(feature = "tui")]
-pub(super) use workbench::{Colour, Theme};
+pub(super) use workbench::{Colour, ThemeChoice};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
 
 use crate::assembly::Wish;
-use crate::report::Decimal;
+use crate::report::WrittenDecimal;
 use crate::wording::words;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -127,7 +129,7 @@ pub(super) struct SceneArgs {
 pub(super) struct PlaceArgs {
     #[arg(help = words().place_of_driver())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    at: Option<Decimal>,
+    at: Option<WrittenDecimal>,
 }
 
 impl PlaceArgs {

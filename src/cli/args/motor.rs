@@ -1,6 +1,6 @@
 //! The motor over a cycle.
 
-use super::{Format, OutputArgs, SceneArgs};
+use super::{OutputArgs, OutputFormat, SceneArgs};
 use crate::wording::words;
 use clap::Args;
 
@@ -52,8 +52,8 @@ pub(in crate::cli) struct MotorArgs {
     )]
     pub(in crate::cli) to: Option<f64>,
     #[arg(help = words().how_to_write_motor())]
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    pub(in crate::cli) format: Format,
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    pub(in crate::cli) format: OutputFormat,
     #[command(flatten)]
     pub(in crate::cli) output: OutputArgs,
 }

@@ -1,14 +1,14 @@
 //! Drawings and plots.
 
 use super::{OutputArgs, PlaceArgs, SceneArgs};
-use crate::report::Decimal;
+use crate::report::WrittenDecimal;
 use crate::wording::words;
 use clap::{Args, ValueEnum};
 use std::str::FromStr;
 
 /// The characters to draw with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum Glyphs {
+pub(in crate::cli) enum GlyphChoice {
     #[value(help = words().glyphs_as_allowed())]
     #[default]
     Auto,
@@ -79,7 +79,7 @@ pub(in crate::cli) struct DrawArgs {
     pub(in crate::cli) ghosts: u16,
     #[arg(help = words().names_to_write())]
     #[arg(long, value_enum, default_value_t)]
-    pub(in crate::cli) names: Names,
+    pub(in crate::cli) names: NamesChoice,
     #[arg(help = words().mark_centres())]
     #[arg(long)]
     pub(in crate::cli) centres: bool,
@@ -88,7 +88,7 @@ pub(in crate::cli) struct DrawArgs {
     pub(in crate::cli) no_guides: bool,
     #[arg(help = words().characters_to_draw_with())]
     #[arg(long, value_enum, default_value_t)]
-    pub(in crate::cli) glyphs: Glyphs,
+    pub(in crate::cli) glyphs: GlyphChoice,
     #[arg(help = words().size_of_drawing())]
     #[arg(long, value_name = "COLSxROWS")]
     pub(in crate::cli) size: Option<Size>,
@@ -101,7 +101,7 @@ pub(in crate::cli) struct DrawArgs {
 
 /// The names in a drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum Names {
+pub(in crate::cli) enum NamesChoice {
     #[value(help = words().names_none())]
     None,
     #[value(help = words().names_of_points_alone())]
@@ -123,16 +123,16 @@ pub(in crate::cli) struct PlotArgs {
     pub(in crate::cli) against: String,
     #[arg(help = words().driver_begins())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) from: Option<Decimal>,
+    pub(in crate::cli) from: Option<WrittenDecimal>,
     #[arg(help = words().driver_ends())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) to: Option<Decimal>,
+    pub(in crate::cli) to: Option<WrittenDecimal>,
     #[arg(help = words().leave_extrema_out())]
     #[arg(long)]
     pub(in crate::cli) no_extrema: bool,
     #[arg(help = words().characters_to_draw_with())]
     #[arg(long, value_enum, default_value_t)]
-    pub(in crate::cli) glyphs: Glyphs,
+    pub(in crate::cli) glyphs: GlyphChoice,
     #[arg(help = words().size_of_plot())]
     #[arg(long, value_name = "COLSxROWS")]
     pub(in crate::cli) size: Option<Size>,

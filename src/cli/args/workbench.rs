@@ -2,9 +2,9 @@
 
 use super::AssemblyArgs;
 #[cfg(feature = "tui")]
-use super::{Glyphs, Size};
+use super::{GlyphChoice, Size};
 #[cfg(feature = "tui")]
-use crate::report::Decimal;
+use crate::report::WrittenDecimal;
 #[cfg(feature = "tui")]
 use crate::tui::View;
 use crate::wording::words;
@@ -26,11 +26,11 @@ pub(in crate::cli) struct WorkbenchArgs {
     #[cfg(feature = "tui")]
     #[arg(help = words().where_to_open())]
     #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
-    pub(in crate::cli) at: Option<Decimal>,
+    pub(in crate::cli) at: Option<WrittenDecimal>,
     #[cfg(feature = "tui")]
     #[arg(help = words().characters_to_draw_with())]
     #[arg(long, value_enum, default_value_t)]
-    pub(in crate::cli) glyphs: Glyphs,
+    pub(in crate::cli) glyphs: GlyphChoice,
     #[cfg(feature = "tui")]
     #[arg(help = words().colours_to_draw_with())]
     #[arg(long, visible_alias = "color", value_enum, default_value_t)]
@@ -38,7 +38,7 @@ pub(in crate::cli) struct WorkbenchArgs {
     #[cfg(feature = "tui")]
     #[arg(help = words().theme_to_draw_with())]
     #[arg(long, value_enum)]
-    pub(in crate::cli) theme: Option<Theme>,
+    pub(in crate::cli) theme: Option<ThemeChoice>,
     #[cfg(feature = "tui")]
     #[arg(help = words().view_to_open_with())]
     #[arg(long, value_enum)]
@@ -95,7 +95,7 @@ pub(in crate::cli) enum Colour {
 /// Colours that are chosen for a ground.
 #[cfg(feature = "tui")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(in crate::cli) enum Theme {
+pub(in crate::cli) enum ThemeChoice {
     #[value(help = words().theme_auto())]
     Auto,
     #[value(help = words().theme_light())]

@@ -1,8 +1,8 @@
 //! Where the parts of a plot are, in cells.
 
-use super::path::Block;
-use super::ticks::{Style, Ticks};
-use super::{Look, Plot};
+use super::path::CellBlock;
+use super::ticks::{TickStyle, Ticks};
+use super::{Plot, PlotStyle};
 use crate::Vec2;
 use crate::drawing::Glyphs;
 
@@ -25,35 +25,35 @@ const MOST_PANELS: i32 = 1000;
 const TALL: i32 = 7;
 
 /// The parts of a plot.
-pub(super) struct Layout {
+pub(super) struct PlotLayout {
     /// The column of the upright axes, behind their labels.
     pub(super) axis: i32,
     /// The row of the level axis; its labels are below it.
     pub(super) foot: i32,
     /// Behind the last column.
     pub(super) end: i32,
-    pub(super) x: Scale,
+    pub(super) x: CellScale,
     pub(super) x_ticks: Ticks,
     /// The panels that are shown, by their number.
-    pub(super) panels: Vec<(usize, Frame)>,
+    pub(super) panels: Vec<(usize, PanelArea)>,
 }
 
 /// Where a panel is.
-pub(super) struct Frame {
+pub(super) struct PanelArea {
     /// The row of its legend.
     pub(super) legend: i32,
     /// Rows that the legend may take.
     pub(super) legend_rows: i32,
-    pub(super) block: Block,
-    pub(super) y: Scale,
+    pub(super) block: CellBlock,
+    pub(super) y: CellScale,
     pub(super) ticks: Ticks,
     /// How the figures of its curves are written.
-    pub(super) style: Style,
+    pub(super) style: TickStyle,
 }
 
 /// From values to cells: the ends lie on the middle of the first and the last cell, or dot.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Scale {
+pub(super) struct CellScale {
     low: f64,
     high: f64,
     /// Where the low end lies, and from there to the high end, in cells.
@@ -61,9 +61,9 @@ pub(super) struct Scale {
     length: f64,
 }
 
-impl Scale {
-    fn along(low: f64, high: f64, from: i32, cells: i32, inset: f64) -> Scale {
-        Scale {
+impl CellScale {
+    fn along(low: f64, high: f64, from: i32, cells: i32, inset: f64) -> CellScale {
+        CellScale {
             low,
             high,
             start: f64::from(from) + inset,
@@ -71,9 +71,9 @@ impl Scale {
         }
     }
 
-    fn upwards(low: f64, high: f64, top: i32, cells: i32, inset: f64) -> Scale {
+    fn upwards(low: f64, high: f64, top: i32, cells: i32, inset: f64) -> CellScale {
         let length = f64::from(cells) - 2.0 * inset;
-        Scale {
+        CellScale {
             low,
             high,
             start: f64::from(top) + inset + length,
@@ -82,8 +82,8 @@ impl Scale {
     }
 
     /// From a place to another, whatever they count.
-    pub(super) fn between(low: f64, high: f64, from: f64, to: f64) -> Scale {
-        Scale {
+    pub(super) fn between(low: f64, high: f64, from: f64, to: f64) -> CellScale {
+        CellScale {
             low,
             high,
             start: from,
@@ -141,12 +141,12 @@ impl Plot {
 
     /// Whether there is room for anything.
     #[must_use]
-    pub fn fits(&self, look: &Look) -> bool {
+    pub fn fits(&self, look: &PlotStyle) -> bool {
         self.layout(look).is_some()
     }
 
     /// `None` where there is no room.
-    pub(super) fn layout(&self, look: &Look) -> Option<Layout> {
+    pub(super) fn layout(&self, look: &PlotStyle) -> Option<PlotLayout> {
         let (cols, rows) = (i32::from(look.cols), i32::from(look.rows));
         if self.panels.is_empty() || rows < LEAST_ROWS || cols < LEAST_COLS {
             return None;
@@ -168,24 +168,24 @@ impl Plot {
             frames.push((number, top, legend_rows, height - legend_rows));
             top += height;
         }
-        let mut panels: Vec<(usize, Frame)> = frames
+        let mut panels: Vec<(usize, PanelArea)> = frames
             .into_iter()
             .map(|(number, top, legend_rows, height)| {
                 let y = &self.panels[number].y;
                 let top_row = top + legend_rows;
-                let block = Block {
+                let block = CellBlock {
                     left: 0,
                     top: top_row,
                     width: 0,
                     height,
                 };
-                let frame = Frame {
+                let frame = PanelArea {
                     legend: top,
                     legend_rows,
                     block,
-                    y: Scale::upwards(y.low, y.high, top_row, height, inset.y),
+                    y: CellScale::upwards(y.low, y.high, top_row, height, inset.y),
                     ticks: Ticks::between(y.low, y.high, y.is_angle, labels(height)),
-                    style: Style::of_range(y.low, y.high),
+                    style: TickStyle::of_range(y.low, y.high),
                 };
                 (number, frame)
             })
@@ -203,7 +203,7 @@ impl Plot {
             let cells = Vec2::new(f64::from(width), f64::from(height)) - inset * 2.0;
             let ends = true_ends((low, high), (y.low, y.high), cells, look.aspect);
             (low, high) = ends[0];
-            frame.y = Scale::upwards(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
+            frame.y = CellScale::upwards(ends[1].0, ends[1].1, frame.block.top, height, inset.y);
             let ticks = Ticks::between(ends[1].0, ends[1].1, y.is_angle, labels(height));
             // There is room for labels no longer than those that were foreseen.
             if i32::try_from(ticks.widest()).is_ok_and(|widest| widest <= axis) {
@@ -213,11 +213,11 @@ impl Plot {
         for (_, frame) in &mut panels {
             (frame.block.left, frame.block.width) = (left, width);
         }
-        Some(Layout {
+        Some(PlotLayout {
             axis,
             foot: body,
             end: cols,
-            x: Scale::along(low, high, left, width, inset.x),
+            x: CellScale::along(low, high, left, width, inset.x),
             x_ticks: level_ticks(low, high, self.x.is_angle, width),
             panels,
         })

@@ -59,12 +59,12 @@ pub struct Panel {
     /// The upright axis.
     pub y: Axis,
     /// What is drawn.
-    pub curves: Vec<Line>,
+    pub curves: Vec<PlotCurve>,
 }
 
 /// A curve.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Line {
+pub struct PlotCurve {
     /// Its name in the legend.
     pub name: String,
     /// Which of the quantities it shows, counted as they were asked for; `None` where the cursor has no
@@ -73,14 +73,14 @@ pub struct Line {
     /// Its parts that hang together, in the units of the axes; all finite.
     pub pieces: Vec<Vec<Vec2>>,
     /// Where it turns.
-    pub turns: Vec<Turn>,
+    pub turns: Vec<CurveTurn>,
     /// Drawn by points only, as the curve of another scene is.
     pub is_dotted: bool,
 }
 
 /// A place where a curve turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn {
+pub struct CurveTurn {
     /// Where, in the units of the axes.
     pub at: Vec2,
     /// At a maximum, or else at a minimum.
@@ -91,7 +91,7 @@ pub struct Turn {
 
 /// How a plot is to be drawn in cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
+pub struct PlotStyle {
     /// Columns.
     pub cols: u16,
     /// Rows.
@@ -152,13 +152,15 @@ impl Plot {
             for from in same {
                 panel.y.low = panel.y.low.min(from.y.low);
                 panel.y.high = panel.y.high.max(from.y.high);
-                panel.curves.extend(from.curves.iter().map(|line| Line {
-                    name: format!("{} {name}", line.name),
-                    figure: None,
-                    turns: Vec::new(),
-                    is_dotted: true,
-                    pieces: line.pieces.clone(),
-                }));
+                panel
+                    .curves
+                    .extend(from.curves.iter().map(|line| PlotCurve {
+                        name: format!("{} {name}", line.name),
+                        figure: None,
+                        turns: Vec::new(),
+                        is_dotted: true,
+                        pieces: line.pieces.clone(),
+                    }));
             }
         }
     }
@@ -219,7 +221,7 @@ impl Axis {
     }
 }
 
-fn line(curves: &Curves, figure: usize) -> Line {
+fn line(curves: &Curves, figure: usize) -> PlotCurve {
     let curve = &curves.curves[figure];
     let place = |[x, y]: [f64; 2]| Vec2::new(x, y);
     let pieces = curves.pieces(figure).into_iter();
@@ -227,12 +229,12 @@ fn line(curves: &Curves, figure: usize) -> Line {
         let places = piece.into_iter().map(place);
         places.filter(|p| p.is_finite()).collect()
     };
-    let turns = curve.extrema.iter().map(|extremum| Turn {
+    let turns = curve.extrema.iter().map(|extremum| CurveTurn {
         at: Vec2::new(extremum.along, extremum.value),
         is_peak: extremum.is_peak,
         is_extreme: extremum.is_extreme,
     });
-    Line {
+    PlotCurve {
         name: curve.quantity.name.clone(),
         figure: Some(figure),
         pieces: pieces

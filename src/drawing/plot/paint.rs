@@ -1,9 +1,9 @@
 //! From a plot to cells.
 
-use super::layout::{Frame, Layout};
+use super::layout::{PanelArea, PlotLayout};
 use super::path::Pen;
-use super::ticks::Style;
-use super::{Look, Panel, Plot, Turn};
+use super::ticks::TickStyle;
+use super::{CurveTurn, Panel, Plot, PlotStyle};
 use crate::Vec2;
 use crate::drawing::figure::Role;
 use crate::drawing::labels::free_places;
@@ -36,7 +36,7 @@ const FLATTEST: i32 = 10;
 const UNIT_GAP: i32 = 2;
 
 /// The glyphs of the frame.
-struct Strokes {
+struct FrameGlyphs {
     upright: char,
     level: char,
     corner: char,
@@ -47,8 +47,8 @@ struct Strokes {
     sample: char,
 }
 
-impl Strokes {
-    fn of(glyphs: Glyphs) -> Strokes {
+impl FrameGlyphs {
+    fn of(glyphs: Glyphs) -> FrameGlyphs {
         let [upright, level, corner, nought, cursor, sample] = match glyphs {
             Glyphs::Ascii => ['|', '-', '+', '.', ':', '*'],
             // Every console font has these; the half-crossings not all.
@@ -59,7 +59,7 @@ impl Strokes {
                 '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', '\u{2506}', '\u{2500}',
             ],
         };
-        Strokes {
+        FrameGlyphs {
             upright,
             level,
             corner,
@@ -74,15 +74,15 @@ impl Strokes {
 impl Plot {
     /// The plot in cells, with the cursor in a state; empty where there is no room for it.
     #[must_use]
-    pub fn render(&self, look: &Look, here: Option<&Here>) -> Raster {
+    pub fn render(&self, look: &PlotStyle, here: Option<&Here>) -> Raster {
         let mut raster = Raster::new();
         raster.reset(look.cols, look.rows);
         if let Some(layout) = self.layout(look) {
-            let painter = Painter {
+            let painter = PlotPainter {
                 plot: self,
                 look,
                 here,
-                strokes: Strokes::of(look.glyphs),
+                strokes: FrameGlyphs::of(look.glyphs),
                 layout: &layout,
             };
             painter.paint(&mut raster);
@@ -91,15 +91,15 @@ impl Plot {
     }
 }
 
-struct Painter<'a> {
+struct PlotPainter<'a> {
     plot: &'a Plot,
-    look: &'a Look,
+    look: &'a PlotStyle,
     here: Option<&'a Here>,
-    strokes: Strokes,
-    layout: &'a Layout,
+    strokes: FrameGlyphs,
+    layout: &'a PlotLayout,
 }
 
-impl Painter<'_> {
+impl PlotPainter<'_> {
     fn paint(&self, raster: &mut Raster) {
         self.level_axis(raster);
         let cursor = self.cursor_title(raster);
@@ -117,7 +117,7 @@ impl Painter<'_> {
     }
 
     fn level_axis(&self, raster: &mut Raster) {
-        let Layout {
+        let PlotLayout {
             axis, foot, end, ..
         } = *self.layout;
         for col in axis + 1..end {
@@ -172,7 +172,7 @@ impl Painter<'_> {
         let wanted: i32 = entries.map(|entry| length(&entry) + ENTRY + GAP).sum();
         let room = (end - self.legend_start(panel) - wanted).max(0);
         let x = &self.plot.x;
-        let style = Style::of_range(x.low, x.high);
+        let style = TickStyle::of_range(x.low, x.high);
         let width = [x.low, x.high].map(|v| style.text(v).len());
         let width = width[0].max(width[1]);
         let here = self.here.and_then(|here| here.along);
@@ -198,7 +198,7 @@ impl Painter<'_> {
     }
 
     /// What a legend says of a curve: its name, and its value here.
-    fn entry(&self, panel: &Panel, frame: &Frame, i: usize, with_value: bool) -> String {
+    fn entry(&self, panel: &Panel, frame: &PanelArea, i: usize, with_value: bool) -> String {
         let line = &panel.curves[i];
         let width = [panel.y.low, panel.y.high].map(|v| frame.style.text(v).len());
         let width = width[0].max(width[1]);
@@ -211,7 +211,7 @@ impl Painter<'_> {
         format!("{} {text:>width$}", line.name)
     }
 
-    fn upright_axis(&self, frame: &Frame, raster: &mut Raster) {
+    fn upright_axis(&self, frame: &PanelArea, raster: &mut Raster) {
         let axis = self.layout.axis;
         let block = frame.block;
         for row in block.top..block.top + block.height {
@@ -240,7 +240,7 @@ impl Painter<'_> {
     }
 
     /// The unit, and each curve with its symbol, its name and its value here; how many have no room.
-    fn legend(&self, panel: &Panel, frame: &Frame, right: i32, raster: &mut Raster) {
+    fn legend(&self, panel: &Panel, frame: &PanelArea, right: i32, raster: &mut Raster) {
         let start = self.legend_start(panel);
         write(raster, 0, frame.legend, &panel.y.unit, Role::Axis);
         let (mut col, mut row) = (start, frame.legend);
@@ -296,7 +296,7 @@ impl Painter<'_> {
         SYMBOLS[i % SYMBOLS.len()]
     }
 
-    fn curves(&self, panel: &Panel, frame: &Frame, raster: &mut Raster) {
+    fn curves(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
         let count = i32::try_from(panel.curves.len()).unwrap_or(1);
         let every = (frame.block.width / APART).max(LEAST_APART);
         let alone = panel.curves.iter().filter(|line| !line.is_dotted).count() == 1;
@@ -331,24 +331,25 @@ impl Painter<'_> {
         }
     }
 
-    fn place(&self, frame: &Frame, p: Vec2) -> Vec2 {
+    fn place(&self, frame: &PanelArea, p: Vec2) -> Vec2 {
         Vec2::new(self.layout.x.place(p.x), frame.y.place(p.y))
     }
 
     /// Marks where curves turn, and says what and where, as far as there is room: of the largest and the
     /// smallest first.
-    fn turns(&self, panel: &Panel, frame: &Frame, raster: &mut Raster) {
+    fn turns(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
         let lines = panel.curves.iter().zip(ROLES.into_iter().cycle());
         let turns = lines.flat_map(|(line, role)| line.turns.iter().map(move |turn| (turn, role)));
-        let cell = |turn: &Turn| Some((self.layout.x.cell(turn.at.x)?, frame.y.cell(turn.at.y)?));
+        let cell =
+            |turn: &CurveTurn| Some((self.layout.x.cell(turn.at.x)?, frame.y.cell(turn.at.y)?));
         let placed = turns.filter_map(|(turn, role)| Some((turn, role, cell(turn)?)));
-        let mut placed: Vec<(&Turn, Role, (i32, i32))> = placed.collect();
+        let mut placed: Vec<(&CurveTurn, Role, (i32, i32))> = placed.collect();
         for &(turn, _, (col, row)) in &placed {
             let glyph = if turn.is_peak { PEAK } else { DIP };
             raster.put(col, row, glyph, Role::Front);
         }
         placed.sort_by_key(|(turn, ..)| !turn.is_extreme);
-        let x = Style::of_range(self.plot.x.low, self.plot.x.high);
+        let x = TickStyle::of_range(self.plot.x.low, self.plot.x.high);
         for (turn, role, point) in placed {
             let (value, along) = (frame.style.text(turn.at.y), x.text(turn.at.x));
             let text = format!("{value} at {along}");
@@ -365,7 +366,7 @@ impl Painter<'_> {
     }
 
     /// Marks where the cursor meets the curves.
-    fn meeting_points(&self, panel: &Panel, frame: &Frame, raster: &mut Raster) {
+    fn meeting_points(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
         let Some(here) = self.here else { return };
         let Some(col) = here.along.and_then(|x| self.layout.x.cell(x)) else {
             return;

@@ -1,10 +1,10 @@
 //! A plot as an SVG document. Curves are told apart by dashes, not by colour alone.
 
-use super::layout::Scale;
-use super::ticks::{Style as Digits, Ticks};
-use super::{Line, Panel, Plot};
+use super::layout::CellScale;
+use super::ticks::{TickStyle, Ticks};
+use super::{Panel, Plot, PlotCurve};
 use crate::Vec2;
-use crate::drawing::svg::{Anchor, Style, Svg};
+use crate::drawing::svg::{Svg, SvgStyle, TextAnchor};
 use crate::quantity::Here;
 
 /// Around the panels; at the left for the labels of the upright axes.
@@ -28,7 +28,7 @@ const HALF_TEXT: f64 = 4.5;
 /// Dashes repeat after so many curves.
 const DASHES: usize = 5;
 
-const SHEET: Style = Style {
+const SHEET: SvgStyle = SvgStyle {
     light: "\
 .axis{stroke-width:1}
 .grid{stroke:#bbb;stroke-width:.5}
@@ -54,12 +54,12 @@ impl Plot {
     /// The plot as an SVG document of a size in user units, with the cursor in a state.
     #[must_use]
     pub fn svg(&self, title: &str, size: Vec2, extrema: bool, here: Option<&Here>) -> String {
-        let mut sheet = Sheet {
+        let mut sheet = PaperSheet {
             plot: self,
             svg: Svg::new(size, title, SHEET),
             extrema,
             here,
-            x: Scale::between(self.x.low, self.x.high, LEFT, size.x - RIGHT),
+            x: CellScale::between(self.x.low, self.x.high, LEFT, size.x - RIGHT),
         };
         let foot = size.y - FOOT;
         let count = self.panels.len().max(1) as f64;
@@ -73,15 +73,15 @@ impl Plot {
     }
 }
 
-struct Sheet<'a> {
+struct PaperSheet<'a> {
     plot: &'a Plot,
     svg: Svg,
     extrema: bool,
     here: Option<&'a Here>,
-    x: Scale,
+    x: CellScale,
 }
 
-impl Sheet<'_> {
+impl PaperSheet<'_> {
     fn right(&self) -> f64 {
         self.svg.size().x - RIGHT
     }
@@ -89,11 +89,11 @@ impl Sheet<'_> {
     fn panel(&mut self, panel: &Panel, top: f64, bottom: f64) {
         let (top, bottom) = (top + LEGEND, bottom - BELOW);
         let axis = &panel.y;
-        let mut y = Scale::between(axis.low, axis.high, bottom, top);
+        let mut y = CellScale::between(axis.low, axis.high, bottom, top);
         if self.plot.is_true && self.plot.panels.len() == 1 {
             y = self.true_scales(panel, top, bottom);
         }
-        let digits = Digits::of_range(axis.low, axis.high);
+        let digits = TickStyle::of_range(axis.low, axis.high);
         let most = ((bottom - top) / LABEL_APART.y).clamp(2.0, 12.0) as usize;
         let (low, high) = y.ends();
         let ticks = Ticks::between(low, high, axis.is_angle, most);
@@ -101,7 +101,7 @@ impl Sheet<'_> {
             let at = y.place(value);
             self.line(Vec2::new(LEFT, at), Vec2::new(self.right(), at), "grid");
             let place = Vec2::new(LEFT - TICK - 3.0, at + HALF_TEXT);
-            self.svg.text(place, Anchor::End, "label", &label);
+            self.svg.text(place, TextAnchor::End, "label", &label);
         }
         let corner = Vec2::new(LEFT, bottom);
         let ends = [
@@ -127,22 +127,22 @@ impl Sheet<'_> {
     }
 
     /// Lengths as long upwards as along x.
-    fn true_scales(&mut self, panel: &Panel, top: f64, bottom: f64) -> Scale {
+    fn true_scales(&mut self, panel: &Panel, top: f64, bottom: f64) -> CellScale {
         let cells = Vec2::new(self.right() - LEFT, bottom - top);
         let (x, y) = (&self.plot.x, &panel.y);
         let ends = super::layout::true_ends((x.low, x.high), (y.low, y.high), cells, 1.0);
-        self.x = Scale::between(ends[0].0, ends[0].1, LEFT, self.right());
-        Scale::between(ends[1].0, ends[1].1, bottom, top)
+        self.x = CellScale::between(ends[0].0, ends[0].1, LEFT, self.right());
+        CellScale::between(ends[1].0, ends[1].1, bottom, top)
     }
 
     fn line(&mut self, from: Vec2, to: Vec2, class: &str) {
         self.svg.polyline([from, to], class);
     }
 
-    fn legend(&mut self, panel: &Panel, digits: Digits, base: f64) {
+    fn legend(&mut self, panel: &Panel, digits: TickStyle, base: f64) {
         let unit = &panel.y.unit;
         let place = Vec2::new(LEFT - TICK - 3.0, base);
-        self.svg.text(place, Anchor::End, "label", unit);
+        self.svg.text(place, TextAnchor::End, "label", unit);
         let mut x = LEFT + TICK;
         for (i, line) in panel.curves.iter().enumerate() {
             let middle = base - HALF_TEXT;
@@ -152,13 +152,13 @@ impl Sheet<'_> {
             let value = value.map(|v| v.map_or(" -".into(), |v| format!(" {}", digits.text(v))));
             let text = format!("{}{}", line.name, value.unwrap_or_default());
             let place = Vec2::new(x + SAMPLE + TICK, base);
-            self.svg.text(place, Anchor::Start, "label", &text);
+            self.svg.text(place, TextAnchor::Start, "label", &text);
             x += SAMPLE + TICK + CHARACTER * (text.chars().count() as f64 + 2.0);
         }
     }
 
     /// What is drawn ends where the panel ends.
-    fn curve(&mut self, line: &Line, i: usize, y: &Scale) {
+    fn curve(&mut self, line: &PlotCurve, i: usize, y: &CellScale) {
         let (low, high) = y.ends();
         for piece in &line.pieces {
             let inside = piece.iter().map(|p| {
@@ -175,8 +175,8 @@ impl Sheet<'_> {
         }
     }
 
-    fn turns(&mut self, line: &Line, y: &Scale, digits: Digits) {
-        let along = Digits::of_range(self.plot.x.low, self.plot.x.high);
+    fn turns(&mut self, line: &PlotCurve, y: &CellScale, digits: TickStyle) {
+        let along = TickStyle::of_range(self.plot.x.low, self.plot.x.high);
         for turn in &line.turns {
             if !(self.x.holds(turn.at.x) && y.holds(turn.at.y)) {
                 continue;
@@ -187,11 +187,11 @@ impl Sheet<'_> {
             let (value, x) = (turn.at.y, place.x);
             let room = CHARACTER * text.chars().count() as f64;
             let anchor = if x + room > self.right() {
-                Anchor::End
+                TextAnchor::End
             } else {
-                Anchor::Start
+                TextAnchor::Start
             };
-            let aside = if anchor == Anchor::End { -8.0 } else { 8.0 };
+            let aside = if anchor == TextAnchor::End { -8.0 } else { 8.0 };
             let down = if turn.is_peak { 14.0 } else { -6.0 };
             debug_assert!(value.is_finite());
             self.svg
@@ -208,18 +208,18 @@ impl Sheet<'_> {
             let x = self.x.place(value);
             self.line(Vec2::new(x, base), Vec2::new(x, base + TICK), "axis");
             let place = Vec2::new(x, base + TICK + 14.0);
-            self.svg.text(place, Anchor::Middle, "label", &label);
+            self.svg.text(place, TextAnchor::Middle, "label", &label);
         }
         let here = self.here.and_then(|here| here.along);
-        let digits = Digits::of_range(axis.low, axis.high);
+        let digits = TickStyle::of_range(axis.low, axis.high);
         let here = here.map_or(String::new(), |x| format!(" = {}", digits.text(x)));
         let title = format!("{}{here} [{}]", axis.name, axis.unit);
         let middle = Vec2::new((LEFT + self.right()) / 2.0, base + TICK + 34.0);
-        self.svg.text(middle, Anchor::Middle, "label", &title);
+        self.svg.text(middle, TextAnchor::Middle, "label", &title);
     }
 }
 
-fn class(line: &Line, i: usize) -> String {
+fn class(line: &PlotCurve, i: usize) -> String {
     if line.is_dotted {
         "dotted".into()
     } else {

@@ -13,14 +13,14 @@ use crate::Vec2;
 
 /// A block of cells: what is drawn stays inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Block {
+pub(super) struct CellBlock {
     pub(super) left: i32,
     pub(super) top: i32,
     pub(super) width: i32,
     pub(super) height: i32,
 }
 
-impl Block {
+impl CellBlock {
     pub(super) fn contains(&self, (col, row): (i32, i32)) -> bool {
         (self.left..self.left + self.width).contains(&col)
             && (self.top..self.top + self.height).contains(&row)
@@ -39,7 +39,7 @@ const WHOLE: Grain = (1, 1);
 const DOTS: Grain = (2, 4);
 
 /// The way of a curve through a grid, in stretches that hang together inside the block.
-fn ways(points: &[Vec2], block: &Block, (across, down): Grain) -> Vec<Vec<(i32, i32)>> {
+fn ways(points: &[Vec2], block: &CellBlock, (across, down): Grain) -> Vec<Vec<(i32, i32)>> {
     // However far a sample is, it stays a number.
     let times = |v: f64, by: i32| (v * f64::from(by)).clamp(f64::MIN, f64::MAX);
     let fine = |p: Vec2| Vec2::new(times(p.x, across), times(p.y, down));
@@ -110,7 +110,7 @@ const SPARSE: usize = 3;
 
 impl Pen {
     /// Draws a piece of a curve, given in cell coordinates.
-    pub(super) fn draw(&self, points: &[Vec2], block: &Block, raster: &mut Raster) {
+    pub(super) fn draw(&self, points: &[Vec2], block: &CellBlock, raster: &mut Raster) {
         match self.glyphs {
             Glyphs::Ascii => {
                 let glyph = if self.dotted { '.' } else { self.symbol };
@@ -140,7 +140,7 @@ impl Pen {
     }
 
     /// Puts the symbol on the line from time to time, so that curves are told apart without colour.
-    pub(super) fn mark(&self, points: &[Vec2], block: &Block, raster: &mut Raster) {
+    pub(super) fn mark(&self, points: &[Vec2], block: &CellBlock, raster: &mut Raster) {
         let (Some((every, first)), false) = (self.marks, self.glyphs == Glyphs::Ascii) else {
             return;
         };
@@ -199,7 +199,7 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    const BLOCK: Block = Block {
+    const BLOCK: CellBlock = CellBlock {
         left: 3,
         top: 2,
         width: 20,

@@ -8,8 +8,8 @@ use proptest::prelude::*;
 
 const GLYPHS: [Glyphs; 3] = [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille];
 
-fn look(cols: u16, rows: u16, glyphs: Glyphs) -> Look {
-    Look {
+fn look(cols: u16, rows: u16, glyphs: Glyphs) -> PlotStyle {
+    PlotStyle {
         cols,
         rows,
         glyphs,
@@ -42,8 +42,8 @@ fn plot(preset: &str, columns: &[&str], along: Option<&str>) -> Plot {
     Plot::of(&curves(preset, columns, along))
 }
 
-fn line(points: &[(f64, f64)]) -> Line {
-    Line {
+fn line(points: &[(f64, f64)]) -> PlotCurve {
+    PlotCurve {
         name: "f".into(),
         figure: Some(0),
         pieces: vec![points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()],
@@ -53,7 +53,7 @@ fn line(points: &[(f64, f64)]) -> Line {
 }
 
 /// Panels of these curves, with axes around their values.
-fn made(lines: Vec<Line>) -> Plot {
+fn made(lines: Vec<PlotCurve>) -> Plot {
     let axis = |low, high| Axis {
         name: "t".into(),
         unit: "s".into(),
@@ -233,7 +233,7 @@ proptest! {
         let finite = |p: &Vec2| p.is_finite();
         let points: Vec<Vec2> = points.iter().map(|&(x, y)| Vec2::new(x, y)).filter(finite).collect();
         let mut curve = line(&[]);
-        curve.turns = points.iter().map(|&at| Turn { at, is_peak: true, is_extreme: false }).collect();
+        curve.turns = points.iter().map(|&at| CurveTurn { at, is_peak: true, is_extreme: false }).collect();
         curve.pieces = vec![points];
         let mut plot = made(vec![line(&[(0.0, 0.0), (1.0, 1.0)])]);
         (plot.x.low, plot.x.high) = spread(Some((x0.min(x1), x0.max(x1))));
@@ -242,7 +242,7 @@ proptest! {
         plot.is_true = is_true;
         let here = Here { along: Some(x0), values: vec![Some(y0)] };
         for glyphs in GLYPHS {
-            let look = Look { first, ..look(cols, rows, glyphs) };
+            let look = PlotStyle { first, ..look(cols, rows, glyphs) };
             let raster = plot.render(&look, Some(&here));
             prop_assert_eq!((raster.cols(), raster.rows()), (cols, rows));
             prop_assert!(glyphs != Glyphs::Ascii || raster.text().is_ascii());

@@ -11,7 +11,7 @@ pub(super) struct Ticks {
     /// From the low end.
     pub(super) values: Vec<f64>,
     /// How they are written.
-    pub(super) style: Style,
+    pub(super) style: TickStyle,
 }
 
 impl Ticks {
@@ -20,7 +20,7 @@ impl Ticks {
     pub(super) fn between(low: f64, high: f64, is_angle: bool, most: usize) -> Ticks {
         let none = Ticks {
             values: Vec::new(),
-            style: Style::of_ticks(0.0, 1.0),
+            style: TickStyle::of_ticks(0.0, 1.0),
         };
         let size = high - low;
         let largest = low.abs().max(high.abs());
@@ -41,7 +41,7 @@ impl Ticks {
         let values: Vec<f64> = values.take_while(|&v| v <= end).map(inside).collect();
         Ticks {
             values,
-            style: Style::of_ticks(largest, step),
+            style: TickStyle::of_ticks(largest, step),
         }
     }
 
@@ -91,7 +91,7 @@ fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
 
 /// How the numbers of an axis are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Style {
+pub(super) enum TickStyle {
     /// With so many decimals.
     Fixed(usize),
     /// With an exponent, down to the digit of this power of ten.
@@ -109,37 +109,37 @@ const MOST_DECIMALS: i32 = 14;
 /// A smaller part of a figure does not change.
 const LEAST_CHANGE: f64 = 1e-12;
 
-impl Style {
+impl TickStyle {
     /// For multiples of a step up to a size.
-    fn of_ticks(largest: f64, step: f64) -> Style {
+    fn of_ticks(largest: f64, step: f64) -> TickStyle {
         let power = exponent(step);
         if largest >= LARGE || step < SMALL {
-            return Style::Exponent(power);
+            return TickStyle::Exponent(power);
         }
-        Style::Fixed(usize::try_from(-power).unwrap_or(0))
+        TickStyle::Fixed(usize::try_from(-power).unwrap_or(0))
     }
 
     /// For figures between two values.
-    pub(super) fn of_range(low: f64, high: f64) -> Style {
+    pub(super) fn of_range(low: f64, high: f64) -> TickStyle {
         let largest = low.abs().max(high.abs());
         if largest == 0.0 {
-            return Style::Fixed(0);
+            return TickStyle::Fixed(0);
         }
         let change = Some(high - low).filter(|&c| c > largest * LEAST_CHANGE);
         let digits = (DIGITS - 1) - exponent(largest);
         let digits = change.map_or(digits, |c| digits.max(CHANGING - 1 - exponent(c)));
         if !(SMALL..LARGE * 10.0).contains(&largest) {
-            return Style::Exponent(-digits);
+            return TickStyle::Exponent(-digits);
         }
-        Style::Fixed(usize::try_from(digits.min(MOST_DECIMALS)).unwrap_or(0))
+        TickStyle::Fixed(usize::try_from(digits.min(MOST_DECIMALS)).unwrap_or(0))
     }
 
     /// The number; zero has no sign.
     pub(super) fn text(self, value: f64) -> String {
         let text = match self {
-            Style::Fixed(decimals) => format!("{value:.decimals$}"),
-            Style::Exponent(_) if value == 0.0 => "0".into(),
-            Style::Exponent(last) => {
+            TickStyle::Fixed(decimals) => format!("{value:.decimals$}"),
+            TickStyle::Exponent(_) if value == 0.0 => "0".into(),
+            TickStyle::Exponent(last) => {
                 // What is rounded up to the next power of ten has a digit more.
                 let shorter = exponential(value, last);
                 let rounded = shorter.parse().unwrap_or(value);
@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn figures_have_the_digits_that_tell_their_changes() {
-        let text = |low, high, value| Style::of_range(low, high).text(value);
+        let text = |low, high, value| TickStyle::of_range(low, high).text(value);
         assert_eq!(text(-820.0, 1083.0, -722.630_802), "-722.6");
         assert_eq!(text(0.0, 360.0, 60.0), "60.00");
         assert_eq!(text(-1e-17, 0.3, -1e-17), "0.00000");
@@ -292,7 +292,7 @@ mod tests {
 
         #[test]
         fn any_number_is_written(value: f64, low: f64, high: f64) {
-            let text = Style::of_range(low.min(high), low.max(high)).text(value);
+            let text = TickStyle::of_range(low.min(high), low.max(high)).text(value);
             prop_assert!(text.is_ascii() && !text.is_empty());
             for most in 0..9 {
                 let _ = Ticks::between(low.min(high), low.max(high), false, most);

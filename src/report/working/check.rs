@@ -1,8 +1,8 @@
 //! The check: how well the loops close, and how far the working is from the solver's state.
 
 use super::draft::{Context, Draft};
-use super::equations::{Axis, Member, Piece};
-use super::figures::Sum;
+use super::equations::{EquationTerm, LoopSide, Multiplier};
+use super::figures::WrittenSum;
 use crate::solver::Order;
 use crate::wording::words;
 
@@ -42,18 +42,18 @@ fn closure(context: &Context<'_>, draft: &mut Draft) {
         for &number in &stage.loops {
             let of = &context.polygon.loops[number];
             let is_one = context.polygon.loops.len() == 1;
-            for (axis, label) in [(Axis::X, "x"), (Axis::Y, "y")] {
-                let members = of.terms.iter().map(|&term| Member {
+            for (axis, label) in [(Multiplier::X, "x"), (Multiplier::Y, "y")] {
+                let members = of.terms.iter().map(|&term| LoopSide {
                     sought: [false; 2],
                     ..context.member(term, stage)
                 });
-                let pieces: Vec<Piece> = members
+                let pieces: Vec<EquationTerm> = members
                     .flat_map(|m| m.pieces(Order::Position, &axis, f))
                     .collect();
                 let size = pieces
                     .iter()
                     .fold(0.0_f64, |most, p| most.max(p.value.abs()));
-                let mut sum = Sum::default();
+                let mut sum = WrittenSum::default();
                 pieces
                     .iter()
                     .for_each(|p| sum.push_figure(&f.beside(p.value, size)));

@@ -1,10 +1,10 @@
 //! What every part of the working is written from, and onto.
 
-use super::equations::Member;
+use super::equations::LoopSide;
 use super::expression::Expression;
 use super::figures::Figures;
 use super::polygon::{Loop, Polygon, Term};
-use super::sides::{Reading, Shape, Turns};
+use super::sides::{SideReading, SideShape, Turns};
 use super::stages::{Schedule, Stage};
 use crate::page::{Page, Setting, Table};
 use crate::scene::Scene;
@@ -22,7 +22,7 @@ pub(super) struct Context<'a> {
     pub stages: &'a [Stage],
     pub figures: Figures,
     /// Every side in this state.
-    pub readings: Vec<Reading>,
+    pub readings: Vec<SideReading>,
     /// The largest velocity and the largest acceleration of all points: smaller ones are rounded by these.
     pub fastest: [f64; 2],
 }
@@ -71,7 +71,7 @@ impl<'a> Context<'a> {
     pub(super) fn read_sides(&mut self) {
         let mechanism = &self.scene.mechanism;
         let sides = self.polygon.sides.iter();
-        let mut readings: Vec<Reading> = if self.has_positions() {
+        let mut readings: Vec<SideReading> = if self.has_positions() {
             sides.map(|side| side.read(mechanism, self.state)).collect()
         } else {
             sides
@@ -106,7 +106,7 @@ impl<'a> Context<'a> {
     }
 
     /// A term of a loop as a group sees it: what it and later groups find is sought.
-    pub(super) fn member(&self, term: Term, stage: &Stage) -> Member<'_> {
+    pub(super) fn member(&self, term: Term, stage: &Stage) -> LoopSide<'_> {
         let side = &self.polygon.sides[term.side];
         let is_sought = |group: Option<usize>| match (group, stage.group) {
             (None, _) => false,
@@ -114,7 +114,7 @@ impl<'a> Context<'a> {
             (Some(group), Some(own)) => group >= own,
             (Some(group), None) => group == usize::MAX,
         };
-        Member {
+        LoopSide {
             side,
             reversed: term.reversed,
             reading: self.readings[term.side],
@@ -127,7 +127,7 @@ impl<'a> Context<'a> {
         }
     }
 
-    pub(super) fn members(&self, of: &Loop, stage: &Stage) -> Vec<Member<'_>> {
+    pub(super) fn members(&self, of: &Loop, stage: &Stage) -> Vec<LoopSide<'_>> {
         of.terms
             .iter()
             .map(|&term| self.member(term, stage))
@@ -167,27 +167,27 @@ impl<'a> Context<'a> {
 
 impl super::sides::Side {
     /// What the scene and the driver give of a side, where nothing else is known.
-    fn given(&self, mechanism: &Mechanism, at: f64) -> Reading {
+    fn given(&self, mechanism: &Mechanism, at: f64) -> SideReading {
         let theta = match (self.turns, self.shape) {
             // Of what turns, the driver's angle alone is given.
             (Turns::With(_, offset), _) => angle::wrapped(at + offset),
-            (Turns::Never, Shape::Slide(slide)) => {
+            (Turns::Never, SideShape::Slide(slide)) => {
                 angle::wrapped(mechanism.slide(slide).angle + angle::TURN / 2.0)
             }
-            (Turns::Never, Shape::Rigid(_, local)) => angle::degrees(local),
-            (Turns::Never, Shape::Link(_) | Shape::Free(..)) | (Turns::Freely, _) => 0.0,
+            (Turns::Never, SideShape::Rigid(_, local)) => angle::degrees(local),
+            (Turns::Never, SideShape::Link(_) | SideShape::Free(..)) | (Turns::Freely, _) => 0.0,
         };
         let r = match self.shape {
-            Shape::Link(link) => super::sides::length(mechanism, link),
-            Shape::Rigid(_, local) => local.norm(),
-            Shape::Slide(_) => at,
-            Shape::Free(..) => 0.0,
+            SideShape::Link(link) => super::sides::length(mechanism, link),
+            SideShape::Rigid(_, local) => local.norm(),
+            SideShape::Slide(_) => at,
+            SideShape::Free(..) => 0.0,
         };
-        Reading {
+        SideReading {
             r,
             theta,
             u: angle::unit(theta),
-            ..Reading::default()
+            ..SideReading::default()
         }
     }
 }

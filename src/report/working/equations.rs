@@ -11,15 +11,15 @@
 //! Multiplied by the unit vector u_j or n_j of another side, u gives cos(theta - theta_j) or
 //! sin(theta - theta_j), and n gives sin(theta_j - theta) or cos(theta - theta_j).
 
-use super::figures::{Figures, Sum, factor};
-use super::sides::{Reading, Side, Turns};
+use super::figures::{Figures, WrittenSum, factor};
+use super::sides::{Side, SideReading, Turns};
 use super::symbols;
 use crate::Vec2;
 use crate::solver::Order;
 
 /// What a loop equation is multiplied by.
 #[derive(Clone, Debug)]
-pub(super) enum Axis {
+pub(super) enum Multiplier {
     /// The unit vector along x.
     X,
     /// The unit vector along y.
@@ -42,10 +42,10 @@ pub(super) struct Heading {
 
 /// A side of a loop in a state.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Member<'a> {
+pub(super) struct LoopSide<'a> {
     pub side: &'a Side,
     pub reversed: bool,
-    pub reading: Reading,
+    pub reading: SideReading,
     /// The name that its turning bears.
     pub turner: &'a str,
     /// Which of its figures are sought: length, angle.
@@ -56,7 +56,7 @@ pub(super) struct Member<'a> {
 
 /// A term of an equation.
 #[derive(Clone, Debug)]
-pub(super) struct Piece {
+pub(super) struct EquationTerm {
     pub negative: bool,
     /// Without its sign: in symbols, and with numbers in place of what is known.
     pub symbols: String,
@@ -74,7 +74,7 @@ pub(super) struct Piece {
 }
 
 impl Heading {
-    pub(super) fn of(member: &Member<'_>) -> Heading {
+    pub(super) fn of(member: &LoopSide<'_>) -> Heading {
         Heading {
             symbol: member.side.theta(),
             degrees: member.reading.theta,
@@ -84,70 +84,70 @@ impl Heading {
     }
 }
 
-impl Axis {
+impl Multiplier {
     /// The parts of u and of n = k x u along the axis.
     fn parts(&self, u: Vec2) -> [f64; 2] {
         match self {
-            Axis::X => [u.x, -u.y],
-            Axis::Y => [u.y, u.x],
-            Axis::Along(h) => [h.u.dot(u), u.cross(h.u)],
-            Axis::Across(h) => [h.u.cross(u), h.u.dot(u)],
+            Multiplier::X => [u.x, -u.y],
+            Multiplier::Y => [u.y, u.x],
+            Multiplier::Along(h) => [h.u.dot(u), u.cross(h.u)],
+            Multiplier::Across(h) => [h.u.cross(u), h.u.dot(u)],
         }
     }
 
     /// The function of the part of u, or of n, behind its sign; `None` where it is 1, or 0.
     fn function(&self, turning: bool, theta: &str, heading: &str) -> (bool, String) {
         match (self, turning) {
-            (Axis::X, false) => (false, format!("cos({theta})")),
-            (Axis::X, true) => (true, format!("sin({theta})")),
-            (Axis::Y, false) => (false, format!("sin({theta})")),
-            (Axis::Y, true) => (false, format!("cos({theta})")),
-            (Axis::Along(_), false) | (Axis::Across(_), true) => {
+            (Multiplier::X, false) => (false, format!("cos({theta})")),
+            (Multiplier::X, true) => (true, format!("sin({theta})")),
+            (Multiplier::Y, false) => (false, format!("sin({theta})")),
+            (Multiplier::Y, true) => (false, format!("cos({theta})")),
+            (Multiplier::Along(_), false) | (Multiplier::Across(_), true) => {
                 (false, format!("cos({theta} - {heading})"))
             }
-            (Axis::Along(_), true) => (false, format!("sin({heading} - {theta})")),
-            (Axis::Across(_), false) => (false, format!("sin({theta} - {heading})")),
+            (Multiplier::Along(_), true) => (false, format!("sin({heading} - {theta})")),
+            (Multiplier::Across(_), false) => (false, format!("sin({theta} - {heading})")),
         }
     }
 
     /// The unit vector in words.
     pub(super) fn name(&self) -> String {
         match self {
-            Axis::X => "x".into(),
-            Axis::Y => "y".into(),
-            Axis::Along(h) => format!("u({})", h.symbol),
-            Axis::Across(h) => format!("n({})", h.symbol),
+            Multiplier::X => "x".into(),
+            Multiplier::Y => "y".into(),
+            Multiplier::Along(h) => format!("u({})", h.symbol),
+            Multiplier::Across(h) => format!("n({})", h.symbol),
         }
     }
 
     fn heading(&self) -> Option<&Heading> {
         match self {
-            Axis::X | Axis::Y => None,
-            Axis::Along(h) | Axis::Across(h) => Some(h),
+            Multiplier::X | Multiplier::Y => None,
+            Multiplier::Along(h) | Multiplier::Across(h) => Some(h),
         }
     }
 
     /// Whether u, or n, of a side lies at right angles to the axis by its very symbol.
     fn removes(&self, turning: bool, theta: &str) -> bool {
         match self {
-            Axis::X | Axis::Y => false,
-            Axis::Along(h) => turning && h.symbol == theta,
-            Axis::Across(h) => !turning && h.symbol == theta,
+            Multiplier::X | Multiplier::Y => false,
+            Multiplier::Along(h) => turning && h.symbol == theta,
+            Multiplier::Across(h) => !turning && h.symbol == theta,
         }
     }
 
     /// Whether it lies along the axis by its very symbol.
     fn keeps(&self, turning: bool, theta: &str) -> bool {
         match self {
-            Axis::X | Axis::Y => false,
-            Axis::Along(h) => !turning && h.symbol == theta,
-            Axis::Across(h) => turning && h.symbol == theta,
+            Multiplier::X | Multiplier::Y => false,
+            Multiplier::Along(h) => !turning && h.symbol == theta,
+            Multiplier::Across(h) => turning && h.symbol == theta,
         }
     }
 }
 
 /// A product of named factors, some of them sought, times a function of the angle.
-struct Product {
+struct FactorProduct {
     negative: bool,
     /// A number in front: 2 of Coriolis' term, or 1.
     count: f64,
@@ -163,9 +163,14 @@ struct Factor {
     given: bool,
 }
 
-impl<'a> Member<'a> {
+impl<'a> LoopSide<'a> {
     /// The terms that the side adds to an equation of this order.
-    pub(super) fn pieces(&self, order: Order, axis: &Axis, figures: Figures) -> Vec<Piece> {
+    pub(super) fn pieces(
+        &self,
+        order: Order,
+        axis: &Multiplier,
+        figures: Figures,
+    ) -> Vec<EquationTerm> {
         let products = match order {
             Order::Position => vec![self.product(false, 1.0, false, vec![self.length()])],
             Order::Velocity => self.velocity(),
@@ -180,7 +185,7 @@ impl<'a> Member<'a> {
             .collect()
     }
 
-    fn velocity(&self) -> Vec<Product> {
+    fn velocity(&self) -> Vec<FactorProduct> {
         let mut products = Vec::new();
         if self.side.stretches() {
             products.push(self.product(false, 1.0, false, vec![self.rate(true)]));
@@ -192,7 +197,7 @@ impl<'a> Member<'a> {
         products
     }
 
-    fn acceleration(&self) -> Vec<Product> {
+    fn acceleration(&self) -> Vec<FactorProduct> {
         let mut products = Vec::new();
         if self.side.stretches() {
             products.push(self.product(false, 1.0, false, vec![self.accel()]));
@@ -214,8 +219,14 @@ impl<'a> Member<'a> {
         self.side.turns != Turns::Never
     }
 
-    fn product(&self, negative: bool, count: f64, turning: bool, factors: Vec<Factor>) -> Product {
-        Product {
+    fn product(
+        &self,
+        negative: bool,
+        count: f64,
+        turning: bool,
+        factors: Vec<Factor>,
+    ) -> FactorProduct {
+        FactorProduct {
             negative: negative != self.reversed,
             count,
             factors,
@@ -281,7 +292,13 @@ impl<'a> Member<'a> {
         }
     }
 
-    fn piece(&self, product: &Product, order: Order, axis: &Axis, figures: Figures) -> Piece {
+    fn piece(
+        &self,
+        product: &FactorProduct,
+        order: Order,
+        axis: &Multiplier,
+        figures: Figures,
+    ) -> EquationTerm {
         let theta = self.side.theta();
         let is_position = order == Order::Position;
         // In a position an angle that is sought stays in its function.
@@ -334,7 +351,7 @@ impl<'a> Member<'a> {
             numbers.push(with_numbers);
         }
         let negative = product.negative != (minus && !keeps);
-        Piece {
+        EquationTerm {
             negative,
             symbols: symbols.join(" "),
             numbers: numbers.join("·"),
@@ -350,24 +367,24 @@ impl<'a> Member<'a> {
 }
 
 /// The sum in symbols.
-pub(super) fn in_symbols(pieces: &[Piece]) -> String {
-    let mut sum = Sum::default();
+pub(super) fn in_symbols(pieces: &[EquationTerm]) -> String {
+    let mut sum = WrittenSum::default();
     pieces.iter().for_each(|p| sum.push(p.negative, &p.symbols));
     sum.text()
 }
 
 /// The sum with numbers in place of what is known.
-pub(super) fn in_numbers(pieces: &[Piece]) -> String {
-    let mut sum = Sum::default();
+pub(super) fn in_numbers(pieces: &[EquationTerm]) -> String {
+    let mut sum = WrittenSum::default();
     pieces.iter().for_each(|p| sum.push(p.negative, &p.numbers));
     sum.text()
 }
 
 /// The sum with every known term as one figure: `-1299.04 - 147.173 ω3`. Of positions the terms with an
 /// angle that is sought stay as they are.
-pub(super) fn in_figures(pieces: &[Piece], figures: Figures) -> String {
+pub(super) fn in_figures(pieces: &[EquationTerm], figures: Figures) -> String {
     let size = pieces.iter().fold(0.0_f64, |most, p| most.max(p.size));
-    let mut sum = Sum::default();
+    let mut sum = WrittenSum::default();
     for piece in pieces {
         let figure = if piece.given && piece.value.abs() > 1e-15 * size {
             figures.given(piece.value)
@@ -395,13 +412,13 @@ fn times(figure: &str, symbol: &str) -> String {
 }
 
 /// The known terms together.
-pub(super) fn known(pieces: &[Piece]) -> f64 {
+pub(super) fn known(pieces: &[EquationTerm]) -> f64 {
     let known = pieces.iter().filter(|p| p.unknown.is_none());
     known.map(|p| p.value).sum()
 }
 
 /// The factor of what is sought.
-pub(super) fn coefficient(pieces: &[Piece], symbol: &str) -> f64 {
+pub(super) fn coefficient(pieces: &[EquationTerm], symbol: &str) -> f64 {
     let of_it = pieces
         .iter()
         .filter(|p| p.unknown.as_deref() == Some(symbol));

@@ -36,7 +36,7 @@ pub(super) enum Function {
 
 /// What stands for what is known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Form {
+enum Notation {
     Symbols,
     Numbers,
 }
@@ -95,12 +95,12 @@ impl Expression {
 
     /// In symbols.
     pub(super) fn symbols(&self) -> String {
-        self.written(Form::Symbols).whole()
+        self.written(Notation::Symbols).whole()
     }
 
     /// With numbers in their places.
     pub(super) fn numbers(&self) -> String {
-        self.written(Form::Numbers).whole()
+        self.written(Notation::Numbers).whole()
     }
 
     /// What comes out.
@@ -119,16 +119,16 @@ impl Expression {
         }
     }
 
-    fn written(&self, form: Form) -> Written {
+    fn written(&self, form: Notation) -> Written {
         match self {
             Expression::Known { symbol, figure, .. } => match form {
-                Form::Symbols => Written::figure(symbol),
-                Form::Numbers => Written::figure(figure),
+                Notation::Symbols => Written::figure(symbol),
+                Notation::Numbers => Written::figure(figure),
             },
             Expression::Number(number) => Written::figure(&number.to_string()),
             Expression::Minus(of) => {
                 let of = of.written(form);
-                let is_nothing = form == Form::Numbers && of.text == "0";
+                let is_nothing = form == Notation::Numbers && of.text == "0";
                 Written {
                     negative: !of.negative && !is_nothing,
                     text: of.bracketed(Grip::Ratio),
@@ -156,8 +156,8 @@ impl Expression {
                     [&of[0], &of[1]].map(|part| part.written(form).factor(Grip::Product));
                 let is_number = second.starts_with(|c: char| c.is_ascii_digit());
                 let between = match form {
-                    Form::Symbols if !is_number => " ",
-                    Form::Symbols | Form::Numbers => "·",
+                    Notation::Symbols if !is_number => " ",
+                    Notation::Symbols | Notation::Numbers => "·",
                 };
                 Written::of(format!("{first}{between}{second}"), Grip::Product)
             }

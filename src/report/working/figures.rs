@@ -76,9 +76,9 @@ impl Figures {
 
 /// A sum as it is written: each term behind its sign.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Sum(String);
+pub(super) struct WrittenSum(String);
 
-impl Sum {
+impl WrittenSum {
     pub(super) fn push(&mut self, negative: bool, term: &str) {
         self.0 += match (self.0.is_empty(), negative) {
             (true, true) => "-",
@@ -127,13 +127,13 @@ mod tests {
 
     #[test]
     fn a_sum_writes_signs_between_its_terms() {
-        let mut sum = Sum::default();
+        let mut sum = WrittenSum::default();
         sum.push(true, "r1");
         sum.push(false, "r2");
         sum.push_figure("-3.5");
         sum.push_figure("2");
         assert_eq!(sum.text(), "-r1 + r2 - 3.5 + 2");
-        assert_eq!(Sum::default().text(), "0");
+        assert_eq!(WrittenSum::default().text(), "0");
         assert_eq!(factor("-2"), "(-2)");
     }
 

@@ -2,7 +2,7 @@
 
 use super::draft::{Context, Draft};
 use super::expression::Expression;
-use super::figures::Sum;
+use super::figures::WrittenSum;
 use super::free_body::{free_body, largest};
 use crate::solver::{Acted, Condition, GroupKind};
 use crate::wording::words;
@@ -119,7 +119,7 @@ fn driver(context: &Context<'_>, draft: &mut Draft, drive: f64, acted: &[Acted])
     });
     if let Some(parts) = state.drive_parts() {
         let size = parts.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-        let mut sum = Sum::default();
+        let mut sum = WrittenSum::default();
         parts
             .iter()
             .for_each(|v| sum.push_figure(&f.beside(*v, size)));

@@ -2,7 +2,7 @@
 
 use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
-use super::figures::Sum;
+use super::figures::WrittenSum;
 use super::forces::point_name;
 use crate::report::forces::partner;
 use crate::solver::Acted;
@@ -10,7 +10,7 @@ use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// A force on a link, or a couple alone.
-pub(super) struct Row {
+pub(super) struct BodyForce {
     pub name: String,
     pub force: Vec2,
     /// Where it acts; a couple acts nowhere in particular.
@@ -54,7 +54,7 @@ pub(super) fn free_body(
 }
 
 /// An equation of motion with its numbers.
-struct Balance {
+struct EquationOfMotion {
     values: Vec<f64>,
     /// The largest that a term can be.
     size: f64,
@@ -74,19 +74,19 @@ struct FreeBody<'a> {
 
 impl FreeBody<'_> {
     /// From the point that moments are taken about, in the scene's unit.
-    fn arm(&self, row: &Row) -> Option<Vec2> {
+    fn arm(&self, row: &BodyForce) -> Option<Vec2> {
         let centre = self.context.state.position(self.about);
         row.at.map(|at| at - centre)
     }
 
     /// In N m.
-    fn moment(&self, row: &Row) -> f64 {
+    fn moment(&self, row: &BodyForce) -> f64 {
         let arm = self.arm(row).unwrap_or(Vec2::ZERO) * self.mechanism().metres();
         arm.cross(row.force) + row.couple
     }
 
     /// The largest force, and the largest moment that a force at this arm, or a couple, can have.
-    fn sizes(&self, rows: &[Row]) -> [f64; 2] {
+    fn sizes(&self, rows: &[BodyForce]) -> [f64; 2] {
         let metres = self.mechanism().metres();
         rows.iter().fold([0.0_f64; 2], |[force, moment], row| {
             let size = row.force.norm();
@@ -97,7 +97,7 @@ impl FreeBody<'_> {
     }
 
     /// Every force with its arm and its moment.
-    fn table(&self, draft: &mut Draft, rows: &[Row]) {
+    fn table(&self, draft: &mut Draft, rows: &[BodyForce]) {
         let f = self.context.figures;
         let [largest, reach] = self.sizes(rows);
         let cells = rows.iter().map(|row| {
@@ -129,7 +129,7 @@ impl FreeBody<'_> {
     }
 
     /// The sums of forces and of moments, and what they make of the link's motion.
-    fn equations(&self, draft: &mut Draft, rows: &[Row]) {
+    fn equations(&self, draft: &mut Draft, rows: &[BodyForce]) {
         let (f, state) = (self.context.figures, self.context.state);
         let link = self.mechanism().link(self.id);
         let a = state.acceleration(self.about) * self.mechanism().metres();
@@ -143,7 +143,7 @@ impl FreeBody<'_> {
                 draft.reckoned(name, &along, |v| format!("{} m/s^2", f.beside(v, length)));
             }
         }
-        let force = |axis: &str, a_axis: f64, values: Vec<f64>| Balance {
+        let force = |axis: &str, a_axis: f64, values: Vec<f64>| EquationOfMotion {
             values,
             size: largest,
             motion: Expression::known("m", f.given(link.mass), link.mass)
@@ -151,7 +151,7 @@ impl FreeBody<'_> {
             unit: "N",
         };
         let alpha = state.alpha(self.id);
-        let turning = Balance {
+        let turning = EquationOfMotion {
             values: rows.iter().map(|row| self.moment(row)).collect(),
             size: reach,
             motion: Expression::known("I", f.given(link.inertia), link.inertia)
@@ -166,10 +166,10 @@ impl FreeBody<'_> {
     }
 
     /// `12.5 - 3.2 = m ax = 2*4.65 = 9.3 N`; without mass what is left is 0.
-    fn write(&self, draft: &mut Draft, balance: Balance) {
+    fn write(&self, draft: &mut Draft, balance: EquationOfMotion) {
         let f = self.context.figures;
         let (size, value) = (balance.size, balance.motion.value());
-        let mut sum = Sum::default();
+        let mut sum = WrittenSum::default();
         for &term in &balance.values {
             let figure = f.beside(term, size);
             if figure != "0" {
@@ -192,7 +192,7 @@ impl FreeBody<'_> {
     }
 
     /// All of it; `None` where something of it is left open.
-    fn rows(&self) -> Option<Vec<Row>> {
+    fn rows(&self) -> Option<Vec<BodyForce>> {
         let mut rows = Vec::new();
         self.members(&mut rows)?;
         self.slides(&mut rows)?;
@@ -205,7 +205,7 @@ impl FreeBody<'_> {
     }
 
     /// Pins, loads between them, and the weight.
-    fn members(&self, rows: &mut Vec<Row>) -> Option<()> {
+    fn members(&self, rows: &mut Vec<BodyForce>) -> Option<()> {
         let (context, state) = (self.context, self.context.state);
         let mechanism = self.mechanism();
         let link = mechanism.link(self.id);
@@ -216,7 +216,7 @@ impl FreeBody<'_> {
             if is_joint(mechanism, point) {
                 let force = state.joint_force(self.id, point)?;
                 let name = pin_name(context, self.id, point);
-                rows.push(Row {
+                rows.push(BodyForce {
                     name,
                     force,
                     at,
@@ -232,7 +232,7 @@ impl FreeBody<'_> {
                 .filter(|(p, _)| *p == point)
             {
                 let name = words().acts_at(words().column_load(), label);
-                rows.push(Row {
+                rows.push(BodyForce {
                     name,
                     force: *force,
                     at,
@@ -242,7 +242,7 @@ impl FreeBody<'_> {
         }
         for acted in self.acted.iter().filter(|a| a.on == Some(self.id)) {
             for &(point, force) in &acted.forces {
-                rows.push(Row {
+                rows.push(BodyForce {
                     name: words().kind_press().into(),
                     force,
                     at: Some(state.position(point)),
@@ -252,7 +252,7 @@ impl FreeBody<'_> {
         }
         let weight = mechanism.gravity() * link.mass;
         if let (Some(com), true) = (link.com, weight != Vec2::ZERO) {
-            rows.push(Row {
+            rows.push(BodyForce {
                 name: words().weight().into(),
                 force: weight,
                 at: Some(state.position(com)),
@@ -263,7 +263,7 @@ impl FreeBody<'_> {
     }
 
     /// The guides on which it slides, and those that it carries.
-    fn slides(&self, rows: &mut Vec<Row>) -> Option<()> {
+    fn slides(&self, rows: &mut Vec<BodyForce>) -> Option<()> {
         let mechanism = self.mechanism();
         for slide in mechanism.slide_ids() {
             let given = mechanism.slide(slide);
@@ -280,11 +280,11 @@ impl FreeBody<'_> {
     }
 
     /// Torques, the driver's among them.
-    fn couples(&self, rows: &mut Vec<Row>) {
+    fn couples(&self, rows: &mut Vec<BodyForce>) {
         let couples = self.acted.iter().filter_map(|a| a.couple);
         let own = couples.filter(|(link, _)| *link == self.id);
         let mut add = |name: &str, couple: f64| {
-            rows.push(Row {
+            rows.push(BodyForce {
                 name: name.into(),
                 force: Vec2::ZERO,
                 at: None,
@@ -301,7 +301,7 @@ impl FreeBody<'_> {
 }
 
 /// The force of a guide on what slides, or the other way round.
-pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<Row> {
+pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option<BodyForce> {
     let (state, mechanism) = (context.state, &context.scene.mechanism);
     let given = mechanism.slide(slide);
     let t = state.travel(slide).guide;
@@ -314,7 +314,7 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
         Slider::Link { .. } => state.moment(slide)?,
     };
     let name = context.scene.slide_name(slide);
-    Some(Row {
+    Some(BodyForce {
         name: match sign > 0.0 {
             true => words().guide_of(name),
             false => words().slider_of(name),

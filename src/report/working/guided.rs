@@ -2,12 +2,12 @@
 //! arm that slides through a pin, two guides, a sum.
 
 use super::draft::Draft;
-use super::equations::{Axis, Heading, known};
+use super::equations::{Heading, Multiplier, known};
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::place::pieces;
 use super::polygon::Term;
-use super::solution::{Arm, Solution, turn};
+use super::solution::{DyadArm, Solution, turn};
 use crate::Vec2;
 use crate::wording::words;
 
@@ -64,7 +64,7 @@ impl Solution<'_> {
     fn write_known(&self, draft: &mut Draft, size: f64) {
         let f = self.figures;
         let k = self.known;
-        for (axis, label, value) in [(Axis::X, "Kx", k.x), (Axis::Y, "Ky", k.y)] {
+        for (axis, label, value) in [(Multiplier::X, "Kx", k.x), (Multiplier::Y, "Ky", k.y)] {
             let [symbols, figures] = self.known_text(&axis);
             let found = f.beside(value, size);
             let mut sides = vec![label.to_owned(), symbols, figures];
@@ -79,7 +79,7 @@ impl Solution<'_> {
     fn write_coefficients(
         &self,
         draft: &mut Draft,
-        arm: &Arm<'_>,
+        arm: &DyadArm<'_>,
         slide: Term,
         size: f64,
     ) -> [f64; 2] {
@@ -107,7 +107,7 @@ impl Solution<'_> {
     fn write_direction(
         &self,
         draft: &mut Draft,
-        arm: &Arm<'_>,
+        arm: &DyadArm<'_>,
         (along, what): (Vec2, &str),
         size: f64,
         loss: f64,
@@ -193,7 +193,7 @@ impl Solution<'_> {
         let size = self.known.norm().max(self.member(a).reading.r.abs());
         for (own, other) in [(a, b), (b, a)] {
             let (own, other) = (self.member(own), self.member(other));
-            let axis = Axis::Across(Heading::of(&other));
+            let axis = Multiplier::Across(Heading::of(&other));
             let pieces = pieces(&self.members, &axis, f);
             let sum = known(&pieces);
             let factor_of = other.reading.u.cross(own.reading.u);
@@ -225,7 +225,7 @@ impl Solution<'_> {
 }
 
 /// Why a quadratic has no root, or that it would have.
-fn no_root(draft: &mut Draft, figures: Figures, under: f64, arm: &Arm<'_>) {
+fn no_root(draft: &mut Draft, figures: Figures, under: f64, arm: &DyadArm<'_>) {
     draft
         .page
         .equation(["p^2 - q".to_owned(), figures.number(under)]);

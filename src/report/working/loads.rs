@@ -45,7 +45,7 @@ pub(super) fn laws(context: &Context<'_>, draft: &mut Draft, acted: &[Acted]) {
                 length,
                 damping,
             } => {
-                let spring = Spring::of(context, from, to);
+                let spring = SpringNow::of(context, from, to);
                 let metres = mechanism.metres();
                 let [from, to] = [from, to].map(|point| point_name(context, point));
                 let name = words().spring_between(from, to);
@@ -90,13 +90,13 @@ fn scaled(
 }
 
 /// The present length of a spring, and its rate, in the scene's unit.
-struct Spring {
+struct SpringNow {
     length: f64,
     rate: f64,
 }
 
-impl Spring {
-    fn of(context: &Context<'_>, from: PointId, to: PointId) -> Spring {
+impl SpringNow {
+    fn of(context: &Context<'_>, from: PointId, to: PointId) -> SpringNow {
         let state = context.state;
         let along = state.position(to) - state.position(from);
         let length = along.norm();
@@ -106,7 +106,7 @@ impl Spring {
         } else {
             0.0
         };
-        Spring { length, rate }
+        SpringNow { length, rate }
     }
 }
 

@@ -6,7 +6,7 @@
 //! So every group of the plan has the loops from which it is solved.
 
 use super::polygon::{Loop, Polygon, Term};
-use super::sides::{Locks, Shape, Side, Turns};
+use super::sides::{Locks, Side, SideShape, Turns};
 use crate::scene::{Scene, VectorKind};
 use crate::solver::Plan;
 use crate::{Body, LinkId, PointId, SlideId, Vec2, angle};
@@ -174,11 +174,11 @@ impl<'a> Surveyor<'a> {
     }
 
     /// The body that carries a side from end to end.
-    fn body_of(&self, shape: Shape) -> Option<usize> {
+    fn body_of(&self, shape: SideShape) -> Option<usize> {
         match shape {
-            Shape::Link(link) => Some(link.index()),
-            Shape::Rigid(body, _) => Some(self.body(body)),
-            Shape::Slide(_) | Shape::Free(..) => None,
+            SideShape::Link(link) => Some(link.index()),
+            SideShape::Rigid(body, _) => Some(self.body(body)),
+            SideShape::Slide(_) | SideShape::Free(..) => None,
         }
     }
 
@@ -242,7 +242,7 @@ impl<'a> Surveyor<'a> {
             name: self.side_name(&tail, &head),
             tail,
             head,
-            shape: Shape::Rigid(on, local),
+            shape: SideShape::Rigid(on, local),
             turns: self.locks.turns(on, angle::degrees(local)),
             named: false,
         };
@@ -371,7 +371,7 @@ impl<'a> Surveyor<'a> {
     }
 
     fn slide_term(&self, edge: Edge, reversed: bool) -> Option<Term> {
-        let shape = Shape::Slide(edge.slide?);
+        let shape = SideShape::Slide(edge.slide?);
         let side = self.sides.iter().position(|side| side.shape == shape)?;
         Some(Term { side, reversed })
     }
@@ -411,8 +411,8 @@ impl<'a> Surveyor<'a> {
             let side = &mut self.sides[number];
             side.name = name;
             std::mem::swap(&mut side.tail, &mut side.head);
-            if let Shape::Rigid(body, local) = side.shape {
-                side.shape = Shape::Rigid(body, -local);
+            if let SideShape::Rigid(body, local) = side.shape {
+                side.shape = SideShape::Rigid(body, -local);
                 side.turns = self.locks.turns(body, angle::degrees(-local));
             }
             let terms = loops.iter_mut().flat_map(|(terms, _)| terms);
@@ -427,8 +427,12 @@ impl<'a> Surveyor<'a> {
 
     /// Begins with the frame's vector, or ends with it if it is gone through backwards.
     fn begin(&self, terms: &mut [Term]) {
-        let on_ground =
-            |term: &Term| matches!(self.sides[term.side].shape, Shape::Rigid(Body::Ground, _));
+        let on_ground = |term: &Term| {
+            matches!(
+                self.sides[term.side].shape,
+                SideShape::Rigid(Body::Ground, _)
+            )
+        };
         let Some(at) = terms.iter().position(on_ground) else {
             // Without one the vector that was placed first begins: the driver's.
             let first = terms.iter().enumerate().min_by_key(|(_, term)| term.side);
@@ -444,7 +448,7 @@ impl<'a> Surveyor<'a> {
     fn free_loops(&mut self) -> Vec<(Vec<Term>, Option<usize>)> {
         let mut loops = Vec::new();
         for side in 0..self.sides.len() {
-            let Shape::Free(tail, head) = self.sides[side].shape else {
+            let SideShape::Free(tail, head) = self.sides[side].shape else {
                 continue;
             };
             let ends = [head, tail].map(|point| self.point_node(point));

@@ -1,7 +1,7 @@
 //! How the working begins: the driver, the state, the vector polygons and the position table.
 
 use super::draft::{Context, Draft};
-use super::figures::Sum;
+use super::figures::WrittenSum;
 use super::polygon::Loop;
 use super::sides::{Side, Turns};
 use super::symbols;
@@ -93,7 +93,7 @@ pub(super) fn polygons(context: &Context<'_>, draft: &mut Draft) {
 
 /// The loop as a sum of vectors.
 pub(super) fn sum_text(context: &Context<'_>, of: &Loop) -> String {
-    let mut sum = Sum::default();
+    let mut sum = WrittenSum::default();
     for (side, reversed) in context.polygon.terms(of) {
         sum.push(reversed, &side.name);
     }
@@ -112,13 +112,13 @@ fn solved(context: &Context<'_>, of: &Loop) -> String {
 
 /// The body on which a vector is.
 fn place<'c>(context: &Context<'c>, side: &Side) -> &'c str {
-    use super::sides::Shape;
+    use super::sides::SideShape;
     match side.shape {
-        Shape::Rigid(crate::Body::Link(link), _) => context.scene.link_name(link),
-        Shape::Rigid(crate::Body::Ground, _)
-        | Shape::Link(_)
-        | Shape::Slide(_)
-        | Shape::Free(..) => words().the_ground(),
+        SideShape::Rigid(crate::Body::Link(link), _) => context.scene.link_name(link),
+        SideShape::Rigid(crate::Body::Ground, _)
+        | SideShape::Link(_)
+        | SideShape::Slide(_)
+        | SideShape::Free(..) => words().the_ground(),
     }
 }
 
@@ -178,7 +178,7 @@ fn angle_mark(context: &Context<'_>, side: &Side) -> String {
     let Turns::With(_, offset) = side.turns else {
         return String::new();
     };
-    let is_own = matches!(side.shape, super::sides::Shape::Link(own) if own == link);
+    let is_own = matches!(side.shape, super::sides::SideShape::Link(own) if own == link);
     match (is_own, context.schedule.is_driven(side)) {
         (true, true) => words().driver().into(),
         (true, false) => words().is_sought().into(),

@@ -1,9 +1,9 @@
 //! Pins on which a load acts: how it is shared between the links that meet there.
 
 use super::draft::{Context, Draft};
-use super::figures::Sum;
+use super::figures::WrittenSum;
 use super::forces::{components, kind, point_name};
-use super::free_body::{Row, guided, is_joint, pin_name};
+use super::free_body::{BodyForce, guided, is_joint, pin_name};
 use crate::solver::Acted;
 use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
@@ -48,7 +48,7 @@ fn rows(
     }
     let in_slot = |s: &_| mechanism.slide(*s).slider == Slider::Pin(point);
     for slide in mechanism.slide_ids().filter(in_slot) {
-        let Row { name, force, .. } = guided(context, slide, 1.0)?;
+        let BodyForce { name, force, .. } = guided(context, slide, 1.0)?;
         rows.push((name, force));
     }
     Some(rows)
@@ -66,7 +66,7 @@ fn balance(context: &Context<'_>, draft: &mut Draft, point: PointId, rows: &[(St
         .iter()
         .fold(0.0_f64, |most, row| most.max(row.1.norm()));
     for (axis, pick) in [("x", (|v| v.x) as fn(Vec2) -> f64), ("y", |v| v.y)] {
-        let mut sum = Sum::default();
+        let mut sum = WrittenSum::default();
         for (_, force) in rows {
             let figure = f.beside(pick(*force), size);
             if figure != "0" {

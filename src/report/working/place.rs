@@ -2,12 +2,12 @@
 //! its form, with every figure on the way.
 
 use super::draft::{Context, Draft};
-use super::equations::{Axis, Heading, Member, Piece, in_figures, in_symbols};
+use super::equations::{EquationTerm, Heading, LoopSide, Multiplier, in_figures, in_symbols};
 use super::figures::Figures;
 use super::opening::sum_text;
 use super::polygon::{Loop, Term};
 use super::solution::Solution;
-use super::stages::{Form, Stage};
+use super::stages::{ProblemForm, Stage};
 use crate::solver::Order;
 use crate::wording::words;
 
@@ -22,11 +22,11 @@ pub(super) fn equations(context: &Context<'_>, draft: &mut Draft) {
             let of = &context.polygon.loops[number];
             loop_heading(context, draft, number, of);
             let members = context.members(of, stage);
-            for axis in [Axis::X, Axis::Y] {
+            for axis in [Multiplier::X, Multiplier::Y] {
                 let pieces = pieces(&members, &axis, context.figures);
                 draft.page.equation([in_symbols(&pieces), "0".into()]);
             }
-            for axis in [Axis::X, Axis::Y] {
+            for axis in [Multiplier::X, Multiplier::Y] {
                 let pieces = pieces(&members, &axis, context.figures);
                 let figures = in_figures(&pieces, context.figures);
                 draft.page.equation([figures, "0".into()]);
@@ -44,22 +44,29 @@ pub(super) fn loop_heading(context: &Context<'_>, draft: &mut Draft, number: usi
     }
 }
 
-pub(super) fn pieces(members: &[Member<'_>], axis: &Axis, figures: Figures) -> Vec<Piece> {
-    let of = |member: &Member<'_>| member.pieces(Order::Position, axis, figures);
+pub(super) fn pieces(
+    members: &[LoopSide<'_>],
+    axis: &Multiplier,
+    figures: Figures,
+) -> Vec<EquationTerm> {
+    let of = |member: &LoopSide<'_>| member.pieces(Order::Position, axis, figures);
     members.iter().flat_map(of).collect()
 }
 
 /// The equations multiplied by unit vectors that remove a side each.
-fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &[Member<'_>]) {
+fn projected(context: &Context<'_>, draft: &mut Draft, stage: &Stage, members: &[LoopSide<'_>]) {
     let removed: Vec<Term> = match &stage.form {
-        Form::Triangle(a, b) => [a, b].into_iter().filter_map(|arm| single(arm)).collect(),
-        Form::Quadratic(_, slide) => vec![*slide],
-        Form::Guides(a, b) => vec![*a, *b],
-        Form::Swing(..) | Form::Sum(_) | Form::Nothing | Form::System => Vec::new(),
+        ProblemForm::Triangle(a, b) => [a, b].into_iter().filter_map(|arm| single(arm)).collect(),
+        ProblemForm::Quadratic(_, slide) => vec![*slide],
+        ProblemForm::Guides(a, b) => vec![*a, *b],
+        ProblemForm::Swing(..)
+        | ProblemForm::Sum(_)
+        | ProblemForm::Nothing
+        | ProblemForm::System => Vec::new(),
     };
     for term in removed {
         let own = context.member(term, stage);
-        let axis = Axis::Across(Heading::of(&own));
+        let axis = Multiplier::Across(Heading::of(&own));
         let pieces = pieces(members, &axis, context.figures);
         let across = format!("n({})", own.side.theta());
         draft
@@ -107,18 +114,18 @@ fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
         return without_loop(context, draft, stage);
     };
     let is_found = context.has_positions() || solution.is_known();
-    if !is_found && !matches!(stage.form, Form::Nothing) {
+    if !is_found && !matches!(stage.form, ProblemForm::Nothing) {
         draft.page.text(words().not_without_groups_before());
         return;
     }
     match &stage.form {
-        Form::Nothing => repeated(draft),
-        Form::Triangle(a, b) => solution.triangle(draft, a, b),
-        Form::Quadratic(arm, slide) => solution.quadratic(draft, arm, *slide),
-        Form::Swing(arm, slide) => solution.swing(draft, arm, *slide),
-        Form::Guides(a, b) => solution.guides(draft, *a, *b),
-        Form::Sum(term) => solution.sum(draft, *term),
-        Form::System => super::coupled::position(context, draft, stage),
+        ProblemForm::Nothing => repeated(draft),
+        ProblemForm::Triangle(a, b) => solution.triangle(draft, a, b),
+        ProblemForm::Quadratic(arm, slide) => solution.quadratic(draft, arm, *slide),
+        ProblemForm::Swing(arm, slide) => solution.swing(draft, arm, *slide),
+        ProblemForm::Guides(a, b) => solution.guides(draft, *a, *b),
+        ProblemForm::Sum(term) => solution.sum(draft, *term),
+        ProblemForm::System => super::coupled::position(context, draft, stage),
     }
 }
 
@@ -129,7 +136,7 @@ fn repeated(draft: &mut Draft) {
 
 /// The driver's group, and whatever follows without a loop.
 fn without_loop(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
-    if matches!(stage.form, Form::System) {
+    if matches!(stage.form, ProblemForm::System) {
         return super::coupled::position(context, draft, stage);
     }
     let Some(group) = stage

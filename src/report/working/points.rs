@@ -11,7 +11,7 @@ use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angle};
 
 /// What a point's motion is told from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Seat {
+enum PointBasis {
     /// A link, and another point of it.
     Link(LinkId, PointId),
     /// A guide.
@@ -26,7 +26,7 @@ pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
         .point_ids()
         .filter(|&p| mechanism.point(p).ground.is_none());
     let places = places(context);
-    let seats: Vec<(PointId, Seat)> = moving
+    let seats: Vec<(PointId, PointBasis)> = moving
         .filter_map(|point| Some((point, seat(mechanism, &places, point)?)))
         .collect();
     if !context.has_rates() {
@@ -38,19 +38,19 @@ pub(super) fn points(context: &Context<'_>, draft: &mut Draft) {
             continue;
         };
         match seat {
-            Seat::Link(link, base) => on_link(context, draft, (point, name), link, base),
-            Seat::Guide(slide) => on_guide(context, draft, (point, name), slide),
+            PointBasis::Link(link, base) => on_link(context, draft, (point, name), link, base),
+            PointBasis::Guide(slide) => on_guide(context, draft, (point, name), slide),
         }
     }
 }
 
 /// A ground pivot if there is one, then a guide on the ground, then a joint that was placed earlier.
-fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<Seat> {
+fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<PointBasis> {
     let links = &mechanism.point(point).links;
     let pivot = links.iter().find_map(|&link| {
         let mut members = mechanism.link(link).members.iter();
         let pivot = members.find(|m| mechanism.point(m.point).ground.is_some())?;
-        Some(Seat::Link(link, pivot.point))
+        Some(PointBasis::Link(link, pivot.point))
     });
     let slides = || {
         mechanism
@@ -59,13 +59,18 @@ fn seat(mechanism: &Mechanism, places: &[usize], point: PointId) -> Option<Seat>
     };
     let on_ground = slides().find(|&s| mechanism.slide(s).on == Body::Ground);
     let ridden = || {
-        let base = |link| Some(Seat::Link(link, earliest(mechanism, places, link, point)?));
+        let base = |link| {
+            Some(PointBasis::Link(
+                link,
+                earliest(mechanism, places, link, point)?,
+            ))
+        };
         links.iter().find_map(|&link| base(link))
     };
     pivot
-        .or(on_ground.map(Seat::Guide))
+        .or(on_ground.map(PointBasis::Guide))
         .or_else(ridden)
-        .or_else(|| slides().next().map(Seat::Guide))
+        .or_else(|| slides().next().map(PointBasis::Guide))
 }
 
 /// The point of a link that was placed first, if that is before this one.

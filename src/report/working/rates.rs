@@ -3,11 +3,12 @@
 
 use super::draft::{Context, Draft};
 use super::equations::{
-    Axis, Heading, Member, Piece, coefficient, in_figures, in_numbers, in_symbols, known,
+    EquationTerm, Heading, LoopSide, Multiplier, coefficient, in_figures, in_numbers, in_symbols,
+    known,
 };
 use super::place::loop_heading;
-use super::sides::{Shape, Turns};
-use super::stages::{Form, Stage, Unknown};
+use super::sides::{SideShape, Turns};
+use super::stages::{LoopUnknown, ProblemForm, Stage};
 use super::symbols;
 use crate::report::Entry;
 use crate::solver::{Condition, Order};
@@ -52,14 +53,19 @@ fn opening_text(context: &Context<'_>, order: Order) -> Option<&'static str> {
     }
 }
 
-fn pieces(context: &Context<'_>, members: &[Member<'_>], order: Order, axis: &Axis) -> Vec<Piece> {
-    let of = |member: &Member<'_>| member.pieces(order, axis, context.figures);
+fn pieces(
+    context: &Context<'_>,
+    members: &[LoopSide<'_>],
+    order: Order,
+    axis: &Multiplier,
+) -> Vec<EquationTerm> {
+    let of = |member: &LoopSide<'_>| member.pieces(order, axis, context.figures);
     members.iter().flat_map(of).collect()
 }
 
 /// Both components, in symbols and as figures.
-fn components(context: &Context<'_>, draft: &mut Draft, members: &[Member<'_>], order: Order) {
-    let axes = [Axis::X, Axis::Y];
+fn components(context: &Context<'_>, draft: &mut Draft, members: &[LoopSide<'_>], order: Order) {
+    let axes = [Multiplier::X, Multiplier::Y];
     for axis in &axes {
         let pieces = pieces(context, members, order, axis);
         draft.page.equation([in_symbols(&pieces), "0".into()]);
@@ -77,13 +83,13 @@ fn components(context: &Context<'_>, draft: &mut Draft, members: &[Member<'_>], 
 
 fn solve(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Order) {
     match stage.form {
-        Form::Nothing => draft.page.text(words().nothing_sought_in_it()),
-        Form::System => together(context, draft, stage, order),
-        Form::Triangle(..)
-        | Form::Quadratic(..)
-        | Form::Swing(..)
-        | Form::Guides(..)
-        | Form::Sum(_) => {
+        ProblemForm::Nothing => draft.page.text(words().nothing_sought_in_it()),
+        ProblemForm::System => together(context, draft, stage, order),
+        ProblemForm::Triangle(..)
+        | ProblemForm::Quadratic(..)
+        | ProblemForm::Swing(..)
+        | ProblemForm::Guides(..)
+        | ProblemForm::Sum(_) => {
             if let [first, second] = stage.unknowns[..] {
                 removed(context, draft, stage, order, first, second);
                 removed(context, draft, stage, order, second, first);
@@ -98,8 +104,8 @@ fn removed(
     draft: &mut Draft,
     stage: &Stage,
     order: Order,
-    sought: Unknown,
-    other: Unknown,
+    sought: LoopUnknown,
+    other: LoopUnknown,
 ) {
     let Some(&number) = stage.loops.first() else {
         return;
@@ -134,8 +140,8 @@ fn removed(
         .fold(0.0_f64, |most, m| most.max(m.reading.r.abs()));
     // At a singular place the quotient of two roundings says nothing.
     let sine = match sought {
-        Unknown::Angle(_) | Unknown::Direction(_) => factor.abs() / longest,
-        Unknown::Travel(_) | Unknown::Length(_) => factor.abs(),
+        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => factor.abs() / longest,
+        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => factor.abs(),
     };
     if context.state.condition() == Condition::ChangePoint || sine < SINGULAR {
         draft.page.text(words().factor_vanishes(&symbol));
@@ -158,26 +164,26 @@ fn removed(
 const SINGULAR: f64 = 1e-7;
 
 /// What removes an unknown's rate from the equation.
-fn removing(members: &[Member<'_>], unknown: Unknown) -> Option<Axis> {
-    let is_of = |member: &&Member<'_>| match unknown {
-        Unknown::Angle(link) => member.side.turns_with() == Some(link),
-        Unknown::Travel(slide) => member.side.shape == Shape::Slide(slide),
-        Unknown::Length(_) | Unknown::Direction(_) => member.side.turns == Turns::Freely,
+fn removing(members: &[LoopSide<'_>], unknown: LoopUnknown) -> Option<Multiplier> {
+    let is_of = |member: &&LoopSide<'_>| match unknown {
+        LoopUnknown::Angle(link) => member.side.turns_with() == Some(link),
+        LoopUnknown::Travel(slide) => member.side.shape == SideShape::Slide(slide),
+        LoopUnknown::Length(_) | LoopUnknown::Direction(_) => member.side.turns == Turns::Freely,
     };
-    let own: Vec<&Member<'_>> = members.iter().filter(is_of).collect();
+    let own: Vec<&LoopSide<'_>> = members.iter().filter(is_of).collect();
     match unknown {
-        Unknown::Travel(_) | Unknown::Length(_) => {
-            own.first().map(|m| Axis::Across(Heading::of(m)))
+        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => {
+            own.first().map(|m| Multiplier::Across(Heading::of(m)))
         }
-        Unknown::Angle(_) | Unknown::Direction(_) => match own[..] {
-            [one] => Some(Axis::Along(Heading::of(one))),
-            _ => Some(Axis::Along(together_heading(&own)?)),
+        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => match own[..] {
+            [one] => Some(Multiplier::Along(Heading::of(one))),
+            _ => Some(Multiplier::Along(together_heading(&own)?)),
         },
     }
 }
 
 /// The direction of several sides that turn together.
-fn together_heading(own: &[&Member<'_>]) -> Option<Heading> {
+fn together_heading(own: &[&LoopSide<'_>]) -> Option<Heading> {
     let sum = own.iter().fold(Vec2::ZERO, |sum, m| {
         let r = m.reading.vector();
         sum + if m.reversed { -r } else { r }
@@ -212,7 +218,7 @@ fn together(context: &Context<'_>, draft: &mut Draft, stage: &Stage, order: Orde
     }
 }
 
-fn rate_symbol(context: &Context<'_>, unknown: Unknown, order: Order) -> String {
+fn rate_symbol(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> String {
     let turning = |name: &str| match order {
         Order::Velocity => symbols::omega(name),
         _ => symbols::alpha(name),
@@ -222,34 +228,34 @@ fn rate_symbol(context: &Context<'_>, unknown: Unknown, order: Order) -> String 
         _ => symbols::accel(name),
     };
     match unknown {
-        Unknown::Angle(link) => turning(context.scene.link_name(link)),
-        Unknown::Travel(slide) => stretching(context.scene.slide_name(slide)),
-        Unknown::Length(side) => stretching(&context.polygon.sides[side].name),
-        Unknown::Direction(side) => turning(&context.polygon.sides[side].name),
+        LoopUnknown::Angle(link) => turning(context.scene.link_name(link)),
+        LoopUnknown::Travel(slide) => stretching(context.scene.slide_name(slide)),
+        LoopUnknown::Length(side) => stretching(&context.polygon.sides[side].name),
+        LoopUnknown::Direction(side) => turning(&context.polygon.sides[side].name),
     }
 }
 
-fn rate_value(context: &Context<'_>, unknown: Unknown, order: Order) -> f64 {
+fn rate_value(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> f64 {
     let first = order == Order::Velocity;
     let state = context.state;
     match unknown {
-        Unknown::Angle(link) if first => state.omega(link),
-        Unknown::Angle(link) => state.alpha(link),
-        Unknown::Travel(slide) if first => state.travel(slide).rate,
-        Unknown::Travel(slide) => state.travel(slide).accel,
-        Unknown::Length(side) if first => context.readings[side].rate,
-        Unknown::Length(side) => context.readings[side].accel,
-        Unknown::Direction(side) if first => context.readings[side].omega,
-        Unknown::Direction(side) => context.readings[side].alpha,
+        LoopUnknown::Angle(link) if first => state.omega(link),
+        LoopUnknown::Angle(link) => state.alpha(link),
+        LoopUnknown::Travel(slide) if first => state.travel(slide).rate,
+        LoopUnknown::Travel(slide) => state.travel(slide).accel,
+        LoopUnknown::Length(side) if first => context.readings[side].rate,
+        LoopUnknown::Length(side) => context.readings[side].accel,
+        LoopUnknown::Direction(side) if first => context.readings[side].omega,
+        LoopUnknown::Direction(side) => context.readings[side].alpha,
     }
 }
 
-fn rate_unit(context: &Context<'_>, unknown: Unknown, order: Order) -> String {
+fn rate_unit(context: &Context<'_>, unknown: LoopUnknown, order: Order) -> String {
     let first = order == Order::Velocity;
     match unknown {
-        Unknown::Angle(_) | Unknown::Direction(_) if first => "rad/s".into(),
-        Unknown::Angle(_) | Unknown::Direction(_) => "rad/s^2".into(),
-        Unknown::Travel(_) | Unknown::Length(_) => {
+        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) if first => "rad/s".into(),
+        LoopUnknown::Angle(_) | LoopUnknown::Direction(_) => "rad/s^2".into(),
+        LoopUnknown::Travel(_) | LoopUnknown::Length(_) => {
             context.figures.length_unit(if first { 1 } else { 2 })
         }
     }

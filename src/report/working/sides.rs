@@ -10,7 +10,7 @@ use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2, angl
 
 /// What a side is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum SideShape {
     /// A link from end to end.
     Link(LinkId),
     /// From a sliding point back to `through`.
@@ -38,7 +38,7 @@ pub(super) struct Side {
     pub name: String,
     pub tail: String,
     pub head: String,
-    pub shape: Shape,
+    pub shape: SideShape,
     pub turns: Turns,
     /// Whether the scene names it.
     pub named: bool,
@@ -46,7 +46,7 @@ pub(super) struct Side {
 
 /// A side in a state: its length and direction with their rates, 0 where none exist.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Reading {
+pub(super) struct SideReading {
     pub r: f64,
     pub rate: f64,
     pub accel: f64,
@@ -58,7 +58,7 @@ pub(super) struct Reading {
     pub u: Vec2,
 }
 
-impl Reading {
+impl SideReading {
     /// The side itself, head minus tail.
     pub(super) fn vector(&self) -> Vec2 {
         self.u * self.r
@@ -150,18 +150,18 @@ impl Side {
     ) -> Side {
         let mechanism = &scene.mechanism;
         let (shape, turns) = match vector.kind {
-            VectorKind::Link(link) => (Shape::Link(link), locks.turns(Body::Link(link), 0.0)),
+            VectorKind::Link(link) => (SideShape::Link(link), locks.turns(Body::Link(link), 0.0)),
             VectorKind::Slide(slide) => {
                 let given = mechanism.slide(slide);
                 let turns = locks.turns(given.on, given.angle + angle::TURN / 2.0);
-                (Shape::Slide(slide), turns)
+                (SideShape::Slide(slide), turns)
             }
             VectorKind::Between(tail, head) => match shared_body(mechanism, tail, head) {
                 Some((body, local)) => (
-                    Shape::Rigid(body, local),
+                    SideShape::Rigid(body, local),
                     locks.turns(body, angle::degrees(local)),
                 ),
-                None => (Shape::Free(tail, head), Turns::Freely),
+                None => (SideShape::Free(tail, head), Turns::Freely),
             },
         };
         Side {
@@ -184,7 +184,7 @@ impl Side {
 
     /// Whether its length changes.
     pub(super) fn stretches(&self) -> bool {
-        matches!(self.shape, Shape::Slide(_) | Shape::Free(..))
+        matches!(self.shape, SideShape::Slide(_) | SideShape::Free(..))
     }
 
     /// The symbol of its angle.
@@ -199,30 +199,30 @@ impl Side {
     }
 
     /// Its figures in a state that has an assembly; rates are 0 where none exist.
-    pub(super) fn read(&self, mechanism: &Mechanism, state: Known<'_>) -> Reading {
+    pub(super) fn read(&self, mechanism: &Mechanism, state: Known<'_>) -> SideReading {
         let figure = |subject, aspect| value(subject, aspect, &state).unwrap_or(0.0);
-        let turning = |subject, reading: Reading| Reading {
+        let turning = |subject, reading: SideReading| SideReading {
             omega: figure(subject, Aspect::Omega),
             alpha: figure(subject, Aspect::Alpha),
             ..reading
         };
         match self.shape {
-            Shape::Link(link) => {
-                let reading = Reading {
+            SideShape::Link(link) => {
+                let reading = SideReading {
                     r: length(mechanism, link),
                     theta: state.angle(link),
                     u: state.direction(link),
-                    ..Reading::default()
+                    ..SideReading::default()
                 };
                 turning(Subject::Link(link), reading)
             }
-            Shape::Rigid(body, local) => {
+            SideShape::Rigid(body, local) => {
                 let r = local.norm();
-                let at_rest = |u: Vec2| Reading {
+                let at_rest = |u: Vec2| SideReading {
                     r,
                     theta: angle::degrees(u),
                     u,
-                    ..Reading::default()
+                    ..SideReading::default()
                 };
                 // Two points of a body may lie on each other.
                 let along = if r > 0.0 { local / r } else { Vec2::X };
@@ -234,11 +234,11 @@ impl Side {
                     }
                 }
             }
-            Shape::Slide(slide) => {
+            SideShape::Slide(slide) => {
                 let u = -state.travel(slide).guide;
                 self.stretching(Subject::Slide(slide), u, &figure)
             }
-            Shape::Free(tail, head) => {
+            SideShape::Free(tail, head) => {
                 let between = state.position(head) - state.position(tail);
                 let u = if between == Vec2::ZERO {
                     Vec2::X
@@ -255,8 +255,8 @@ impl Side {
         subject: Subject,
         u: Vec2,
         figure: &dyn Fn(Subject, Aspect) -> f64,
-    ) -> Reading {
-        Reading {
+    ) -> SideReading {
+        SideReading {
             r: figure(subject, Aspect::Length),
             rate: figure(subject, Aspect::Rate),
             accel: figure(subject, Aspect::Accel),

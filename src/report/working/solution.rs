@@ -1,13 +1,13 @@
 //! A loop about to be solved: what is known in it added up, and what its arms are.
 
 use super::draft::{Context, Draft};
-use super::equations::{Axis, Member, Piece, in_figures, in_symbols, known};
+use super::equations::{EquationTerm, LoopSide, Multiplier, in_figures, in_symbols, known};
 use super::expression::Expression;
-use super::figures::{Figures, Sum};
+use super::figures::{Figures, WrittenSum};
 use super::place::single;
 use super::polygon::{Loop, Term};
-use super::sides::{Shape, Side, Turns};
-use super::stages::{Form, Stage};
+use super::sides::{Side, SideShape, Turns};
+use super::stages::{ProblemForm, Stage};
 use crate::solver::Order;
 use crate::{Vec2, angle};
 
@@ -16,7 +16,7 @@ pub(super) struct Solution<'a> {
     pub(super) context: &'a Context<'a>,
     pub(super) stage: &'a Stage,
     pub(super) of: &'a Loop,
-    pub(super) members: Vec<Member<'a>>,
+    pub(super) members: Vec<LoopSide<'a>>,
     pub(super) figures: Figures,
     /// The sum of the known sides.
     pub(super) known: Vec2,
@@ -24,16 +24,17 @@ pub(super) struct Solution<'a> {
 
 impl<'a> Solution<'a> {
     pub(super) fn new(context: &'a Context<'a>, stage: &'a Stage) -> Option<Self> {
-        let (&[number], false) = (&stage.loops[..], matches!(stage.form, Form::Nothing)) else {
+        let (&[number], false) = (&stage.loops[..], matches!(stage.form, ProblemForm::Nothing))
+        else {
             return None;
         };
         let of = &context.polygon.loops[number];
         let members = context.members(of, stage);
-        let sum = |axis: &Axis| {
-            let of = |m: &Member<'_>| m.pieces(Order::Position, axis, context.figures);
+        let sum = |axis: &Multiplier| {
+            let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, context.figures);
             known(&members.iter().flat_map(of).collect::<Vec<_>>())
         };
-        let known = Vec2::new(sum(&Axis::X), sum(&Axis::Y));
+        let known = Vec2::new(sum(&Multiplier::X), sum(&Multiplier::Y));
         Some(Solution {
             context,
             stage,
@@ -47,26 +48,31 @@ impl<'a> Solution<'a> {
     /// Whether everything but what the group seeks is given, so that it can be tried without an assembly.
     pub(super) fn is_known(&self) -> bool {
         let own = |term: &Term| match &self.stage.form {
-            Form::Triangle(a, b) => a.contains(term) || b.contains(term),
-            Form::Quadratic(arm, slide) => arm.contains(term) || term == slide,
-            Form::Nothing | Form::Swing(..) | Form::Guides(..) | Form::Sum(_) | Form::System => {
-                false
-            }
+            ProblemForm::Triangle(a, b) => a.contains(term) || b.contains(term),
+            ProblemForm::Quadratic(arm, slide) => arm.contains(term) || term == slide,
+            ProblemForm::Nothing
+            | ProblemForm::Swing(..)
+            | ProblemForm::Guides(..)
+            | ProblemForm::Sum(_)
+            | ProblemForm::System => false,
         };
-        let tries = matches!(self.stage.form, Form::Triangle(..) | Form::Quadratic(..));
+        let tries = matches!(
+            self.stage.form,
+            ProblemForm::Triangle(..) | ProblemForm::Quadratic(..)
+        );
         let mut pairs = self.of.terms.iter().zip(&self.members);
         tries && pairs.all(|(term, member)| own(term) || member.sought == [false, false])
     }
 
-    pub(super) fn member(&self, term: Term) -> Member<'_> {
+    pub(super) fn member(&self, term: Term) -> LoopSide<'_> {
         self.context.member(term, self.stage)
     }
 
     /// The known sides along an axis, in symbols and as figures.
-    pub(super) fn known_text(&self, axis: &Axis) -> [String; 2] {
-        let of = |m: &Member<'_>| m.pieces(Order::Position, axis, self.figures);
-        let pieces: Vec<Piece> = self.members.iter().flat_map(of).collect();
-        let known: Vec<Piece> = pieces.into_iter().filter(|p| p.unknown.is_none()).collect();
+    pub(super) fn known_text(&self, axis: &Multiplier) -> [String; 2] {
+        let of = |m: &LoopSide<'_>| m.pieces(Order::Position, axis, self.figures);
+        let pieces: Vec<EquationTerm> = self.members.iter().flat_map(of).collect();
+        let known: Vec<EquationTerm> = pieces.into_iter().filter(|p| p.unknown.is_none()).collect();
         [in_symbols(&known), in_figures(&known, self.figures)]
     }
 
@@ -76,7 +82,7 @@ impl<'a> Solution<'a> {
         let m = -self.known;
         let sizes = self.members.iter().map(|m| m.reading.r.abs());
         let size = sizes.fold(0.0_f64, f64::max);
-        [(Axis::X, "mx", m.x), (Axis::Y, "my", m.y)].map(|(axis, name, value)| {
+        [(Multiplier::X, "mx", m.x), (Multiplier::Y, "my", m.y)].map(|(axis, name, value)| {
             let [symbols, figures] = self.known_text(&axis);
             let found = f.beside(value, size);
             draft.page.equation([
@@ -101,11 +107,11 @@ impl<'a> Solution<'a> {
     }
 
     /// The length of an arm and how far its direction lies ahead of the angle that is named after it.
-    pub(super) fn arm(&self, arm: &[Term]) -> Arm<'a> {
+    pub(super) fn arm(&self, arm: &[Term]) -> DyadArm<'a> {
         match single(arm) {
             Some(term) => {
                 let member = self.member(term);
-                Arm {
+                DyadArm {
                     side: self.context.polygon.sides.get(term.side),
                     length: member.side.name.clone(),
                     value: member.reading.r,
@@ -124,20 +130,20 @@ impl<'a> Solution<'a> {
     }
 
     /// Several sides that turn together, as one.
-    fn composed(&self, arm: &[Term]) -> Arm<'a> {
-        let members: Vec<Member<'_>> = arm.iter().map(|&term| self.member(term)).collect();
+    fn composed(&self, arm: &[Term]) -> DyadArm<'a> {
+        let members: Vec<LoopSide<'_>> = arm.iter().map(|&term| self.member(term)).collect();
         let sum = members.iter().fold(Vec2::ZERO, |sum, m| {
             let r = m.reading.vector();
             sum + if m.reversed { -r } else { r }
         });
         let link = members.iter().find_map(|m| m.side.turns_with());
         let own = link.map_or(0.0, |link| self.context.state.angle(link));
-        let mut text = Sum::default();
+        let mut text = WrittenSum::default();
         members
             .iter()
             .for_each(|m| text.push(m.reversed, &m.side.name));
         let name = link.map_or("", |link| self.context.scene.link_name(link));
-        Arm {
+        DyadArm {
             side: None,
             length: format!("|{}|", text.text()),
             value: sum.norm(),
@@ -189,7 +195,7 @@ impl<'a> Solution<'a> {
         let (Turns::With(link, ahead), f) = (side.turns, self.figures) else {
             return;
         };
-        if side.shape == Shape::Link(link) {
+        if side.shape == SideShape::Link(link) {
             return;
         }
         let symbol = super::symbols::theta(self.context.scene.link_name(link));
@@ -210,7 +216,7 @@ impl<'a> Solution<'a> {
 }
 
 /// One arm of a dyad.
-pub(super) struct Arm<'a> {
+pub(super) struct DyadArm<'a> {
     /// The side, if it is one alone.
     pub(super) side: Option<&'a Side>,
     /// The symbol of its length.
@@ -225,7 +231,7 @@ pub(super) struct Arm<'a> {
     pub(super) solved: f64,
 }
 
-impl Arm<'_> {
+impl DyadArm<'_> {
     pub(super) fn figure(&self, figures: Figures) -> String {
         if self.given {
             figures.given(self.value)

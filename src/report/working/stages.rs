@@ -1,14 +1,14 @@
 //! What each group of the plan finds from its loops: the unknowns, and the form of the problem.
 
 use super::polygon::{Polygon, Term};
-use super::sides::{Shape, Side, Turns};
+use super::sides::{Side, SideShape, Turns};
 use crate::scene::Scene;
 use crate::solver::{GroupKind, Plan};
 use crate::{Body, Input, LinkId, SlideId};
 
 /// An unknown of a loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Unknown {
+pub(super) enum LoopUnknown {
     /// The angle of a link, and of everything that turns with it.
     Angle(LinkId),
     /// The position along a slide.
@@ -21,7 +21,7 @@ pub(super) enum Unknown {
 
 /// The form of the problem that a group solves.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Form {
+pub(super) enum ProblemForm {
     /// Nothing is sought: the driver's group, or a loop that repeats others.
     Nothing,
     /// Two angles: a triangle of three known sides.
@@ -45,8 +45,8 @@ pub(super) struct Stage {
     pub group: Option<usize>,
     /// Its loops by their numbers.
     pub loops: Vec<usize>,
-    pub unknowns: Vec<Unknown>,
-    pub form: Form,
+    pub unknowns: Vec<LoopUnknown>,
+    pub form: ProblemForm,
 }
 
 /// When what the sides turn and slide with is found.
@@ -114,7 +114,7 @@ impl Schedule {
 
     /// Whether a side's length is the driver's.
     pub(super) fn is_pushed(&self, side: &Side) -> bool {
-        matches!(side.shape, Shape::Slide(slide) if self.driver == Input::Push(slide))
+        matches!(side.shape, SideShape::Slide(slide) if self.driver == Input::Push(slide))
     }
 
     /// The group that finds a side's angle; `None` where it is given.
@@ -130,10 +130,10 @@ impl Schedule {
     /// The group that finds a side's length; `None` where it is given.
     pub(super) fn length_group(&self, side: &Side) -> Option<usize> {
         match side.shape {
-            Shape::Link(_) | Shape::Rigid(..) => None,
-            Shape::Slide(slide) if self.driver == Input::Push(slide) => None,
-            Shape::Slide(slide) => self.slides.get(slide.index()).copied(),
-            Shape::Free(..) => Some(usize::MAX),
+            SideShape::Link(_) | SideShape::Rigid(..) => None,
+            SideShape::Slide(slide) if self.driver == Input::Push(slide) => None,
+            SideShape::Slide(slide) => self.slides.get(slide.index()).copied(),
+            SideShape::Free(..) => Some(usize::MAX),
         }
     }
 }
@@ -161,25 +161,35 @@ pub(super) fn stages(plan: &Plan, polygon: &Polygon, schedule: &Schedule) -> Vec
         stages.push(Stage {
             group: None,
             loops: vec![number],
-            unknowns: vec![Unknown::Length(term.side), Unknown::Direction(term.side)],
-            form: Form::Sum(term),
+            unknowns: vec![
+                LoopUnknown::Length(term.side),
+                LoopUnknown::Direction(term.side),
+            ],
+            form: ProblemForm::Sum(term),
         });
     }
     stages
 }
 
 /// What the loops of a group have that no earlier group has found.
-fn unknowns(loops: &[usize], group: usize, polygon: &Polygon, schedule: &Schedule) -> Vec<Unknown> {
+fn unknowns(
+    loops: &[usize],
+    group: usize,
+    polygon: &Polygon,
+    schedule: &Schedule,
+) -> Vec<LoopUnknown> {
     let mut unknowns = Vec::new();
     let terms = loops.iter().flat_map(|&l| &polygon.loops[l].terms);
     for term in terms {
         let side = &polygon.sides[term.side];
         let is_sought = |found: Option<usize>| found.is_some_and(|found| found >= group);
         if let (true, Some(link)) = (is_sought(schedule.angle_group(side)), side.turns_with()) {
-            unknowns.push(Unknown::Angle(link));
+            unknowns.push(LoopUnknown::Angle(link));
         }
-        if let (true, Shape::Slide(slide)) = (is_sought(schedule.length_group(side)), side.shape) {
-            unknowns.push(Unknown::Travel(slide));
+        if let (true, SideShape::Slide(slide)) =
+            (is_sought(schedule.length_group(side)), side.shape)
+        {
+            unknowns.push(LoopUnknown::Travel(slide));
         }
     }
     let mut seen = Vec::new();
@@ -191,12 +201,17 @@ fn unknowns(loops: &[usize], group: usize, polygon: &Polygon, schedule: &Schedul
     unknowns
 }
 
-fn form(kind: &GroupKind, loops: &[usize], unknowns: &[Unknown], polygon: &Polygon) -> Form {
+fn form(
+    kind: &GroupKind,
+    loops: &[usize],
+    unknowns: &[LoopUnknown],
+    polygon: &Polygon,
+) -> ProblemForm {
     if unknowns.is_empty() {
-        return Form::Nothing;
+        return ProblemForm::Nothing;
     }
     let (&[number], false) = (loops, matches!(kind, GroupKind::Coupled { .. })) else {
-        return Form::System;
+        return ProblemForm::System;
     };
     let terms = &polygon.loops[number].terms;
     let of_link = |link: LinkId| -> Vec<Term> {
@@ -204,24 +219,26 @@ fn form(kind: &GroupKind, loops: &[usize], unknowns: &[Unknown], polygon: &Polyg
         terms.iter().filter(turning).copied().collect()
     };
     let of_slide = |slide: SlideId| {
-        let is_it = |term: &&Term| polygon.sides[term.side].shape == Shape::Slide(slide);
+        let is_it = |term: &&Term| polygon.sides[term.side].shape == SideShape::Slide(slide);
         terms.iter().find(is_it).copied()
     };
     match *unknowns {
-        [Unknown::Angle(a), Unknown::Angle(b)] => Form::Triangle(of_link(a), of_link(b)),
-        [Unknown::Angle(link), Unknown::Travel(slide)]
-        | [Unknown::Travel(slide), Unknown::Angle(link)] => {
+        [LoopUnknown::Angle(a), LoopUnknown::Angle(b)] => {
+            ProblemForm::Triangle(of_link(a), of_link(b))
+        }
+        [LoopUnknown::Angle(link), LoopUnknown::Travel(slide)]
+        | [LoopUnknown::Travel(slide), LoopUnknown::Angle(link)] => {
             let arm = of_link(link);
             match of_slide(slide) {
-                Some(term) if arm.contains(&term) => Form::Swing(arm, term),
-                Some(term) => Form::Quadratic(arm, term),
-                None => Form::System,
+                Some(term) if arm.contains(&term) => ProblemForm::Swing(arm, term),
+                Some(term) => ProblemForm::Quadratic(arm, term),
+                None => ProblemForm::System,
             }
         }
-        [Unknown::Travel(a), Unknown::Travel(b)] => match (of_slide(a), of_slide(b)) {
-            (Some(a), Some(b)) => Form::Guides(a, b),
-            _ => Form::System,
+        [LoopUnknown::Travel(a), LoopUnknown::Travel(b)] => match (of_slide(a), of_slide(b)) {
+            (Some(a), Some(b)) => ProblemForm::Guides(a, b),
+            _ => ProblemForm::System,
         },
-        _ => Form::System,
+        _ => ProblemForm::System,
     }
 }

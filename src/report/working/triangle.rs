@@ -4,7 +4,7 @@ use super::draft::Draft;
 use super::expression::{Expression, Function};
 use super::figures::Figures;
 use super::polygon::Term;
-use super::solution::{Arm, Solution, degrees, turn};
+use super::solution::{DyadArm, Solution, degrees, turn};
 use crate::wording::words;
 
 /// A distance of pivots below this part of the arms is none.
@@ -31,7 +31,7 @@ impl Solution<'_> {
         let alpha = draft.found("α", &alpha, |alpha| degrees(f, alpha));
         let m_known = || Expression::known("m", f.number(size), size);
         // The cosine theorem.
-        let corner = |near: &Arm<'_>, far: &Arm<'_>| {
+        let corner = |near: &DyadArm<'_>, far: &DyadArm<'_>| {
             let [near, far] = [near, far]
                 .map(|arm| Expression::known(arm.length.as_str(), arm.figure(f), arm.value));
             let sum = m_known().squared() + near.clone().squared() - far.squared();
@@ -60,7 +60,7 @@ impl Solution<'_> {
     }
 
     /// Where the pivots of a dyad lie on each other no triangle tells its angles.
-    fn coincident(&self, draft: &mut Draft, [p, q]: [&str; 2], arms: [&Arm<'_>; 2]) {
+    fn coincident(&self, draft: &mut Draft, [p, q]: [&str; 2], arms: [&DyadArm<'_>; 2]) {
         draft.page.text(words().pivots_coincide(p, q));
         for arm in arms {
             draft
@@ -70,7 +70,7 @@ impl Solution<'_> {
     }
 
     /// `theta = -alpha + beta + 180 = ...`.
-    fn write_angle(&self, draft: &mut Draft, arm: &Arm<'_>, theta: Expression, loss: f64) {
+    fn write_angle(&self, draft: &mut Draft, arm: &DyadArm<'_>, theta: Expression, loss: f64) {
         let f = self.figures;
         let theta = match arm.ahead {
             0.0 => theta,
@@ -85,7 +85,7 @@ impl Solution<'_> {
 }
 
 /// Why two arms do not meet, or that they would.
-fn reach(draft: &mut Draft, figures: Figures, size: f64, [one, two]: [&Arm<'_>; 2]) {
+fn reach(draft: &mut Draft, figures: Figures, size: f64, [one, two]: [&DyadArm<'_>; 2]) {
     let (sum, difference) = (one.value + two.value, (one.value - two.value).abs());
     // Just outside the range the difference stands behind the digits that are shown elsewhere.
     let nearest = if size > sum { sum } else { difference };

@@ -3,7 +3,7 @@
 
 use super::{Assembler, TIE, miss, side_of, steps_of};
 use crate::Double;
-use crate::solver::elements::Outcome;
+use crate::solver::elements::StepOutcome;
 use crate::solver::engine::Engine;
 use crate::solver::exact::Exact;
 use crate::solver::plan::Pick;
@@ -24,17 +24,17 @@ impl Assembler<'_> {
     pub(super) fn closing_closely(
         &self,
         key: usize,
-        in_doubles: Outcome,
+        in_doubles: StepOutcome,
         work: &mut Workspace,
-    ) -> Outcome {
-        if in_doubles == Outcome::Done {
+    ) -> StepOutcome {
+        if in_doubles == StepOutcome::Done {
             return in_doubles;
         }
         match self.place_closely(key + 1, work) {
             None => in_doubles,
-            Some(Condition::Ok) => Outcome::Done,
-            Some(Condition::DeadPoint | Condition::ChangePoint) => Outcome::Stretched,
-            Some(Condition::NoAssembly) => Outcome::Open,
+            Some(Condition::Ok) => StepOutcome::Done,
+            Some(Condition::DeadPoint | Condition::ChangePoint) => StepOutcome::Stretched,
+            Some(Condition::NoAssembly) => StepOutcome::Open,
         }
     }
 

@@ -11,8 +11,8 @@ mod roots;
 pub(super) use request::Request;
 
 use super::Order;
-use super::demand::Part;
-use super::elements::{Outcome, Step};
+use super::demand::PlacedPart;
+use super::elements::{Step, StepOutcome};
 use super::engine::Engine;
 use super::exact::Exact;
 use super::fault::Fault;
@@ -30,7 +30,7 @@ const BESIDE: f64 = 5e-3;
 
 /// One of the ways in which a group can be placed.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Way {
+pub(super) enum Placement {
     /// There is no other.
     Only,
     /// Of a dyad, by its sign.
@@ -142,7 +142,7 @@ impl Assembler<'_> {
         } else if self.coupled(number, engine).is_some() {
             self.meant_root(number, engine, state)?
         } else {
-            Way::Only
+            Placement::Only
         };
         match self.take(number, &way, engine, state) {
             Condition::NoAssembly => Err(self.singular(number).into()),
@@ -151,39 +151,44 @@ impl Assembler<'_> {
     }
 
     /// All ways in which a group can be placed; those before it stand.
-    pub(super) fn ways(&self, number: usize, engine: &Engine, state: &mut Workspace) -> Vec<Way> {
+    pub(super) fn ways(
+        &self,
+        number: usize,
+        engine: &Engine,
+        state: &mut Workspace,
+    ) -> Vec<Placement> {
         self.lead_in(number, engine, state);
         if let Some(key) = self.key(number, engine) {
             return match self.closing(key, engine, state) {
-                Outcome::Open | Outcome::Unclear => Vec::new(),
-                Outcome::Done | Outcome::Stretched => {
+                StepOutcome::Open | StepOutcome::Unclear => Vec::new(),
+                StepOutcome::Done | StepOutcome::Stretched => {
                     let plus = side_of(engine, key, Pick::Plus).unwrap_or(1.0);
-                    vec![Way::Side(plus), Way::Side(-plus)]
+                    vec![Placement::Side(plus), Placement::Side(-plus)]
                 }
             };
         }
         if self.coupled(number, engine).is_some() {
             let roots = self.all_roots(number, engine, state);
-            return roots.into_iter().map(Way::Root).collect();
+            return roots.into_iter().map(Placement::Root).collect();
         }
-        vec![Way::Only]
+        vec![Placement::Only]
     }
 
     /// Places a group in one of its ways; those before it stand.
     pub(super) fn take(
         &self,
         number: usize,
-        way: &Way,
+        way: &Placement,
         engine: &mut Engine,
         state: &mut Workspace,
     ) -> Condition {
         match way {
-            Way::Only => {}
-            Way::Side(sign) => {
+            Placement::Only => {}
+            Placement::Side(sign) => {
                 state.state.signs[number] = *sign;
                 engine.signs[number] = *sign;
             }
-            Way::Root(z) => self.take_root(number, z, engine, state),
+            Placement::Root(z) => self.take_root(number, z, engine, state),
         }
         self.place(number, engine, state)
     }
@@ -228,8 +233,8 @@ impl Assembler<'_> {
 
     fn singular(&self, number: usize) -> Fault {
         let group = self.group(number);
-        let links = group.links.iter().map(|&l| crate::Element::Link(l));
-        let elements = links.chain(group.point.map(crate::Element::Point));
+        let links = group.links.iter().map(|&l| crate::ElementId::Link(l));
+        let elements = links.chain(group.point.map(crate::ElementId::Point));
         Fault::Singular {
             elements: elements.collect(),
             is_here_only: false,
@@ -238,7 +243,7 @@ impl Assembler<'_> {
 
     // ---- dyads
 
-    fn closing(&self, key: usize, engine: &Engine, state: &mut Workspace) -> Outcome {
+    fn closing(&self, key: usize, engine: &Engine, state: &mut Workspace) -> StepOutcome {
         let step = &engine.program.steps[key];
         engine.place_dyad(step, self.request.at, &mut state.state)
     }
@@ -249,26 +254,26 @@ impl Assembler<'_> {
         number: usize,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Result<Way, Halt> {
+    ) -> Result<Placement, Halt> {
         let Some(key) = self.key(number, engine) else {
-            return Ok(Way::Only);
+            return Ok(Placement::Only);
         };
         let picked = self.request.picks[number];
         let picked = picked.map(|pick| side_of(engine, key, pick).ok_or(pick));
         let in_doubles = self.closing(key, engine, state);
         // What is named as an end lies up to half an ulp beyond it, or before.
-        let may_end = in_doubles == Outcome::Stretched && self.order != Order::Position;
+        let may_end = in_doubles == StepOutcome::Stretched && self.order != Order::Position;
         match self.closing_closely(key, in_doubles, state) {
-            Outcome::Open | Outcome::Unclear | Outcome::Stretched if may_end => {
+            StepOutcome::Open | StepOutcome::Unclear | StepOutcome::Stretched if may_end => {
                 return Err(Halt::Stretched(number));
             }
-            Outcome::Open | Outcome::Unclear => {
+            StepOutcome::Open | StepOutcome::Unclear => {
                 return Err(self.open(number, key, engine, state).into());
             }
-            Outcome::Done | Outcome::Stretched => {}
+            StepOutcome::Done | StepOutcome::Stretched => {}
         }
         match picked {
-            Some(Ok(sign)) => Ok(Way::Side(sign)),
+            Some(Ok(sign)) => Ok(Placement::Side(sign)),
             Some(Err(_)) => Err(self.no_choice(number, 2).into()),
             None => match self.nearer_side(number, key, engine, state) {
                 Err(Halt::Fault(Fault::Vague { .. })) if may_end => Err(Halt::Stretched(number)),
@@ -284,7 +289,7 @@ impl Assembler<'_> {
         key: usize,
         engine: &mut Engine,
         state: &mut Workspace,
-    ) -> Result<Way, Halt> {
+    ) -> Result<Placement, Halt> {
         let wanted = self.wanted(number, engine);
         let subject = self.subject(number, engine, key);
         let mut found = [(0.0, Vec2::ZERO); 2];
@@ -303,7 +308,7 @@ impl Assembler<'_> {
             return Err(Fault::Vague { point, choices }.into());
         }
         let sign = if undecided || plus < minus { 1.0 } else { -1.0 };
-        Ok(Way::Side(sign))
+        Ok(Placement::Side(sign))
     }
 
     /// An arm without a point of its own has no start to choose by: it runs along its guide's
@@ -384,7 +389,7 @@ impl Assembler<'_> {
         for (number, pick) in picks.iter_mut().enumerate() {
             let key = self.key(number, engine);
             let ends = key.map(|key| looking.closing(key, engine, state));
-            if ends == Some(Outcome::Stretched) {
+            if ends == Some(StepOutcome::Stretched) {
                 let hinted = key.and_then(|key| self.hinted(number, key, engine, state));
                 *pick = pick.or(hinted).or(Some(Pick::Plus));
             }
@@ -467,7 +472,7 @@ pub(super) fn handedness(step: &Step) -> f64 {
     let mut links = Vec::new();
     if step.choice().is_some() {
         step.outputs(&[], &mut |part| {
-            if let Part::Link(link) = part {
+            if let PlacedPart::Link(link) = part {
                 links.push(link);
             }
         });

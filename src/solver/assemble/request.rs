@@ -2,7 +2,7 @@
 
 use crate::solver::fault::Fault;
 use crate::solver::plan::{Pick, Plan};
-use crate::{Element, PointId, Vec2};
+use crate::{ElementId, PointId, Vec2};
 
 /// Where, and in which way: a pick decides for its group, rough places for the others.
 #[derive(Clone, Debug)]
@@ -22,7 +22,7 @@ impl<'a> Request<'a> {
         plan: &Plan,
         at: f64,
         near: &'a [(PointId, Vec2)],
-        picks: &[(Element, Pick)],
+        picks: &[(ElementId, Pick)],
     ) -> Result<Request<'a>, Fault> {
         let mut all = vec![None; plan.groups.len()];
         for &(group, pick) in picks {

@@ -1,6 +1,6 @@
 //! The ways of a coupled group: its solutions.
 
-use super::{Assembler, Halt, Way, miss};
+use super::{Assembler, Halt, Placement, miss};
 use crate::solver::coupled::{Coupled, is_same};
 use crate::solver::engine::Engine;
 use crate::solver::fault::Fault;
@@ -76,14 +76,14 @@ impl Assembler<'_> {
         number: usize,
         engine: &Engine,
         work: &mut Workspace,
-    ) -> Result<Way, Halt> {
+    ) -> Result<Placement, Halt> {
         match self.request.picks[number] {
             Some(Pick::Number(n)) => {
                 let roots = self.all_roots(number, engine, work);
                 let found = roots.len();
                 let root = roots.into_iter().nth(n.wrapping_sub(1));
                 let root = root.ok_or_else(|| self.no_choice(number, found))?;
-                Ok(Way::Root(root))
+                Ok(Placement::Root(root))
             }
             Some(Pick::Plus | Pick::Minus) => {
                 let found = self.all_roots(number, engine, work).len();
@@ -99,9 +99,9 @@ impl Assembler<'_> {
         number: usize,
         engine: &Engine,
         work: &mut Workspace,
-    ) -> Result<Way, Halt> {
+    ) -> Result<Placement, Halt> {
         let Some(group) = self.coupled_of(number, engine) else {
-            return Ok(Way::Only);
+            return Ok(Placement::Only);
         };
         let wanted = self.wanted(number, engine);
         let near =
@@ -144,7 +144,7 @@ impl Assembler<'_> {
             }
             .into());
         };
-        Ok(Way::Root(root))
+        Ok(Placement::Root(root))
     }
 
     /// Every solution that a search without any start finds, in an order of their own.

@@ -6,7 +6,7 @@ use super::limb::Limb;
 use super::meeting::{Meeting, Met, meet};
 use super::off::PointOff;
 use super::places::{Bodies, Places};
-use super::shape::{Shape, stretch};
+use super::shape::{LinkShape, stretch};
 use crate::arithmetic::plane::{Plane, Simd, f64x2, number};
 use crate::solver::elements::Arm;
 use crate::solver::state::State;
@@ -59,7 +59,7 @@ pub(super) fn limb_of<S: Simd, const FUSED: bool>(
 ) -> Limb<f64x2<S>, FUSED> {
     let pivot = Places::of(simd, &state.points[arm.pivot.index()]);
     let stretch = stretch::<_, FUSED>(link.d);
-    Limb::new(end, &pivot, link, &Shape::of_arm(simd, arm), stretch)
+    Limb::new(end, &pivot, link, &LinkShape::of_arm(simd, arm), stretch)
 }
 
 impl Errors {

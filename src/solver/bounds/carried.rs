@@ -1,14 +1,14 @@
 //! Bounds of what follows from points and links without a constraint to solve.
 
-use super::driver::Heading;
+use super::driver::CrankDirection;
 use super::errors::{Errors, LinkError, PointError, size};
 use super::limb::{Drift, Limb, Moved, RESIDUAL, SUM, Turned};
 use super::off::{LinkOff, PointOff, rounding};
 use super::places::{Bodies, Places};
-use super::shape::Shape;
+use super::shape::LinkShape;
 use crate::arithmetic::plane::{Fallback, Plane, Simd, number, vector};
 use crate::arithmetic::{Sharp, U};
-use crate::solver::demand::Part;
+use crate::solver::demand::PlacedPart;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::state::State;
 use crate::{Ball, Constant, LinkId, PointId, Vec2};
@@ -104,7 +104,7 @@ impl Errors {
         let body = Bodies::of(simd, &state.links[link.index()]);
         let from = PointOff::of(simd, self.point(base));
         let by = LinkOff::of(simd, self.link(link));
-        let shape = Shape::at(simd, local);
+        let shape = LinkShape::at(simd, local);
         let limb = Limb::<_, FUSED>::new(&x, &p, &body, &shape, by.stretch).lengthened();
         let ways = limb.swung(order, &by);
         let mut error = PointOff::none(number(simd, 0.0));
@@ -139,12 +139,12 @@ impl Errors {
         &mut self,
         simd: S,
         point: PointId,
-        (heading, local): (&Heading, Vec2<Constant>),
+        (heading, local): (&CrankDirection, Vec2<Constant>),
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
         let x = Places::of(simd, &state.points[point.index()]);
-        let shape = Shape::at(simd, local);
+        let shape = LinkShape::at(simd, local);
         let [arm, low] = shape.turned::<FUSED>(vector(simd, heading.d));
         let swing = low + vector(simd, local.map(|v| v.hi).turned(heading.low));
         let rest = shape.length * (heading.off + RESIDUAL) + shape.off + rounding(swing);
@@ -191,23 +191,23 @@ impl Errors {
     /// What was found in twice the digits.
     pub(super) fn take(
         &mut self,
-        part: Part,
+        part: PlacedPart,
         from: &State<Sharp>,
         state: &State,
         enclosure: &mut State<Ball>,
     ) {
         match part {
-            Part::Point(point) => {
+            PlacedPart::Point(point) => {
                 let i = point.index();
                 let error = PointError::of_sharp(&from.points[i], &state.points[i]);
                 self.stand_alone(point, error, state, enclosure);
             }
-            Part::Link(link) => {
+            PlacedPart::Link(link) => {
                 let i = link.index();
                 let error = LinkError::of_sharp(&from.links[i], &state.links[i]);
                 self.turn_alone(link, error, state, enclosure);
             }
-            Part::Slide(_) => {}
+            PlacedPart::Slide(_) => {}
         }
     }
 
@@ -243,6 +243,6 @@ impl Errors {
 /// d - R(turn) d0, to twice the digits.
 fn missed(d: Vec2, from: Vec2, turn: Vec2<Constant>) -> Vec2 {
     let simd = Fallback::new();
-    let [turned, low] = Shape::unit(simd, turn).turned::<false>(vector(simd, from));
+    let [turned, low] = LinkShape::unit(simd, turn).turned::<false>(vector(simd, from));
     ((vector(simd, d) - turned) - low).vector(0)
 }

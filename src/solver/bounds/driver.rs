@@ -63,15 +63,15 @@ fn unit_of(size: f64) -> Option<f64> {
 }
 
 /// A crank's direction to twice the digits, as two vectors, and how far it can be from that.
-pub(super) struct Heading {
+pub(super) struct CrankDirection {
     pub d: Vec2,
     pub low: Vec2,
     pub off: f64,
 }
 
-impl Heading {
+impl CrankDirection {
     /// Of a driver that pushes.
-    pub(super) const NONE: Heading = Heading {
+    pub(super) const NONE: CrankDirection = CrankDirection {
         d: Vec2::X,
         low: Vec2::ZERO,
         off: 0.0,
@@ -79,13 +79,13 @@ impl Heading {
 
     /// At an angle in degrees. A long chain makes much of little: there it is found to all of these digits.
     #[inline(always)]
-    pub(super) fn at<const FUSED: bool>(at: Ball, is_long: bool) -> Heading {
+    pub(super) fn at<const FUSED: bool>(at: Ball, is_long: bool) -> CrankDirection {
         let (close, off) = if is_long {
             (Double::unit(at.mid), Vec2::ZERO)
         } else {
             angle::unit_closely::<FUSED>(at.mid)
         };
-        Heading {
+        CrankDirection {
             d: close.map(|v| v.hi),
             low: close.map(|v| v.lo),
             off: off.x + off.y + UNIT + at.radius * RADIAN,

@@ -8,7 +8,7 @@ use super::meeting::{Meeting, meet};
 use super::off::PointOff;
 use super::places::{Bodies, Places};
 use super::rail::Rail;
-use super::shape::{Shape, stretch};
+use super::shape::{LinkShape, stretch};
 use crate::Ball;
 use crate::arithmetic::U;
 use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, number, others};
@@ -27,7 +27,7 @@ fn open(length: f64, (own, left): (f64, f64), has_row: bool, condition: f64) -> 
 }
 
 /// Two arms, from end to end.
-struct Pair<'a, S: Simd> {
+struct ArmPair<'a, S: Simd> {
     /// The ways, each in the place of the other one,
     others: f64x4<S>,
     /// and these over e1 x e2, for the second arm with the other sign.
@@ -37,13 +37,13 @@ struct Pair<'a, S: Simd> {
     dyad: &'a Circles,
 }
 
-impl<'a, S: Simd> Pair<'a, S> {
+impl<'a, S: Simd> ArmPair<'a, S> {
     #[inline(always)]
     fn of<const FUSED: bool>(dyad: &'a Circles, limbs: &Limb<f64x4<S>, FUSED>) -> Self {
         let opposite = others(limbs.e);
         // e2 . (k x e1) is e1 x e2.
         let inverse = opposite.all(1.0) / opposite.dot(limbs.across[0]);
-        Pair {
+        ArmPair {
             others: opposite,
             turning: opposite * inverse,
             gains: others(limbs.length) * inverse.abs(),
@@ -64,7 +64,7 @@ impl<'a, S: Simd> Pair<'a, S> {
     }
 }
 
-impl<S: Simd> Meeting<f64x4<S>> for Pair<'_, S> {
+impl<S: Simd> Meeting<f64x4<S>> for ArmPair<'_, S> {
     #[inline(always)]
     fn gains(&self) -> f64x4<S> {
         self.gains
@@ -121,7 +121,7 @@ struct OnRail<'a, S: Simd> {
 }
 
 impl<S: Simd> OnRail<'_, S> {
-    /// As [`Pair::write_rows`].
+    /// As [`ArmPair::write_rows`].
     fn write_rows(&self, rows: &mut Influences) {
         let [n, e] = [self.rail.normal, self.way].map(|v| v.vector(0));
         let inverse = self.inverse.number(0);
@@ -196,14 +196,14 @@ impl Circles {
             &Places::both(&x, &x),
             &pivots,
             &links,
-            &Shape::of_arms(simd, near, far),
+            &LinkShape::of_arms(simd, near, far),
             stretch::<_, FUSED>(links.d),
         );
         let from = PointOff::both(
             &PointOff::of(simd, errors.point(near.pivot)),
             &PointOff::of(simd, errors.point(far.pivot)),
         );
-        let pair = Pair::of(self, &limbs);
+        let pair = ArmPair::of(self, &limbs);
         let met = meet(order, &limbs, &from, &pair, &mut errors.influences);
         let Some(mut met) = met else {
             return false;

@@ -5,7 +5,7 @@ use super::Errors;
 use super::driver::asked_radius;
 use super::errors::{LinkError, PointError};
 use crate::arithmetic::Sharp;
-use crate::solver::demand::Part;
+use crate::solver::demand::PlacedPart;
 use crate::solver::state::{Condition, State};
 use crate::solver::{Order, Solver, Workspace};
 use crate::{Ball, Double};
@@ -36,22 +36,27 @@ impl Solver {
 
 impl Errors {
     /// What was found in twice the digits. Its influence on what stands on it is in what was found there.
-    pub(super) fn take_edge(&mut self, part: Part, state: &State, enclosure: &mut State<Ball>) {
+    pub(super) fn take_edge(
+        &mut self,
+        part: PlacedPart,
+        state: &State,
+        enclosure: &mut State<Ball>,
+    ) {
         let Some(edge) = &self.edge else {
             return;
         };
         match part {
-            Part::Point(point) => {
+            PlacedPart::Point(point) => {
                 let i = point.index();
                 let error = PointError::of_sharp(&edge.points[i], &state.points[i]);
                 self.put_point(point, &error, state, enclosure);
             }
-            Part::Link(link) => {
+            PlacedPart::Link(link) => {
                 let i = link.index();
                 let error = LinkError::of_sharp(&edge.links[i], &state.links[i]);
                 self.put_link(link, &error, state, enclosure);
             }
-            Part::Slide(_) => {}
+            PlacedPart::Slide(_) => {}
         }
     }
 }

@@ -10,7 +10,7 @@
 
 use super::limb::SUM;
 use crate::solver::coupled::Coupled;
-use crate::solver::demand::Part;
+use crate::solver::demand::PlacedPart;
 use crate::solver::elements::Step;
 use crate::solver::plan::Program;
 use crate::{LinkId, PointId, Vec2};
@@ -18,7 +18,7 @@ use std::f64::consts::SQRT_2;
 
 /// By how much each of the first sources moves a point, or in x a link's angle.
 #[derive(Clone, Debug, Default)]
-struct Row {
+struct InfluenceRow {
     x: Vec<f64>,
     y: Vec<f64>,
     len: usize,
@@ -32,7 +32,7 @@ pub(super) struct Influences {
     known: usize,
     is_long: bool,
     /// The first one stays empty: what stands on no source.
-    rows: Vec<Row>,
+    rows: Vec<InfluenceRow>,
     /// Where the rows of points and links are; the first one of those that have none.
     points: Vec<usize>,
     links: Vec<usize>,
@@ -47,9 +47,9 @@ fn sources(step: &Step, coupled: &[Coupled]) -> usize {
     let mut count = 0;
     step.outputs(coupled, &mut |part| {
         count += match part {
-            Part::Point(_) => 2,
-            Part::Link(_) => 1,
-            Part::Slide(_) => 0,
+            PlacedPart::Point(_) => 2,
+            PlacedPart::Link(_) => 1,
+            PlacedPart::Slide(_) => 0,
         }
     });
     count
@@ -65,7 +65,7 @@ fn reads_rows(step: &Step) -> bool {
 
 /// Whether what a step places has rows.
 fn writes_rows(step: &Step) -> bool {
-    !matches!(step, Step::Crank(_) | Step::Spin(_) | Step::Travel(_))
+    !matches!(step, Step::Crank(_) | Step::Spin(_) | Step::SlideReadout(_))
 }
 
 /// Who has a row: joints of dyads, and what these stand on. Of the rest, which nothing stands on, the
@@ -96,20 +96,20 @@ impl Needed {
             });
             if is_needed && reads_rows(step) {
                 step.inputs(&program.coupled, &mut |part| match part {
-                    Part::Point(point) => needed.points[point.index()] = true,
-                    Part::Link(link) => needed.links[link.index()] = true,
-                    Part::Slide(_) => {}
+                    PlacedPart::Point(point) => needed.points[point.index()] = true,
+                    PlacedPart::Link(link) => needed.links[link.index()] = true,
+                    PlacedPart::Slide(_) => {}
                 });
             }
         }
         needed
     }
 
-    fn has(&self, part: Part) -> bool {
+    fn has(&self, part: PlacedPart) -> bool {
         match part {
-            Part::Point(point) => self.points[point.index()],
-            Part::Link(link) => self.links[link.index()],
-            Part::Slide(_) => false,
+            PlacedPart::Point(point) => self.points[point.index()],
+            PlacedPart::Link(link) => self.links[link.index()],
+            PlacedPart::Slide(_) => false,
         }
     }
 }
@@ -121,9 +121,9 @@ fn summed(row: &[f64], bounds: &[f64]) -> f64 {
     terms.map(term).sum()
 }
 
-impl Row {
-    fn of(sources: usize) -> Row {
-        Row {
+impl InfluenceRow {
+    fn of(sources: usize) -> InfluenceRow {
+        InfluenceRow {
             x: vec![0.0; sources],
             y: vec![0.0; sources],
             len: 0,
@@ -138,7 +138,7 @@ impl Row {
 
     /// Adds M row, M by its columns.
     #[inline(always)]
-    fn add(&mut self, row: &Row, [first, second]: [Vec2; 2]) {
+    fn add(&mut self, row: &InfluenceRow, [first, second]: [Vec2; 2]) {
         let from = row.x[..row.len].iter().zip(&row.y[..row.len]);
         let to = self.x.iter_mut().zip(&mut self.y);
         for ((tx, ty), (x, y)) in to.zip(from) {
@@ -149,7 +149,7 @@ impl Row {
 
     /// Adds g . row to x.
     #[inline(always)]
-    fn add_across(&mut self, row: &Row, g: Vec2) {
+    fn add_across(&mut self, row: &InfluenceRow, g: Vec2) {
         let from = row.x[..row.len].iter().zip(&row.y[..row.len]);
         for (to, (x, y)) in self.x.iter_mut().zip(from) {
             *to += g.x * x + g.y * y;
@@ -171,7 +171,7 @@ impl Influences {
             is_long,
             bounds: std::array::from_fn(|_| vec![0.0; sources]),
             known: 0,
-            rows: vec![Row::default()],
+            rows: vec![InfluenceRow::default()],
             points: vec![0; program.points.len()],
             links: vec![0; program.links.len()],
         };
@@ -181,11 +181,11 @@ impl Influences {
         influences
     }
 
-    fn at(&mut self, part: Part) -> Option<&mut usize> {
+    fn at(&mut self, part: PlacedPart) -> Option<&mut usize> {
         match part {
-            Part::Point(point) => Some(&mut self.points[point.index()]),
-            Part::Link(link) => Some(&mut self.links[link.index()]),
-            Part::Slide(_) => None,
+            PlacedPart::Point(point) => Some(&mut self.points[point.index()]),
+            PlacedPart::Link(link) => Some(&mut self.links[link.index()]),
+            PlacedPart::Slide(_) => None,
         }
     }
 
@@ -197,9 +197,9 @@ impl Influences {
         let steps = || program.steps.iter().enumerate();
         for (i, step) in steps().filter(|(_, step)| reads_rows(step)) {
             step.inputs(&program.coupled, &mut |part| match part {
-                Part::Point(point) => last_points[point.index()] = i,
-                Part::Link(link) => last_links[link.index()] = i,
-                Part::Slide(_) => {}
+                PlacedPart::Point(point) => last_points[point.index()] = i,
+                PlacedPart::Link(link) => last_links[link.index()] = i,
+                PlacedPart::Slide(_) => {}
             });
         }
         let mut free = Vec::new();
@@ -212,18 +212,18 @@ impl Influences {
             });
             for &part in &placed {
                 let row = free.pop().unwrap_or_else(|| {
-                    self.rows.push(Row::of(sources));
+                    self.rows.push(InfluenceRow::of(sources));
                     self.rows.len() - 1
                 });
                 if let Some(at) = self.at(part) {
                     *at = row;
                 }
             }
-            let mut done = |part: Part| {
+            let mut done = |part: PlacedPart| {
                 let (row, last) = match part {
-                    Part::Point(p) => (self.points[p.index()], last_points[p.index()]),
-                    Part::Link(l) => (self.links[l.index()], last_links[l.index()]),
-                    Part::Slide(_) => return,
+                    PlacedPart::Point(p) => (self.points[p.index()], last_points[p.index()]),
+                    PlacedPart::Link(l) => (self.links[l.index()], last_links[l.index()]),
+                    PlacedPart::Slide(_) => return,
                 };
                 if row != 0 && last <= i && !free.contains(&row) {
                     free.push(row);
@@ -280,7 +280,7 @@ impl Influences {
         &mut self,
         point: PointId,
         bounds: [f64; 3],
-        write: impl FnOnce(&mut Row, &Influences),
+        write: impl FnOnce(&mut InfluenceRow, &Influences),
     ) {
         self.write_moved(point, [Vec2::X, Vec2::X.perp()], bounds, write);
     }
@@ -291,7 +291,7 @@ impl Influences {
         point: PointId,
         [first, second]: [Vec2; 2],
         bounds: [f64; 3],
-        write: impl FnOnce(&mut Row, &Influences),
+        write: impl FnOnce(&mut InfluenceRow, &Influences),
     ) {
         let (at, n) = (self.points[point.index()], self.known);
         let mut row = std::mem::take(&mut self.rows[at]);
@@ -311,7 +311,7 @@ impl Influences {
         &mut self,
         link: LinkId,
         bounds: [f64; 3],
-        write: impl FnOnce(&mut Row, &Influences),
+        write: impl FnOnce(&mut InfluenceRow, &Influences),
     ) {
         let (at, n) = (self.links[link.index()], self.known);
         let mut row = std::mem::take(&mut self.rows[at]);
@@ -325,11 +325,11 @@ impl Influences {
         }
     }
 
-    fn point(&self, point: PointId) -> &Row {
+    fn point(&self, point: PointId) -> &InfluenceRow {
         &self.rows[self.points[point.index()]]
     }
 
-    fn link(&self, link: LinkId) -> &Row {
+    fn link(&self, link: LinkId) -> &InfluenceRow {
         &self.rows[self.links[link.index()]]
     }
 

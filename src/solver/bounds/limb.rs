@@ -23,7 +23,7 @@
 //! at most `slack` times the turning; and the others where they arise.
 
 use super::places::{Bodies, Places};
-use super::shape::Shape;
+use super::shape::LinkShape;
 use crate::arithmetic::U;
 use crate::arithmetic::plane::Plane;
 
@@ -82,7 +82,7 @@ pub(super) struct Limb<V, const FUSED: bool> {
 }
 
 /// The rate of a way.
-pub(super) struct Rate<V> {
+pub(super) struct LimbRate<V> {
     /// k x w, and of what w leaves out.
     across: [V; 2],
     /// |w| at most.
@@ -96,7 +96,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         x: &Places<V>,
         p: &Places<V>,
         link: &Bodies<V>,
-        shape: &Shape<V>,
+        shape: &LinkShape<V>,
         stretch: V,
     ) -> Self {
         let [e, lost] = x.p.plus(-p.p);
@@ -132,7 +132,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
 
     /// Sigma.
     #[inline(always)]
-    fn see_second(&self, rate: &Rate<V>) -> V {
+    fn see_second(&self, rate: &LimbRate<V>) -> V {
         let [x, p] = &self.ends;
         let [a, low] = x.a.plus(-p.a);
         let ([e, e_lost], [w, w_lost]) = (self.across, rate.across);
@@ -157,7 +157,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
 
     /// The same of its rate, once it is known what moves e; and that rate.
     #[inline(always)]
-    pub(super) fn drift_of_rate(&self, e: &Moved<V>) -> (Drift<V>, Rate<V>) {
+    pub(super) fn drift_of_rate(&self, e: &Moved<V>) -> (Drift<V>, LimbRate<V>) {
         let (across, rho) = self.see_rate();
         let (omega, off) = (self.omega.abs(), rho.size());
         let most = omega * e.most + off;
@@ -167,7 +167,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
             new: most * (2.0 * SUM),
         };
         let speed = omega * self.length + off;
-        (drift, Rate { across, speed })
+        (drift, LimbRate { across, speed })
     }
 
     /// The same of its second rate, once it is known what moves the angular velocity.
@@ -175,7 +175,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
     pub(super) fn drift_of_second(
         &self,
         [e, w]: [&Moved<V>; 2],
-        rate: &Rate<V>,
+        rate: &LimbRate<V>,
         spin: &Turned<V>,
     ) -> Drift<V> {
         let sigma = self.see_second(rate);
@@ -205,7 +205,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
 
     /// What rests of w and of the angular velocity make of it.
     #[inline(always)]
-    pub(super) fn carried_by_rate(&self, w: V, rate: &Rate<V>, spin: V) -> V {
+    pub(super) fn carried_by_rate(&self, w: V, rate: &LimbRate<V>, spin: V) -> V {
         self.omega.abs() * w + rate.speed * spin
     }
 

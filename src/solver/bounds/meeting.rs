@@ -62,7 +62,7 @@ pub(super) struct Met<V: Plane> {
 }
 
 /// One order of a meeting: what is open in all, of which nothing is known, is the rest of the ends.
-struct Found<V> {
+struct MeetingOrder<V> {
     turned: Turned<V>,
     way: Moved<V>,
     own: V,
@@ -72,7 +72,7 @@ struct Found<V> {
 
 /// What is open at an order: of the drifts, what closes it, how much is not known of it before the turning is, and in
 /// all. `carried` is what rests of lower orders make of each arm.
-struct Open<V> {
+struct OpenOrder<V> {
     drift: Drift<V>,
     carried: V,
     turning: V,
@@ -81,7 +81,7 @@ struct Open<V> {
 }
 
 /// How a meeting is looked at, at every order.
-struct View<'a, V, M, const FUSED: bool> {
+struct MeetingView<'a, V, M, const FUSED: bool> {
     limb: &'a Limb<V, FUSED>,
     from: &'a PointOff<V>,
     meeting: &'a M,
@@ -90,9 +90,9 @@ struct View<'a, V, M, const FUSED: bool> {
     reach: V,
 }
 
-impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
+impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
     #[inline(always)]
-    fn open(&self, order: usize, drift: Drift<V>, carried: Option<(V, V)>) -> Open<V> {
+    fn open(&self, order: usize, drift: Drift<V>, carried: Option<(V, V)>) -> OpenOrder<V> {
         let Self { from, meeting, .. } = self;
         let (turning, gap) = meeting.close(order, from.shift[order] + drift.shift);
         let new = (drift.new + from.left[order]).total();
@@ -101,7 +101,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
             Some((each, all)) => (each, new + all),
             None => (gap.all(0.0), new),
         };
-        Open {
+        OpenOrder {
             drift,
             carried,
             turning,
@@ -116,11 +116,11 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
     fn settle(
         &self,
         order: usize,
-        of: &Open<V>,
+        of: &OpenOrder<V>,
         most: V,
         (besides, sum): (V, V),
         rows: &mut Influences,
-    ) -> Found<V> {
+    ) -> MeetingOrder<V> {
         let Self {
             limb,
             from,
@@ -139,7 +139,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
             let joint = most.all(meeting.rest_by_rows(order, own, from, rows));
             let between = from.left[order] + joint;
             turned.rest = limb.turning(between + own);
-            return Found {
+            return MeetingOrder {
                 turned,
                 way: limb.way(&of.drift, &turned, between),
                 own,
@@ -149,7 +149,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
         }
         let open = of.known + sum;
         turned.rest = self.gains * open;
-        Found {
+        MeetingOrder {
             turned,
             way: limb.way(&of.drift, &turned, self.reach * open),
             own: none,
@@ -167,7 +167,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
         carried: Option<(V, V)>,
         (slack, part): (V, V),
         rows: &mut Influences,
-    ) -> Found<V> {
+    ) -> MeetingOrder<V> {
         let open = self.open(order, drift, carried);
         let most = self.gains * (open.all * GROWTH);
         self.settle(order, &open, most, (slack * most, part * open.all), rows)
@@ -175,7 +175,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> View<'_, V, M, FUSED> {
 
     /// The error of the joint at an order, by the first of its arms.
     #[inline(always)]
-    fn note(&self, order: usize, found: &Found<V>, joint: &mut PointOff<V::One>) {
+    fn note(&self, order: usize, found: &MeetingOrder<V>, joint: &mut PointOff<V::One>) {
         let shift = (self.from.shift[order] + found.way.shift).first();
         joint.settle(order, shift, found.joint.first());
     }
@@ -211,7 +211,7 @@ pub(super) fn meet<V: Plane, const FUSED: bool>(
     let mut joint = PointOff::none(none.first());
     let mut links = LinkOff::none(none);
     let mut own = [none; 3];
-    let view = View {
+    let view = MeetingView {
         limb,
         from,
         meeting,

@@ -34,9 +34,9 @@ mod stretched;
 pub(super) use errors::Errors;
 
 use super::coupled::{Scratch, Views};
-use super::demand::Part;
+use super::demand::PlacedPart;
 use super::elements::{
-    ACCELERATION, Aim, Crank, Dyad, Lock, Outcome, POSITION, Ride, Spin, Step, VELOCITY,
+    ACCELERATION, Aim, Crank, Dyad, Lock, POSITION, Ride, Spin, Step, StepOutcome, VELOCITY,
 };
 use super::engine::Engine;
 use super::forces::Balance;
@@ -45,7 +45,7 @@ use super::{Order, Solver, Workspace};
 use crate::arithmetic::plane::Simd;
 use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
-use driver::{Heading, asked_radius};
+use driver::{CrankDirection, asked_radius};
 use off::LinkOff;
 use places::Bodies;
 
@@ -106,7 +106,7 @@ fn run<T: Number>(
     order: u8,
     (q, direction): (T, Vec2<T>),
     state: &mut State<T>,
-) -> Outcome {
+) -> StepOutcome {
     match order {
         POSITION => step.run::<T, POSITION>(q, direction, state),
         VELOCITY => step.run::<T, VELOCITY>(q, direction, state),
@@ -121,20 +121,20 @@ fn travel<T: Number>(step: &Step, order: u8, state: &mut State<T>) {
 
 impl State<Sharp> {
     /// Takes what was enclosed in balls.
-    fn sharpen(&mut self, part: Part, balls: &State<Ball>) {
+    fn sharpen(&mut self, part: PlacedPart, balls: &State<Ball>) {
         let vector = |v: Vec2<Ball>| v.map(Sharp::from);
         match part {
-            Part::Point(point) => {
+            PlacedPart::Point(point) => {
                 let PointState { p, v, a } = balls.points[point.index()];
                 let [p, v, a] = [p, v, a].map(vector);
                 self.points[point.index()] = PointState { p, v, a };
             }
-            Part::Link(link) => {
+            PlacedPart::Link(link) => {
                 let LinkState { d, w, a } = balls.links[link.index()];
                 let (d, [w, a]) = (vector(d), [w, a].map(Sharp::from));
                 self.links[link.index()] = LinkState { d, w, a };
             }
-            Part::Slide(_) => {}
+            PlacedPart::Slide(_) => {}
         }
     }
 }
@@ -228,13 +228,13 @@ impl Engine {
             Order::Acceleration | Order::Force => ACCELERATION,
         };
         let heading = if self.turns {
-            Heading::at::<FUSED>(at, errors.influences.matter::<FUSED>())
+            CrankDirection::at::<FUSED>(at, errors.influences.matter::<FUSED>())
         } else {
-            Heading::NONE
+            CrankDirection::NONE
         };
         let mut all = true;
         for step in &self.program.steps {
-            if is_edge && !matches!(step, Step::Travel(_)) {
+            if is_edge && !matches!(step, Step::SlideReadout(_)) {
                 step.outputs(&self.program.coupled, &mut |part| {
                     errors.take_edge(part, state, enclosure);
                 });
@@ -277,7 +277,7 @@ impl Engine {
                     errors.lock([link, to], turn, state, enclosure);
                     true
                 }
-                Step::Travel(_) => {
+                Step::SlideReadout(_) => {
                     travel(step, order, enclosure);
                     errors.travel(step, order);
                     true
@@ -328,7 +328,7 @@ impl Engine {
         } else {
             let driven = self.driven().map(|link| sharp.state.links[link.index()].d);
             let direction = driven.unwrap_or(Vec2::X.exactly());
-            run(step, order, (q, direction), &mut sharp.state) == Outcome::Done
+            run(step, order, (q, direction), &mut sharp.state) == StepOutcome::Done
         };
         if proved {
             step.outputs(&self.program.coupled, &mut |part| {
@@ -366,15 +366,15 @@ impl Engine {
     fn forget(&self, step: &Step, enclosure: &mut State<Ball>) {
         let nowhere = Vec2::new(UNKNOWN, UNKNOWN);
         step.outputs(&self.program.coupled, &mut |part| match part {
-            Part::Point(point) => {
+            PlacedPart::Point(point) => {
                 let place = &mut enclosure.points[point.index()];
                 (place.p, place.v, place.a) = (nowhere, nowhere, nowhere);
             }
-            Part::Link(link) => {
+            PlacedPart::Link(link) => {
                 let link = &mut enclosure.links[link.index()];
                 (link.d, link.w, link.a) = (nowhere, UNKNOWN, UNKNOWN);
             }
-            Part::Slide(_) => {}
+            PlacedPart::Slide(_) => {}
         });
     }
 }
@@ -432,16 +432,16 @@ mod tests {
             let off = |k: usize| OFF * (1.0 + k as f64).sin();
             let program = &solver.engine.program;
             let mut spoil = |part| match part {
-                Part::Point(point) => {
+                PlacedPart::Point(point) => {
                     let k = point.index();
                     state.state.points[k].p += Vec2::new(off(2 * k), off(2 * k + 1));
                 }
-                Part::Link(link) => {
+                PlacedPart::Link(link) => {
                     let turn = crate::angle::unit(off(3 * link.index()).to_degrees());
                     let link = &mut state.state.links[link.index()];
                     link.d = link.d.turned(turn);
                 }
-                Part::Slide(_) => {}
+                PlacedPart::Slide(_) => {}
             };
             for step in &program.steps {
                 step.outputs(&program.coupled, &mut spoil);

@@ -12,7 +12,7 @@ pub(super) fn is_zero(constant: Constant) -> bool {
 
 /// The place of a point on a link, seen from another one, with the digits that a double leaves out; or two such.
 #[derive(Clone, Copy)]
-pub(super) struct Shape<V> {
+pub(super) struct LinkShape<V> {
     /// Its coordinates along the x axis and across it, each with what it leaves out.
     along: [V; 2],
     across: [V; 2],
@@ -23,11 +23,11 @@ pub(super) struct Shape<V> {
     is_straight: bool,
 }
 
-impl<S: Simd> Shape<f64x2<S>> {
+impl<S: Simd> LinkShape<f64x2<S>> {
     #[inline(always)]
     fn of(simd: S, local: Vec2<Constant>, length: f64, is_straight: bool) -> Self {
         let Vec2 { x, y } = local;
-        Shape {
+        LinkShape {
             along: [number(simd, x.hi), number(simd, x.lo)],
             across: [number(simd, y.hi), number(simd, y.lo)],
             off: number(simd, x.radius + y.radius),
@@ -40,25 +40,25 @@ impl<S: Simd> Shape<f64x2<S>> {
     #[inline(always)]
     pub(super) fn at(simd: S, local: Vec2<Constant>) -> Self {
         let length = size(local.map(|v| v.hi));
-        Shape::of(simd, local, length, is_zero(local.y))
+        LinkShape::of(simd, local, length, is_zero(local.y))
     }
 
     /// Of a direction.
     pub(super) fn unit(simd: S, direction: Vec2<Constant>) -> Self {
-        Shape::of(simd, direction, 1.0, false)
+        LinkShape::of(simd, direction, 1.0, false)
     }
 
     #[inline(always)]
     pub(super) fn of_arm(simd: S, arm: &Arm) -> Self {
-        Shape::of(simd, arm.local, arm.length.hi, arm.is_straight)
+        LinkShape::of(simd, arm.local, arm.length.hi, arm.is_straight)
     }
 }
 
-impl<S: Simd> Shape<f64x4<S>> {
+impl<S: Simd> LinkShape<f64x4<S>> {
     #[inline(always)]
     pub(super) fn of_arms(simd: S, near: &Arm, far: &Arm) -> Self {
-        let (a, b) = (Shape::of_arm(simd, near), Shape::of_arm(simd, far));
-        Shape {
+        let (a, b) = (LinkShape::of_arm(simd, near), LinkShape::of_arm(simd, far));
+        LinkShape {
             along: [both(a.along[0], b.along[0]), both(a.along[1], b.along[1])],
             across: [
                 both(a.across[0], b.across[0]),
@@ -71,7 +71,7 @@ impl<S: Simd> Shape<f64x4<S>> {
     }
 }
 
-impl<V: Plane> Shape<V> {
+impl<V: Plane> LinkShape<V> {
     /// Where it is on a link in this direction, to twice the digits: as two vectors.
     #[inline(always)]
     pub(super) fn turned<const FUSED: bool>(&self, d: V) -> [V; 2] {

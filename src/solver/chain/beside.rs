@@ -2,16 +2,16 @@
 //! and how far every slide has travelled.
 
 use super::Chain;
-use crate::solver::elements::Travel;
-use crate::solver::network::Row;
-use crate::solver::plan::{Gauge, Watch};
+use crate::solver::elements::SlideReadout;
+use crate::solver::network::ScalarEquation;
+use crate::solver::plan::{Gauge, WatchedConstraint};
 use crate::{Constant, LinkId, PointId, Vec2};
 
 impl Chain<'_> {
     /// Where constraints were set aside, all are watched, those first. Which of them the steps then
     /// leave out is theirs to choose: a link's joints may all ride on it although one of its
     /// equations was set aside, and another constraint is lost for it.
-    pub(super) fn watch(&mut self, set_aside: &[Row]) {
+    pub(super) fn watch(&mut self, set_aside: &[ScalarEquation]) {
         if set_aside.is_empty() {
             return;
         }
@@ -19,7 +19,7 @@ impl Chain<'_> {
         let others = network.rows.iter().filter(|r| !set_aside.contains(r));
         for &row in set_aside.iter().chain(others) {
             if let Some(gauge) = self.gauge(row) {
-                self.program.watches.push(Watch {
+                self.program.watches.push(WatchedConstraint {
                     element: row.element(),
                     gauge,
                 });
@@ -27,9 +27,9 @@ impl Chain<'_> {
         }
     }
 
-    fn gauge(&mut self, row: Row) -> Option<Gauge> {
+    fn gauge(&mut self, row: ScalarEquation) -> Option<Gauge> {
         match row {
-            Row::Along { link, end } => {
+            ScalarEquation::Along { link, end } => {
                 let (from, arm) = self.seen_from(link, end)?;
                 let length = arm.norm();
                 Some(Gauge::Distance {
@@ -38,7 +38,7 @@ impl Chain<'_> {
                     length,
                 })
             }
-            Row::Across { link, end } => {
+            ScalarEquation::Across { link, end } => {
                 let (from, arm) = self.seen_from(link, end)?;
                 let along = arm / arm.norm();
                 Some(Gauge::Direction {
@@ -48,12 +48,12 @@ impl Chain<'_> {
                     along,
                 })
             }
-            Row::Slot(slide) => {
+            ScalarEquation::Slot(slide) => {
                 let point = self.network.mechanism.slide(slide).slider.point();
                 let line = self.line(slide)?;
                 Some(Gauge::OnLine { point, line })
             }
-            Row::Push(slide) => {
+            ScalarEquation::Push(slide) => {
                 let point = self.network.mechanism.slide(slide).slider.point();
                 let line = self.line(slide)?;
                 Some(Gauge::Pushed { point, line })
@@ -72,7 +72,7 @@ impl Chain<'_> {
         for slide in self.network.mechanism.slide_ids() {
             let point = self.network.mechanism.slide(slide).slider.point();
             if let Some(line) = self.line(slide) {
-                self.push(Travel { slide, point, line });
+                self.push(SlideReadout { slide, point, line });
             }
         }
     }

@@ -8,7 +8,7 @@
 
 use super::{Chain, Scope};
 use crate::solver::elements::{
-    Arm, CircleLine, CircleRail, Circles, Cylinder, Line, Lines, Step, Swing,
+    Arm, CircleLine, CircleRail, Circles, Cylinder, GuideLine, Lines, Step, Swing,
 };
 use crate::solver::network::ClassId;
 use crate::solver::plan::{GroupKind, Hold, Leg};
@@ -363,7 +363,7 @@ impl Chain<'_> {
     }
 
     /// The line on which a held point lies: the guide, or beside it by what the carrier adds.
-    fn line_through(&mut self, point: PointId, hold: Hold) -> Option<Line> {
+    fn line_through(&mut self, point: PointId, hold: Hold) -> Option<GuideLine> {
         let Some(carrier) = hold.carrier else {
             return self.line(hold.slide);
         };
@@ -373,7 +373,7 @@ impl Chain<'_> {
         if hold.is_yoke {
             let local = here - self.network.through(hold.slide);
             let through = self.ride(slider, carrier, local);
-            return Some(Line {
+            return Some(GuideLine {
                 through,
                 link: carrier,
                 along: self.network.frame.unit(given.angle),
@@ -382,6 +382,6 @@ impl Chain<'_> {
         let guide = self.line(hold.slide)?;
         let local = self.network.between(carrier, slider, point)?;
         let through = self.ride(guide.through, carrier, local);
-        Some(Line { through, ..guide })
+        Some(GuideLine { through, ..guide })
     }
 }

@@ -1,17 +1,17 @@
 //! Guides as known lines: the point and the link by which a placed guide is followed.
 
 use super::Chain;
-use crate::solver::elements::{Line, Ride};
+use crate::solver::elements::{GuideLine, Ride};
 use crate::{Body, Constant, LinkId, PointId, SlideId, Vec2};
 
 impl Chain<'_> {
     /// The guide of a slide, if its body is placed.
-    pub(super) fn line(&mut self, slide: SlideId) -> Option<Line> {
+    pub(super) fn line(&mut self, slide: SlideId) -> Option<GuideLine> {
         let given = self.network.mechanism.slide(slide);
         let link = self.network.body(given.on);
         let along = self.network.frame.unit(given.angle);
         if let Some(through) = self.guide_points[slide.index()] {
-            return Some(Line {
+            return Some(GuideLine {
                 through,
                 link,
                 along,
@@ -34,7 +34,7 @@ impl Chain<'_> {
             }
         };
         self.guide_points[slide.index()] = Some(through);
-        Some(Line {
+        Some(GuideLine {
             through,
             link,
             along,
@@ -43,7 +43,7 @@ impl Chain<'_> {
 
     /// The place and the direction of a line that never moves: of the ground itself, through a point
     /// that no step places.
-    pub(super) fn rail(&self, line: &Line) -> Option<[Vec2<Constant>; 2]> {
+    pub(super) fn rail(&self, line: &GuideLine) -> Option<[Vec2<Constant>; 2]> {
         let is_constant = self.constants.contains(&line.through);
         (line.link == self.network.ground() && is_constant)
             .then(|| [self.program.points[line.through.index()], line.along])

@@ -8,10 +8,10 @@ mod guides;
 use super::coupled::{self, Coupled};
 use super::elements::{Aim, Arm, Crank, Lock, Push, Ride, Spin, Step};
 use super::fault::Fault;
-use super::network::{ClassId, GROUND, Network, Row, Unknown};
-use super::order::{self, Block, Ordering};
+use super::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
+use super::order::{self, CoupledBlock, Ordering};
 use super::plan::{Group, GroupKind, Plan, Program};
-use crate::{Body, Constant, Element, Input, LinkId, PointId, SlideId, Vec2};
+use crate::{Body, Constant, ElementId, Input, LinkId, PointId, SlideId, Vec2};
 
 /// The links and slides that a block's equations are about.
 #[derive(Default)]
@@ -65,7 +65,7 @@ pub(super) fn build(
     chain.travels();
     chain.program.group_starts.push(chain.program.steps.len());
     let mut redundant = order::elements(&ordering.set_aside);
-    redundant.extend(network.repeated_locks.iter().map(|&s| Element::Slide(s)));
+    redundant.extend(network.repeated_locks.iter().map(|&s| ElementId::Slide(s)));
     let plan = Plan {
         groups: chain.groups,
         mobility: 1,
@@ -290,7 +290,7 @@ impl<'n> Chain<'n> {
 
     // ---- blocks
 
-    fn settle_block(&mut self, block: &Block) -> Result<(), Fault> {
+    fn settle_block(&mut self, block: &CoupledBlock) -> Result<(), Fault> {
         let scope = self.scope(block);
         while self.settle_links(&scope.links) || self.push_slide(&scope.slides) {}
         loop {
@@ -324,18 +324,22 @@ impl<'n> Chain<'n> {
             && scope.classes.iter().all(|c| self.class_known[c.0])
     }
 
-    fn scope(&self, block: &Block) -> Scope {
+    fn scope(&self, block: &CoupledBlock) -> Scope {
         let mut scope = Scope::default();
         for &unknown in &block.unknowns {
             match unknown {
-                Unknown::Point(point) => scope.points.push(point),
-                Unknown::Class(class) => scope.classes.push(class),
+                ScalarUnknown::Point(point) => scope.points.push(point),
+                ScalarUnknown::Class(class) => scope.classes.push(class),
             }
         }
         for &row in &block.rows {
             match row {
-                Row::Along { link, .. } | Row::Across { link, .. } => scope.links.push(link),
-                Row::Slot(slide) | Row::Push(slide) => scope.slides.push(slide),
+                ScalarEquation::Along { link, .. } | ScalarEquation::Across { link, .. } => {
+                    scope.links.push(link)
+                }
+                ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => {
+                    scope.slides.push(slide)
+                }
             }
         }
         // Riders: the links of a point or a class that is settled here, even if they add no equation.
@@ -381,7 +385,7 @@ impl<'n> Chain<'n> {
         slides.iter().copied().filter(|s| !is_placed(s)).collect()
     }
 
-    fn couple(&mut self, block: &Block, scope: &Scope) -> Result<(), Fault> {
+    fn couple(&mut self, block: &CoupledBlock, scope: &Scope) -> Result<(), Fault> {
         let points: Vec<PointId> = scope
             .points
             .iter()

@@ -1,7 +1,7 @@
 //! How a coupled group is made: the choice of its unknowns, a spot for every joint, and the list of
 //! the equations between them.
 
-use super::{Base, Equation, Remainder, Seat, Spot, Turning};
+use super::{ArmSeat, Base, GroupEquation, Remainder, Spot, Turning};
 use crate::solver::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
@@ -13,7 +13,7 @@ pub(super) struct Maker<'a> {
     pub(super) turns: Vec<Vec2<Constant>>,
     classes: Vec<ClassId>,
     pub(super) free: usize,
-    pub(super) equations: Vec<Equation>,
+    pub(super) equations: Vec<GroupEquation>,
 }
 
 impl<'a> Maker<'a> {
@@ -108,7 +108,7 @@ impl<'a> Maker<'a> {
             base,
             arm: Some((turning, arm)),
             along: Vec2::default(),
-            seat: Some(Seat { link, foot, end }),
+            seat: Some(ArmSeat { link, foot, end }),
         })
     }
 
@@ -147,7 +147,7 @@ impl<'a> Maker<'a> {
                 match self.spot(point) {
                     _ if point == foot => {}
                     None => self.spots.push((point, here)),
-                    Some(there) => self.equations.push(Equation::Meeting {
+                    Some(there) => self.equations.push(GroupEquation::Meeting {
                         a: here,
                         b: there,
                         pushed: None,
@@ -193,7 +193,7 @@ impl<'a> Maker<'a> {
         // A joint that sits on another frame's arm becomes free, and is tied to that arm.
         if let Some((_, there)) = self.spots.iter_mut().find(|(p, _)| *p == foot) {
             let arm = std::mem::replace(there, spot);
-            self.equations.push(Equation::Meeting {
+            self.equations.push(GroupEquation::Meeting {
                 a: spot,
                 b: arm,
                 pushed: None,
@@ -222,7 +222,7 @@ impl<'a> Maker<'a> {
             if let (Some(a), Some(b)) = (self.spot(from), self.spot(to)) {
                 let bar = (link, [from, to]);
                 self.equations
-                    .push(Equation::Distance { a, b, length, bar });
+                    .push(GroupEquation::Distance { a, b, length, bar });
             }
         }
     }
@@ -246,13 +246,13 @@ impl<'a> Maker<'a> {
         };
         let along = network.frame.unit(given.angle).turned(turn);
         if network.mechanism.driver().input == Input::Push(slide) {
-            self.equations.push(Equation::Meeting {
+            self.equations.push(GroupEquation::Meeting {
                 a: x,
                 b: Spot { along, ..q },
                 pushed: Some(slide),
             });
         } else {
-            self.equations.push(Equation::Slot {
+            self.equations.push(GroupEquation::Slot {
                 x,
                 q,
                 along,

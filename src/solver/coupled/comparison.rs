@@ -1,7 +1,7 @@
 //! The ways in which textbooks solve a group's equations, for comparison: Newton's method at a
 //! tolerance, one correction from a better residual, and halving an interval.
 
-use super::{Base, Coupled, Equation, Room, Scratch, Spot, Turning};
+use super::{Base, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
@@ -13,10 +13,10 @@ const MOST_HALVINGS: usize = 60;
 
 /// How the one unknown of a group is an angle.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::solver) struct Closing(Way);
+pub(in crate::solver) struct Closing(ClosingWay);
 
 #[derive(Clone, Copy, Debug)]
-enum Way {
+enum ClosingWay {
     /// It is one: a link turns until the only equation holds.
     Turn,
     /// A free joint goes round a known place until the other equation holds.
@@ -108,7 +108,9 @@ impl Coupled {
     /// How the group has one unknown angle and one condition by which it closes, if it has.
     pub(in crate::solver) fn closing(&self) -> Option<Closing> {
         match (self.free, self.turning.len(), &self.equations[..]) {
-            (0, 1, [Equation::Distance { .. } | Equation::Slot { .. }]) => Some(Closing(Way::Turn)),
+            (0, 1, [GroupEquation::Distance { .. } | GroupEquation::Slot { .. }]) => {
+                Some(Closing(ClosingWay::Turn))
+            }
             (1, 0, [one, two]) => {
                 let first = circle(one, 1).filter(|_| two.count() == 1);
                 first.or_else(|| circle(two, 0).filter(|_| one.count() == 1))
@@ -141,8 +143,8 @@ impl Coupled {
         let highest = (north - middle).atan2(east - middle);
         // From the highest value down, clockwise where the condition grows with the angle.
         let sense = match way {
-            Way::Circle { row: 0, .. } => side,
-            Way::Turn | Way::Circle { .. } => -side,
+            ClosingWay::Circle { row: 0, .. } => side,
+            ClosingWay::Turn | ClosingWay::Circle { .. } => -side,
         };
         let (mut above, mut below) = (highest, highest + sense * 2.0 * quarter);
         if !(value(above) >= 0.0 && value(below) <= 0.0) {
@@ -166,15 +168,15 @@ impl Coupled {
     /// Puts the group at an angle, and says how far the condition is from holding there.
     fn condition(
         &self,
-        way: Way,
+        way: ClosingWay,
         direction: Vec2,
         q: f64,
         state: &State,
         room: &mut Room<'_>,
     ) -> f64 {
         let (at, row) = match way {
-            Way::Turn => (direction, 0),
-            Way::Circle {
+            ClosingWay::Turn => (direction, 0),
+            ClosingWay::Circle {
                 centre,
                 length,
                 row,
@@ -190,8 +192,8 @@ impl Coupled {
 }
 
 /// The circle on which an equation keeps a free joint, if it does; `row` is that of the other one.
-fn circle(equation: &Equation, row: usize) -> Option<Closing> {
-    let Equation::Distance { a, b, length, .. } = equation else {
+fn circle(equation: &GroupEquation, row: usize) -> Option<Closing> {
+    let GroupEquation::Distance { a, b, length, .. } = equation else {
         return None;
     };
     let is_free = |spot: &Spot| matches!(spot.base, Base::Free(_)) && spot.arm.is_none();
@@ -204,7 +206,7 @@ fn circle(equation: &Equation, row: usize) -> Option<Closing> {
         _ => return None,
     };
     let length = length.nearest();
-    Some(Closing(Way::Circle {
+    Some(Closing(ClosingWay::Circle {
         centre,
         length,
         row,

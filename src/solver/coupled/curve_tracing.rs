@@ -33,7 +33,7 @@ const MOST: usize = 256;
 
 /// A place on a curve: z, the curve's direction there, and by how much the equation misses.
 #[derive(Clone)]
-struct Place {
+struct CurvePlace {
     z: Vec<f64>,
     along: Vec<f64>,
     miss: f64,
@@ -150,7 +150,7 @@ impl Tracer<'_> {
     }
 
     /// A solution as a place on the curve of an equation.
-    fn begin(&mut self, root: usize, row: usize, sense: f64) -> Option<Place> {
+    fn begin(&mut self, root: usize, row: usize, sense: f64) -> Option<CurvePlace> {
         let z = self.roots[root].clone();
         // Any direction in which the equation changes: its own rates.
         let mut room = self.group.open(self.scratch);
@@ -163,7 +163,7 @@ impl Tracer<'_> {
     }
 
     /// One step along the curve, if it is as straight as that.
-    fn advance(&mut self, row: usize, from: &Place, step: f64) -> Option<Place> {
+    fn advance(&mut self, row: usize, from: &CurvePlace, step: f64) -> Option<CurvePlace> {
         let (z, strain) = self.land(row, from, step)?;
         if strain > STRAIN * step {
             return None;
@@ -174,7 +174,7 @@ impl Tracer<'_> {
     }
 
     /// The place of the curve beside a step along its direction; and how far beside.
-    fn land(&mut self, row: usize, from: &Place, step: f64) -> Option<(Vec<f64>, f64)> {
+    fn land(&mut self, row: usize, from: &CurvePlace, step: f64) -> Option<(Vec<f64>, f64)> {
         let n = self.group.unknowns();
         let mut room = self.group.open(self.scratch);
         room.z.copy_from_slice(&from.z);
@@ -200,7 +200,7 @@ impl Tracer<'_> {
     }
 
     /// A place of the curve with its direction, onwards as seen along another.
-    fn direction(&mut self, row: usize, z: Vec<f64>, along: &[f64]) -> Option<Place> {
+    fn direction(&mut self, row: usize, z: Vec<f64>, along: &[f64]) -> Option<CurvePlace> {
         let n = self.group.unknowns();
         let mut room = self.group.open(self.scratch);
         room.z.copy_from_slice(&z);
@@ -214,11 +214,17 @@ impl Tracer<'_> {
         lu::solve(room.matrix, room.pivots, room.right, n);
         let norm = lu::dot(room.right, room.right).sqrt();
         let along = room.right.iter().map(|v| v / norm).collect();
-        norm.is_finite().then_some(Place { z, along, miss })
+        norm.is_finite().then_some(CurvePlace { z, along, miss })
     }
 
     /// The solution between two places of a curve on whose way the equation changes its sign.
-    fn between(&mut self, row: usize, from: &Place, to: &Place, step: f64) -> Option<Vec<f64>> {
+    fn between(
+        &mut self,
+        row: usize,
+        from: &CurvePlace,
+        to: &CurvePlace,
+        step: f64,
+    ) -> Option<Vec<f64>> {
         let at = zero((0.0, from.miss), (step, to.miss), ON_CURVE, |step| {
             let (z, _) = self.land(row, from, step)?;
             Some(self.direction(row, z, &from.along)?.miss)

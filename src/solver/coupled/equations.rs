@@ -1,6 +1,6 @@
 //! The equations of a coupled group, their rates and the matrix of these, from the motion of spots.
 
-use super::{Base, Coupled, Equation, Moving, Room, Spot, Turning};
+use super::{Base, Coupled, GroupEquation, Moving, Room, Spot, Turning};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, Vec2};
 
@@ -64,7 +64,7 @@ impl Coupled {
         let mut row = 0;
         for equation in &self.equations {
             match equation {
-                Equation::Distance { a, b, length, .. } => {
+                GroupEquation::Distance { a, b, length, .. } => {
                     let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
                     let size = e.norm2().sqrt();
                     // (|e| - r)(|e| + r) / 2 keeps the digits that |e|^2 - r^2 would lose.
@@ -72,12 +72,12 @@ impl Coupled {
                     room.right[row] = (size - length) * (size + length).scaled(0.5);
                     row += 1;
                 }
-                Equation::Meeting { a, b, .. } => {
+                GroupEquation::Meeting { a, b, .. } => {
                     let gap = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
                     (room.right[row], room.right[row + 1]) = (gap.x, gap.y);
                     row += 2;
                 }
-                Equation::Slot {
+                GroupEquation::Slot {
                     x,
                     q: on,
                     along,
@@ -105,7 +105,7 @@ impl Coupled {
         let mut row = 0;
         for equation in &self.equations {
             match equation {
-                Equation::Distance { a, b, .. } => {
+                GroupEquation::Distance { a, b, .. } => {
                     let (a, b) = (
                         self.moving(a, q, state, room),
                         self.moving(b, q, state, room),
@@ -118,7 +118,7 @@ impl Coupled {
                     };
                     row += 1;
                 }
-                Equation::Meeting { a, b, .. } => {
+                GroupEquation::Meeting { a, b, .. } => {
                     let (a, b) = (
                         self.moving(a, q, state, room),
                         self.moving(b, q, state, room),
@@ -127,7 +127,7 @@ impl Coupled {
                     (room.right[row], room.right[row + 1]) = (gap.x, gap.y);
                     row += 2;
                 }
-                Equation::Slot {
+                GroupEquation::Slot {
                     x,
                     q: on,
                     along,
@@ -162,13 +162,13 @@ impl Coupled {
         let mut row = 0;
         for equation in &self.equations {
             match equation {
-                Equation::Distance { a, b, .. } => {
+                GroupEquation::Distance { a, b, .. } => {
                     let e = self.moving(a, q, state, room).p - self.moving(b, q, state, room).p;
                     self.add_columns(a, e, row * n, q, state, room);
                     self.add_columns(b, -e, row * n, q, state, room);
                     row += 1;
                 }
-                Equation::Meeting { a, b, .. } => {
+                GroupEquation::Meeting { a, b, .. } => {
                     for axis in [Vec2::X, Vec2::X.perp()] {
                         let axis = axis.exactly();
                         self.add_columns(a, axis, row * n, q, state, room);
@@ -176,7 +176,7 @@ impl Coupled {
                         row += 1;
                     }
                 }
-                Equation::Slot {
+                GroupEquation::Slot {
                     x,
                     q: on,
                     along,
@@ -218,11 +218,11 @@ impl Coupled {
     }
 }
 
-impl Equation {
+impl GroupEquation {
     pub(super) fn count(&self) -> usize {
         match self {
-            Equation::Distance { .. } | Equation::Slot { .. } => 1,
-            Equation::Meeting { .. } => 2,
+            GroupEquation::Distance { .. } | GroupEquation::Slot { .. } => 1,
+            GroupEquation::Meeting { .. } => 2,
         }
     }
 }

@@ -20,7 +20,7 @@ pub(super) use curve_tracing::is_same;
 pub(super) use enclose::Views;
 pub use readout::{Newton, NewtonRow, NewtonUnknown};
 
-use super::demand::Part;
+use super::demand::PlacedPart;
 use super::lu;
 use super::network::{ClassId, Network};
 use super::state::{LinkState, PointState, State};
@@ -63,12 +63,12 @@ struct Spot {
     arm: Option<(Turning, Vec2<Constant>)>,
     along: Vec2<Constant>,
     /// The link that carries the joint, where it has an arm on one.
-    seat: Option<Seat>,
+    seat: Option<ArmSeat>,
 }
 
 /// Where on a link an arm is: forces pass there.
 #[derive(Clone, Copy, Debug)]
-struct Seat {
+struct ArmSeat {
     link: LinkId,
     /// The joint at the arm's beginning.
     foot: PointId,
@@ -77,7 +77,7 @@ struct Seat {
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Equation {
+enum GroupEquation {
     Distance {
         a: Spot,
         b: Spot,
@@ -122,7 +122,7 @@ pub(super) struct Coupled {
     turning: Vec<LinkId>,
     turns: Vec<Vec2<Constant>>,
     free: usize,
-    equations: Vec<Equation>,
+    equations: Vec<GroupEquation>,
     /// Where its room in the scratch begins.
     pub offset: usize,
     /// Its place among the groups of the plan: it has a sign there, which changes where the motion
@@ -196,7 +196,7 @@ impl Coupled {
             group: 0,
             side: 0.0,
         };
-        let count: usize = group.equations.iter().map(Equation::count).sum();
+        let count: usize = group.equations.iter().map(GroupEquation::count).sum();
         (count == group.unknowns()).then_some(group)
     }
 
@@ -213,17 +213,18 @@ impl Coupled {
     }
 
     /// Says of everything that it places that it does.
-    pub(super) fn outputs(&self, places: &mut impl FnMut(Part)) {
-        self.joints().for_each(|point| places(Part::Point(point)));
+    pub(super) fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        self.joints()
+            .for_each(|point| places(PlacedPart::Point(point)));
         let turning = self.turning.iter();
-        turning.for_each(|&link| places(Part::Link(link)));
+        turning.for_each(|&link| places(PlacedPart::Link(link)));
     }
 
     /// Says of everything of earlier groups that it reads that it does.
-    pub(super) fn reads(&self, reads: &mut impl FnMut(Part)) {
+    pub(super) fn reads(&self, reads: &mut impl FnMut(PlacedPart)) {
         let (points, links) = self.inputs();
-        points.into_iter().for_each(|p| reads(Part::Point(p)));
-        links.into_iter().for_each(|l| reads(Part::Link(l)));
+        points.into_iter().for_each(|p| reads(PlacedPart::Point(p)));
+        links.into_iter().for_each(|l| reads(PlacedPart::Link(l)));
     }
 
     /// The length of z: two numbers for a joint, two for a direction.
@@ -462,14 +463,14 @@ impl Coupled {
         self.spots.iter().for_each(|(_, spot)| note(spot));
         for equation in &self.equations {
             match equation {
-                Equation::Distance { a, b, .. } | Equation::Meeting { a, b, .. } => {
+                GroupEquation::Distance { a, b, .. } | GroupEquation::Meeting { a, b, .. } => {
                     [a, b].map(&mut note)
                 }
-                Equation::Slot { x, q, .. } => [x, q].map(&mut note),
+                GroupEquation::Slot { x, q, .. } => [x, q].map(&mut note),
             };
         }
         for equation in &self.equations {
-            if let Equation::Slot {
+            if let GroupEquation::Slot {
                 turning: Turning::Known(link),
                 ..
             } = equation

@@ -3,8 +3,8 @@
 //! With Q what has come to the unknowns, J^T lambda = Q; an equation presses with -lambda times its
 //! gradient on what it ties together.
 
-use super::{Base, Coupled, Equation, Room, Scratch, Spot, Turning};
-use crate::solver::forces::{Forces, Slots};
+use super::{Base, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
+use crate::solver::forces::{ForceState, Slots};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Number, Vec2};
@@ -14,7 +14,7 @@ struct Ledger<'a, T> {
     q: T,
     slots: &'a Slots,
     state: &'a State<T>,
-    forces: &'a mut Forces<T>,
+    forces: &'a mut ForceState<T>,
 }
 
 impl Coupled {
@@ -25,7 +25,7 @@ impl Coupled {
         slots: &Slots,
         state: &State<T>,
         scratch: &mut Scratch<T>,
-        forces: &mut Forces<T>,
+        forces: &mut ForceState<T>,
     ) -> bool {
         let mut room = self.open(scratch);
         self.read(state, room.z);
@@ -95,7 +95,13 @@ impl Coupled {
     }
 
     /// A couple on what turns a spot's arm.
-    fn twist<T: Number>(&self, turning: Turning, spot: &Spot, couple: T, forces: &mut Forces<T>) {
+    fn twist<T: Number>(
+        &self,
+        turning: Turning,
+        spot: &Spot,
+        couple: T,
+        forces: &mut ForceState<T>,
+    ) {
         match (turning, spot.seat) {
             (Turning::Known(link), _) => forces.links[link.index()] += couple,
             (Turning::Unknown(i), Some(seat)) if seat.link != self.turning[i] => {
@@ -114,7 +120,7 @@ impl Coupled {
             };
             let mut next = || rows.next().unwrap_or_default();
             match equation {
-                Equation::Distance { a, b, bar, .. } => {
+                GroupEquation::Distance { a, b, bar, .. } => {
                     let e = place(a, ledger) - place(b, ledger);
                     let force = e * next();
                     self.carry(a, force, room, ledger);
@@ -123,7 +129,7 @@ impl Coupled {
                     ledger.forces.note(from, -force);
                     ledger.forces.note(to, force);
                 }
-                Equation::Meeting { a, b, pushed } => {
+                GroupEquation::Meeting { a, b, pushed } => {
                     let force = Vec2::new(next(), next());
                     self.carry(a, force, room, ledger);
                     self.carry(b, -force, room, ledger);
@@ -133,7 +139,7 @@ impl Coupled {
                         ledger.forces.normals[slide.index()] = tau.cross(force);
                     }
                 }
-                Equation::Slot {
+                GroupEquation::Slot {
                     x,
                     q: on,
                     along,

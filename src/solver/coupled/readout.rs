@@ -1,6 +1,6 @@
 //! A coupled group to be read: its unknowns, and what the last step of Newton's method had before it.
 
-use super::{Base, Coupled, Equation, Scratch, Spot};
+use super::{Base, Coupled, GroupEquation, Scratch, Spot};
 use crate::solver::state::State;
 use crate::solver::{Condition, GroupId, Solver};
 use crate::{LinkId, PointId, Vec2};
@@ -121,15 +121,15 @@ impl Coupled {
         let mut rows = Vec::new();
         for equation in &self.equations {
             match equation {
-                Equation::Distance { a, b, length, .. } => {
+                GroupEquation::Distance { a, b, length, .. } => {
                     let ends = [a, b].map(|spot| self.point_at(spot));
                     rows.push(NewtonRow::Distance(ends, length.hi * unit));
                 }
-                Equation::Meeting { a, b, .. } => {
+                GroupEquation::Meeting { a, b, .. } => {
                     let point = self.point_at(a).or_else(|| self.point_at(b));
                     rows.extend([NewtonRow::MeetingX(point), NewtonRow::MeetingY(point)]);
                 }
-                Equation::Slot { x, .. } => rows.push(NewtonRow::Guide(self.point_at(x))),
+                GroupEquation::Slot { x, .. } => rows.push(NewtonRow::Guide(self.point_at(x))),
             }
         }
         rows

@@ -20,14 +20,14 @@ const TANGENTIAL: f64 = 1e-9;
 const CORRECTIONS: usize = 2;
 
 /// A matrix made ready to be solved with; where it is singular, bordered by its null vectors.
-struct Solver {
+struct BorderedMatrix {
     matrix: Vec<f64>,
     pivots: Vec<usize>,
     n: usize,
 }
 
-impl Solver {
-    fn new(matrix: &[f64], n: usize, border: Option<(&[f64], &[f64])>) -> Option<Solver> {
+impl BorderedMatrix {
+    fn new(matrix: &[f64], n: usize, border: Option<(&[f64], &[f64])>) -> Option<BorderedMatrix> {
         let m = n + usize::from(border.is_some());
         let mut bordered = vec![0.0; m * m];
         for i in 0..n {
@@ -39,7 +39,7 @@ impl Solver {
         }
         let mut pivots = vec![0; m];
         lu::factor(&mut bordered, &mut pivots, m)?;
-        Some(Solver {
+        Some(BorderedMatrix {
             matrix: bordered,
             pivots,
             n: m,
@@ -66,7 +66,8 @@ impl Null {
         let any: Vec<f64> = (0..n).map(|i| (1.7 * i as f64 + 0.3).cos()).collect();
         let transposed: Vec<f64> = (0..n * n).map(|k| matrix[k % n * n + k / n]).collect();
         let null = |matrix: &[f64]| {
-            let mut x = Solver::new(matrix, n, Some((&any, &any)))?.solve(&vec![0.0; n], 1.0);
+            let mut x =
+                BorderedMatrix::new(matrix, n, Some((&any, &any)))?.solve(&vec![0.0; n], 1.0);
             x.truncate(n);
             let length = dot(&x, &x).sqrt();
             x.iter_mut().for_each(|v| *v /= length);
@@ -148,7 +149,7 @@ impl Path<'_> {
             None => None,
         };
         let border = null.as_ref().map(|null| (&null.w[..], &null.v[..]));
-        let solver = Solver::new(matrix, n, border)?;
+        let solver = BorderedMatrix::new(matrix, n, border)?;
         if null.is_some() {
             // The last coefficient of a singular group would need one more order.
             self.known = self.known.saturating_sub(1);

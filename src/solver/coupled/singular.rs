@@ -46,7 +46,7 @@ pub(in crate::solver) struct Crossing {
 }
 
 /// Where the unknowns of a crossing stand behind z.
-pub(super) struct Places {
+pub(super) struct CrossingPlaces {
     pub(super) q: usize,
     pub(super) v: Range<usize>,
     pub(super) p: Range<usize>,
@@ -54,9 +54,9 @@ pub(super) struct Places {
     pub(super) count: usize,
 }
 
-impl Places {
-    pub(super) fn of(n: usize) -> Places {
-        Places {
+impl CrossingPlaces {
+    pub(super) fn of(n: usize) -> CrossingPlaces {
+        CrossingPlaces {
             q: n,
             v: n + 1..2 * n + 1,
             p: 2 * n + 1..3 * n + 1,
@@ -198,7 +198,7 @@ impl Coupled {
         system.right[3 * n + 1] = dot(&null.v, p);
 
         let (size, change) = system.solved()?;
-        let places = Places::of(n);
+        let places = CrossingPlaces::of(n);
         self.shift(room.z, &change[..n]);
         add(v, &change[places.v.clone()]);
         add(p, &change[places.p.clone()]);
@@ -221,7 +221,7 @@ impl Coupled {
         room: &mut Room<'_>,
     ) -> System {
         let n = self.unknowns();
-        let places = Places::of(n);
+        let places = CrossingPlaces::of(n);
         let mut system = System::new(places.count);
         system.block(0, 0, &local.matrix, n);
         system.column(0, places.q, &local.by_q);

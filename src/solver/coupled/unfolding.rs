@@ -4,7 +4,7 @@
 //! digits is taken away by corrections with the matrix in doubles, each of which gains as many digits as that
 //! is good for. The unfolding b that remains is zero where the branches really meet.
 
-use super::singular::{Crossing, Local, Places};
+use super::singular::{Crossing, CrossingPlaces, Local};
 use super::{Coupled, Room, Scratch};
 use crate::Double;
 use crate::solver::lu;
@@ -66,7 +66,7 @@ impl Coupled {
     ) -> f64 {
         let mut room = self.open(scratch);
         let mut change = unfolding.left(self, q, state, &mut room);
-        let places = Places::of(self.unknowns());
+        let places = CrossingPlaces::of(self.unknowns());
         lu::solve(
             &unfolding.matrix,
             &unfolding.pivots,

@@ -1,8 +1,8 @@
 //! The direction of a link both of whose ends are known.
 
-use super::{ACCELERATION, Arm, Backwards, Element, Outcome, VELOCITY};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Reach, Site};
+use super::{ACCELERATION, Arm, Backwards, Element, StepOutcome, VELOCITY};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, State};
 use crate::{Number, PointId, Vec2};
 
@@ -17,13 +17,13 @@ impl Element for Aim {
     const HAS_RESIDUALS: bool = true;
     type Back = AimBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Link(self.arm.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Link(self.arm.link));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.arm.pivot));
-        reads(Part::Point(self.end));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.arm.pivot));
+        reads(PlacedPart::Point(self.end));
     }
 
     /// With e = X - P: w = e x (V_X - V_P) / r^2, and so its rate, since e x (w^2 e) = 0.
@@ -33,7 +33,7 @@ impl Element for Aim {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let arm = &self.arm;
         let (p, x) = (
             state.points[arm.pivot.index()],
@@ -53,7 +53,7 @@ impl Element for Aim {
             link.a = e.cross(x.a - p.a) * scale;
         }
         state.links[arm.link.index()] = link;
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, site: &Site<'_>) -> Option<AimBack> {
@@ -67,13 +67,13 @@ impl Element for Aim {
 /// What turns the link, its ends resist.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct AimBack {
-    arm: Reach,
+    arm: ArmSite,
     end: PointId,
 }
 
 impl Backwards for AimBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };
         let e = at(self.end) - at(self.arm.pivot);
         let force = -(e.perp() * (forces.couple(self.arm.link) / e.norm2()));

@@ -6,14 +6,15 @@
 //! |e| = b, n.(X - Q) = 0       e = root t - h0 n, root = s sqrt((b - h0)(b + h0))
 //! ```
 
-use super::line::{Chord, Guide};
+use super::line::{Chord, GuideAt};
 use super::through::{Cut, FEW, Snap, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, Line, Outcome, POSITION, TwoAssemblies, VELOCITY,
+    ACCELERATION, Arm, Backwards, Dyad, Element, GuideLine, POSITION, StepOutcome, TwoAssemblies,
+    VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Held, Reach, Site};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ArmSite, ForceState, Held, Site};
 use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Number, PointId, Vec2};
@@ -24,14 +25,19 @@ use crate::{Number, PointId, Vec2};
 pub(in crate::solver) struct CircleLine {
     pub point: PointId,
     pub arm: Arm,
-    pub line: Line,
+    pub line: GuideLine,
     /// 1 / length^2, which makes the product of the distances the square of a sine.
     inverse_square: f64,
     pub group: usize,
 }
 
 impl CircleLine {
-    pub(in crate::solver) fn new(point: PointId, arm: Arm, line: Line, group: usize) -> CircleLine {
+    pub(in crate::solver) fn new(
+        point: PointId,
+        arm: Arm,
+        line: GuideLine,
+        group: usize,
+    ) -> CircleLine {
         CircleLine {
             point,
             arm,
@@ -43,7 +49,7 @@ impl CircleLine {
 
     /// The guide, the pivot as seen from its point, and h0 = n.(P - Q) with what it cuts off.
     #[inline(always)]
-    fn chord<T: Number>(&self, state: &State<T>) -> (Guide<T>, Vec2<T>, T, Chord<T>) {
+    fn chord<T: Number>(&self, state: &State<T>) -> (GuideAt<T>, Vec2<T>, T, Chord<T>) {
         let guide = self.line.at(state);
         let from = state.points[self.arm.pivot.index()].p - guide.q.p;
         let h0 = guide.n.dot(from);
@@ -56,7 +62,7 @@ impl CircleLine {
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
-        guide: &Guide<T>,
+        guide: &GuideAt<T>,
         s: T,
         e: Vec2<T>,
         [h0, root]: [T; 2],
@@ -85,13 +91,13 @@ impl CircleLine {
 impl Element for CircleLine {
     type Back = CircleLineBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
-        places(Part::Link(self.arm.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
+        places(PlacedPart::Link(self.arm.link));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.arm.pivot));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.arm.pivot));
         self.line.inputs().into_iter().for_each(reads);
     }
 
@@ -102,16 +108,16 @@ impl Element for CircleLine {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let (guide, from, h0, chord) = self.chord(state);
         state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
         if !chord.is_clear() {
-            return Outcome::Unclear;
+            return StepOutcome::Unclear;
         }
         let root = state.signs[self.group] * chord.product.sqrt();
         let e = guide.t * root - guide.n * h0;
         self.place::<T, ORDER>(&guide, guide.t.dot(from) + root, e, [h0, root], state);
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn dyad(&self) -> Option<Dyad<'_>> {
@@ -203,14 +209,14 @@ impl TwoAssemblies for CircleLine {
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CircleLineBack {
     point: PointId,
-    arm: Reach,
-    line: Line,
+    arm: ArmSite,
+    line: GuideLine,
     hold: Held,
 }
 
 impl Backwards for CircleLineBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let guide = self.line.at(state);
         let x = state.points[self.point.index()].p;
         let e = x - state.points[self.arm.pivot.index()].p;

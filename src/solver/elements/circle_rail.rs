@@ -3,11 +3,11 @@
 use super::line::Chord;
 use super::through::{Cut, FEW, Snap, turned};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, TwoAssemblies, VELOCITY,
+    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, StepOutcome, TwoAssemblies, VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Held, Reach, Site};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ArmSite, ForceState, Held, Site};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
@@ -92,13 +92,13 @@ impl Element for CircleRail {
     const HAS_RESIDUALS: bool = true;
     type Back = CircleRailBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
-        places(Part::Link(self.arm.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
+        places(PlacedPart::Link(self.arm.link));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.arm.pivot));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.arm.pivot));
     }
 
     /// As [`CircleLine`](super::CircleLine), with a line whose velocity and acceleration are zero: e = t (root - i h0).
@@ -108,16 +108,16 @@ impl Element for CircleRail {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let (Vec2 { x: along, y: h0 }, chord) = self.chord(state);
         state.measures[self.group] = chord.product * T::exactly(self.inverse_square);
         if !chord.is_clear() {
-            return Outcome::Unclear;
+            return StepOutcome::Unclear;
         }
         let root = state.signs[self.group] * chord.product.sqrt();
         let d = Vec2::of(self.aligned).turned(Vec2::new(root, -h0));
         self.place::<T, ORDER>(along + root, d, [h0, root], state);
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn dyad(&self) -> Option<Dyad<'_>> {
@@ -202,14 +202,14 @@ impl TwoAssemblies for CircleRail {
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CircleRailBack {
     point: PointId,
-    arm: Reach,
+    arm: ArmSite,
     along: Vec2<Constant>,
     hold: Held,
 }
 
 impl Backwards for CircleRailBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };
         let (t, e) = (Vec2::of(self.along), at(self.point) - at(self.arm.pivot));
         let across = forces.across(e, t, self.point, self.arm.link);

@@ -8,12 +8,12 @@
 
 use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies,
+    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
     VELOCITY, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Reach, Site};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
@@ -130,15 +130,15 @@ impl Element for Circles {
     const HAS_RESIDUALS: bool = true;
     type Back = CirclesBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
-        places(Part::Link(self.near.link));
-        places(Part::Link(self.far.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
+        places(PlacedPart::Link(self.near.link));
+        places(PlacedPart::Link(self.far.link));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.near.pivot));
-        reads(Part::Point(self.far.pivot));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.near.pivot));
+        reads(PlacedPart::Point(self.far.pivot));
     }
 
     /// X = P + (x u + s h k x u) / u.u with u = Q - P, x = (u.u + b^2 - c^2) / 2 and h twice the area
@@ -152,7 +152,7 @@ impl Element for Circles {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let u = self.between(state);
         let d2 = u.norm2();
         let (inner, outer) = self.reaches(d2);
@@ -160,14 +160,14 @@ impl Element for Circles {
         state.measures[self.group] = product * T::exactly(self.inverse_square);
         let [least, most] = self.slacks();
         if !(inner.exceeds(least) && outer.exceeds(most)) {
-            return Outcome::Unclear;
+            return StepOutcome::Unclear;
         }
         let x = (d2 + T::of(self.squares)).scaled(0.5);
         let inverse = T::exactly(1.0) / d2;
         let sh = state.signs[self.group].scaled(0.5) * product.sqrt();
         let e = (u * x + u.perp() * sh) * inverse;
         self.place::<T, ORDER>(e, e - u, sh, state);
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn dyad(&self) -> Option<Dyad<'_>> {
@@ -273,13 +273,13 @@ impl TwoAssemblies for Circles {
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CirclesBack {
     point: PointId,
-    near: Reach,
-    far: Reach,
+    near: ArmSite,
+    far: ArmSite,
 }
 
 impl Backwards for CirclesBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         forces.share(self.point, &self.near, &self.far, state);
     }
 }

@@ -1,8 +1,8 @@
 //! The driven link, and its points: the driver's coordinate is its angle.
 
 use super::ride::Carry;
-use super::{Element, Nothing, Outcome};
-use crate::solver::demand::Part;
+use super::{Element, Nothing, StepOutcome};
+use crate::solver::demand::PlacedPart;
 use crate::solver::forces::Site;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Constant, Input, LinkId, Number, PointId, Vec2};
@@ -18,11 +18,11 @@ impl Element for Crank {
     const HAS_RESIDUALS: bool = true;
     type Back = Nothing;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Link(self.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Link(self.link));
     }
 
-    fn inputs(&self, _reads: &mut impl FnMut(Part)) {}
+    fn inputs(&self, _reads: &mut impl FnMut(PlacedPart)) {}
 
     #[inline(always)]
     fn run<T: Number, const ORDER: u8>(
@@ -30,13 +30,13 @@ impl Element for Crank {
         _q: T,
         direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         state.links[self.link.index()] = LinkState {
             d: direction,
             w: T::exactly(1.0),
             a: T::default(),
         };
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, _site: &Site<'_>) -> Option<Nothing> {
@@ -57,12 +57,12 @@ impl Element for Spin {
     const HAS_RESIDUALS: bool = true;
     type Back = Carry;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.pivot));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.pivot));
     }
 
     /// X = P + R r, V = k x R r, A = -R r.
@@ -72,7 +72,7 @@ impl Element for Spin {
         _q: T,
         direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let r = Vec2::of(self.local).turned(direction);
         let v = r.perp();
         state.points[self.point.index()] = PointState {
@@ -80,7 +80,7 @@ impl Element for Spin {
             v,
             a: v.perp(),
         };
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, site: &Site<'_>) -> Option<Carry> {

@@ -2,12 +2,12 @@
 
 use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
-    ACCELERATION, Arm, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies,
+    ACCELERATION, Arm, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
     VELOCITY, triangle_reserve,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Reach, Site};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
@@ -120,15 +120,15 @@ impl Cylinder {
 impl Element for Cylinder {
     type Back = CylinderBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
-        places(Part::Link(self.link));
-        places(Part::Link(self.far.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
+        places(PlacedPart::Link(self.link));
+        places(PlacedPart::Link(self.far.link));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.pivot));
-        reads(Part::Point(self.far.pivot));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.pivot));
+        reads(PlacedPart::Point(self.far.pivot));
     }
 
     /// The arm is r = through + along q in its link's frame: a circle whose radius varies.
@@ -138,19 +138,19 @@ impl Element for Cylinder {
         q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let of = self.triangle(q, state);
         let c = self.far.length.hi;
         let scale = of.rho2 * T::exactly(4.0 * c * c);
         state.measures[self.group] = of.product / scale;
         let slack = (of.rho + T::exactly(c)).scaled(REACH_SLACK * T::GRAIN);
         if !of.inner.min(of.outer).exceeds(slack) {
-            return Outcome::Unclear;
+            return StepOutcome::Unclear;
         }
         let sh = state.signs[self.group] * of.product.sqrt().scaled(0.5);
         let e = self.arm(&of, sh);
         self.place::<T, ORDER>(q, e, e - of.u, sh, state);
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn dyad(&self) -> Option<Dyad<'_>> {
@@ -256,15 +256,15 @@ impl TwoAssemblies for Cylinder {
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CylinderBack {
     point: PointId,
-    barrel: Reach,
+    barrel: ArmSite,
     along: Vec2<Constant>,
-    far: Reach,
+    far: ArmSite,
     slide: Option<SlideId>,
 }
 
 impl Backwards for CylinderBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let force = forces.share(self.point, &self.barrel, &self.far, state);
         let tau = Vec2::of(self.along).turned(state.links[self.barrel.link.index()].d);
         forces.drive += force.dot(tau);

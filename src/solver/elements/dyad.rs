@@ -1,9 +1,9 @@
 //! The dyads with two assemblies, and what can be asked of each of them.
 
 use super::through::{FEW, Height, InSeries, Snap, between, squared};
-use super::{CircleLine, CircleRail, Circles, Cylinder, Element, Outcome, Swing};
+use super::{CircleLine, CircleRail, Circles, Cylinder, Element, StepOutcome, Swing};
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::Part;
+use crate::solver::demand::PlacedPart;
 use crate::solver::state::State;
 use crate::{Double, Number, PointId, Vec2};
 
@@ -102,12 +102,12 @@ pub(super) fn triangle_reserve<T: Number>(d: T, b: T, c: T) -> T {
 impl Dyad<'_> {
     /// Places it at its limit, if within rounding it still closes.
     #[cold]
-    pub(in crate::solver) fn stretch<T: Number>(self, q: T, state: &mut State<T>) -> Outcome {
+    pub(in crate::solver) fn stretch<T: Number>(self, q: T, state: &mut State<T>) -> StepOutcome {
         if !each!(self, d => d.is_in_reach(q, state)) {
-            return Outcome::Open;
+            return StepOutcome::Open;
         }
         self.align(q, state);
-        Outcome::Stretched
+        StepOutcome::Stretched
     }
 
     /// Places it in line, as at its limit: positions alone.
@@ -202,9 +202,9 @@ impl Dyad<'_> {
     ) -> impl Iterator<Item = Vec2<Series>> {
         let mut placed = Vec::new();
         each!(self, d => d.outputs(&mut |part| placed.extend(match part {
-            Part::Point(point) => Some(state.points[point.index()].p),
-            Part::Link(link) => Some(state.links[link.index()].d),
-            Part::Slide(_) => None,
+            PlacedPart::Point(point) => Some(state.points[point.index()].p),
+            PlacedPart::Link(link) => Some(state.links[link.index()].d),
+            PlacedPart::Slide(_) => None,
         })));
         placed.into_iter()
     }

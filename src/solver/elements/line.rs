@@ -1,13 +1,13 @@
 //! Guides as lines: a known point and a known direction, and what a circle cuts off of one.
 
 use super::REACH_SLACK;
-use crate::solver::demand::Part;
+use crate::solver::demand::PlacedPart;
 use crate::solver::state::{PointState, State};
 use crate::{Constant, LinkId, Number, PointId, Vec2};
 
 /// A line that is fixed in a body: through a point, along a direction of a link's frame.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::solver) struct Line {
+pub(in crate::solver) struct GuideLine {
     pub through: PointId,
     pub link: LinkId,
     /// The direction in the link's frame: a unit vector.
@@ -16,7 +16,7 @@ pub(in crate::solver) struct Line {
 
 /// A line at one state: its point, direction and turning.
 #[derive(Clone, Copy)]
-pub(in crate::solver) struct Guide<T = f64> {
+pub(in crate::solver) struct GuideAt<T = f64> {
     pub(in crate::solver) q: PointState<T>,
     pub(in crate::solver) t: Vec2<T>,
     pub(in crate::solver) n: Vec2<T>,
@@ -24,17 +24,17 @@ pub(in crate::solver) struct Guide<T = f64> {
     pub(in crate::solver) a: T,
 }
 
-impl Line {
+impl GuideLine {
     /// What it follows.
-    pub(super) fn inputs(&self) -> [Part; 2] {
-        [Part::Point(self.through), Part::Link(self.link)]
+    pub(super) fn inputs(&self) -> [PlacedPart; 2] {
+        [PlacedPart::Point(self.through), PlacedPart::Link(self.link)]
     }
 
     #[inline(always)]
-    pub(in crate::solver) fn at<T: Number>(&self, state: &State<T>) -> Guide<T> {
+    pub(in crate::solver) fn at<T: Number>(&self, state: &State<T>) -> GuideAt<T> {
         let link = state.links[self.link.index()];
         let t = Vec2::of(self.along).turned(link.d);
-        Guide {
+        GuideAt {
             q: state.points[self.through.index()],
             t,
             n: t.perp(),
@@ -44,7 +44,7 @@ impl Line {
     }
 }
 
-impl<T: Number> Guide<T> {
+impl<T: Number> GuideAt<T> {
     /// The point at s along the guide, with its rate and second rate.
     #[inline(always)]
     pub(super) fn point(&self, s: T, rate: T, second: T) -> PointState<T> {

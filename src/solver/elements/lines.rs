@@ -1,9 +1,9 @@
 //! PRP and RPP: a joint on two known lines.
 
-use super::line::Guide;
-use super::{ACCELERATION, Backwards, Element, Line, Outcome, VELOCITY};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Held, Site};
+use super::line::GuideAt;
+use super::{ACCELERATION, Backwards, Element, GuideLine, StepOutcome, VELOCITY};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ForceState, Held, Site};
 use crate::solver::state::{PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Number, PointId, Vec2};
@@ -16,21 +16,21 @@ const PARALLEL: f64 = 8.0 * 0.5 * f64::EPSILON;
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Lines {
     pub point: PointId,
-    pub first: Line,
-    pub second: Line,
+    pub first: GuideLine,
+    pub second: GuideLine,
     pub group: usize,
 }
 
 impl Element for Lines {
     type Back = LinesBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
         let lines = [self.first, self.second];
-        lines.iter().flat_map(Line::inputs).for_each(reads);
+        lines.iter().flat_map(GuideLine::inputs).for_each(reads);
     }
 
     #[inline(always)]
@@ -39,15 +39,15 @@ impl Element for Lines {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let (one, two) = (self.first.at(state), self.second.at(state));
         let det = two.n.dot(one.t);
         state.measures[self.group] = det * det;
         let Some(met) = meet::<T, ORDER>(&one, &two) else {
-            return Outcome::Open;
+            return StepOutcome::Open;
         };
         state.points[self.point.index()] = met;
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, site: &Site<'_>) -> Option<LinesBack> {
@@ -72,7 +72,7 @@ impl Element for Lines {
 /// The meeting of two lines: X = Z1 + l t1 with l = n2.(Z2 - Z1) / n2.t1, and the same determinant
 /// for the rates, seen along n2.
 #[inline(always)]
-fn meet<T: Number, const ORDER: u8>(one: &Guide<T>, two: &Guide<T>) -> Option<PointState<T>> {
+fn meet<T: Number, const ORDER: u8>(one: &GuideAt<T>, two: &GuideAt<T>) -> Option<PointState<T>> {
     let det = two.n.dot(one.t);
     if !det.abs().exceeds(T::exactly(PARALLEL)) {
         return None;
@@ -97,13 +97,13 @@ fn meet<T: Number, const ORDER: u8>(one: &Guide<T>, two: &Guide<T>) -> Option<Po
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct LinesBack {
     point: PointId,
-    lines: [Line; 2],
+    lines: [GuideLine; 2],
     holds: [Held; 2],
 }
 
 impl Backwards for LinesBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let [one, two] = [self.lines[0].at(state), self.lines[1].at(state)];
         let force = forces.at(self.point);
         let x = state.points[self.point.index()].p;

@@ -1,8 +1,8 @@
 //! A link that keeps its angle to another one.
 
-use super::{Backwards, Element, Outcome};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Site};
+use super::{Backwards, Element, StepOutcome};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ForceState, Site};
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, Vec2};
 
@@ -18,12 +18,12 @@ impl Element for Lock {
     const HAS_RESIDUALS: bool = true;
     type Back = LockBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Link(self.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Link(self.link));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Link(self.to));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Link(self.to));
     }
 
     #[inline(always)]
@@ -32,11 +32,11 @@ impl Element for Lock {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let mut locked = state.links[self.to.index()];
         locked.d = locked.d.turned(Vec2::of(self.turn));
         state.links[self.link.index()] = locked;
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, _site: &Site<'_>) -> Option<LockBack> {
@@ -56,7 +56,7 @@ pub(in crate::solver) struct LockBack {
 
 impl Backwards for LockBack {
     #[inline(always)]
-    fn run<T: Number>(&self, _state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, _state: &State<T>, forces: &mut ForceState<T>) {
         let couple = forces.couple(self.link);
         forces.couples[self.link.index()] += couple;
         forces.links[self.to.index()] += couple;

@@ -20,9 +20,9 @@ mod lines;
 mod lock;
 mod push;
 mod ride;
+mod slide_readout;
 mod swing;
 mod through;
-mod travel;
 
 pub(super) use aim::Aim;
 pub(super) use arm::Arm;
@@ -32,18 +32,18 @@ pub(super) use circles::Circles;
 pub(super) use crank::{Crank, Spin};
 pub(super) use cylinder::Cylinder;
 pub(super) use dyad::Dyad;
-pub(super) use line::Line;
+pub(super) use line::GuideLine;
 pub(super) use lines::Lines;
 pub(super) use lock::Lock;
 pub(super) use push::Push;
 pub(super) use ride::Ride;
+pub(super) use slide_readout::SlideReadout;
 pub(super) use swing::Swing;
 pub(super) use through::{Height, Snap, ZERO, root};
-pub(super) use travel::Travel;
 
 use super::coupled::Coupled;
-use super::demand::Part;
-use super::forces::{Forces, Site};
+use super::demand::PlacedPart;
+use super::forces::{ForceState, Site};
 use super::state::State;
 use super::transmission::{InnerJoint, Ray};
 use crate::{Number, Vec2};
@@ -61,7 +61,7 @@ pub(super) const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 
 /// What became of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Outcome {
+pub(super) enum StepOutcome {
     /// Solved.
     Done,
     /// So close to its limit that rounding decides: [`Dyad::stretch`] looks closer.
@@ -84,10 +84,10 @@ pub(super) trait Element {
     type Back: Backwards;
 
     /// Says of everything that it places that it does.
-    fn outputs(&self, places: &mut impl FnMut(Part));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart));
 
     /// Says of everything that it reads that it does.
-    fn inputs(&self, reads: &mut impl FnMut(Part));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart));
 
     /// Places what it places at the driver's coordinate `q`; `direction` is its unit vector where it is an
     /// angle.
@@ -96,7 +96,7 @@ pub(super) trait Element {
         q: T,
         direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome;
+    ) -> StepOutcome;
 
     /// The way backwards at its site; `None` where nothing comes back.
     fn back(&self, site: &Site<'_>) -> Option<Self::Back>;
@@ -120,7 +120,7 @@ pub(super) trait Element {
 /// An element, run backwards.
 pub(super) trait Backwards {
     /// Hands what has come to what it placed down to what it stands on, and notes what passes there.
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>);
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>);
 }
 
 /// No way backwards.
@@ -128,7 +128,7 @@ pub(super) trait Backwards {
 pub(super) enum Nothing {}
 
 impl Backwards for Nothing {
-    fn run<T: Number>(&self, _state: &State<T>, _forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, _state: &State<T>, _forces: &mut ForceState<T>) {
         match *self {}
     }
 }
@@ -167,11 +167,11 @@ macro_rules! elements {
                 q: T,
                 direction: Vec2<T>,
                 state: &mut State<T>,
-            ) -> Outcome {
+            ) -> StepOutcome {
                 match self {
                     $(Step::$name(element) => element.run::<T, ORDER>(q, direction, state),)+
                     // Coupled groups are run by the solver, which owns them.
-                    Step::Coupled { .. } => Outcome::Done,
+                    Step::Coupled { .. } => StepOutcome::Done,
                 }
             }
 
@@ -182,7 +182,7 @@ macro_rules! elements {
                 q: T,
                 direction: Vec2<T>,
                 state: &mut State<T>,
-            ) -> Option<Outcome> {
+            ) -> Option<StepOutcome> {
                 match self {
                     $(Step::$name(element) if $name::IS_FREQUENT => {
                         Some(element.run::<T, ORDER>(q, direction, state))
@@ -224,7 +224,7 @@ macro_rules! elements {
             }
 
             /// Says of everything that it places that it does.
-            pub(super) fn outputs(&self, coupled: &[Coupled], places: &mut impl FnMut(Part)) {
+            pub(super) fn outputs(&self, coupled: &[Coupled], places: &mut impl FnMut(PlacedPart)) {
                 match self {
                     $(Step::$name(element) => element.outputs(places),)+
                     Step::Coupled { index } => coupled[*index].outputs(places),
@@ -232,7 +232,7 @@ macro_rules! elements {
             }
 
             /// Says of everything that it reads that it does.
-            pub(super) fn inputs(&self, coupled: &[Coupled], reads: &mut impl FnMut(Part)) {
+            pub(super) fn inputs(&self, coupled: &[Coupled], reads: &mut impl FnMut(PlacedPart)) {
                 match self {
                     $(Step::$name(element) => element.inputs(reads),)+
                     Step::Coupled { index } => coupled[*index].reads(reads),
@@ -251,7 +251,7 @@ macro_rules! elements {
         impl Pass {
             /// See [`Backwards::run`].
             #[inline(always)]
-            pub(super) fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+            pub(super) fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
                 match self {
                     $(Pass::$name(back) => back.run(state, forces),)+
                     // Coupled groups are run by the engine, which owns them.
@@ -265,7 +265,7 @@ macro_rules! elements {
 elements! {
     Crank, Spin, Ride, Push, Aim, Lock,
     Circles, CircleLine, CircleRail, Swing, Cylinder, Lines,
-    Travel,
+    SlideReadout,
 }
 
 impl Step {

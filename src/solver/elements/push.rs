@@ -1,9 +1,9 @@
 //! The driven slide: the driver's coordinate is its way along the guide.
 
 use super::ride::carried;
-use super::{Backwards, Element, Outcome};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Site, Slot};
+use super::{Backwards, Element, StepOutcome};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ForceState, Site, Slot};
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
@@ -19,13 +19,13 @@ pub(in crate::solver) struct Push {
 impl Element for Push {
     type Back = PushBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.base));
-        reads(Part::Link(self.link));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.base));
+        reads(PlacedPart::Link(self.link));
     }
 
     /// As a point that rides on the link, and with tau the guide's direction V' = V + tau and
@@ -36,7 +36,7 @@ impl Element for Push {
         q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let base = state.points[self.base.index()];
         let link = state.links[self.link.index()];
         let along = Vec2::of(self.along);
@@ -45,7 +45,7 @@ impl Element for Push {
         pushed.v += tau;
         pushed.a += tau.perp() * link.w.scaled(2.0);
         state.points[self.point.index()] = pushed;
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, site: &Site<'_>) -> Option<PushBack> {
@@ -67,7 +67,7 @@ pub(in crate::solver) struct PushBack {
 
 impl Backwards for PushBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let Push {
             point,
             base,

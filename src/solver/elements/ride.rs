@@ -1,8 +1,8 @@
 //! A point that rides on a link whose direction and another point of which are known.
 
-use super::{ACCELERATION, Backwards, Element, Outcome, VELOCITY};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Site, Slot};
+use super::{ACCELERATION, Backwards, Element, StepOutcome, VELOCITY};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ForceState, Site, Slot};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Constant, LinkId, Number, PointId, Vec2};
 
@@ -41,13 +41,13 @@ impl Element for Ride {
     const HAS_RESIDUALS: bool = true;
     type Back = Carry;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Point(self.point));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Point(self.point));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.base));
-        reads(Part::Link(self.link));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.base));
+        reads(PlacedPart::Link(self.link));
     }
 
     #[inline(always)]
@@ -56,12 +56,12 @@ impl Element for Ride {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let base = state.points[self.base.index()];
         let link = state.links[self.link.index()];
         let point = carried::<T, ORDER>(&base, &link, Vec2::of(self.local));
         state.points[self.point.index()] = point;
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, site: &Site<'_>) -> Option<Carry> {
@@ -90,7 +90,7 @@ impl Carry {
 
 impl Backwards for Carry {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let [point, base] = self.points;
         let force = forces.at(point);
         let r = state.points[point.index()].p - state.points[base.index()].p;

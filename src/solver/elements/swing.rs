@@ -2,11 +2,12 @@
 
 use super::through::{Height, InSeries, Snap, between, quotient, shifted, squared};
 use super::{
-    ACCELERATION, Backwards, Dyad, Element, Outcome, POSITION, REACH_SLACK, TwoAssemblies, VELOCITY,
+    ACCELERATION, Backwards, Dyad, Element, POSITION, REACH_SLACK, StepOutcome, TwoAssemblies,
+    VELOCITY,
 };
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::demand::Part;
-use crate::solver::forces::{Forces, Leg, Site, Slot};
+use crate::solver::demand::PlacedPart;
+use crate::solver::forces::{ForceState, LegSite, Site, Slot};
 use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
@@ -67,13 +68,13 @@ impl Swing {
 impl Element for Swing {
     type Back = SwingBack;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Link(self.link));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Link(self.link));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.pivot));
-        reads(Part::Point(self.pin));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.pivot));
+        reads(PlacedPart::Point(self.pin));
     }
 
     /// w = B - O = s t + e n, hence s = +-sqrt((D - e)(D + e)) and t = w (s - i e) / D^2.
@@ -83,19 +84,19 @@ impl Element for Swing {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let (w, d, d2, slack) = self.stretched(state);
         let e = T::of(self.offset);
         let inner = d - e.abs();
         let product = inner * (d + e.abs());
         state.measures[self.group] = product;
         if !inner.exceeds(slack) {
-            return Outcome::Unclear;
+            return StepOutcome::Unclear;
         }
         let s = state.signs[self.group] * product.sqrt();
         let t = w.turned(Vec2::new(s, -e)) * (T::exactly(1.0) / d2);
         self.place::<T, ORDER>(t, s, state);
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn dyad(&self) -> Option<Dyad<'_>> {
@@ -216,12 +217,12 @@ pub(in crate::solver) struct SwingBack {
     slot: Slot,
     slide: Option<SlideId>,
     /// The links between the pin and the slide: each feels the force at both ends.
-    legs: Vec<Leg>,
+    legs: Vec<LegSite>,
 }
 
 impl Backwards for SwingBack {
     #[inline(always)]
-    fn run<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };
         let t = Vec2::of(self.along).turned(state.links[self.link.index()].d);
         let s = t.dot(at(self.pin) - at(self.pivot));

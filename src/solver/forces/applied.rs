@@ -8,8 +8,8 @@ mod shown;
 
 pub use shown::Acted;
 
-use super::Part;
-use super::profile::Curve;
+use super::TorquePart;
+use super::profile::ReadyProfile;
 use super::slots::{Slot, Slots};
 use super::stroke::Stroke;
 use crate::solver::frame::Frame;
@@ -22,10 +22,10 @@ use crate::{
 /// What bears that something acts: the forces of a state, or whoever asks how large they are.
 pub(super) trait Bears<T: Number> {
     /// A force at a point.
-    fn push(&mut self, part: Part, point: PointId, force: Vec2<T>, state: &State<T>);
+    fn push(&mut self, part: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>);
 
     /// A couple on a link.
-    fn twist(&mut self, part: Part, link: LinkId, couple: T, state: &State<T>);
+    fn twist(&mut self, part: TorquePart, link: LinkId, couple: T, state: &State<T>);
 
     /// A force on a link at one of its points that is none of the pin's there.
     fn note_apart(&mut self, slot: Slot, force: Vec2<T>);
@@ -50,12 +50,12 @@ enum Act {
         point: PointId,
         force: Vec2<Constant>,
         frame: Option<LinkId>,
-        over: Curve,
+        over: ReadyProfile,
     },
     Torque {
         link: LinkId,
         torque: Constant,
-        over: Curve,
+        over: ReadyProfile,
     },
     Press {
         slide: SlideId,
@@ -66,7 +66,7 @@ enum Act {
         end: StrokeEnd,
         /// Where the stroke ends.
         stroke: Stroke,
-        curve: Curve,
+        curve: ReadyProfile,
     },
     Spring {
         from: PointId,
@@ -151,14 +151,14 @@ impl Acting {
             let m = T::of(mass.mass);
             if self.has_gravity {
                 let weight = Vec2::of(self.gravity) * m;
-                forces.push(Part::Gravity, mass.com, weight, state);
+                forces.push(TorquePart::Gravity, mass.com, weight, state);
             }
             let a = com.a * rates.square + com.v * rates.acceleration;
-            forces.push(Part::Inertia, mass.com, -(a * (m * unit)), state);
+            forces.push(TorquePart::Inertia, mass.com, -(a * (m * unit)), state);
             let link = &state.links[mass.link.index()];
             let alpha = link.a * rates.square + link.w * rates.acceleration;
             let couple = -(alpha * T::of(mass.inertia)) / unit;
-            forces.twist(Part::Inertia, mass.link, couple, state);
+            forces.twist(TorquePart::Inertia, mass.link, couple, state);
         }
     }
 
@@ -181,11 +181,11 @@ impl Acting {
                     Some(link) => force.turned(state.links[link.index()].d),
                     None => force,
                 };
-                forces.push(Part::Load, *point, force, state);
+                forces.push(TorquePart::Load, *point, force, state);
             }
             Act::Torque { link, torque, over } => {
                 let torque = T::of(*torque) * over.value(state.at) / T::of(self.unit);
-                forces.twist(Part::Load, *link, torque, state);
+                forces.twist(TorquePart::Load, *link, torque, state);
             }
             Act::Press {
                 slide,
@@ -214,7 +214,7 @@ impl Acting {
                     StrokeEnd::Greatest => -travel.guide,
                 };
                 let force = against * size;
-                forces.push(Part::Load, *point, force, state);
+                forces.push(TorquePart::Load, *point, force, state);
                 if let Some((_, slot)) = on {
                     forces.note_apart(*slot, -force);
                 }
@@ -232,8 +232,8 @@ impl Acting {
                 if (*length, *damping) == (none, none) {
                     // It pulls by k e: also where its ends meet.
                     let pull = e * (T::of(*stiffness) * T::of(self.unit));
-                    forces.push(Part::Load, *from, pull, state);
-                    forces.push(Part::Load, *to, -pull, state);
+                    forces.push(TorquePart::Load, *from, pull, state);
+                    forces.push(TorquePart::Load, *to, -pull, state);
                     return;
                 }
                 let size = e.norm2().sqrt();
@@ -242,8 +242,8 @@ impl Acting {
                 let stretch = size - T::of(*length);
                 let tension = T::of(*stiffness) * stretch + T::of(*damping) * rate;
                 let pull = along * (tension * T::of(self.unit));
-                forces.push(Part::Load, *from, pull, state);
-                forces.push(Part::Load, *to, -pull, state);
+                forces.push(TorquePart::Load, *from, pull, state);
+                forces.push(TorquePart::Load, *to, -pull, state);
             }
         }
     }
@@ -270,12 +270,12 @@ fn act(
                 Body::Ground => None,
                 Body::Link(link) => Some(*link),
             },
-            over: Curve::new(over, turns),
+            over: ReadyProfile::new(over, turns),
         },
         Load::Torque { link, torque, over } => Act::Torque {
             link: *link,
             torque: Constant::given(*torque),
-            over: Curve::new(over, turns),
+            over: ReadyProfile::new(over, turns),
         },
         Load::Press { slide, end, curve } => Act::Press {
             slide: *slide,
@@ -286,7 +286,7 @@ fn act(
             },
             end: *end,
             stroke: stroke(*slide, *end),
-            curve: Curve::new(curve, false),
+            curve: ReadyProfile::new(curve, false),
         },
         Load::Spring {
             from,

@@ -14,7 +14,7 @@
 
 use super::applied::Bears;
 use super::slots::Slot;
-use super::{Balance, Extent, Forces, Part, Residual};
+use super::{Balance, Extent, ForceState, Residual, TorquePart};
 use crate::solver::state::{PointState, State};
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// A check of the forces of a state: see [`Residual`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Check {
+pub enum ForceCheck {
     /// The driver against the virtual work of all that acts.
     Drive,
     /// The force on the frame along x against the sum of all that acts.
@@ -41,7 +41,7 @@ pub enum Withheld {
     /// A check misses by more than rounding explains.
     Unbalanced {
         /// The check: [`State::residual`] has what it misses by.
-        check: Check,
+        check: ForceCheck,
         /// What rounding explains, in N m or N: the bound of the residual where that is known, or else a
         /// part of the terms.
         most: f64,
@@ -50,20 +50,25 @@ pub enum Withheld {
     Overflow,
 }
 
-impl Check {
+impl ForceCheck {
     /// All of them.
-    pub const ALL: [Check; 4] = [Check::Drive, Check::ForceX, Check::ForceY, Check::Moment];
+    pub const ALL: [ForceCheck; 4] = [
+        ForceCheck::Drive,
+        ForceCheck::ForceX,
+        ForceCheck::ForceY,
+        ForceCheck::Moment,
+    ];
 }
 
 impl<T: Number> Residual<T> {
     /// What one of the checks misses by.
     #[must_use]
-    pub fn of(&self, check: Check) -> T {
+    pub fn of(&self, check: ForceCheck) -> T {
         match check {
-            Check::Drive => self.drive,
-            Check::ForceX => self.force.x,
-            Check::ForceY => self.force.y,
-            Check::Moment => self.moment,
+            ForceCheck::Drive => self.drive,
+            ForceCheck::ForceX => self.force.x,
+            ForceCheck::ForceY => self.force.y,
+            ForceCheck::Moment => self.moment,
         }
     }
 }
@@ -96,11 +101,11 @@ fn extent<T: Number>(vector: Vec2<T>) -> T {
 }
 
 impl<T: Number> Bears<T> for Terms<T> {
-    fn push(&mut self, _: Part, point: PointId, force: Vec2<T>, state: &State<T>) {
+    fn push(&mut self, _: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>) {
         self.force(&state.points[point.index()], force);
     }
 
-    fn twist(&mut self, _: Part, link: LinkId, couple: T, state: &State<T>) {
+    fn twist(&mut self, _: TorquePart, link: LinkId, couple: T, state: &State<T>) {
         self.couple(state.links[link.index()].w, couple);
     }
 
@@ -114,7 +119,7 @@ fn is_rounding<T: Number>(miss: T, terms: T) -> bool {
     (terms * T::exactly(ROUNDING) + T::exactly(f64::MIN_POSITIVE)).exceeds(miss.abs())
 }
 
-impl<T: Number> Forces<T> {
+impl<T: Number> ForceState<T> {
     /// What each check misses by, in the solver's lengths about its origin.
     #[inline(always)]
     pub(super) fn misses(&self) -> Residual<T> {
@@ -147,7 +152,7 @@ impl<T: Number> Forces<T> {
 impl Balance {
     /// Withholds forces whose checks miss by more than a part of their terms.
     #[inline(always)]
-    pub(super) fn check<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    pub(super) fn check<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         if forces.extent == Extent::All && !forces.is_plainly_balanced() {
             self.check_closely(state, forces);
         }
@@ -156,16 +161,31 @@ impl Balance {
     /// The same with all terms.
     #[cold]
     #[inline(never)]
-    fn check_closely<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    fn check_closely<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         let terms = self.terms(state, forces);
         let (misses, scale) = (forces.misses(), &forces.scale);
         let checks = [
-            (Check::Drive, misses.drive, terms.drive, scale.drive),
-            (Check::ForceX, misses.force.x, terms.force, T::exactly(1.0)),
-            (Check::ForceY, misses.force.y, terms.force, T::exactly(1.0)),
-            (Check::Moment, misses.moment, terms.moment, scale.couple),
+            (ForceCheck::Drive, misses.drive, terms.drive, scale.drive),
+            (
+                ForceCheck::ForceX,
+                misses.force.x,
+                terms.force,
+                T::exactly(1.0),
+            ),
+            (
+                ForceCheck::ForceY,
+                misses.force.y,
+                terms.force,
+                T::exactly(1.0),
+            ),
+            (
+                ForceCheck::Moment,
+                misses.moment,
+                terms.moment,
+                scale.couple,
+            ),
         ];
-        let fails = |&(_, miss, terms, _): &(Check, T, T, T)| !is_rounding(miss, terms);
+        let fails = |&(_, miss, terms, _): &(ForceCheck, T, T, T)| !is_rounding(miss, terms);
         if let Some((check, _, terms, unit)) = checks.into_iter().find(fails) {
             let most = (terms * unit).nearest() * ROUNDING;
             forces.extent = Extent::Withheld(if most.is_finite() {
@@ -177,7 +197,7 @@ impl Balance {
     }
 
     /// All that acts, and all that joints and guides carry.
-    fn terms<T: Number>(&self, state: &State<T>, forces: &Forces<T>) -> Terms<T> {
+    fn terms<T: Number>(&self, state: &State<T>, forces: &ForceState<T>) -> Terms<T> {
         let mut terms = Terms::default();
         self.acting.act(state, &mut terms);
         let joints = self.slots.members.iter().zip(&forces.joints);
@@ -220,7 +240,7 @@ impl State {
             return;
         };
         let bound = |check| Some((check, proved.of(check).bound(found.of(check))?));
-        let bounds = Check::ALL.map(bound);
+        let bounds = ForceCheck::ALL.map(bound);
         let missed = bounds.into_iter().flatten();
         let missed = missed.filter(|&(check, bound)| found.of(check).abs() > bound);
         let missed = missed.map(|(check, most)| Withheld::Unbalanced { check, most });

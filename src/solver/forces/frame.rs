@@ -1,6 +1,6 @@
 //! What the whole does to the frame, from what its joints and guides carry.
 
-use super::Forces;
+use super::ForceState;
 use super::slots::{Slot, Slots};
 use crate::solver::state::State;
 use crate::{Body, Input, Mechanism, Number, PointId, SlideId, Slider, Vec2};
@@ -48,7 +48,7 @@ impl Framed {
     }
 
     /// What acts on the ground itself goes into the frame at once.
-    pub(super) fn note_ground<T: Number>(&self, forces: &mut Forces<T>, state: &State<T>) {
+    pub(super) fn note_ground<T: Number>(&self, forces: &mut ForceState<T>, state: &State<T>) {
         for &point in &self.points {
             let force = forces.points[point.index()];
             forces.frame += force;
@@ -57,7 +57,7 @@ impl Framed {
     }
 
     /// Takes from the origins of what slides what its guide does there: the rest is their pins'.
-    pub(super) fn free_origins<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    pub(super) fn free_origins<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         for &(slide, slot, is_driven) in &self.origins {
             let force = guided(slide, is_driven, state, forces);
             forces.joints[slot] = forces.joints[slot] - force;
@@ -65,7 +65,7 @@ impl Framed {
     }
 
     /// The frame feels all that stands on it, once every joint and guide has its force.
-    pub(super) fn feel<T: Number>(&self, state: &State<T>, forces: &mut Forces<T>) {
+    pub(super) fn feel<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         for &(slot, point) in &self.pins {
             feel(point, forces.joints[slot], state, forces);
         }
@@ -98,7 +98,7 @@ fn guided<T: Number>(
     slide: SlideId,
     is_driven: bool,
     state: &State<T>,
-    forces: &Forces<T>,
+    forces: &ForceState<T>,
 ) -> Vec2<T> {
     let t = state.travels[slide.index()].guide.d;
     let across = t.perp() * forces.normals[slide.index()];
@@ -110,7 +110,7 @@ fn guided<T: Number>(
 }
 
 /// A force on the mechanism at a point of the ground; the frame feels the opposite.
-fn feel<T: Number>(point: PointId, force: Vec2<T>, state: &State<T>, forces: &mut Forces<T>) {
+fn feel<T: Number>(point: PointId, force: Vec2<T>, state: &State<T>, forces: &mut ForceState<T>) {
     forces.frame = forces.frame - force;
     let moment = state.points[point.index()].p.cross(force);
     forces.frame_moment = forces.frame_moment - moment;

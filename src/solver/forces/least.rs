@@ -6,7 +6,7 @@
 //! and of moments over the longest length, is what pins and guides would bear that give way alike.
 
 use super::open::{FELT, Felt, probes};
-use super::{Balance, Forces, Indeterminate};
+use super::{Balance, ForceState, Indeterminate};
 use crate::solver::network::Network;
 use crate::solver::workspace::Workspace;
 use crate::solver::{Condition, Order, Solver};
@@ -49,7 +49,7 @@ impl LeastNorm {
 }
 
 /// All reactions, one after the other.
-fn listed(forces: &Forces<f64>, felt: &Felt, members: usize) -> DVector<f64> {
+fn listed(forces: &ForceState<f64>, felt: &Felt, members: usize) -> DVector<f64> {
     let joints = forces.joints.iter().zip(&felt.joints).take(members);
     let joints = joints.flat_map(|(&a, &b)| [(a + b).x, (a + b).y]);
     let normals = forces.normals.iter().zip(&felt.normals);

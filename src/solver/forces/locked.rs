@@ -3,7 +3,7 @@
 //! Links that are locked to each other are a tree of locks. What a lock carries is the couple of all that
 //! hangs beyond it.
 
-use super::Forces;
+use super::ForceState;
 use crate::solver::elements::Step;
 use crate::solver::network::{GROUND, Network};
 use crate::solver::plan::Program;
@@ -14,12 +14,12 @@ use crate::{LinkId, Number, SlideId, Slider};
 pub(super) struct Locked {
     /// The links that are locked to the ground: no step has taken their couples on.
     grounded: Vec<LinkId>,
-    locks: Vec<Lock>,
+    locks: Vec<LockSite>,
 }
 
 /// A lock, and the links beyond it as seen from where their direction comes from.
 #[derive(Clone, Debug)]
-struct Lock {
+struct LockSite {
     slide: SlideId,
     beyond: Vec<LinkId>,
     /// Whether the sliding link is among them, and not the guide.
@@ -54,7 +54,7 @@ impl Locked {
             let root = root(slider);
             let beyond = reached(slider, slide, &edges);
             let holds_slider = !beyond.contains(&root);
-            Lock {
+            LockSite {
                 slide,
                 beyond: if holds_slider {
                     beyond
@@ -75,7 +75,7 @@ impl Locked {
     }
 
     /// The couples, once all steps have been run backwards.
-    pub(super) fn finish<T: Number>(&self, forces: &mut Forces<T>) {
+    pub(super) fn finish<T: Number>(&self, forces: &mut ForceState<T>) {
         for link in &self.grounded {
             forces.couples[link.index()] += forces.links[link.index()];
         }

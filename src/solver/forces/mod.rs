@@ -19,11 +19,11 @@ mod tests;
 pub(crate) use tests::falsified;
 
 pub use applied::Acted;
-pub use checks::{Check, Withheld};
+pub use checks::{ForceCheck, Withheld};
 pub use least::LeastNorm;
 pub use open::Indeterminate;
 pub use read::Residual;
-pub(super) use site::{Held, Leg, Reach, Site};
+pub(super) use site::{ArmSite, Held, LegSite, Site};
 pub(super) use slots::{Slot, Slots};
 
 use super::coupled::Scratch;
@@ -43,7 +43,7 @@ use stroke::Stroke;
 
 /// How the torque is split.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
+enum TorquePart {
     Load,
     Gravity,
     Inertia,
@@ -72,7 +72,7 @@ fn slider(slider: Slider) -> (PointId, Option<LinkId>) {
 
 /// The forces of a state, and the room to find them.
 #[derive(Clone, Debug)]
-pub(super) struct Forces<T> {
+pub(super) struct ForceState<T> {
     slots: Arc<Slots>,
     open: Arc<Open>,
     extent: Extent,
@@ -96,12 +96,12 @@ pub(super) struct Forces<T> {
     /// What the frame feels, and its moment about the solver's origin.
     frame: Vec2<T>,
     frame_moment: T,
-    scale: Scale<T>,
+    scale: TorqueScale<T>,
 }
 
 /// From the solver's lengths to N m.
 #[derive(Clone, Copy, Debug)]
-struct Scale<T> {
+struct TorqueScale<T> {
     /// N m in a newton times the solver's length.
     couple: T,
     /// The same for what belongs to the driver's coordinate: 1 where that is a length.
@@ -110,9 +110,9 @@ struct Scale<T> {
     origin: Vec2<T>,
 }
 
-impl<T: Number> Bears<T> for Forces<T> {
+impl<T: Number> Bears<T> for ForceState<T> {
     #[inline(always)]
-    fn push(&mut self, part: Part, point: PointId, force: Vec2<T>, state: &State<T>) {
+    fn push(&mut self, part: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>) {
         let at = &state.points[point.index()];
         self.points[point.index()] += force;
         self.sum += force;
@@ -121,7 +121,7 @@ impl<T: Number> Bears<T> for Forces<T> {
     }
 
     #[inline(always)]
-    fn twist(&mut self, part: Part, link: LinkId, couple: T, state: &State<T>) {
+    fn twist(&mut self, part: TorquePart, link: LinkId, couple: T, state: &State<T>) {
         self.links[link.index()] += couple;
         self.sum_moment += couple;
         self.work[part as usize] += couple * state.links[link.index()].w;
@@ -133,7 +133,7 @@ impl<T: Number> Bears<T> for Forces<T> {
     }
 }
 
-impl<T: Number> Forces<T> {
+impl<T: Number> ForceState<T> {
     fn clear(&mut self) {
         self.points.fill(Vec2::default());
         self.links.fill(T::default());
@@ -146,20 +146,20 @@ impl<T: Number> Forces<T> {
         (self.frame, self.frame_moment) = (Vec2::default(), T::default());
     }
 
-    fn all(&self) -> Option<&Forces<T>> {
+    fn all(&self) -> Option<&ForceState<T>> {
         (self.extent == Extent::All).then_some(self)
     }
 
     /// What the driver does against the virtual work of a part.
-    fn against(&self, part: Part) -> T {
+    fn against(&self, part: TorquePart) -> T {
         // Subtracted, so that nothing has no sign.
         T::default() - self.work[part as usize] * self.scale.drive
     }
 }
 
-impl Forces<Ball> {
+impl ForceState<Ball> {
     /// Takes all that is read from forces in twice the digits.
-    fn round(&mut self, of: &Forces<Sharp>) {
+    fn round(&mut self, of: &ForceState<Sharp>) {
         let vector = |v: Vec2<Sharp>| v.map(Ball::from);
         let numbers = |to: &mut [Ball], from: &[Sharp]| {
             for (to, &from) in to.iter_mut().zip(from) {
@@ -269,12 +269,12 @@ impl Balance {
     }
 
     /// Room for the forces of a state.
-    pub(super) fn room<T: Number>(&self, engine: &Engine) -> Box<Forces<T>> {
+    pub(super) fn room<T: Number>(&self, engine: &Engine) -> Box<ForceState<T>> {
         let slides = self.open.normals.len();
         let unit = T::of(self.acting.unit);
         let origin = engine.frame.origin();
         let metres = unit.scaled(1.0 / engine.frame.scale);
-        Box::new(Forces {
+        Box::new(ForceState {
             slots: Arc::clone(&self.slots),
             open: Arc::clone(&self.open),
             extent: Extent::Nothing,
@@ -290,7 +290,7 @@ impl Balance {
             sum_moment: T::default(),
             frame: Vec2::default(),
             frame_moment: T::default(),
-            scale: Scale {
+            scale: TorqueScale {
                 couple: unit,
                 drive: if engine.turns { unit } else { T::exactly(1.0) },
                 origin: Vec2::of(origin) * metres,
@@ -405,7 +405,7 @@ impl Balance {
         engine: &Engine,
         state: &State<T>,
         scratch: &mut Scratch<T>,
-        forces: &mut Forces<T>,
+        forces: &mut ForceState<T>,
     ) -> bool {
         let (q, _) = engine.coordinate(state.at);
         self.passes.iter().rev().all(|pass| match pass {

@@ -5,9 +5,9 @@
 //! steps hand down; what has to hold against it, besides the constraint itself where the steps stand on
 //! it, is open.
 
-use super::{Balance, Extent, Forces, Slots};
+use super::{Balance, Extent, ForceState, Slots};
 use crate::solver::network::Network;
-use crate::solver::plan::{Gauge, Watch};
+use crate::solver::plan::{Gauge, WatchedConstraint};
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 use crate::solver::{Order, Solver};
@@ -74,7 +74,7 @@ impl Open {
         open
     }
 
-    fn mark(&mut self, forces: &Forces<f64>, felt: &Felt) {
+    fn mark(&mut self, forces: &ForceState<f64>, felt: &Felt) {
         let joints = forces.joints.iter().zip(&felt.joints);
         for (open, (&a, &b)) in self.joints.iter_mut().zip(joints) {
             *open |= is_felt((a + b).norm());
@@ -118,7 +118,7 @@ pub(super) fn probes(
     network: &Network<'_>,
     solver: &Solver,
     work: &mut Workspace,
-    mut tell: impl FnMut(&Forces<f64>, &Felt),
+    mut tell: impl FnMut(&ForceState<f64>, &Felt),
 ) {
     for watch in &solver.engine.program.watches {
         probe(balance, solver, work, &mut tell, |state, forces, felt| {
@@ -144,8 +144,8 @@ fn probe(
     balance: &Balance,
     solver: &Solver,
     work: &mut Workspace,
-    tell: &mut impl FnMut(&Forces<f64>, &Felt),
-    press: impl Fn(&State, &mut Forces<f64>, &mut Felt),
+    tell: &mut impl FnMut(&ForceState<f64>, &Felt),
+    press: impl Fn(&State, &mut ForceState<f64>, &mut Felt),
 ) {
     let Workspace { state, scratch, .. } = work;
     let Some(mut forces) = state.forces.take() else {
@@ -187,18 +187,18 @@ impl Felt {
 
 /// A watched constraint presses with a unit force.
 fn press(
-    watch: &Watch,
+    watch: &WatchedConstraint,
     slots: &Slots,
     network: &Network<'_>,
     state: &State,
-    forces: &mut Forces<f64>,
+    forces: &mut ForceState<f64>,
     felt: &mut Felt,
 ) {
     let at = |p: PointId| state.points[p.index()].p;
-    let mut pair = |from: PointId, to: PointId, force: Vec2, forces: &mut Forces<f64>| {
+    let mut pair = |from: PointId, to: PointId, force: Vec2, forces: &mut ForceState<f64>| {
         forces.points[to.index()] += force;
         forces.points[from.index()] += -force;
-        if let crate::Element::Link(link) = watch.element {
+        if let crate::ElementId::Link(link) = watch.element {
             felt.joints[slots.of(link, to)] += -force;
             felt.joints[slots.of(link, from)] += force;
         }
@@ -219,7 +219,7 @@ fn press(
             forces.points[line.through.index()] += -guide.n;
             let s = guide.t.dot(at(point) - guide.q.p);
             forces.links[line.link.index()] += -s;
-            if let crate::Element::Slide(slide) = watch.element {
+            if let crate::ElementId::Slide(slide) = watch.element {
                 felt.normals[slide.index()] += 1.0;
                 let given = network.mechanism.slide(slide);
                 // On the link itself, and not by its pin.

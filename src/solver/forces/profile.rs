@@ -6,7 +6,7 @@ use crate::{Constant, Number, Profile};
 
 /// A profile made ready to be read: its knots, the slope behind each, and the period if it repeats.
 #[derive(Clone, Debug)]
-pub(super) struct Curve {
+pub(super) struct ReadyProfile {
     places: Vec<Constant>,
     values: Vec<Constant>,
     slopes: Vec<f64>,
@@ -20,10 +20,10 @@ pub(super) struct Curve {
 /// So many parts has a curve for each of its knots.
 const PARTS: usize = 4;
 
-impl Curve {
+impl ReadyProfile {
     /// `turns` tells whether the coordinate is that of a turned driver: then a curve whose knots span
     /// whole turns repeats.
-    pub(super) fn new(profile: &Profile, turns: bool) -> Curve {
+    pub(super) fn new(profile: &Profile, turns: bool) -> ReadyProfile {
         let knots = profile.knots();
         let (first, span) = match knots {
             [first, .., last] => (first[0], last[0] - first[0]),
@@ -38,7 +38,7 @@ impl Curve {
                 .partition_point(|knot| knot[0] <= at)
                 .saturating_sub(1)
         };
-        Curve {
+        ReadyProfile {
             places: knots.iter().map(|knot| Constant::given(knot[0])).collect(),
             values: knots.iter().map(|knot| Constant::given(knot[1])).collect(),
             slopes: slopes
@@ -152,11 +152,11 @@ mod tests {
     use super::*;
     use crate::Ball;
 
-    fn curve(knots: &[[f64; 2]], turns: bool) -> Curve {
-        Curve::new(&Profile::new(knots.to_vec()).unwrap(), turns)
+    fn curve(knots: &[[f64; 2]], turns: bool) -> ReadyProfile {
+        ReadyProfile::new(&Profile::new(knots.to_vec()).unwrap(), turns)
     }
 
-    fn hill() -> Curve {
+    fn hill() -> ReadyProfile {
         curve(&[[0.0, 1.0], [10.0, 3.0], [20.0, 0.0]], true)
     }
 

@@ -4,14 +4,14 @@
 //! t and n along and across a guide. F is the force that has come to a point, M the couple that has
 //! come to a link. "On" a link means: from the pin, or the guide, on it.
 
-use super::Forces;
-use super::site::{Held, Reach};
+use super::ForceState;
+use super::site::{ArmSite, Held};
 use super::slots::Slot;
-use crate::solver::elements::Line;
+use crate::solver::elements::GuideLine;
 use crate::solver::state::State;
 use crate::{LinkId, Number, PointId, Vec2};
 
-impl<T: Number> Forces<T> {
+impl<T: Number> ForceState<T> {
     #[inline(always)]
     pub(in crate::solver) fn at(&self, point: PointId) -> Vec2<T> {
         self.points[point.index()]
@@ -24,7 +24,7 @@ impl<T: Number> Forces<T> {
 
     /// A force on a link at the end of an arm; its pivot holds against it.
     #[inline(always)]
-    pub(in crate::solver) fn hold(&mut self, reach: &Reach, force: Vec2<T>, state: &State<T>) {
+    pub(in crate::solver) fn hold(&mut self, reach: &ArmSite, force: Vec2<T>, state: &State<T>) {
         self.points[reach.pivot.index()] += force;
         if !reach.legs.is_empty() {
             self.hold_over(reach, force, state);
@@ -36,7 +36,7 @@ impl<T: Number> Forces<T> {
 
     /// The same where the arm goes over several links: the locks hold each against turning.
     #[cold]
-    fn hold_over(&mut self, reach: &Reach, force: Vec2<T>, state: &State<T>) {
+    fn hold_over(&mut self, reach: &ArmSite, force: Vec2<T>, state: &State<T>) {
         for leg in &reach.legs {
             self.note(leg.slots[0], force);
             self.note(leg.slots[1], -force);
@@ -57,7 +57,7 @@ impl<T: Number> Forces<T> {
     pub(in crate::solver) fn press(
         &mut self,
         hold: &Held,
-        line: Option<(&Line, T)>,
+        line: Option<(&GuideLine, T)>,
         n: Vec2<T>,
         across: T,
     ) {
@@ -81,8 +81,8 @@ impl<T: Number> Forces<T> {
     pub(in crate::solver) fn share(
         &mut self,
         point: PointId,
-        near: &Reach,
-        far: &Reach,
+        near: &ArmSite,
+        far: &ArmSite,
         state: &State<T>,
     ) -> Vec2<T> {
         let at = |point: PointId| -> Vec2<T> { state.points[point.index()].p };

@@ -1,6 +1,6 @@
 //! The forces of a state, as they are read.
 
-use super::{Extent, Forces, Part, Scale};
+use super::{Extent, ForceState, TorquePart, TorqueScale};
 use crate::solver::state::State;
 use crate::{LinkId, Number, PointId, SlideId, Vec2};
 
@@ -17,8 +17,8 @@ pub struct Residual<T = f64> {
 }
 
 /// Equal where all that is read is.
-impl<T: Number + PartialEq> PartialEq for Forces<T> {
-    fn eq(&self, other: &Forces<T>) -> bool {
+impl<T: Number + PartialEq> PartialEq for ForceState<T> {
+    fn eq(&self, other: &ForceState<T>) -> bool {
         let drive = || (&self.drive, &self.work) == (&other.drive, &other.work);
         let reactions = || {
             (&self.joints, &self.normals, &self.moments)
@@ -43,7 +43,7 @@ impl<T: Number> State<T> {
         }
     }
 
-    fn balanced(&self) -> Option<&Forces<T>> {
+    fn balanced(&self) -> Option<&ForceState<T>> {
         self.forces.as_deref()?.all()
     }
 
@@ -65,7 +65,7 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn drive_parts(&self) -> Option<[T; 3]> {
         let forces = self.forces.as_deref()?;
-        let parts = [Part::Load, Part::Gravity, Part::Inertia];
+        let parts = [TorquePart::Load, TorquePart::Gravity, TorquePart::Inertia];
         let parts = parts.map(|part| forces.against(part));
         matches!(forces.extent, Extent::Drive | Extent::All).then_some(parts)
     }
@@ -121,7 +121,7 @@ impl<T: Number> State<T> {
     #[must_use]
     pub fn frame_moment(&self) -> Option<T> {
         let forces = self.balanced()?;
-        let Scale { couple, origin, .. } = forces.scale;
+        let TorqueScale { couple, origin, .. } = forces.scale;
         Some(forces.frame_moment * couple + origin.cross(forces.frame))
     }
 

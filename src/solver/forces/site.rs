@@ -8,18 +8,18 @@ use crate::{Input, LinkId, PointId, SlideId};
 
 /// An arm of a link from a known pivot.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct Reach {
+pub(in crate::solver) struct ArmSite {
     pub pivot: PointId,
     pub link: LinkId,
     /// The force on the link at the arm's end, and at its pivot.
     pub slots: [Slot; 2],
     /// Where the arm goes over several links that are locked to each other, all of them.
-    pub legs: Vec<Leg>,
+    pub legs: Vec<LegSite>,
 }
 
 /// A link on the way of an arm, between two of its joints.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::solver) struct Leg {
+pub(in crate::solver) struct LegSite {
     pub link: LinkId,
     /// The joint further out, and the one nearer to the pivot; and the places of the forces there.
     pub joints: [PointId; 2],
@@ -81,9 +81,9 @@ impl Site<'_> {
     }
 
     /// An arm of the element, to its end.
-    pub(in crate::solver) fn reach(&self, arm: &Arm, end: PointId) -> Reach {
+    pub(in crate::solver) fn reach(&self, arm: &Arm, end: PointId) -> ArmSite {
         let Arm { pivot, link, .. } = *arm;
-        Reach {
+        ArmSite {
             legs: self.legs(link),
             pivot,
             link,
@@ -92,8 +92,8 @@ impl Site<'_> {
     }
 
     /// The arm of a cylinder: its rod's end is no point of the barrel.
-    pub(in crate::solver) fn barrel(&self, link: LinkId, pivot: PointId) -> Reach {
-        Reach {
+    pub(in crate::solver) fn barrel(&self, link: LinkId, pivot: PointId) -> ArmSite {
+        ArmSite {
             pivot,
             link,
             slots: [self.slots.nowhere(), self.slots.of(link, pivot)],
@@ -102,10 +102,10 @@ impl Site<'_> {
     }
 
     /// The links on the way of the arm of a step that is known by this one.
-    fn legs(&self, arm: LinkId) -> Vec<Leg> {
+    fn legs(&self, arm: LinkId) -> Vec<LegSite> {
         let legs = self.program.legs.iter();
         let legs = legs.filter(|(step, leg)| *step == self.at && leg.arm == arm);
-        let legs = legs.map(|(_, leg)| Leg {
+        let legs = legs.map(|(_, leg)| LegSite {
             link: leg.link,
             joints: [leg.to, leg.from],
             slots: [leg.to, leg.from].map(|joint| self.slots.of(leg.link, joint)),
@@ -114,14 +114,14 @@ impl Site<'_> {
     }
 
     /// The slide of an arm that swings through a pin, and the links between the two.
-    pub(in crate::solver) fn swung(&self, pin: PointId) -> (Option<SlideId>, Vec<Leg>) {
+    pub(in crate::solver) fn swung(&self, pin: PointId) -> (Option<SlideId>, Vec<LegSite>) {
         let Some(hold) = self.holds().next() else {
             return (None, Vec::new());
         };
         (Some(hold.slide), self.legs_between(hold, pin))
     }
 
-    fn legs_between(&self, hold: Hold, pin: PointId) -> Vec<Leg> {
+    fn legs_between(&self, hold: Hold, pin: PointId) -> Vec<LegSite> {
         let Some(link) = hold.carrier else {
             return Vec::new();
         };
@@ -131,7 +131,7 @@ impl Site<'_> {
         }
         let joints = [self.slider(hold.slide), pin];
         let slots = joints.map(|joint| self.slots.of(link, joint));
-        vec![Leg {
+        vec![LegSite {
             link,
             joints,
             slots,
@@ -172,7 +172,7 @@ impl Site<'_> {
     /// given; else a step carries it there.
     fn through(&self, hold: Hold, on: LinkId) -> Slot {
         let lines = self.program.steps.iter().find_map(|step| match step {
-            Step::Travel(travel) if travel.slide == hold.slide => Some(travel.line.through),
+            Step::SlideReadout(travel) if travel.slide == hold.slide => Some(travel.line.through),
             _ => None,
         });
         lines.map_or(self.slots.nowhere(), |through| self.slots.of(on, through))

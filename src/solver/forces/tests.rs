@@ -73,7 +73,7 @@ fn loaded(text: &str, chance: &mut Chance) -> String {
 
 /// The forces of a state, as they were noted.
 struct Noted {
-    forces: Forces<f64>,
+    forces: ForceState<f64>,
     /// What acts: on points, and as couples on links.
     points: Vec<Vec2>,
     couples: Vec<f64>,
@@ -103,13 +103,13 @@ fn noted(solver: &Solver, state: &State) -> Noted {
 
 /// A sum of forces and moments, and the size of the largest term.
 #[derive(Default)]
-struct Sum {
+struct ForceSum {
     force: Vec2,
     moment: f64,
     size: f64,
 }
 
-impl Sum {
+impl ForceSum {
     fn add(&mut self, at: Vec2, force: Vec2) {
         self.force += force;
         self.twist(at.cross(force));
@@ -140,7 +140,7 @@ fn guided(mechanism: &Mechanism, slide: SlideId, state: &State, of: &Noted) -> (
 
 fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &Noted) -> f64 {
     let at = |p: PointId| state.points[p.index()].p;
-    let mut sum = Sum::default();
+    let mut sum = ForceSum::default();
     for member in &mechanism.link(link).members {
         let slot = of.forces.slots.of(link, member.point);
         sum.add(at(member.point), of.forces.joints[slot]);
@@ -169,7 +169,7 @@ fn link_miss(mechanism: &Mechanism, link: LinkId, state: &State, of: &Noted) -> 
 }
 
 fn pin_miss(mechanism: &Mechanism, point: PointId, state: &State, of: &Noted) -> f64 {
-    let mut sum = Sum::default();
+    let mut sum = ForceSum::default();
     sum.add(Vec2::ZERO, of.points[point.index()]);
     for &link in &mechanism.point(point).links {
         let slot = of.forces.slots.of(link, point);

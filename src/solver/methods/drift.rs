@@ -5,7 +5,7 @@ use crate::solver::Workspace;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
 
 /// Unknowns that move by their rates alone; whether the loops stay closed nobody asks.
-pub(crate) struct Drift {
+pub(crate) struct DriftMethod {
     state: Workspace,
     /// z of all groups at the beginning of a step.
     base: Vec<f64>,
@@ -16,7 +16,7 @@ pub(crate) struct Drift {
 
 impl Methods {
     /// A system at the state that was looked up last.
-    pub(crate) fn drift(&self) -> Option<Drift> {
+    pub(crate) fn drift(&self) -> Option<DriftMethod> {
         let engine = &self.rows.as_ref()?.engine;
         let mut state = engine.state::<f64>(self.slides);
         let (mut starts, mut base, mut unknowns) = (Vec::new(), Vec::new(), 0);
@@ -26,7 +26,7 @@ impl Methods {
             base.extend_from_slice(group.open(&mut state.scratch).z);
             unknowns += group.unknowns();
         }
-        Some(Drift {
+        Some(DriftMethod {
             state,
             base,
             starts,
@@ -35,7 +35,7 @@ impl Methods {
     }
 
     /// How far the drift's last state is from the one that was looked up last.
-    pub(crate) fn drifted(&self, drift: &Drift) -> Deviation {
+    pub(crate) fn drifted(&self, drift: &DriftMethod) -> Deviation {
         self.subjects.deviation(&drift.state, &self.reference)
     }
 
@@ -45,7 +45,7 @@ impl Methods {
     }
 }
 
-impl Drift {
+impl DriftMethod {
     /// How many unknowns there are.
     pub(crate) fn unknowns(&self) -> usize {
         self.unknowns

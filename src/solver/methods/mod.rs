@@ -10,7 +10,7 @@ mod method;
 mod runner;
 
 pub(crate) use deviation::Deviation;
-pub(crate) use drift::Drift;
+pub(crate) use drift::DriftMethod;
 pub use method::{Method, Start, Unfit};
 pub(crate) use runner::Runner;
 
@@ -28,7 +28,7 @@ pub(crate) struct Methods {
     solver: Solver,
     slides: usize,
     /// Every group by its rows; `None` where they cannot be listed.
-    rows: Option<Rows>,
+    rows: Option<RowProgram>,
     subjects: Subjects,
     reference: Workspace<Double>,
     /// A state of the solver itself.
@@ -38,7 +38,7 @@ pub(crate) struct Methods {
 }
 
 /// The program in which every group is a list of rows.
-struct Rows {
+struct RowProgram {
     engine: Engine,
     /// To look into.
     probe: Workspace,
@@ -54,7 +54,7 @@ impl Methods {
     pub(crate) fn new(solver: &Solver) -> Methods {
         let mechanism = solver.mechanism();
         Methods {
-            rows: Rows::new(mechanism, solver),
+            rows: RowProgram::new(mechanism, solver),
             subjects: Subjects::new(mechanism, solver),
             slides: mechanism.slides().len(),
             reference: solver.twice(),
@@ -173,14 +173,14 @@ fn run<T: Number, const ORDER: u8>(
     })
 }
 
-impl Rows {
-    fn new(mechanism: &Mechanism, solver: &Solver) -> Option<Rows> {
+impl RowProgram {
+    fn new(mechanism: &Mechanism, solver: &Solver) -> Option<RowProgram> {
         let frame = solver.engine.frame;
         let network = Network::new(mechanism, frame);
         let (_, program) = chain::build(&network, &solver.ordering, chain::Dyads::AsRows).ok()?;
         let engine = Engine::new(mechanism, frame, program);
         let groups = &engine.program.coupled;
-        let mut rows = Rows {
+        let mut rows = RowProgram {
             inputs: groups.iter().map(Coupled::inputs).collect(),
             closings: groups.iter().map(Coupled::closing).collect(),
             probe: engine.state(mechanism.slides().len()),

@@ -1,6 +1,6 @@
 //! A method at work: it solves one position after the other and keeps what it needs between them.
 
-use super::{Deviation, Method, Methods, Rows, Start, follow, run};
+use super::{Deviation, Method, Methods, RowProgram, Start, follow, run};
 use crate::solver::Workspace;
 use crate::solver::elements::ACCELERATION;
 use crate::solver::state::State;
@@ -9,14 +9,14 @@ use crate::{Ball, Double, Number};
 
 /// A method with all the room that it needs: solving allocates nothing.
 pub(crate) struct Runner {
-    work: Work,
+    work: RunnerWork,
 }
 
 #[expect(
     clippy::large_enum_variant,
     reason = "there are a score of them, each made once"
 )]
-enum Work {
+enum RunnerWork {
     /// What the solver itself does.
     Solver(Workspace),
     Bounded {
@@ -54,26 +54,26 @@ impl Methods {
                 .map(|rows| rows.engine.state(self.slides))
         };
         let work = match method {
-            Method::ClosedForm | Method::Anchored => Work::Solver(self.solver.state()),
-            Method::Bounded => Work::Bounded {
+            Method::ClosedForm | Method::Anchored => RunnerWork::Solver(self.solver.state()),
+            Method::Bounded => RunnerWork::Bounded {
                 state: self.solver.state(),
                 enclosure: self.solver.enclosure(),
             },
-            Method::Single => Work::Single {
+            Method::Single => RunnerWork::Single {
                 guide: self.solver.state(),
                 state: self.solver.engine.state(self.slides),
             },
-            Method::Polished => Work::Polished {
+            Method::Polished => RunnerWork::Polished {
                 closed: self.solver.state(),
                 state: rows()?,
                 exact: self.rows.as_ref()?.engine.state(self.slides),
             },
-            Method::Newton { tolerance, start } => Work::Newton {
+            Method::Newton { tolerance, start } => RunnerWork::Newton {
                 state: rows()?,
                 tolerance,
                 start,
             },
-            Method::Bisection => Work::Bisection {
+            Method::Bisection => RunnerWork::Bisection {
                 state: rows()?,
                 signs: self.solver.engine.signs.clone(),
             },
@@ -86,7 +86,7 @@ impl Methods {
 impl Runner {
     /// Puts a method that goes on from the position before to the one that was looked up last.
     pub(crate) fn begin(&mut self, methods: &Methods) {
-        if let (Work::Newton { state, .. }, Some(rows)) = (&mut self.work, &methods.rows) {
+        if let (RunnerWork::Newton { state, .. }, Some(rows)) = (&mut self.work, &methods.rows) {
             for group in &rows.engine.program.coupled {
                 group.read(&methods.guide, group.open(&mut state.scratch).z);
             }
@@ -97,17 +97,17 @@ impl Runner {
     pub(crate) fn solve(&mut self, methods: &Methods, at: f64) -> bool {
         let Methods { solver, rows, .. } = methods;
         match (&mut self.work, rows) {
-            (Work::Solver(state), _) => {
+            (RunnerWork::Solver(state), _) => {
                 solver.solve(at, Order::Acceleration, state) == Condition::Ok
             }
-            (Work::Bounded { state, enclosure }, _) => {
+            (RunnerWork::Bounded { state, enclosure }, _) => {
                 let solved = solver.solve(at, Order::Acceleration, state) == Condition::Ok;
                 solver.enclose(state, Order::Acceleration, enclosure);
                 solved
             }
-            (Work::Single { guide, state }, _) => single(methods, at, guide, state),
+            (RunnerWork::Single { guide, state }, _) => single(methods, at, guide, state),
             (
-                Work::Polished {
+                RunnerWork::Polished {
                     closed,
                     state,
                     exact,
@@ -118,7 +118,7 @@ impl Runner {
                     && polished(rows, at, closed, state, exact)
             }
             (
-                Work::Newton {
+                RunnerWork::Newton {
                     state,
                     tolerance,
                     start,
@@ -132,7 +132,7 @@ impl Runner {
                     group.newton(q, *tolerance, state, scratch)
                 })
             }
-            (Work::Bisection { state, signs }, Some(rows)) => {
+            (RunnerWork::Bisection { state, signs }, Some(rows)) => {
                 solver.motion.passages.choose(&solver.engine, at, signs);
                 let mut closings = rows.closings.iter().enumerate();
                 run::<_, ACCELERATION>(&rows.engine, at, state, |group, q, state, scratch| {
@@ -142,31 +142,37 @@ impl Runner {
                     })
                 })
             }
-            (Work::Polished { .. } | Work::Newton { .. } | Work::Bisection { .. }, None) => false,
+            (
+                RunnerWork::Polished { .. }
+                | RunnerWork::Newton { .. }
+                | RunnerWork::Bisection { .. },
+                None,
+            ) => false,
         }
     }
 
     /// How far the last result is from the state that was looked up last; `None` where it is another
     /// assembly, or where a bound was to be proved and was not.
     pub(crate) fn deviation(&mut self, methods: &mut Methods) -> Option<Deviation> {
-        if let Work::Newton { state, .. } | Work::Bisection { state, .. } = &mut self.work
+        if let RunnerWork::Newton { state, .. } | RunnerWork::Bisection { state, .. } =
+            &mut self.work
             && !methods.is_same_assembly(state)
         {
             return None;
         }
         let (subjects, reference) = (&methods.subjects, &methods.reference);
-        if let Work::Bounded { enclosure, .. } = &self.work
+        if let RunnerWork::Bounded { enclosure, .. } = &self.work
             && !subjects.hold(enclosure, reference)
         {
             return None;
         }
         Some(match &self.work {
-            Work::Single { state, .. } => subjects.deviation(state, reference),
-            Work::Solver(state)
-            | Work::Bounded { state, .. }
-            | Work::Polished { state, .. }
-            | Work::Newton { state, .. }
-            | Work::Bisection { state, .. } => subjects.deviation(state, reference),
+            RunnerWork::Single { state, .. } => subjects.deviation(state, reference),
+            RunnerWork::Solver(state)
+            | RunnerWork::Bounded { state, .. }
+            | RunnerWork::Polished { state, .. }
+            | RunnerWork::Newton { state, .. }
+            | RunnerWork::Bisection { state, .. } => subjects.deviation(state, reference),
         })
     }
 }
@@ -191,7 +197,7 @@ fn single(methods: &Methods, at: f64, guide: &mut Workspace, state: &mut Workspa
 
 /// Group by group from the closed form, each from the corrected places of those before.
 fn polished(
-    rows: &Rows,
+    rows: &RowProgram,
     at: f64,
     closed: &State,
     state: &mut Workspace,

@@ -6,7 +6,7 @@ use super::junction::Junction;
 use super::walk::Walker;
 use crate::solver::Order;
 use crate::solver::change_point::Passage;
-use crate::solver::elements::{Dyad, Outcome, REACH_SLACK};
+use crate::solver::elements::{Dyad, REACH_SLACK, StepOutcome};
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 use crate::solver::zero::zero;
@@ -195,7 +195,7 @@ impl Walker<'_> {
         let slack = (REACH_SLACK * engine.frame.far).max(2.0 * self.slack());
         let is_rounding = |dyad: Dyad<'_>| dyad.reserve(q, &self.state).abs() <= slack;
         let is_rounding = step.dyad().is_some_and(is_rounding);
-        placed == Outcome::Stretched || has_no_gap || is_rounding
+        placed == StepOutcome::Stretched || has_no_gap || is_rounding
     }
 
     /// A dyad's rate of stretch, from its inputs: it may be open itself.

@@ -18,7 +18,7 @@ use super::fault::Fault;
 use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
-use walk::{End, PUSH_REACH, Walker};
+use walk::{PUSH_REACH, WalkEnd, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -227,16 +227,16 @@ pub(super) fn explore<'e>(
     walker.check_fit()?;
     let up = walker.walk()?;
     let (range, period) = match up {
-        End::Closed(turns) => {
+        WalkEnd::Closed(turns) => {
             let period = angle_turn(turns);
             (Range::Full { period }, period)
         }
-        End::Limit(high) | End::Cut(high) => {
+        WalkEnd::Limit(high) | WalkEnd::Cut(high) => {
             walker.state = state.clone();
             walker.sense = -1.0;
             let low = match walker.walk()? {
-                End::Limit(low) | End::Cut(low) => low,
-                End::Closed(turns) => start - angle_turn(turns),
+                WalkEnd::Limit(low) | WalkEnd::Cut(low) => low,
+                WalkEnd::Closed(turns) => start - angle_turn(turns),
             };
             (Range::Limited { low, high }, 0.0)
         }

@@ -39,7 +39,7 @@ pub(super) const SAMPLES: usize = 3;
 const CLOSED: f64 = 1e-7;
 
 /// How a walk ended.
-pub(super) enum End {
+pub(super) enum WalkEnd {
     Closed(usize),
     Limit(f64),
     /// Followed no further.
@@ -82,7 +82,7 @@ pub(super) enum Stop {
 }
 
 impl Walker<'_> {
-    pub(super) fn walk(&mut self) -> Result<End, Fault> {
+    pub(super) fn walk(&mut self) -> Result<WalkEnd, Fault> {
         let (start, sense) = (self.start, self.sense);
         let step = if self.engine.turns {
             1.0
@@ -108,12 +108,12 @@ impl Walker<'_> {
                 };
                 // What lies beyond a closed turn has been met at its beginning.
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
-                    return Ok(End::Closed(turns));
+                    return Ok(WalkEnd::Closed(turns));
                 }
                 self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
                 let Some(beyond) = self.pass(limit) else {
-                    return Ok(End::Limit(self.refined(limit, &last)));
+                    return Ok(WalkEnd::Limit(self.refined(limit, &last)));
                 };
                 // The steps between have been taken on the wrong side.
                 (from, closed) = (beyond, None);
@@ -123,14 +123,14 @@ impl Walker<'_> {
             self.check_fit()?;
             // A turn ends a step after it has closed: only then has its last minimum been seen.
             if let Some(turns) = closed {
-                return Ok(End::Closed(turns));
+                return Ok(WalkEnd::Closed(turns));
             }
             if k % per_turn == 0 && self.has_closed(&first_z) {
                 closed = Some(k / per_turn);
             }
             (from, k) = (to, k + 1);
         }
-        Ok(End::Cut(from))
+        Ok(WalkEnd::Cut(from))
     }
 
     /// Runs every step, of a mechanism of dyads alone in twice the digits where doubles do not tell.

@@ -5,7 +5,7 @@
 //! group grows with its cube.
 
 use super::rows::Rows;
-use super::spectrum::Choice;
+use super::spectrum::KeptRows;
 use crate::solver::order;
 use nalgebra::DMatrix;
 use std::cmp::Reverse;
@@ -23,7 +23,7 @@ const MOST_WORK: usize = 600_000;
 
 /// Exchanges what is set aside as long as the groups that are left become smaller; where smaller parts leave
 /// less work, that first, and in any case the steady one last.
-pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, choice: &Choice) -> Vec<Choice> {
+pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, choice: &KeptRows) -> Vec<KeptRows> {
     let (steady, left) = exchanged_by(rows, matrix, choice, STEADY);
     let (other, less) = exchanged_by(rows, matrix, choice, LESS_STEADY);
     let is_less = less.is_some_and(|less| left.is_none_or(|left| less < left));
@@ -38,9 +38,9 @@ pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, choice: &Choice) -
 fn exchanged_by(
     rows: &Rows<'_>,
     matrix: &DMatrix<f64>,
-    choice: &Choice,
+    choice: &KeptRows,
     steady: f64,
-) -> (Choice, Option<usize>) {
+) -> (KeptRows, Option<usize>) {
     let mut choice = choice.clone();
     let mut least = work(rows, &choice.set_aside);
     for _ in 0..MOST_ROUNDS {
@@ -52,13 +52,13 @@ fn exchanged_by(
         }
         least = Some(found);
         let (kept, set_aside) = exchanged(&choice, exchange);
-        choice = Choice::new(matrix, kept, set_aside);
+        choice = KeptRows::new(matrix, kept, set_aside);
     }
     (choice, least)
 }
 
 /// The exchange that leaves the least work; of equal ones that for a constraint more readily set aside.
-fn best(rows: &Rows<'_>, choice: &Choice, steady: f64) -> Option<(usize, (usize, usize))> {
+fn best(rows: &Rows<'_>, choice: &KeptRows, steady: f64) -> Option<(usize, (usize, usize))> {
     let readiness = |row: usize| rows.network.readiness(rows.rows[row]);
     let mut exchanges = Vec::new();
     for place in 0..choice.set_aside.len() {
@@ -76,7 +76,7 @@ fn best(rows: &Rows<'_>, choice: &Choice, steady: f64) -> Option<(usize, (usize,
 }
 
 /// What is kept and what is set aside after one of those set aside was exchanged for one that is kept.
-fn exchanged(choice: &Choice, (place, row): (usize, usize)) -> (Vec<usize>, Vec<usize>) {
+fn exchanged(choice: &KeptRows, (place, row): (usize, usize)) -> (Vec<usize>, Vec<usize>) {
     let mut set_aside = choice.set_aside.clone();
     let back = std::mem::replace(&mut set_aside[place], row);
     let mut kept = choice.kept.clone();

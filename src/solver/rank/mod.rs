@@ -9,9 +9,9 @@ mod verdict;
 
 use super::Solver;
 use super::fault::Fault;
-use super::network::{Network, Row};
+use super::network::{Network, ScalarEquation};
 use super::order::{self, Ordering};
-use crate::{Element, PointId, Vec2};
+use crate::{ElementId, PointId, Vec2};
 use std::collections::VecDeque;
 use verdict::{Verdict, Whole};
 
@@ -27,12 +27,12 @@ const MOST_RIVALS: usize = 64;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Redundancy {
     /// What was set aside for it.
-    pub element: Element,
+    pub element: ElementId,
     /// How many constraints of this element were.
     pub constraints: usize,
     /// What else takes part: any of these could have been set aside in its stead. Empty where the
     /// mechanism is too large to tell.
-    pub repeats: Vec<Element>,
+    pub repeats: Vec<ElementId>,
     /// By how much they disagree at the most over the motion, in the scene's length unit; of slides that
     /// hold one link at one angle, at the end of the longest length.
     pub misfit: f64,
@@ -90,8 +90,8 @@ pub(super) fn reopened(
     if verdict.free > 0 {
         return Err(verdict.free_motions(network));
     }
-    let mut tried: Vec<Vec<Row>> = Vec::new();
-    let mut ways: VecDeque<Vec<Row>> = verdict.set_aside.iter().cloned().collect();
+    let mut tried: Vec<Vec<ScalarEquation>> = Vec::new();
+    let mut ways: VecDeque<Vec<ScalarEquation>> = verdict.set_aside.iter().cloned().collect();
     let mut fault = fault;
     while let Some(set_aside) = ways.pop_front() {
         if tried.contains(&set_aside) {

@@ -1,13 +1,13 @@
 //! What the constraints that were set aside repeat, and by how much they disagree.
 
 use super::rows::{Pose, Rows};
-use super::spectrum::Choice;
+use super::spectrum::KeptRows;
 use super::{MOST_UNKNOWNS, Redundancy};
-use crate::solver::network::{Network, Row};
+use crate::solver::network::{Network, ScalarEquation};
 use crate::solver::order;
 use crate::solver::state::{Condition, State};
 use crate::solver::{Order, Range, Solver};
-use crate::{Element, Vec2};
+use crate::{ElementId, Vec2};
 
 /// Where else than at the start a motion is looked at, as parts of its range: at no place of symmetry.
 const ELSEWHERE: [f64; 2] = [0.291, 0.637];
@@ -81,7 +81,7 @@ pub(super) fn redundancies(network: &Network<'_>, solver: &Solver) -> Vec<Redund
     }
     let scale = solver.engine.frame.scale * solver.engine.frame.longest;
     found.extend(network.repeated_locks.iter().map(|&slide| Redundancy {
-        element: Element::Slide(slide),
+        element: ElementId::Slide(slide),
         constraints: 1,
         repeats: Vec::new(),
         misfit: network.locks_apart * scale,
@@ -90,12 +90,12 @@ pub(super) fn redundancies(network: &Network<'_>, solver: &Solver) -> Vec<Redund
 }
 
 /// For every constraint that was set aside the others that it is the sum of.
-fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<Row>> {
+fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<ScalarEquation>> {
     let ordering = &solver.ordering;
     if ordering.set_aside.is_empty() {
         return Vec::new();
     }
-    let mut over: Vec<Row> = Vec::new();
+    let mut over: Vec<ScalarEquation> = Vec::new();
     let mut seen = std::collections::HashSet::new();
     over.extend(ordering.over.iter().filter(|&&row| seen.insert(row)));
     let unknowns = over.iter().flat_map(|&row| network.unknowns(row));
@@ -104,7 +104,7 @@ fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<Row>> {
     if rows.width > MOST_UNKNOWNS {
         return Vec::new();
     }
-    let place = |row: &Row| rows.rows.iter().position(|r| r == row);
+    let place = |row: &ScalarEquation| rows.rows.iter().position(|r| r == row);
     let aside: Vec<usize> = ordering.set_aside.iter().filter_map(place).collect();
     let kept = (0..rows.rows.len())
         .filter(|i| !aside.contains(i))
@@ -113,7 +113,7 @@ fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<Row>> {
     let mut choices = reached(solver).map(|state| {
         let matrix = rows.matrix(state.at, &pose_of(network, &state));
         let matrix = matrix.columns(0, rows.width).into_owned();
-        Choice::new(&matrix, kept.clone(), aside.clone())
+        KeptRows::new(&matrix, kept.clone(), aside.clone())
     });
     let Some(mut calmest) = choices.next() else {
         return Vec::new();

@@ -2,7 +2,7 @@
 //! Their derivations stand with the room.
 
 use crate::solver::frame::Frame;
-use crate::solver::network::{ClassId, GROUND, Network, Row, Unknown};
+use crate::solver::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnknown};
 use crate::{Body, Input, LinkId, PointId, SlideId, Vec2, angle};
 use nalgebra::DMatrix;
 
@@ -23,7 +23,7 @@ impl Pose {
 }
 
 /// By how much one equation misses, and its derivatives.
-struct Equation {
+struct EquationRow {
     miss: f64,
     /// By the point; by the centre of the body it is the opposite.
     normal: Vec2,
@@ -40,7 +40,7 @@ struct Equation {
 pub(super) struct Rows<'n> {
     pub(super) network: &'n Network<'n>,
     pub(super) frame: Frame,
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<ScalarEquation>,
     /// The first of a point's two columns.
     point_column: Vec<Option<usize>>,
     class_column: Vec<Option<usize>>,
@@ -54,8 +54,8 @@ impl<'n> Rows<'n> {
     pub(super) fn new(
         network: &'n Network<'n>,
         frame: Frame,
-        rows: Vec<Row>,
-        unknowns: impl IntoIterator<Item = Unknown>,
+        rows: Vec<ScalarEquation>,
+        unknowns: impl IntoIterator<Item = ScalarUnknown>,
     ) -> Rows<'n> {
         let mut found = Rows {
             network,
@@ -72,8 +72,8 @@ impl<'n> Rows<'n> {
         };
         for unknown in unknowns {
             let (column, columns) = match unknown {
-                Unknown::Point(point) => (&mut found.point_column[point.index()], 2),
-                Unknown::Class(class) => (&mut found.class_column[class.0], 1),
+                ScalarUnknown::Point(point) => (&mut found.point_column[point.index()], 2),
+                ScalarUnknown::Class(class) => (&mut found.class_column[class.0], 1),
             };
             if column.is_none() {
                 *column = Some(found.width);
@@ -150,7 +150,7 @@ impl<'n> Rows<'n> {
         columns.chain(class).map(share).fold(0.0, f64::max)
     }
 
-    fn terms(&self, e: &Equation) -> Vec<(usize, f64)> {
+    fn terms(&self, e: &EquationRow) -> Vec<(usize, f64)> {
         let mut terms = Vec::with_capacity(6);
         let mut point = |point: PointId, by: Vec2| {
             if let Some(column) = self.point_column[point.index()] {
@@ -172,15 +172,15 @@ impl<'n> Rows<'n> {
         terms
     }
 
-    fn equation(&self, row: Row, q: f64, pose: &Pose) -> Equation {
+    fn equation(&self, row: ScalarEquation, q: f64, pose: &Pose) -> EquationRow {
         match row {
-            Row::Along { link, end } | Row::Across { link, end } => {
+            ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
                 let (along, seen) = self.arm(link, end, pose);
                 let length = along.norm();
                 let is_arm = length > 0.0;
                 let u = if is_arm { along / length } else { Vec2::X };
                 let turning = if is_arm { 1.0 } else { 0.0 };
-                let of = |miss, normal, turn: f64| Equation {
+                let of = |miss, normal, turn: f64| EquationRow {
                     miss,
                     normal,
                     point: end,
@@ -190,14 +190,14 @@ impl<'n> Rows<'n> {
                     push: 0.0,
                 };
                 match row {
-                    Row::Along { .. } => of(u.dot(seen) - length, u, u.perp().dot(seen)),
+                    ScalarEquation::Along { .. } => of(u.dot(seen) - length, u, u.perp().dot(seen)),
                     _ => of(u.perp().dot(seen), u.perp(), -u.dot(seen)),
                 }
             }
-            Row::Slot(slide) | Row::Push(slide) => {
+            ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => {
                 let guide = self.guide(slide, pose);
                 let (t, n) = (guide.along, guide.along.perp());
-                let of = |miss, normal, turn, push| Equation {
+                let of = |miss, normal, turn, push| EquationRow {
                     miss,
                     normal,
                     point: guide.point,
@@ -207,7 +207,7 @@ impl<'n> Rows<'n> {
                     push,
                 };
                 match row {
-                    Row::Slot(_) => of(n.dot(guide.seen), n, -t.dot(guide.arm), 0.0),
+                    ScalarEquation::Slot(_) => of(n.dot(guide.seen), n, -t.dot(guide.arm), 0.0),
                     _ => of(t.dot(guide.seen) - q, t, n.dot(guide.arm), -1.0),
                 }
             }
@@ -225,7 +225,7 @@ impl<'n> Rows<'n> {
         (along, at(end) - at(centre))
     }
 
-    fn guide(&self, slide: SlideId, pose: &Pose) -> Guide {
+    fn guide(&self, slide: SlideId, pose: &Pose) -> PosedGuide {
         let given = self.network.mechanism.slide(slide);
         let body = self.network.body(given.on);
         let point = given.slider.point();
@@ -244,7 +244,7 @@ impl<'n> Rows<'n> {
                 (self.frame.inner(given.through).nearest(), Vec2::ZERO)
             }
         };
-        Guide {
+        PosedGuide {
             point,
             centre,
             class: self.network.class(body),
@@ -273,7 +273,7 @@ impl<'n> Rows<'n> {
 }
 
 /// A guide and what slides along it, at a pose.
-struct Guide {
+struct PosedGuide {
     point: PointId,
     centre: Option<PointId>,
     class: ClassId,

@@ -65,7 +65,7 @@ impl Spectrum {
 
 /// Which rows are kept of a matrix, and what the others repeat.
 #[derive(Clone)]
-pub(super) struct Choice {
+pub(super) struct KeptRows {
     pub(super) kept: Vec<usize>,
     pub(super) set_aside: Vec<usize>,
     /// For each of those set aside, and each of those kept, its part in the sum.
@@ -74,7 +74,7 @@ pub(super) struct Choice {
 
 /// Keeps so many rows that stand well on their own, those first that are less ready to be set aside: QR
 /// with pivoting of the weighted rows, A^T P = Q (R1 R2), in which the rest is R1^-1 R2 of those kept.
-pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> Choice {
+pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> KeptRows {
     let weight = |i: usize| LESS_READY.powi(i32::from(readiness[i]));
     let mut columns = matrix.transpose();
     for i in 0..columns.ncols() {
@@ -85,14 +85,14 @@ pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> Ch
     let (mut kept, mut set_aside) = (kept.to_vec(), set_aside.to_vec());
     kept.sort_unstable();
     set_aside.sort_unstable();
-    Choice::new(matrix, kept, set_aside)
+    KeptRows::new(matrix, kept, set_aside)
 }
 
-impl Choice {
-    pub(super) fn new(matrix: &DMatrix<f64>, kept: Vec<usize>, set_aside: Vec<usize>) -> Choice {
+impl KeptRows {
+    pub(super) fn new(matrix: &DMatrix<f64>, kept: Vec<usize>, set_aside: Vec<usize>) -> KeptRows {
         let of_kept = matrix.select_rows(&kept).transpose();
         let of_others = matrix.select_rows(&set_aside).transpose();
-        Choice {
+        KeptRows {
             parts: least_squares(&of_kept, of_others),
             kept,
             set_aside,

@@ -5,13 +5,13 @@ use super::assemble::{Assembled, assemble, rough};
 use super::exchange;
 use super::redundancy::{pose_of, reached};
 use super::rows::Rows;
-use super::spectrum::{self, Choice, Spectrum};
+use super::spectrum::{self, KeptRows, Spectrum};
 use crate::solver::Solver;
 use crate::solver::frame::Frame;
-use crate::solver::network::{Network, Row, Unknown};
-use crate::solver::order::{self, Block};
+use crate::solver::network::{Network, ScalarEquation, ScalarUnknown};
+use crate::solver::order::{self, CoupledBlock};
 use crate::solver::plan::{Group, GroupKind};
-use crate::{Element, LinkId, PointId, Vec2};
+use crate::{ElementId, LinkId, PointId, Vec2};
 use nalgebra::DMatrix;
 
 /// Rough poses to begin with, at the most, and the same as work: cubes of unknowns.
@@ -38,11 +38,11 @@ pub(in crate::solver) struct Verdict {
     /// How many constraints repeat others.
     pub(super) redundant: usize,
     /// What these belong to, and what they repeat.
-    pub(super) repeating: Vec<Element>,
+    pub(super) repeating: Vec<ElementId>,
     /// The links that move where the driver stands.
     pub(super) floating: Vec<LinkId>,
     /// The constraints to set aside: ways to choose them, the one that leaves the least work first.
-    pub(super) set_aside: Vec<Vec<Row>>,
+    pub(super) set_aside: Vec<Vec<ScalarEquation>>,
     /// Whether more is free at the start than elsewhere.
     pub(super) is_change_point: bool,
     /// Whether a singular value is all but zero.
@@ -123,7 +123,7 @@ impl<'n> Whole<'n> {
 
     /// What to set aside at another coordinate of the driver; `None` where the constraints do not come
     /// there together.
-    pub(super) fn set_aside_at(&self, at: f64) -> Option<Vec<Vec<Row>>> {
+    pub(super) fn set_aside_at(&self, at: f64) -> Option<Vec<Vec<ScalarEquation>>> {
         let way = (at - self.at) / moved(&self.rows, 0.0, STRIDE);
         if !(way.abs() < MOST_STRIDES) {
             return None;
@@ -181,23 +181,23 @@ pub(super) fn is_too_large(network: &Network<'_>) -> bool {
     let scalars = all_unknowns(network)
         .into_iter()
         .map(|unknown| match unknown {
-            Unknown::Point(_) => 2,
-            Unknown::Class(_) => 1,
+            ScalarUnknown::Point(_) => 2,
+            ScalarUnknown::Class(_) => 1,
         });
     // Links of one class count more than once, which is near enough.
     scalars.sum::<usize>() > MOST_UNKNOWNS
 }
 
 /// Every unknown of a mechanism.
-fn all_unknowns(network: &Network<'_>) -> Vec<Unknown> {
+fn all_unknowns(network: &Network<'_>) -> Vec<ScalarUnknown> {
     let mechanism = network.mechanism;
     let classes = mechanism.link_ids().map(|link| network.class(link));
     let classes = classes.filter(|&class| !network.is_given(class));
     let points = mechanism.point_ids();
     let points = points.filter(|&p| network.is_joint(p) && !network.is_ground(p));
     classes
-        .map(Unknown::Class)
-        .chain(points.map(Unknown::Point))
+        .map(ScalarUnknown::Class)
+        .chain(points.map(ScalarUnknown::Point))
         .collect()
 }
 
@@ -233,7 +233,7 @@ impl Judged {
     }
 
     fn verdict(&self, rows: &Rows<'_>) -> Verdict {
-        let readiness = |&row: &Row| rows.network.readiness(row);
+        let readiness = |&row: &ScalarEquation| rows.network.readiness(row);
         let readiness: Vec<u8> = rows.rows.iter().map(readiness).collect();
         let choice = spectrum::choose(&self.matrix, self.rank, &readiness);
         let choices = if self.rank == rows.width {
@@ -241,14 +241,14 @@ impl Judged {
         } else {
             vec![choice]
         };
-        let named = |choice: &Choice| choice.set_aside.iter().map(|&i| rows.rows[i]).collect();
+        let named = |choice: &KeptRows| choice.set_aside.iter().map(|&i| rows.rows[i]).collect();
         let set_aside = choices.iter().map(named).collect();
         let choice = &choices[choices.len() - 1];
         let shares = spectrum::free_shares(&self.matrix, &choice.kept, self.noise);
         let floats = |link: &LinkId| rows.share(*link, |column| shares[column]) > 0.0;
         let links = rows.network.mechanism.link_ids();
         let repeating = choice.repeating(self.noise);
-        let repeating: Vec<Row> = repeating.into_iter().map(|i| rows.rows[i]).collect();
+        let repeating: Vec<ScalarEquation> = repeating.into_iter().map(|i| rows.rows[i]).collect();
         Verdict {
             free: rows.width - self.rank,
             is_held: self.is_held,
@@ -267,7 +267,7 @@ impl Judged {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Groups {
     /// The elements of one that is singular wherever it was looked at.
-    pub(super) singular: Option<Vec<Element>>,
+    pub(super) singular: Option<Vec<ElementId>>,
     pub(super) is_unclear: bool,
     pub(super) is_lower_at_start: bool,
 }
@@ -311,12 +311,16 @@ pub(super) fn groups(network: &Network<'_>, solver: &Solver) -> Groups {
 }
 
 /// The block of equations that a group was made from.
-fn block_of<'s>(network: &Network<'_>, solver: &'s Solver, group: &Group) -> Option<&'s Block> {
+fn block_of<'s>(
+    network: &Network<'_>,
+    solver: &'s Solver,
+    group: &Group,
+) -> Option<&'s CoupledBlock> {
     let mut blocks = solver.ordering.blocks.iter();
     blocks.find(|block| {
         block.unknowns.iter().any(|unknown| match *unknown {
-            Unknown::Point(point) => group.point == Some(point),
-            Unknown::Class(class) => {
+            ScalarUnknown::Point(point) => group.point == Some(point),
+            ScalarUnknown::Class(class) => {
                 let first = group.links.first();
                 group.point.is_none() && first.is_some_and(|&l| network.class(l) == class)
             }
@@ -329,7 +333,7 @@ fn block_of<'s>(network: &Network<'_>, solver: &'s Solver, group: &Group) -> Opt
 fn shortest(rows: &Rows<'_>) -> f64 {
     let mut shortest = f64::INFINITY;
     for &row in &rows.rows {
-        if let Row::Along { link, end } = row
+        if let ScalarEquation::Along { link, end } = row
             && let Some(centre) = rows.network.centre(link)
         {
             let arm = (rows.local(link, end) - rows.local(link, centre)).norm();

@@ -6,8 +6,8 @@
 //! Sums of Chebyshev polynomials stand for a dyad there. Where they do not, as next to a limit, its extreme
 //! is sought by states of its own.
 
-use super::{Look, Seen};
-use crate::numeric::chebyshev::{Basis, Sum, TERMS};
+use super::{DyadLines, SeenJoint};
+use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
 use crate::numeric::{few_decimals, root};
 use crate::solver::{Order, Solver, Workspace};
 
@@ -22,8 +22,8 @@ const FALLEN: f64 = 1e-5;
 /// Two neighbours between which mu turns back.
 #[derive(Clone, Copy)]
 pub(super) struct Bracket {
-    pub(super) ends: [Look; 2],
-    pub(super) reading: Reading,
+    pub(super) ends: [DyadLines; 2],
+    pub(super) reading: ExtremeFunction,
     /// The cosine that is to be expected between them.
     pub(super) cosine: f64,
 }
@@ -31,7 +31,7 @@ pub(super) struct Bracket {
 /// What has its zero at an extreme: for lines without a sense mu is 90 degrees at the most, where the
 /// cosine changes its sign.
 #[derive(Clone, Copy)]
-pub(super) enum Reading {
+pub(super) enum ExtremeFunction {
     Rate,
     Cosine,
 }
@@ -45,12 +45,12 @@ struct Sought {
 /// A dyad between two coordinates: sine, cosine and its rate.
 struct Sums {
     ends: [f64; 2],
-    sums: [Sum; 3],
+    sums: [ChebyshevSum; 3],
 }
 
 impl Solver {
     /// Looks at the extremes of all joints between the states in which they have been seen.
-    pub(super) fn look_between(&self, seen: &mut [Seen<'_>], work: &mut Workspace) {
+    pub(super) fn look_between(&self, seen: &mut [SeenJoint<'_>], work: &mut Workspace) {
         let mut sought = Vec::new();
         for (joint, seen) in seen.iter_mut().enumerate() {
             let brackets = seen.take_likely();
@@ -81,7 +81,7 @@ impl Solver {
         &self,
         basis: &Basis,
         together: &[Sought],
-        seen: &[Seen<'_>],
+        seen: &[SeenJoint<'_>],
         work: &mut Workspace,
     ) -> Vec<Option<Sums>> {
         let Some(first) = together.first() else {
@@ -107,7 +107,7 @@ impl Solver {
         }
         let stand = |values: Option<[[f64; TERMS]; 3]>| {
             let sums = values?.map(|values| basis.through(&values));
-            let is_smooth = |sum: &Sum| sum.third() <= FALLEN * sum.size();
+            let is_smooth = |sum: &ChebyshevSum| sum.third() <= FALLEN * sum.size();
             sums.iter().all(is_smooth).then_some(Sums { ends, sums })
         };
         values.into_iter().map(stand).collect()
@@ -117,11 +117,11 @@ impl Solver {
     fn extreme(
         &self,
         bracket: &Bracket,
-        mut look: impl FnMut(f64) -> Option<Look>,
-    ) -> Option<Look> {
-        let read = |look: &Look| match bracket.reading {
-            Reading::Rate => look.rate,
-            Reading::Cosine => Some(look.cosine),
+        mut look: impl FnMut(f64) -> Option<DyadLines>,
+    ) -> Option<DyadLines> {
+        let read = |look: &DyadLines| match bracket.reading {
+            ExtremeFunction::Rate => look.rate,
+            ExtremeFunction::Cosine => Some(look.cosine),
         };
         let [a, b] = &bracket.ends;
         let finest = self.engine.finest();
@@ -144,11 +144,11 @@ impl Bracket {
 }
 
 impl Sums {
-    fn look(&self, at: f64) -> Look {
+    fn look(&self, at: f64) -> DyadLines {
         let [from, to] = self.ends;
         let t = 2.0 * (at - from) / (to - from) - 1.0;
         let [sine, cosine, rate] = self.sums.map(|sum| sum.at(t));
-        Look {
+        DyadLines {
             at,
             sine,
             cosine,

@@ -9,7 +9,7 @@ use super::plan::GroupId;
 use super::state::{Condition, State};
 use super::{Order, Range, Solver, Workspace};
 use crate::{LinkId, PointId, Vec2};
-use between::{Bracket, Reading};
+use between::{Bracket, ExtremeFunction};
 
 /// The parabolas between samples tell cosines as well as this: brackets that are worse than what has been
 /// seen by no more are looked into.
@@ -108,7 +108,7 @@ impl InnerJoint {
 
 /// The lines of a dyad in one state: the angle from the first to the second.
 #[derive(Clone, Copy)]
-struct Look {
+struct DyadLines {
     at: f64,
     sine: f64,
     cosine: f64,
@@ -134,9 +134,9 @@ struct Best {
 }
 
 /// A joint, and what has been seen of it on the way through the motion.
-struct Seen<'s> {
+struct SeenJoint<'s> {
     joint: Joint<'s>,
-    last: Option<Look>,
+    last: Option<DyadLines>,
     best: [Best; 2],
     brackets: Vec<Bracket>,
 }
@@ -151,13 +151,14 @@ impl Solver {
         let mut work = self.state();
         let mut seen = self.seen(&mut work);
         self.look_between(&mut seen, &mut work);
-        seen.iter().filter_map(Seen::found).collect()
+        seen.iter().filter_map(SeenJoint::found).collect()
     }
 
     /// All joints, looked at over the whole motion.
-    fn seen(&self, work: &mut Workspace) -> Vec<Seen<'_>> {
+    fn seen(&self, work: &mut Workspace) -> Vec<SeenJoint<'_>> {
         let steps = self.engine.program.steps.iter();
-        let mut seen: Vec<Seen<'_>> = steps.filter_map(Joint::of).map(Seen::new).collect();
+        let mut seen: Vec<SeenJoint<'_>> =
+            steps.filter_map(Joint::of).map(SeenJoint::new).collect();
         for at in self.looked_at() {
             let condition = self.solve(at, Order::Velocity, work);
             for seen in &mut seen {
@@ -196,7 +197,7 @@ impl<'s> Joint<'s> {
         Some(Joint { step, of })
     }
 
-    fn look(&self, condition: Condition, state: &State) -> Option<Look> {
+    fn look(&self, condition: Condition, state: &State) -> Option<DyadLines> {
         if condition == Condition::NoAssembly {
             return None;
         }
@@ -205,7 +206,7 @@ impl<'s> Joint<'s> {
         let (sine, cosine) = (e.d.cross(f.d) / size, e.d.dot(f.d) / size);
         let rate = -sine * (f.w - e.w);
         let has_rates = condition != Condition::DeadPoint && rate.is_finite();
-        cosine.is_finite().then_some(Look {
+        cosine.is_finite().then_some(DyadLines {
             at: state.at(),
             sine,
             cosine,
@@ -223,7 +224,7 @@ impl<'s> Joint<'s> {
     }
 
     /// The places between two neighbours where mu turns back.
-    fn between(&self, engine: &Engine, ends: [Look; 2]) -> impl Iterator<Item = Bracket> {
+    fn between(&self, engine: &Engine, ends: [DyadLines; 2]) -> impl Iterator<Item = Bracket> {
         let [a, b] = ends;
         let vertex = match (a.rate, b.rate) {
             (Some(rate_a), Some(rate_b)) if rate_a * rate_b < 0.0 => {
@@ -242,10 +243,10 @@ impl<'s> Joint<'s> {
                 cosine,
             }
         };
-        let vertex = vertex.map(bracket(Reading::Rate));
+        let vertex = vertex.map(bracket(ExtremeFunction::Rate));
         vertex
             .into_iter()
-            .chain(upright.map(bracket(Reading::Cosine)))
+            .chain(upright.map(bracket(ExtremeFunction::Cosine)))
     }
 }
 
@@ -265,7 +266,7 @@ impl Best {
     }
 
     /// Takes another mu if it is better, or comes first.
-    fn consider(&mut self, look: &Look, folded: f64) {
+    fn consider(&mut self, look: &DyadLines, folded: f64) {
         let rank = self.rank(folded);
         let mu = look.sine.abs().atan2(folded);
         let gain = self.sense * (mu - self.mu);
@@ -281,9 +282,9 @@ impl Best {
     }
 }
 
-impl<'s> Seen<'s> {
-    fn new(joint: Joint<'s>) -> Seen<'s> {
-        Seen {
+impl<'s> SeenJoint<'s> {
+    fn new(joint: Joint<'s>) -> SeenJoint<'s> {
+        SeenJoint {
             joint,
             last: None,
             best: [Best::new(-1.0), Best::new(1.0)],
@@ -320,7 +321,7 @@ impl<'s> Seen<'s> {
     }
 
     /// Looks at an extreme that has been found between two states.
-    fn consider(&mut self, look: &Look) {
+    fn consider(&mut self, look: &DyadLines) {
         let folded = self.joint.folded(look.cosine);
         self.best
             .iter_mut()

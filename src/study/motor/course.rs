@@ -26,7 +26,7 @@ pub struct Course {
 
 /// Where the driver is on its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct CoursePlace {
     /// Its coordinate.
     pub(super) at: f64,
     /// Whether it goes against its given speed: on the way back.
@@ -82,7 +82,7 @@ impl Course {
     }
 
     /// Where the driver is after this way.
-    pub(super) fn place(&self, way: f64) -> Place {
+    pub(super) fn place(&self, way: f64) -> CoursePlace {
         let once = self.high - self.low;
         let back = !self.goes_round && way > once;
         let gone = if back { 2.0 * once - way } else { way };
@@ -104,7 +104,7 @@ impl Course {
             } else {
                 first + forth
             };
-            return Place {
+            return CoursePlace {
                 at,
                 back,
                 weight: sense,
@@ -118,7 +118,7 @@ impl Course {
         } else {
             end - (end - begin) * part(PI - phi)
         };
-        Place {
+        CoursePlace {
             at,
             back,
             weight: sense * 0.5 * PI * phi.sin(),

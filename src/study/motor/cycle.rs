@@ -2,8 +2,8 @@
 
 use super::course::Course;
 use super::periodic::{Means, Periodic, periodic};
-use super::pieces::{Piece, Pieces, Sampler};
-use super::{CHANNELS, Effort, MOMENT, Measure, TORQUES};
+use super::pieces::{Pieces, Sampler, SmoothPiece};
+use super::{CHANNELS, DriverUnits, Effort, MOMENT, TORQUES};
 use crate::Vec2;
 use crate::numeric::chebyshev::{Basis, crossings};
 
@@ -21,7 +21,7 @@ pub struct Peak {
 /// What the driver must do, or one part of that, over the cycle. A figure that does not exist there is
 /// `None`: the torque may grow beyond all bounds towards a dead point.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Effect {
+pub struct DriveEffort {
     /// The largest torque, in N m, or force in N.
     pub largest: Option<Peak>,
     /// The least: the largest the other way, where it is negative.
@@ -40,7 +40,7 @@ pub struct Effect {
     pub given_back: Option<f64>,
 }
 
-impl Effect {
+impl DriveEffort {
     /// The largest torque in size, either way: the worst instant.
     #[must_use]
     pub fn worst(&self) -> Option<Peak> {
@@ -60,8 +60,8 @@ impl Effect {
 
     /// Whether there is no such part: it takes nothing but what rounding leaves of the others.
     #[must_use]
-    pub fn is_nothing_beside(&self, others: &[Effect]) -> bool {
-        let energy = |e: &Effect| Some(e.put_in? + e.given_back?);
+    pub fn is_nothing_beside(&self, others: &[DriveEffort]) -> bool {
+        let energy = |e: &DriveEffort| Some(e.put_in? + e.given_back?);
         let all = others.iter().filter_map(energy).fold(0.0, f64::max);
         energy(self).is_some_and(|own| own <= ROUNDING * all)
     }
@@ -80,7 +80,7 @@ pub struct Fluctuation {
 
 /// What the ground feels.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Shaking {
+pub struct CycleShaking {
     /// The largest force in N.
     pub force: Option<Peak>,
     /// That force.
@@ -110,13 +110,13 @@ pub struct Cycle {
     /// The driver's speed without its sign, in rad/s or m/s.
     pub speed: f64,
     /// All that the driver must do.
-    pub all: Effect,
+    pub all: DriveEffort,
     /// What of it loads, gravity and inertia ask for.
-    pub parts: [Effect; 3],
+    pub parts: [DriveEffort; 3],
     /// `None` where the driver does not go round, or nothing is known.
     pub fluctuation: Option<Fluctuation>,
     /// What the ground feels.
-    pub shaking: Shaking,
+    pub shaking: CycleShaking,
     /// How the means were found.
     pub rule: Rule,
     /// What the means can be off by, as a part of the largest torque: what the last two rules differ by,
@@ -145,7 +145,7 @@ impl Cycle {
     pub fn new(
         course: Course,
         marks: &[f64],
-        measure: Measure,
+        measure: DriverUnits,
         effort: &mut dyn FnMut(f64, bool) -> Option<Effort>,
     ) -> Cycle {
         let mut sampler = Sampler {
@@ -163,10 +163,10 @@ impl Cycle {
         let mut cycle = Cycle {
             course,
             speed: measure.speed.abs(),
-            all: Effect::default(),
-            parts: [Effect::default(); 3],
+            all: DriveEffort::default(),
+            parts: [DriveEffort::default(); 3],
             fluctuation: None,
-            shaking: Shaking::default(),
+            shaking: CycleShaking::default(),
             rule: means.map_or(Rule::Pieces(pieces.list.len()), |m| {
                 Rule::Periodic(m.places)
             }),
@@ -290,7 +290,7 @@ impl Cycle {
     fn read(&mut self, means: Option<Periodic>) {
         let means = means.map_or_else(|| self.means(), |periodic| periodic.means);
         let effect = |channel| self.effect(channel, &means);
-        let [all, load, gravity, inertia]: [Effect; TORQUES] = std::array::from_fn(effect);
+        let [all, load, gravity, inertia]: [DriveEffort; TORQUES] = std::array::from_fn(effect);
         self.all = all;
         self.parts = [load, gravity, inertia];
         if self.course.goes_round {
@@ -315,7 +315,7 @@ impl Cycle {
         means
     }
 
-    fn effect(&self, channel: usize, means: &Means) -> Effect {
+    fn effect(&self, channel: usize, means: &Means) -> DriveEffort {
         let (mut put_in, mut given_back, mut signed) = (0.0, 0.0, 0.0);
         let mut largest: [Option<Peak>; 4] = [None; 4];
         for piece in &self.pieces.list {
@@ -355,7 +355,7 @@ impl Cycle {
         } else {
             signed / self.course.length()
         };
-        Effect {
+        DriveEffort {
             largest: high,
             least: times(low, -1.0),
             largest_power: times(high_power, self.speed),
@@ -368,7 +368,7 @@ impl Cycle {
     }
 
     /// Takes a value that is larger than what is known.
-    fn raise(&self, peak: &mut Option<Peak>, value: f64, piece: &Piece, t: f64) {
+    fn raise(&self, peak: &mut Option<Peak>, value: f64, piece: &SmoothPiece, t: f64) {
         let place = self.course.place(piece.way(t));
         // What is as large on both ways is told of the first.
         let margin = |peak: Peak| {
@@ -414,7 +414,7 @@ impl Cycle {
         })
     }
 
-    fn shake(&self, means: &Means) -> Shaking {
+    fn shake(&self, means: &Means) -> CycleShaking {
         let (mut force, mut vector, mut moment): (Option<Peak>, _, Option<Peak>) =
             (None, None, None);
         for piece in &self.pieces.list {
@@ -449,7 +449,7 @@ impl Cycle {
             value: if is_nothing { 0.0 } else { peak.value },
             ..peak
         });
-        Shaking {
+        CycleShaking {
             force,
             vector,
             force_rms: Some(means.force()),

@@ -9,11 +9,11 @@ const TURN: Range = Range::Full { period: 360.0 };
 /// One degree of a turn, in J for 1 N m.
 const DEGREE: f64 = PI / 180.0;
 
-fn degrees(speed: f64) -> Measure {
-    Measure {
+fn degrees(speed: f64) -> DriverUnits {
+    DriverUnits {
         joule: DEGREE,
         speed,
-        ..Measure::default()
+        ..DriverUnits::default()
     }
 }
 
@@ -141,7 +141,7 @@ fn there_and_back_a_spring_gives_back_what_a_damper_does_not() {
     };
     let course = Course::new(range, 1, false, &[]);
     let mut spring = |at: f64, back: bool| torque(2.0 * at - 1.0 + if back { -0.5 } else { 0.5 });
-    let cycle = Cycle::new(course, &[], Measure::default(), &mut spring);
+    let cycle = Cycle::new(course, &[], DriverUnits::default(), &mut spring);
     // There 2 q - 1/2: -1/16 up to 1/4 and then 121/16; back the same of 2 q - 3/2: 9/16 and -81/16.
     near(cycle.all.put_in.unwrap(), 121.0 / 16.0 + 9.0 / 16.0);
     near(cycle.all.given_back.unwrap(), 1.0 / 16.0 + 81.0 / 16.0);
@@ -163,7 +163,7 @@ fn towards_dead_points_work_exists_and_peaks_do_not() {
         high: 1.0,
     };
     let course = Course::new(range, 1, false, &[-1.0, 1.0]);
-    let cycle = Cycle::new(course, &[], Measure::default(), &mut |at, _| {
+    let cycle = Cycle::new(course, &[], DriverUnits::default(), &mut |at, _| {
         torque(1.0 / (1.0 - at * at).sqrt())
     });
     near(cycle.all.put_in.unwrap(), PI);
@@ -199,7 +199,7 @@ fn what_exists_nowhere_has_no_figures() {
     let cycle = Cycle::new(course, &[], degrees(1.0), &mut |at, _| {
         (at < 90.0).then_some(Effort::default())
     });
-    assert_eq!(cycle.all, Effect::default());
+    assert_eq!(cycle.all, DriveEffort::default());
     assert!(!cycle.has_converged() && cycle.fluctuation.is_none());
 }
 

@@ -1,10 +1,10 @@
 //! A mechanism and its solver over the cycle.
 
 use super::course::Course;
-use super::cycle::{Cycle, Effect, Shaking};
-use super::flywheel::Fit;
-use super::source::{Source, Step};
-use super::{Measure, marks};
+use super::cycle::{Cycle, CycleShaking, DriveEffort};
+use super::flywheel::MotorFit;
+use super::source::{CycleSource, Step};
+use super::{DriverUnits, marks};
 use crate::quantity::Hidden;
 use crate::scene::Motor;
 use crate::solver::{Range, Solver};
@@ -40,7 +40,7 @@ pub struct Duty {
     pub is_steady: bool,
     /// Metres, or radians, of the unit in which the driver's speed is given.
     unit: f64,
-    source: Source,
+    source: CycleSource,
 }
 
 impl Duty {
@@ -76,14 +76,14 @@ impl Duty {
             Input::Turn(_) => (1.0, angle::radians(1.0), reach),
             Input::Push(_) => (metres, metres, 1.0),
         };
-        let measure = Measure {
+        let measure = DriverUnits {
             joule,
             speed: driver.speed * unit,
             arm,
             reach,
         };
         let runs_dead = course.ends_dead && has_inertia(mechanism) && driver.speed != 0.0;
-        let source = Source::new(mechanism, solver);
+        let source = CycleSource::new(mechanism, solver);
         let (mut states, mut has_no_ground) = (source.states(), false);
         let mut withheld = None;
         let marks = marks::marks(mechanism, solver, &course);
@@ -99,10 +99,10 @@ impl Duty {
             return Err(NoDuty::Withheld(hidden));
         }
         if runs_dead {
-            (cycle.all, cycle.parts[2]) = (Effect::default(), Effect::default());
+            (cycle.all, cycle.parts[2]) = (DriveEffort::default(), DriveEffort::default());
         }
         if has_no_ground {
-            cycle.shaking = Shaking::default();
+            cycle.shaking = CycleShaking::default();
         }
         let ends = [course.low, course.high];
         let dead_points = motion.dead_points.iter().filter(|at| ends.contains(at));
@@ -164,9 +164,9 @@ impl Duty {
 
     /// A motor against the cycle.
     #[must_use]
-    pub fn fit(&self, motor: &Motor) -> Fit {
+    pub fn fit(&self, motor: &Motor) -> MotorFit {
         let speed = motor.speed.map(|speed| speed * self.unit);
-        Fit::new(&self.cycle, motor.rated, motor.peak, speed)
+        MotorFit::new(&self.cycle, motor.rated, motor.peak, speed)
     }
 
     /// The whole turns, or ways there and back, of the driver in a cycle.

@@ -277,9 +277,9 @@ fn a_boom_is_lifted_and_let_down_between_its_dead_points() {
     let cycle = &duty.cycle;
     assert_eq!(duty.dead_points.len(), 2);
     // Accelerations have no bound there: nothing can be said of the whole, but of load and gravity.
-    assert!(duty.runs_dead && cycle.all == Effect::default());
+    assert!(duty.runs_dead && cycle.all == DriveEffort::default());
     let [load, gravity, inertia] = cycle.parts;
-    assert_eq!(inertia, Effect::default());
+    assert_eq!(inertia, DriveEffort::default());
     assert_eq!((load.largest, load.rms), (None, None));
     for part in [load, gravity] {
         near(part.work().unwrap(), 0.0, 1e-9 * part.put_in.unwrap());

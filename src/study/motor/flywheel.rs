@@ -26,7 +26,7 @@ pub const SMALL_FLUCTUATION: f64 = 0.2;
 
 /// What is asked of a motor, and what it has.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Asked {
+pub struct MotorDemand {
     /// What the cycle asks for.
     pub asked: f64,
     /// What the motor has.
@@ -35,13 +35,13 @@ pub struct Asked {
 
 /// A motor against a cycle; what one of both does not say is `None`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Fit {
+pub struct MotorFit {
     /// The root of the mean square against the rated torque: they heat the motor alike.
-    pub rated: Option<Asked>,
+    pub rated: Option<MotorDemand>,
     /// The largest torque in size against the peak torque.
-    pub peak: Option<Asked>,
+    pub peak: Option<MotorDemand>,
     /// The driver's speed against the motor's.
-    pub speed: Option<Asked>,
+    pub speed: Option<MotorDemand>,
     /// The transmission that the motor's surplus of speed allows, and what it makes of both torques
     /// without losses; where the motor is faster than the driver.
     pub geared: Option<Geared>,
@@ -58,7 +58,7 @@ pub struct Geared {
     pub is_enough: bool,
 }
 
-impl Asked {
+impl MotorDemand {
     /// Whether there is enough.
     #[must_use]
     pub fn is_enough(&self) -> bool {
@@ -72,23 +72,28 @@ impl Asked {
     }
 }
 
-impl Fit {
+impl MotorFit {
     /// A motor on the driver's shaft against a cycle: what it can keep up, in N m or N, the most that it
     /// can do for an instant, and its speed in rad/s or m/s; what is not known of it is not asked.
     #[must_use]
-    pub fn new(cycle: &Cycle, rated: Option<f64>, peak: Option<f64>, speed: Option<f64>) -> Fit {
+    pub fn new(
+        cycle: &Cycle,
+        rated: Option<f64>,
+        peak: Option<f64>,
+        speed: Option<f64>,
+    ) -> MotorFit {
         let both = |asked: Option<f64>, has: Option<f64>| {
             let (asked, has) = (asked?, has?);
-            Some(Asked { asked, has })
+            Some(MotorDemand { asked, has })
         };
-        let fit = Fit {
+        let fit = MotorFit {
             rated: both(cycle.all.rms, rated),
             peak: both(cycle.all.worst().map(|peak| peak.value.abs()), peak),
             speed: both(Some(cycle.speed), speed),
             geared: None,
             is_unbounded: cycle.all.worst().is_none(),
         };
-        Fit {
+        MotorFit {
             geared: fit.geared(speed.map_or(0.0, |speed| speed / cycle.speed)),
             ..fit
         }

@@ -28,14 +28,14 @@ pub struct Passing {
 
 /// A stretch of the driver's coordinate on which a slide goes one way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Leg {
+pub(super) struct MonotoneStretch {
     pub(super) from: DeadCentre,
     pub(super) to: DeadCentre,
 }
 
 /// Solves for a slide wherever the driver is.
 #[derive(Clone, Debug)]
-pub(super) struct Guide {
+pub(super) struct SlideFinder {
     solver: Solver,
     state: Workspace,
     slide: SlideId,
@@ -47,15 +47,15 @@ pub(super) struct Guide {
     metres: f64,
 }
 
-impl Guide {
-    pub(super) fn new(mechanism: &Mechanism, solver: &Solver, slide: SlideId) -> Guide {
+impl SlideFinder {
+    pub(super) fn new(mechanism: &Mechanism, solver: &Solver, slide: SlideId) -> SlideFinder {
         let demand = Demand {
             slides: vec![slide],
             ..Demand::default()
         };
         let solver = solver.only(&demand).at_speed(1.0, 0.0);
         let driver = mechanism.driver();
-        Guide {
+        SlideFinder {
             state: solver.state(),
             range: solver.motion().range,
             solver,
@@ -108,7 +108,7 @@ impl Guide {
     }
 
     /// The stretches between its dead centres, over one period or over the range.
-    pub(super) fn legs(&self) -> Vec<Leg> {
+    pub(super) fn legs(&self) -> Vec<MonotoneStretch> {
         let mut centres = self.solver.dead_centres(self.slide);
         if let (Range::Full { period }, Some(&first)) = (self.range, centres.first()) {
             centres.push(DeadCentre {
@@ -116,7 +116,7 @@ impl Guide {
                 ..first
             });
         }
-        let legs = centres.windows(2).map(|pair| Leg {
+        let legs = centres.windows(2).map(|pair| MonotoneStretch {
             from: pair[0],
             to: pair[1],
         });

@@ -30,9 +30,11 @@ mod ram;
 mod source;
 
 pub use course::Course;
-pub use cycle::{Cycle, Effect, Fluctuation, Peak, Rule, Shaking};
+pub use cycle::{Cycle, CycleShaking, DriveEffort, Fluctuation, Peak, Rule};
 pub use duty::{Duty, NoDuty, is_within};
-pub use flywheel::{Asked, Fit, Geared, SMALL_FLUCTUATION, fluctuation_with, flywheel_for};
+pub use flywheel::{
+    Geared, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with, flywheel_for,
+};
 pub use guide::Passing;
 pub use marks::repeats;
 pub use ram::{Dwell, NoRam, Ram, RamEnd, rams};
@@ -61,7 +63,7 @@ pub struct Effort {
 
 /// What the units of a driver mean.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Measure {
+pub struct DriverUnits {
     /// The work in J of a torque of 1 over one unit of the driver's coordinate.
     pub joule: f64,
     /// The driver's speed in rad/s or m/s.
@@ -72,10 +74,10 @@ pub struct Measure {
     pub reach: f64,
 }
 
-impl Default for Measure {
+impl Default for DriverUnits {
     /// Of a slide that is pushed at 1 m/s in a mechanism of 1 m.
     fn default() -> Self {
-        Measure {
+        DriverUnits {
             joule: 1.0,
             speed: 1.0,
             arm: 1.0,

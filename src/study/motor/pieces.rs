@@ -4,22 +4,22 @@
 //! Chebyshev polynomials stands for what was solved there. Everything else - integrals, zeros, peaks -
 //! is read from the sums.
 
-use super::course::{Course, Place};
-use super::{CHANNELS, Effort, Measure};
-use crate::numeric::chebyshev::{Basis, Sum, TERMS};
+use super::course::{Course, CoursePlace};
+use super::{CHANNELS, DriverUnits, Effort};
+use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
 
 /// A part of the way on which everything is smooth.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Piece {
+pub(super) struct SmoothPiece {
     pub(super) from: f64,
     pub(super) to: f64,
-    pub(super) sums: [Sum; CHANNELS],
+    pub(super) sums: [ChebyshevSum; CHANNELS],
 }
 
 /// All pieces of a cycle, in the order of the way.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Pieces {
-    pub(super) list: Vec<Piece>,
+    pub(super) list: Vec<SmoothPiece>,
     /// The size of each channel: its largest term anywhere.
     pub(super) scale: [f64; CHANNELS],
     /// What each integral is off by, as a part of size times way.
@@ -28,7 +28,7 @@ pub(super) struct Pieces {
     pub(super) has_gap: bool,
     /// States that were solved.
     pub(super) states: usize,
-    measure: Measure,
+    measure: DriverUnits,
 }
 
 /// Pieces at the beginning: an eighth of a turn does for most linkages.
@@ -58,14 +58,14 @@ const MOST_PIECES: usize = 1000;
 pub(super) struct Sampler<'a> {
     pub(super) course: Course,
     pub(super) basis: Basis,
-    pub(super) measure: Measure,
+    pub(super) measure: DriverUnits,
     pub(super) effort: &'a mut dyn FnMut(f64, bool) -> Option<Effort>,
 }
 
 impl Sampler<'_> {
     /// What is integrated at this way: torques times the change of the coordinate, and the ground's.
     pub(super) fn channels(&mut self, way: f64) -> Option<[f64; CHANNELS]> {
-        let Place { at, back, weight } = self.course.place(way);
+        let CoursePlace { at, back, weight } = self.course.place(way);
         let mut channels = (self.effort)(at, back)?.channels();
         channels[..super::TORQUES]
             .iter_mut()
@@ -73,7 +73,7 @@ impl Sampler<'_> {
         channels.iter().all(|c| c.is_finite()).then_some(channels)
     }
 
-    fn piece(&mut self, from: f64, to: f64) -> Option<Piece> {
+    fn piece(&mut self, from: f64, to: f64) -> Option<SmoothPiece> {
         let mut values = [[0.0; TERMS]; CHANNELS];
         for j in 0..TERMS {
             let way = from + (to - from) * 0.5 * (1.0 + self.basis.places[j]);
@@ -82,7 +82,7 @@ impl Sampler<'_> {
             }
         }
         let sums = values.map(|values| self.basis.through(&values));
-        Some(Piece { from, to, sums })
+        Some(SmoothPiece { from, to, sums })
     }
 }
 
@@ -94,7 +94,7 @@ impl Pieces {
             measure: sampler.measure,
             ..Pieces::default()
         };
-        let mut waiting: Vec<(Option<Piece>, f64, f64, u32, u32)> = Vec::new();
+        let mut waiting: Vec<(Option<SmoothPiece>, f64, f64, u32, u32)> = Vec::new();
         let mut from = 0.0;
         for &to in marks.iter().chain(&[length]) {
             let parts = ((to - from) / length * PARTS).ceil().max(1.0);
@@ -121,7 +121,7 @@ impl Pieces {
                 || pieces.list.len() + waiting.len() >= MOST_PIECES
                 || !(from < middle && middle < to);
             let allowance = if sampler.course.ends_dead { DEAD } else { 1.0 };
-            let is_good = |piece: Piece| pieces.is_good(&piece, length, flat, allowance);
+            let is_good = |piece: SmoothPiece| pieces.is_good(&piece, length, flat, allowance);
             let good = piece.is_some_and(is_good);
             match piece {
                 Some(piece) if good || spent => pieces.keep(piece, length),
@@ -130,7 +130,7 @@ impl Pieces {
                     break;
                 }
                 _ => {
-                    let is_flat = |p: Piece| pieces.rough(&p).all(|(_, sum)| sum.is_flat());
+                    let is_flat = |p: SmoothPiece| pieces.rough(&p).all(|(_, sum)| sum.is_flat());
                     let flat = if piece.is_some_and(is_flat) {
                         flat + 1
                     } else {
@@ -146,7 +146,7 @@ impl Pieces {
         pieces
     }
 
-    fn solve(&mut self, sampler: &mut Sampler, from: f64, to: f64) -> Option<Piece> {
+    fn solve(&mut self, sampler: &mut Sampler, from: f64, to: f64) -> Option<SmoothPiece> {
         self.states += TERMS;
         let piece = sampler.piece(from, to)?;
         for (scale, sum) in self.scale.iter_mut().zip(&piece.sums) {
@@ -182,12 +182,15 @@ impl Pieces {
     }
 
     /// The sums that do not yet stand for their functions.
-    fn rough<'a>(&'a self, piece: &'a Piece) -> impl Iterator<Item = (usize, &'a Sum)> {
+    fn rough<'a>(
+        &'a self,
+        piece: &'a SmoothPiece,
+    ) -> impl Iterator<Item = (usize, &'a ChebyshevSum)> {
         let sums = piece.sums.iter().enumerate();
         sums.filter(|(channel, sum)| sum.tail() > FINE * self.size(*channel))
     }
 
-    fn is_good(&self, piece: &Piece, length: f64, flat: u32, allowance: f64) -> bool {
+    fn is_good(&self, piece: &SmoothPiece, length: f64, flat: u32, allowance: f64) -> bool {
         let share = (piece.to - piece.from) / length;
         self.rough(piece).all(|(channel, sum)| {
             let (tail, size) = (sum.tail(), allowance * self.size(channel));
@@ -196,7 +199,7 @@ impl Pieces {
         })
     }
 
-    fn keep(&mut self, piece: Piece, length: f64) {
+    fn keep(&mut self, piece: SmoothPiece, length: f64) {
         let share = (piece.to - piece.from) / length;
         for channel in 0..CHANNELS {
             let size = self.size(channel);
@@ -215,7 +218,7 @@ impl Pieces {
     }
 }
 
-impl Piece {
+impl SmoothPiece {
     /// The way after t.
     pub(super) fn way(&self, t: f64) -> f64 {
         self.from + (self.to - self.from) * 0.5 * (1.0 + t)

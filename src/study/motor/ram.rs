@@ -2,7 +2,7 @@
 //!
 //! Between two dead centres it goes one way, so that every height of it has one coordinate of the driver.
 
-use super::guide::{Guide, Leg, Passing};
+use super::guide::{MonotoneStretch, Passing, SlideFinder};
 use crate::numeric::root;
 use crate::solver::{DeadCentre, Range, Solver};
 use crate::{Body, Input, Mechanism, SlideId, StrokeEnd};
@@ -68,10 +68,10 @@ pub struct Ram {
     pub strokes: u32,
     /// How long a period takes, in s; `None` where the driver stands still.
     pub seconds: Option<f64>,
-    legs: Vec<Leg>,
+    legs: Vec<MonotoneStretch>,
     /// Which of the places where it turns is the bottom, in the order of the legs.
     deepest: usize,
-    guide: Guide,
+    guide: SlideFinder,
 }
 
 /// The slides that can be rams: on the ground, and not driven.
@@ -117,7 +117,7 @@ impl Ram {
         if mechanism.slide(slide).on != Body::Ground {
             return Err(NoRam::Moves);
         }
-        let guide = Guide::new(mechanism, solver, slide);
+        let guide = SlideFinder::new(mechanism, solver, slide);
         let legs = guide.legs();
         // Deeper is less.
         let depth = |centre: &DeadCentre| match end.end {
@@ -295,7 +295,7 @@ impl Ram {
     }
 
     /// The same as the driver goes.
-    fn beside_bottom(&self) -> [Option<Leg>; 2] {
+    fn beside_bottom(&self) -> [Option<MonotoneStretch>; 2] {
         let mut legs = self.beside_bottom_index().map(|i| Some(self.legs[i?]));
         if self.guide.backwards() {
             legs.reverse();
@@ -304,7 +304,7 @@ impl Ram {
     }
 
     /// Where on a leg the ram is at this height above the bottom.
-    fn crossing(&mut self, leg: Leg, height: f64) -> Option<f64> {
+    fn crossing(&mut self, leg: MonotoneStretch, height: f64) -> Option<f64> {
         let off = |centre: &DeadCentre| self.height(centre) - height;
         let ends = [leg.from, leg.to].map(|centre| (centre.at, off(&centre)));
         let bottom = self.bottom.position;

@@ -7,7 +7,7 @@ use crate::{Mechanism, Vec2};
 
 /// Solves at places of a cycle, on the way back with the opposite speed.
 #[derive(Clone, Debug)]
-pub(super) struct Source {
+pub(super) struct CycleSource {
     solvers: [Solver; 2],
 }
 
@@ -28,11 +28,11 @@ pub struct Step {
     pub ground: Option<(Vec2, f64)>,
 }
 
-impl Source {
-    pub(super) fn new(mechanism: &Mechanism, solver: &Solver) -> Source {
+impl CycleSource {
+    pub(super) fn new(mechanism: &Mechanism, solver: &Solver) -> CycleSource {
         let driver = mechanism.driver();
         let back = solver.at_speed(-driver.speed, -driver.acceleration);
-        Source {
+        CycleSource {
             solvers: [solver.clone(), back],
         }
     }

@@ -2,7 +2,7 @@
 
 use super::super::views::Need;
 use super::{App, Mode};
-use crate::tui::views::accuracy::study_run::{Clock, Phase, StudyRun};
+use crate::tui::views::accuracy::study_run::{Phase, StudyRun, Ticker};
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
@@ -44,7 +44,7 @@ impl App {
     }
 
     /// Takes the time of studies from another clock.
-    pub(crate) fn set_clock(&mut self, clock: Clock) {
+    pub(crate) fn set_clock(&mut self, clock: Ticker) {
         self.study_run = StudyRun::new(clock);
     }
 }

@@ -5,7 +5,7 @@ use super::App;
 use crate::report::Tables;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::compared_scene::ComparedScene;
-use crate::tui::views::picker::list::{Place, Purpose};
+use crate::tui::views::picker::list::{PickerTarget, Purpose};
 use crate::wording::words;
 
 /// What the open scene is held against.
@@ -13,7 +13,7 @@ use crate::wording::words;
 pub(super) struct Comparison {
     compared: Option<ComparedScene>,
     /// What was compared with last.
-    last: Option<Place>,
+    last: Option<PickerTarget>,
 }
 
 impl Comparison {
@@ -30,7 +30,7 @@ impl App {
             self.shell.say(words().no_longer_compared());
             return;
         }
-        let edited = self.is_edited().then_some(Place::Original);
+        let edited = self.is_edited().then_some(PickerTarget::Original);
         let at = edited.or_else(|| self.comparison.last.clone());
         self.list(Purpose::Compare, at);
     }
@@ -38,7 +38,7 @@ impl App {
     /// Holds a scene against the open one; in words why that cannot be.
     pub(super) fn compare_with(
         &mut self,
-        place: Place,
+        place: PickerTarget,
         name: String,
         opened: Opened,
     ) -> Result<(), String> {

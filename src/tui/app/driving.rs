@@ -1,7 +1,7 @@
 //! Moving the driver: to a coordinate, or by steps.
 
 use super::{App, Mode};
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::OutOfRange;
 use crate::wording::words;
@@ -9,7 +9,7 @@ use std::time::Duration;
 
 impl App {
     /// A coordinate was typed: the driver goes there, or the line stays to be corrected.
-    pub(super) fn accept_coordinate(&mut self, line: &Line, now: Duration) {
+    pub(super) fn accept_coordinate(&mut self, line: &EditLine, now: Duration) {
         match line.number(self.player.open_scene.unit()) {
             Some(at) => {
                 if self.jump(at, now) {

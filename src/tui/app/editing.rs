@@ -5,7 +5,7 @@ use super::super::views::Need;
 use super::{App, Mode};
 use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::document::edited::{self, Edited};
 use crate::tui::document::history::Deed;
 use crate::tui::figures::format::coordinate;
@@ -26,7 +26,7 @@ impl App {
 
     fn type_value(&mut self) {
         if self.document.editor.value().is_some() {
-            self.shell.mode = Mode::Value(Line::for_number());
+            self.shell.mode = Mode::Value(EditLine::for_number());
         }
     }
 

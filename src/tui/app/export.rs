@@ -3,12 +3,12 @@
 use super::super::views::Copied;
 use super::{App, Effect, Mode};
 use crate::quantity::Catalogue;
-use crate::report::{Columns, Decimal, RowFormat, Steps, Sweep};
+use crate::report::{Columns, RowFormat, Steps, Sweep, WrittenDecimal};
 use crate::tui::Origin;
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
-use crate::tui::document::writing::{Content, Text};
-use crate::tui::figures::copying::Shown;
+use crate::tui::document::writing::{SavedContent, Text};
+use crate::tui::figures::copying::ShownTables;
 use crate::tui::figures::format::coordinate;
 use crate::tui::terminal::clipboard;
 use crate::wording::words;
@@ -58,8 +58,8 @@ impl App {
     }
 
     /// The tables as they are seen: figures, or differences.
-    pub(crate) fn shown(&self) -> Shown<'_> {
-        Shown {
+    pub(crate) fn shown(&self) -> ShownTables<'_> {
+        ShownTables {
             sheet: self.sheet(),
             tables: self.tables(),
             differences: self.compared().is_some(),
@@ -100,7 +100,7 @@ impl App {
             Ok(text) => {
                 let proposal = self.proposal(ending);
                 let what = what.into();
-                self.ask_for_file(Content::Text(Text { what, text }), &proposal);
+                self.ask_for_file(SavedContent::Text(Text { what, text }), &proposal);
             }
             Err(why) => self.shell.say(why),
         }
@@ -111,8 +111,8 @@ impl App {
         let (scene, at) = (self.player.open_scene.scene(), self.player.open_scene.at());
         let catalogue = Catalogue::new(scene);
         let broken = || words().no_figures_to_write().to_owned();
-        let here = Decimal::of(at).ok_or_else(broken)?;
-        let step = Decimal::of(1.0).ok_or_else(broken)?;
+        let here = WrittenDecimal::of(at).ok_or_else(broken)?;
+        let step = WrittenDecimal::of(1.0).ok_or_else(broken)?;
         let sweep = Sweep {
             scene,
             solver: self.player.open_scene.solver(),

@@ -4,7 +4,7 @@ use super::{App, Effect, Mode, Unsaved};
 use crate::scene::Scene;
 use crate::tui::commands::action::Action;
 use crate::tui::document::clerk::Client;
-use crate::tui::document::disk::{News, Seen, unmarked};
+use crate::tui::document::disk::{News, SeenFile, unmarked};
 use crate::tui::document::history::Deed;
 use crate::tui::document::opening;
 use crate::tui::{Opened, Origin};
@@ -63,7 +63,7 @@ impl App {
 
     /// The file was looked at. Nothing follows while something is asked or typed: the next look after it
     /// will tell.
-    fn see(&mut self, seen: Seen, now: Duration) {
+    fn see(&mut self, seen: SeenFile, now: Duration) {
         let is_free = self.shell.mode == Mode::Normal && !self.document.storing;
         let Some(disk) = self
             .document

@@ -1,6 +1,6 @@
 //! What is seen: the view, how far it is scrolled.
 
-use super::super::views::{self, List, Need};
+use super::super::views::{self, Listing, Need};
 use super::{App, Mode, View};
 use crate::tui::views::accuracy::study_run::Phase;
 use ratatui::layout::Size;
@@ -81,11 +81,11 @@ impl App {
             Mode::Help(help) => &mut help.scroll,
             Mode::Assemblies(scroll) => scroll,
             _ => match self.shell.view.pane().list() {
-                List::Lines => &mut self.shell.scroll[self.shell.view as usize],
-                List::Figures => {
+                Listing::Lines => &mut self.shell.scroll[self.shell.view as usize],
+                Listing::Figures => {
                     return self.place_cursor(|cursor, table| cursor.moved(table, lines));
                 }
-                List::Values => return self.document.editor.move_by(lines),
+                Listing::Values => return self.document.editor.move_by(lines),
             },
         };
         *scroll = scroll.saturating_add_signed(lines).min(most);

@@ -1,9 +1,9 @@
 //! What keys go to.
 
 use super::Unsaved;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::document::writing::{Prompt, Question};
-use crate::tui::figures::search::Search;
+use crate::tui::figures::search::NameSearch;
 use crate::tui::views::help::text::Help;
 use crate::tui::views::offer::list::Offer;
 use crate::tui::views::picker::list::Picker;
@@ -19,7 +19,7 @@ pub(crate) enum Mode {
     /// This screen of the tour.
     Tour(usize),
     /// The line in which a coordinate is typed.
-    GoTo(Line),
+    GoTo(EditLine),
     /// The list of assemblies, with the cursor on this one.
     Assemblies(usize),
     /// The list in which is chosen what is plotted.
@@ -31,11 +31,11 @@ pub(crate) enum Mode {
     /// The list of presets and files.
     Pick(Box<Picker>),
     /// The line in which a name is typed that is sought.
-    Search(Search),
+    Search(NameSearch),
     /// The question how much of the tables is copied.
     Copy,
     /// The line in the scene view in which a value is typed.
-    Value(Line),
+    Value(EditLine),
     /// A question about unsaved edits.
     Unsaved(Unsaved),
     /// The offer of edits that earlier sessions have left.
@@ -44,7 +44,7 @@ pub(crate) enum Mode {
 
 impl Mode {
     /// The line that is typed in, if there is one.
-    pub(super) fn line(&mut self) -> Option<&mut Line> {
+    pub(super) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
             Mode::GoTo(line) => Some(line),
             Mode::FileName(prompt) => Some(&mut prompt.name),

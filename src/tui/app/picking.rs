@@ -5,7 +5,7 @@ use super::{App, Effect, Mode};
 use crate::scene::presets;
 use crate::tui::commands::key::Key;
 use crate::tui::document::opening::{self, Unopened};
-use crate::tui::views::picker::list::{Picker, Place, Purpose, Reading};
+use crate::tui::views::picker::list::{FolderReading, Picker, PickerTarget, Purpose};
 use crate::tui::views::picker::preview::Preview;
 use crate::wording::words;
 use std::env;
@@ -20,7 +20,7 @@ impl App {
     }
 
     /// Lists what there is, with the cursor on `at`, or on the open scene.
-    pub(super) fn list(&mut self, purpose: Purpose, at: Option<Place>) {
+    pub(super) fn list(&mut self, purpose: Purpose, at: Option<PickerTarget>) {
         let folder = match self.player.open_scene.origin() {
             Origin::File(path) => path.parent().map(Path::to_owned),
             Origin::Preset(_) | Origin::Stdin => None,
@@ -33,11 +33,11 @@ impl App {
     }
 
     /// Lists a folder, once it was read, with the cursor on a place in it, or on the open scene.
-    fn look_into(&mut self, folder: PathBuf, at: Option<Place>, or_here: bool) {
+    fn look_into(&mut self, folder: PathBuf, at: Option<PickerTarget>, or_here: bool) {
         let origin = self.player.open_scene.origin().clone();
         self.clerk.give(move || {
-            let read = Reading::of(&folder);
-            let at = at.or_else(|| or_here.then(|| Place::of(&origin)).flatten());
+            let read = FolderReading::of(&folder);
+            let at = at.or_else(|| or_here.then(|| PickerTarget::of(&origin)).flatten());
             Box::new(move |app, _| {
                 if let Mode::Pick(picker) = &mut app.shell.mode {
                     picker.list(read, at.as_ref());
@@ -119,7 +119,7 @@ impl App {
         let Mode::Pick(picker) = &self.shell.mode else {
             return;
         };
-        if let Some(Place::Folder(path)) = picker.chosen().map(|item| item.place.clone()) {
+        if let Some(PickerTarget::Folder(path)) = picker.chosen().map(|item| item.place.clone()) {
             let above = picker.above().filter(|_| picker.is_above(&path));
             self.look_into(path, above.map(|(_, here)| here), false);
         }
@@ -135,7 +135,7 @@ impl App {
             return;
         };
         let purpose = picker.purpose();
-        if let Place::Folder(_) = place {
+        if let PickerTarget::Folder(_) = place {
             self.look_into_chosen();
             return;
         }
@@ -157,7 +157,7 @@ impl App {
     fn picked(
         &mut self,
         purpose: Purpose,
-        place: Place,
+        place: PickerTarget,
         name: String,
         opened: Result<Opened, String>,
         now: Duration,
@@ -186,16 +186,18 @@ impl App {
 }
 
 /// Opens a scene of the list; in words why it cannot be.
-fn opened(place: &Place, original: &str, origin: Origin) -> Result<Opened, String> {
+fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<Opened, String> {
     match place {
-        Place::Folder(path) => Err(words().is_folder(&path.display())),
+        PickerTarget::Folder(path) => Err(words().is_folder(&path.display())),
         // Its name is under the cursor.
-        Place::File(path) => opening::scene_of(&near(path)).map_err(Unopened::first_words),
-        Place::Preset(name) => match presets::find(name) {
+        PickerTarget::File(path) => opening::scene_of(&near(path)).map_err(Unopened::first_words),
+        PickerTarget::Preset(name) => match presets::find(name) {
             Some(preset) => opening::preset(preset),
             None => Err(words().no_preset(name)),
         },
-        Place::Original => opening::text(original, origin).map_err(|d| d.first_words().to_owned()),
+        PickerTarget::Original => {
+            opening::text(original, origin).map_err(|d| d.first_words().to_owned())
+        }
     }
 }
 

@@ -1,13 +1,13 @@
 //! Finding a row by its name, in the tables and in the scene view; the cursor of the tables, and choosing
 //! what the motion view shows.
 
-use super::super::views::{self, List};
+use super::super::views::{self, Listing};
 use super::{App, Effect, Mode, View};
 use crate::tui::commands::action::TablesAction;
 use crate::tui::commands::key::Key;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::figures::cursor::{self, Cursor};
-use crate::tui::figures::search::{self, Search, Whence};
+use crate::tui::figures::search::{self, NameSearch, Whence};
 use crate::tui::figures::sheet;
 use crate::tui::views::motion::followed;
 use crate::wording::words;
@@ -16,15 +16,15 @@ impl App {
     /// Asks for a name, in the views that have rows.
     pub(super) fn search(&mut self) {
         let from = match self.shell.view.pane().list() {
-            List::Figures => Whence::Tables(self.cursor),
-            List::Values => Whence::Scene(self.document.editor.cursor()),
-            List::Lines => {
+            Listing::Figures => Whence::Tables(self.cursor),
+            Listing::Values => Whence::Scene(self.document.editor.cursor()),
+            Listing::Lines => {
                 self.shell.say(words().nothing_to_search());
                 return;
             }
         };
-        let name = Line::for_search();
-        self.shell.mode = Mode::Search(Search { name, from });
+        let name = EditLine::for_search();
+        self.shell.mode = Mode::Search(NameSearch { name, from });
     }
 
     /// Keys of the line in which a name is typed; `None` for those that mean the same everywhere.

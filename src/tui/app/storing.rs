@@ -8,7 +8,7 @@ use crate::tui::commands::action::Action;
 use crate::tui::document::disk::News;
 use crate::tui::document::edited;
 use crate::tui::document::saving::{Errand, Leave, refused, refused_there};
-use crate::tui::document::writing::{Content, Doubt, Question};
+use crate::tui::document::writing::{Doubt, Question, SavedContent};
 use crate::wording::words;
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,7 @@ impl App {
         };
         let path = path.clone();
         if self.is_changed() || !edited::says_what_is_shown(&self.player.open_scene) {
-            self.store(Content::Scene, path, Leave::default());
+            self.store(SavedContent::Scene, path, Leave::default());
             return;
         }
         // The file says what the screen says, if it is there.
@@ -31,7 +31,7 @@ impl App {
             let is_gone = matches!(News::of(&path), News::Gone);
             Box::new(move |app, _| match is_gone {
                 _ if app.scenes != scene => {}
-                true => app.store(Content::Scene, path, Leave::default()),
+                true => app.store(SavedContent::Scene, path, Leave::default()),
                 false => app.shell.say(words().unchanged_since_saved()),
             })
         });
@@ -45,18 +45,18 @@ impl App {
             Origin::Preset(name) => format!("{name}.toml"),
             Origin::Stdin => "scene.toml".into(),
         };
-        self.ask_for_file(Content::Scene, &proposal);
+        self.ask_for_file(SavedContent::Scene, &proposal);
     }
 
     /// Writes to a file, as far as that was granted; the scene's is then its own.
-    pub(super) fn store(&mut self, content: Content, to: PathBuf, leave: Leave) {
+    pub(super) fn store(&mut self, content: SavedContent, to: PathBuf, leave: Leave) {
         if self.document.storing {
             self.shell.say(words().still_writing());
             return;
         }
         let text = match &content {
-            Content::Text(text) => text.text.clone(),
-            Content::Scene => {
+            SavedContent::Text(text) => text.text.clone(),
+            SavedContent::Scene => {
                 let told = edited::says_what_is_shown(&self.player.open_scene);
                 if !told && !self.record_assembly(words().assembly()) {
                     self.shell.say(words().not_written_without_start());
@@ -65,7 +65,7 @@ impl App {
                 self.player.open_scene.scene().text().to_owned()
             }
         };
-        let is_own = content == Content::Scene && self.is_own(&to);
+        let is_own = content == SavedContent::Scene && self.is_own(&to);
         let errand = Errand {
             text,
             own: is_own.then(|| self.document.editor.saved().to_owned()),
@@ -94,7 +94,7 @@ impl App {
         matches!(self.player.open_scene.origin(), Origin::File(own) if own == file)
     }
 
-    fn ask(&mut self, content: Content, errand: Errand, doubt: Doubt) {
+    fn ask(&mut self, content: SavedContent, errand: Errand, doubt: Doubt) {
         self.shell.message = None;
         self.shell.ask(Mode::Confirm(Question {
             content,
@@ -108,7 +108,7 @@ impl App {
     /// nothing follows from it.
     fn stored(
         &mut self,
-        content: Content,
+        content: SavedContent,
         errand: Errand,
         done: Result<(), Trouble>,
         scene: usize,
@@ -119,10 +119,10 @@ impl App {
             Ok(()) => {
                 let to = errand.to.display();
                 self.shell.say(match &content {
-                    Content::Scene => words().written_to(&to),
-                    Content::Text(text) => words().all_written_to(&text.what, &to),
+                    SavedContent::Scene => words().written_to(&to),
+                    SavedContent::Text(text) => words().all_written_to(&text.what, &to),
                 });
-                if content == Content::Scene && is_shown {
+                if content == SavedContent::Scene && is_shown {
                     self.filed(&errand);
                 }
                 return;
@@ -130,8 +130,8 @@ impl App {
             Err(trouble) => trouble,
         };
         self.shell.say(match &content {
-            Content::Scene => refused(&trouble, &errand.to),
-            Content::Text(_) => refused_there(&trouble),
+            SavedContent::Scene => refused(&trouble, &errand.to),
+            SavedContent::Text(_) => refused_there(&trouble),
         });
         // A question that comes late would be answered by a key that was meant for something else.
         if self.shell.mode != Mode::Normal || !is_shown {

@@ -3,9 +3,9 @@
 use super::{App, Effect, Mode};
 use crate::files::{from_home, places};
 use crate::tui::commands::key::Key;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::document::saving::Leave;
-use crate::tui::document::writing::{Content, Prompt};
+use crate::tui::document::writing::{Prompt, SavedContent};
 use std::time::Duration;
 
 impl App {
@@ -38,8 +38,8 @@ impl App {
     }
 
     /// Asks for the name of a file, with a proposal.
-    pub(super) fn ask_for_file(&mut self, content: Content, proposal: &str) {
-        let name = Line::for_file(proposal);
+    pub(super) fn ask_for_file(&mut self, content: SavedContent, proposal: &str) {
+        let name = EditLine::for_file(proposal);
         self.shell.mode = Mode::FileName(Prompt { content, name });
     }
 }

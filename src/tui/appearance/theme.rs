@@ -7,7 +7,7 @@ use ratatui::style::{Color, Modifier, Style};
 
 /// Parts of the screen beside the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum ScreenPart {
     /// Ordinary text.
     Text,
     /// The scene's title.
@@ -31,15 +31,17 @@ pub(crate) enum Part {
 }
 
 /// The look of a part of the screen.
-pub(crate) fn part(part: Part) -> Style {
+pub(crate) fn part(part: ScreenPart) -> Style {
     let style = Style::new();
     match part {
-        Part::Text => style,
-        Part::Title | Part::Key => style.add_modifier(Modifier::BOLD),
-        Part::Quiet | Part::Unsure => style.add_modifier(Modifier::DIM),
-        Part::Name => style.add_modifier(Modifier::BOLD),
-        Part::Mode | Part::Caret | Part::Cursor => style.add_modifier(Modifier::REVERSED),
-        Part::Warning => style.fg(Color::Red).add_modifier(Modifier::BOLD),
+        ScreenPart::Text => style,
+        ScreenPart::Title | ScreenPart::Key => style.add_modifier(Modifier::BOLD),
+        ScreenPart::Quiet | ScreenPart::Unsure => style.add_modifier(Modifier::DIM),
+        ScreenPart::Name => style.add_modifier(Modifier::BOLD),
+        ScreenPart::Mode | ScreenPart::Caret | ScreenPart::Cursor => {
+            style.add_modifier(Modifier::REVERSED)
+        }
+        ScreenPart::Warning => style.fg(Color::Red).add_modifier(Modifier::BOLD),
     }
 }
 

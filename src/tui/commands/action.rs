@@ -175,7 +175,7 @@ pub(crate) enum SceneAction {
 
 /// Where a key has its meaning.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum KeyContext {
     /// In every view.
     Everywhere,
     /// In this one.
@@ -184,8 +184,8 @@ pub(crate) enum Place {
 
 /// A row of the table.
 #[derive(Debug)]
-pub(crate) struct Entry {
-    pub(crate) place: Place,
+pub(crate) struct ActionRow {
+    pub(crate) place: KeyContext,
     pub(crate) action: Action,
     /// What a configuration calls it: a promise.
     pub(crate) name: &'static str,
@@ -202,9 +202,9 @@ const fn entry(
     hint: Wording,
     help: Wording,
     keys: &'static [Key],
-) -> Entry {
-    Entry {
-        place: Place::Everywhere,
+) -> ActionRow {
+    ActionRow {
+        place: KeyContext::Everywhere,
         action,
         name,
         hint,
@@ -214,24 +214,24 @@ const fn entry(
 }
 
 /// The same entry, in one view alone.
-const fn within(view: View, entry: Entry) -> Entry {
-    Entry {
-        place: Place::In(view),
+const fn within(view: View, entry: ActionRow) -> ActionRow {
+    ActionRow {
+        place: KeyContext::In(view),
         ..entry
     }
 }
 
 /// Rows that belong together.
 #[derive(Debug)]
-pub(crate) struct Section {
+pub(crate) struct ActionSection {
     pub(crate) title: Wording,
-    pub(crate) entries: &'static [Entry],
+    pub(crate) entries: &'static [ActionRow],
 }
 
 /// All actions with their keys, by what they are for, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static SECTIONS: [Section; 7] = {
+pub(crate) static SECTIONS: [ActionSection; 7] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     use MotionAction as M;
@@ -241,7 +241,7 @@ pub(crate) static SECTIONS: [Section; 7] = {
     use View::{Motion, Plots, Scene, Tables};
     type W = dyn Words;
     [
-        Section { title: W::the_motion, entries: &[
+        ActionSection { title: W::the_motion, entries: &[
         entry(A::Play, "play", W::play, W::play_or_pause, &[Char(' ')]),
         entry(A::StepBack, "step-back", W::step_back, W::one_step_back, &[Char(','), Key::Left, Char('h')]),
         entry(A::StepForward, "step", W::step, W::one_step_on, &[Char('.'), Key::Right, Char('l')]),
@@ -254,7 +254,7 @@ pub(crate) static SECTIONS: [Section; 7] = {
         entry(A::Opening, "opening", W::opening, W::where_the_scene_opens, &[Key::Home]),
         entry(A::Assemblies, "assemblies", W::assemblies, W::other_assemblies, &[Char('a')]),
         ] },
-        Section { title: W::the_views, entries: &[
+        ActionSection { title: W::the_views, entries: &[
         entry(A::NextView, "view", W::view, W::the_next_view, &[Key::Tab]),
         entry(A::Look(View::Motion), "motion", W::motion, W::motion_and_live_tables, &[Char('1')]),
         entry(A::Look(View::Tables), "tables", W::tables, W::all_tables, &[Char('2')]),
@@ -266,7 +266,7 @@ pub(crate) static SECTIONS: [Section; 7] = {
         entry(A::Look(View::Motor), "motor", W::motor, W::the_motor_over_a_cycle, &[Char('8')]),
         entry(A::Look(View::Lengths), "lengths", W::lengths, W::what_each_length_does, &[Char('e')]),
         ] },
-        Section { title: W::what_the_motion_view_shows, entries: &[
+        ActionSection { title: W::what_the_motion_view_shows, entries: &[
         within(Motion, entry(A::Motion(M::Names), "names", W::names, W::names_of_points_links, &[Char('i')])),
         within(Motion, entry(A::Motion(M::Velocities), "velocities", W::velocities, W::arrows_of_velocity, &[Char('v')])),
         within(Motion, entry(A::Motion(M::Accelerations), "accelerations", W::accelerations, W::arrows_of_acceleration, &[Char('A')])),
@@ -282,7 +282,7 @@ pub(crate) static SECTIONS: [Section; 7] = {
         within(Motion, entry(A::Motion(M::PanUp), "pan-up", W::pan_up, W::move_it_up, &[Char('K')])),
         within(Motion, entry(A::Motion(M::PanRight), "pan-right", W::pan_right, W::move_it_right, &[Char('L')])),
         ] },
-        Section { title: W::lists, entries: &[
+        ActionSection { title: W::lists, entries: &[
         entry(A::LineUp, "up", W::up, W::up_a_line, &[Key::Up, Char('k')]),
         entry(A::LineDown, "scroll", W::scroll, W::down_a_line, &[Key::Down, Char('j')]),
         entry(A::PageUp, "page-up", W::page_up, W::up_a_screen, &[Key::PageUp]),
@@ -295,7 +295,7 @@ pub(crate) static SECTIONS: [Section; 7] = {
         within(Plots, entry(A::Plots(P::Abscissa), "abscissa", W::abscissa, W::what_stands_along_x, &[Char('X')])),
         within(Plots, entry(A::Plots(P::Extrema), "extrema", W::extrema, W::mark_the_extrema, &[Char('m')])),
         ] },
-        Section { title: W::the_scene, entries: &[
+        ActionSection { title: W::the_scene, entries: &[
         within(Scene, entry(A::Scene(S::Edit), "edit", W::edit, W::type_another_value, &[Key::Enter])),
         within(Scene, entry(A::Scene(S::NudgeDown), "nudge-down", W::nudge_down, W::a_little_less, &[Char('<')])),
         within(Scene, entry(A::Scene(S::NudgeUp), "nudge-up", W::nudge_up, W::a_little_more, &[Char('>')])),
@@ -311,13 +311,13 @@ pub(crate) static SECTIONS: [Section; 7] = {
         entry(A::PreviousPreset, "previous", W::previous, W::the_preset_before, &[Char('p')]),
         entry(A::Compare, "compare", W::compare, W::beside_another_scene, &[Char('D')]),
         ] },
-        Section { title: W::taking_things_out, entries: &[
+        ActionSection { title: W::taking_things_out, entries: &[
         entry(A::Copy, "copy", W::copy, W::copy_to_the_clipboard, &[Char('y')]),
         entry(A::Csv, "csv", W::csv, W::write_a_csv_file, &[Char('Y')]),
         entry(A::Picture, "picture", W::picture, W::write_the_screen, &[Char('P')]),
         entry(A::Svg, "svg", W::svg, W::write_an_svg_file, &[Char('S')]),
         ] },
-        Section { title: W::the_program, entries: &[
+        ActionSection { title: W::the_program, entries: &[
         entry(A::Glyphs, "glyphs", W::glyphs, W::ascii_lines_braille, &[Char('t')]),
         entry(A::Colours, "colours", W::colours, W::how_many_colours, &[Char('C')]),
         entry(A::Help, "help", W::help, W::show_or_hide_this_help, &[Char('?'), Function(1)]),
@@ -332,28 +332,28 @@ pub(crate) static SECTIONS: [Section; 7] = {
 };
 
 /// All rows of the table.
-pub(crate) fn entries() -> impl Iterator<Item = &'static Entry> {
+pub(crate) fn entries() -> impl Iterator<Item = &'static ActionRow> {
     SECTIONS.iter().flat_map(|section| section.entries)
 }
 
 /// The row of an action.
-pub(crate) fn entry_of(action: Action) -> &'static Entry {
+pub(crate) fn entry_of(action: Action) -> &'static ActionRow {
     entries()
         .find(|entry| entry.action == action)
         .unwrap_or(&SECTIONS[0].entries[0])
 }
 
-impl Place {
+impl KeyContext {
     /// Whether its keys have their meaning in this view.
     pub(crate) fn covers(self, view: View) -> bool {
         match self {
-            Place::Everywhere => true,
-            Place::In(only) => only == view,
+            KeyContext::Everywhere => true,
+            KeyContext::In(only) => only == view,
         }
     }
 
     /// Whether there is a view where both have their meaning.
-    pub(crate) fn meets(self, other: Place) -> bool {
+    pub(crate) fn meets(self, other: KeyContext) -> bool {
         View::ALL
             .iter()
             .any(|&view| self.covers(view) && other.covers(view))

@@ -1,7 +1,7 @@
 //! Which key asks for what: the table of actions, with the keys that a person has chosen in place of those
 //! that are built in.
 
-use crate::tui::commands::action::{self, Action, Entry, Place};
+use crate::tui::commands::action::{self, Action, ActionRow, KeyContext};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::view::View;
 use crate::wording::words;
@@ -17,8 +17,8 @@ pub(crate) struct Keymap {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clash {
     pub(crate) key: Key,
-    pub(crate) first: &'static Entry,
-    pub(crate) second: &'static Entry,
+    pub(crate) first: &'static ActionRow,
+    pub(crate) second: &'static ActionRow,
 }
 
 impl Default for Keymap {
@@ -65,21 +65,21 @@ impl Keymap {
     }
 
     /// Every row of the table with its keys.
-    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'static Entry, &[Key])> {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'static ActionRow, &[Key])> {
         action::entries().zip(self.keys.iter().map(Vec::as_slice))
     }
 
     /// The keys with two meanings in one place, in the order of the table.
     pub(crate) fn clashes(&self) -> impl Iterator<Item = Clash> {
         let rows: Vec<_> = self.rows().collect();
-        let claims = |&(entry, keys): &(&'static Entry, &[Key])| {
+        let claims = |&(entry, keys): &(&'static ActionRow, &[Key])| {
             let keys: Vec<Key> = keys.to_vec();
             keys.into_iter().map(move |key| (key, entry))
         };
-        let claims: Vec<(Key, &'static Entry)> = rows.iter().flat_map(claims).collect();
+        let claims: Vec<(Key, &'static ActionRow)> = rows.iter().flat_map(claims).collect();
         let mut found = Vec::new();
         for (n, &(key, second)) in claims.iter().enumerate() {
-            let meets = |place: Place| place.meets(second.place);
+            let meets = |place: KeyContext| place.meets(second.place);
             let earlier = claims[..n]
                 .iter()
                 .find(|(k, e)| *k == key && meets(e.place));
@@ -101,8 +101,8 @@ mod tests {
         assert_eq!(keymap.clashes().count(), 0, "{:?}", keymap.clashes().next());
         for entry in action::entries() {
             let view = match entry.place {
-                Place::Everywhere => View::Motion,
-                Place::In(view) => view,
+                KeyContext::Everywhere => View::Motion,
+                KeyContext::In(view) => view,
             };
             let meant = keymap.action(entry.keys[0], view);
             assert_eq!(meant, Some(entry.action), "{}", entry.name);

@@ -15,7 +15,7 @@ const LONGEST_WORDS: usize = 60;
 
 /// A line of text, edited at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Line {
+pub(crate) struct EditLine {
     text: String,
     /// In bytes.
     longest: usize,
@@ -31,10 +31,10 @@ enum Takes {
     Any,
 }
 
-impl Line {
+impl EditLine {
     /// An empty line for a number.
-    pub(crate) fn for_number() -> Line {
-        Line {
+    pub(crate) fn for_number() -> EditLine {
+        EditLine {
             text: String::new(),
             longest: LONGEST_NUMBER,
             takes: Takes::Plain,
@@ -42,8 +42,8 @@ impl Line {
     }
 
     /// An empty line for words that are searched for.
-    pub(crate) fn for_words() -> Line {
-        Line {
+    pub(crate) fn for_words() -> EditLine {
+        EditLine {
             text: String::new(),
             longest: LONGEST_WORDS,
             takes: Takes::Plain,
@@ -51,8 +51,8 @@ impl Line {
     }
 
     /// A line for the name of a file, with a proposal in it.
-    pub(crate) fn for_file(proposal: &str) -> Line {
-        let mut line = Line {
+    pub(crate) fn for_file(proposal: &str) -> EditLine {
+        let mut line = EditLine {
             text: String::new(),
             longest: LONGEST_NAME,
             takes: Takes::Any,
@@ -62,8 +62,8 @@ impl Line {
     }
 
     /// An empty line for a name that is sought.
-    pub(crate) fn for_search() -> Line {
-        Line {
+    pub(crate) fn for_search() -> EditLine {
+        EditLine {
             text: String::new(),
             longest: LONGEST_SOUGHT,
             takes: Takes::Plain,
@@ -116,7 +116,7 @@ mod tests {
     use super::*;
 
     fn number(text: &str) -> Option<f64> {
-        let mut line = Line::for_number();
+        let mut line = EditLine::for_number();
         text.chars().for_each(|c| line.push(c));
         line.number("deg")
     }
@@ -133,7 +133,7 @@ mod tests {
 
     #[test]
     fn nothing_unprintable_gets_in_and_nothing_endless() {
-        let mut line = Line::for_number();
+        let mut line = EditLine::for_number();
         "\u{1b}1\u{e4}2\n".chars().for_each(|c| line.push(c));
         assert_eq!(line.text(), "12");
         (0..1000).for_each(|_| line.push('9'));

@@ -1,14 +1,14 @@
 //! The section `[keys]`: which keys a person wants for which action.
 
-use crate::document::{Diagnostic, Entries, Found, Lenient, Reader, Span, quoted};
+use crate::document::{ByteSpan, Diagnostic, Entries, Lenient, Misplaced, Reader, quoted};
 use crate::nearest::did_you_mean;
-use crate::tui::commands::action::{self, Action, Entry};
+use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::key::{self, Key};
 use crate::tui::commands::keymap::Keymap;
 use crate::wording::words;
 
 /// The section as it is written: for each action a list of keys, or one key in its place.
-pub(super) type Section = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
+pub(super) type KeysSection = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
 /// The key that an action keeps, and what that always does: nobody should be locked in.
 fn kept(action: Action) -> Option<(Key, String)> {
@@ -21,7 +21,7 @@ fn kept(action: Action) -> Option<(Key, String)> {
 }
 
 /// Whether a person may choose its keys.
-pub(super) fn is_free(entry: &Entry) -> bool {
+pub(super) fn is_free(entry: &ActionRow) -> bool {
     kept(entry.action).is_none()
 }
 
@@ -32,13 +32,13 @@ fn is_needed(action: Action) -> bool {
 
 /// A key that was given to an action, and where.
 struct Given {
-    entry: &'static Entry,
+    entry: &'static ActionRow,
     key: Key,
-    place: Span,
+    place: ByteSpan,
 }
 
 /// Reads the section into the keymap.
-pub(super) fn read(reader: &mut Reader<'_>, section: &Section, keymap: &mut Keymap) {
+pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut Keymap) {
     reader.table("[keys]", "play = [\"space\", \"F5\"]", section);
     let before = reader.found.len();
     let mut given = Vec::new();
@@ -67,7 +67,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &Section, keymap: &mut Keym
     }
 }
 
-fn action_of(reader: &mut Reader<'_>, name: &str, place: Span) -> Option<&'static Entry> {
+fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'static ActionRow> {
     let found = action::entries().find(|entry| entry.name == name);
     let Some(entry) = found else {
         let free = action::entries().filter(|entry| is_free(entry));
@@ -96,7 +96,7 @@ fn keys_of(
     reader: &mut Reader<'_>,
     of: &str,
     value: &Lenient<Vec<Lenient<String>>>,
-) -> Vec<(Key, Span)> {
+) -> Vec<(Key, ByteSpan)> {
     match &value.read {
         Ok(list) => {
             let keys = list.iter().filter_map(|value| match &value.read {
@@ -105,19 +105,24 @@ fn keys_of(
             });
             keys.collect()
         }
-        Err(Found::Text(text)) => key_of(reader, text, &value.span).into_iter().collect(),
+        Err(Misplaced::Text(text)) => key_of(reader, text, &value.span).into_iter().collect(),
         Err(found) => no_key(reader, of, found, &value.span).into_iter().collect(),
     }
 }
 
 /// Reports what stands where a key should.
-fn no_key(reader: &mut Reader<'_>, of: &str, found: &Found, place: &Span) -> Option<(Key, Span)> {
+fn no_key(
+    reader: &mut Reader<'_>,
+    of: &str,
+    found: &Misplaced,
+    place: &ByteSpan,
+) -> Option<(Key, ByteSpan)> {
     let fault = reader.wrong_type(&quoted(of), words().a_key_or_keys(), found, place);
     reader.report(fault.help(words().for_example_keys(of)));
     None
 }
 
-fn key_of(reader: &mut Reader<'_>, text: &str, place: &Span) -> Option<(Key, Span)> {
+fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key, ByteSpan)> {
     let fault = |message: String, label: &str| Diagnostic::new(message).at(place.clone(), label);
     let Ok(key) = text.parse::<Key>() else {
         let names = key::names();
@@ -148,7 +153,7 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &Span) -> Option<(Key, Spa
 /// Tells each key that has two meanings in one place.
 fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[Given]) {
     for clash in keymap.clashes() {
-        let places = |entry: &Entry| {
+        let places = |entry: &ActionRow| {
             let mine = given
                 .iter()
                 .filter(|g| g.entry.action == entry.action && g.key == clash.key);
@@ -176,7 +181,7 @@ fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[Given]) {
     }
 }
 
-fn by_default(fault: Diagnostic, place: &Span, other: &str) -> Diagnostic {
+fn by_default(fault: Diagnostic, place: &ByteSpan, other: &str) -> Diagnostic {
     fault
         .at(place.clone(), words().has_it_by_default(other))
         .help(words().give_another_key(other))

@@ -7,7 +7,7 @@ mod template;
 pub use template::template;
 
 use crate::capability::Colours;
-use crate::document::{self, Diagnostic, Diagnostics, Lenient, Reader, Span};
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Reader};
 use crate::drawing::Glyphs;
 use crate::files::places;
 use crate::nearest::did_you_mean;
@@ -46,12 +46,12 @@ impl Default for Config {
 
 /// A configuration as its file writes it.
 #[derive(Debug, Deserialize)]
-struct File {
+struct ConfigFile {
     glyphs: Option<Lenient<String>>,
     colour: Option<Lenient<String>>,
     theme: Option<Lenient<String>>,
     tour: Option<Lenient<bool>>,
-    keys: Option<keys::Section>,
+    keys: Option<keys::KeysSection>,
 }
 
 /// A value as it is written, and what it means.
@@ -106,7 +106,7 @@ impl Config {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
         let mut config = Config::default();
-        if let Some(root) = document::parse::<File>(&mut reader, mend) {
+        if let Some(root) = document::parse::<ConfigFile>(&mut reader, mend) {
             reader.only(words().the_configuration(), &root);
             if let Some(file) = root.get() {
                 config.take(&mut reader, file);
@@ -120,7 +120,7 @@ impl Config {
     }
 
     /// Takes over what the file gives; what is wrong with it stays as it is built in.
-    fn take(&mut self, reader: &mut Reader<'_>, file: &File) {
+    fn take(&mut self, reader: &mut Reader<'_>, file: &ConfigFile) {
         let glyphs = choice(reader, "glyphs", &GLYPHS, file.glyphs.as_ref());
         self.glyphs = glyphs.unwrap_or_default();
         let colours = choice(reader, "colour", &COLOURS, file.colour.as_ref());
@@ -159,7 +159,7 @@ fn choice<T: Copy>(
 }
 
 /// What was mostly meant where the configuration is not valid TOML.
-fn mend(_text: &str, message: &str, _place: &Span) -> Option<String> {
+fn mend(_text: &str, message: &str, _place: &ByteSpan) -> Option<String> {
     let help = if message.starts_with("string values must be quoted") {
         words().quote_texts_and_keys()
     } else if message.starts_with("key with no value") {

@@ -22,7 +22,10 @@ fn the_template_is_what_is_built_in_with_and_without_its_comments() {
     assert!(live.matches('=').count() > 60, "{live}");
     assert_eq!(Config::parse(&live, "t").unwrap(), Config::default());
     let mut reader = Reader::new("");
-    for known in document::parse::<File>(&mut reader, mend).unwrap().known {
+    for known in document::parse::<ConfigFile>(&mut reader, mend)
+        .unwrap()
+        .known
+    {
         assert!(live.contains(&format!("{known} = ")) || live.contains(&format!("[{known}]")));
     }
 }

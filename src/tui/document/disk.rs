@@ -50,14 +50,14 @@ pub(crate) struct Disk {
 
 /// A look at the file, which may take long.
 #[derive(Debug)]
-pub(crate) struct Look {
+pub(crate) struct DiskLook {
     path: PathBuf,
     before: Option<Option<Stamp>>,
 }
 
 /// What was seen.
 #[derive(Debug)]
-pub(crate) struct Seen {
+pub(crate) struct SeenFile {
     pub(crate) path: PathBuf,
     place: Option<PathBuf>,
     stamp: Option<Stamp>,
@@ -88,7 +88,7 @@ impl Disk {
     }
 
     /// A look at it, where one is due: `at_once`, or after a while. While somebody is looking it is owed.
-    pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<Look> {
+    pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<DiskLook> {
         self.missed |= self.looking && at_once;
         let is_due = at_once || self.looked.is_none_or(|looked| now >= looked + PAUSE);
         if self.looking || !is_due {
@@ -96,7 +96,7 @@ impl Disk {
         }
         self.looked = Some(now);
         self.looking = true;
-        Some(Look {
+        Some(DiskLook {
             path: self.path.clone(),
             before: self.stamp,
         })
@@ -104,7 +104,7 @@ impl Disk {
 
     /// Takes in what was seen. What was not attended to the next look will tell again. Whether one is owed.
     #[must_use]
-    pub(crate) fn see(&mut self, seen: &Seen, attended: bool) -> bool {
+    pub(crate) fn see(&mut self, seen: &SeenFile, attended: bool) -> bool {
         self.looking = false;
         // Where a file is gone, one may come again.
         if seen.place.is_some() {
@@ -117,12 +117,12 @@ impl Disk {
     }
 }
 
-impl Look {
-    pub(crate) fn run(self) -> Seen {
+impl DiskLook {
+    pub(crate) fn run(self) -> SeenFile {
         let stamp = Stamp::of(&self.path);
         // What was not there from the beginning is not gone.
         let is_new = self.before.unwrap_or(None) != stamp;
-        Seen {
+        SeenFile {
             place: self.path.canonicalize().ok(),
             stamp,
             news: is_new.then(|| News::of(&self.path)),

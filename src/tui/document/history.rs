@@ -25,19 +25,19 @@ impl Deed {
 
 /// A part of a text that was replaced.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Change {
+struct TextChange {
     at: usize,
     old: String,
     new: String,
     deed: Deed,
 }
 
-impl Change {
-    fn between(before: &str, after: &str, deed: Deed) -> Change {
+impl TextChange {
+    fn between(before: &str, after: &str, deed: Deed) -> TextChange {
         let at = common_prefix(before, after);
         let end = common_suffix(&before[at..], &after[at..]);
         let part = |text: &str| text[at..text.len() - end].to_owned();
-        Change {
+        TextChange {
             at,
             old: part(before),
             new: part(after),
@@ -85,8 +85,8 @@ fn common_suffix(one: &str, other: &str) -> usize {
 /// The steps that led to a text, and those that were taken back.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct History {
-    past: Vec<Change>,
-    future: Vec<Change>,
+    past: Vec<TextChange>,
+    future: Vec<TextChange>,
 }
 
 impl History {
@@ -110,7 +110,7 @@ impl History {
             None => before,
         };
         if before != after {
-            self.past.push(Change::between(before, after, deed));
+            self.past.push(TextChange::between(before, after, deed));
         }
         let surplus = self.past.len().saturating_sub(MOST_STEPS);
         self.past.drain(..surplus);

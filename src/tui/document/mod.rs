@@ -16,7 +16,7 @@ use crate::scene::Scene;
 use crate::tui::Origin;
 use disk::Disk;
 use editor::Editor;
-use recovery::Session;
+use recovery::SessionRun;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::SystemTime;
@@ -36,7 +36,7 @@ pub(crate) struct Document {
     /// Where unsaved edits are kept, if they are: the folder, this run of the program, and the place of this
     /// scene.
     pub(crate) folder: Option<PathBuf>,
-    pub(crate) session: Session,
+    pub(crate) session: SessionRun,
     pub(crate) recovery: Option<Kept>,
     /// Whether edits were taken up that were made on an older text than the file has.
     pub(crate) older: bool,
@@ -52,7 +52,7 @@ impl Document {
             editor: Editor::new(scene),
             disk: None,
             folder: None,
-            session: Session::begun(SystemTime::now()),
+            session: SessionRun::begun(SystemTime::now()),
             recovery: None,
             older: false,
             storing: false,

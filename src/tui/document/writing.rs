@@ -1,14 +1,14 @@
 //! What is to be written to a file while its name is asked for, and what is asked about that.
 
 use crate::files::Trouble;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::document::saving::Leave;
 use crate::wording::words;
 use std::path::PathBuf;
 
 /// What is to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Content {
+pub(crate) enum SavedContent {
     /// The scene, with the start positions of the assembly that is shown.
     Scene,
     /// A text as it was when it was asked for.
@@ -26,14 +26,14 @@ pub(crate) struct Text {
 /// The line in which the name of a file is typed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Prompt {
-    pub(crate) content: Content,
-    pub(crate) name: Line,
+    pub(crate) content: SavedContent,
+    pub(crate) name: EditLine,
 }
 
 /// The question whether to write to a file nevertheless.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Question {
-    pub(crate) content: Content,
+    pub(crate) content: SavedContent,
     pub(crate) to: PathBuf,
     pub(crate) doubt: Doubt,
     /// What was said before.

@@ -5,7 +5,7 @@ use crate::quantity::{Abscissa, Curves};
 use crate::report::{Entry, Forces, Tables, shortest};
 use crate::solver::State;
 use crate::tui::figures::cursor::Cursor;
-use crate::tui::figures::sheet::{Part, Sheet};
+use crate::tui::figures::sheet::{Sheet, SheetPart};
 use crate::wording::words;
 
 /// Full digits; nothing where no value exists.
@@ -48,14 +48,14 @@ pub(crate) fn balanced(forces: &Forces) -> String {
 
 /// Tables as they are seen.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Shown<'a> {
+pub(crate) struct ShownTables<'a> {
     pub(crate) sheet: &'a Sheet,
     pub(crate) tables: &'a Tables,
     /// Whether they are differences from another scene.
     pub(crate) differences: bool,
 }
 
-impl Shown<'_> {
+impl ShownTables<'_> {
     /// The figure under the cursor, alone; `None` where there is none.
     pub(crate) fn value(self, cursor: Cursor) -> Option<String> {
         let entries = self.sheet.entries(self.tables, cursor.part, cursor.row);
@@ -69,7 +69,7 @@ impl Shown<'_> {
     }
 
     /// All rows of a part, below the names of the figures.
-    pub(crate) fn table(self, part: Part) -> String {
+    pub(crate) fn table(self, part: SheetPart) -> String {
         let rows = 0..self.sheet.row_count(part);
         let rows = rows.map(|row| self.figures(part, row));
         self.heading(part) + &rows.collect::<String>()
@@ -77,13 +77,13 @@ impl Shown<'_> {
 
     /// Both parts, an empty line between them.
     pub(crate) fn tables(self) -> String {
-        let parts = [Part::Vectors, Part::Points].into_iter();
+        let parts = [SheetPart::Vectors, SheetPart::Points].into_iter();
         let parts = parts.filter(|&part| self.sheet.row_count(part) > 0);
         let parts: Vec<String> = parts.map(|part| self.table(part)).collect();
         parts.join("\n")
     }
 
-    fn heading(self, part: Part) -> String {
+    fn heading(self, part: SheetPart) -> String {
         let title = match self.differences {
             true => words().difference_of(part.title()),
             false => part.title().to_owned(),
@@ -91,7 +91,7 @@ impl Shown<'_> {
         line(std::iter::once(title).chain(self.sheet.headers(part)))
     }
 
-    fn figures(self, part: Part, row: usize) -> String {
+    fn figures(self, part: SheetPart, row: usize) -> String {
         let entries = self.sheet.entries(self.tables, part, row).into_iter();
         let name = part.name(self.tables, row).to_owned();
         line(std::iter::once(name).chain(entries.map(cell)))

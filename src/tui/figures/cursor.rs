@@ -1,12 +1,12 @@
 //! A place in the tables, and moving it over the lines that they are shown in.
 
-use crate::tui::figures::sheet::{Part, TableLine};
+use crate::tui::figures::sheet::{SheetPart, TableLine};
 use std::ops::Range;
 
 /// A figure of a row: whatever the width of the screen, it stands for the same one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Cursor {
-    pub(crate) part: Part,
+    pub(crate) part: SheetPart,
     pub(crate) row: usize,
     /// Counted over all columns of the part.
     pub(crate) column: usize,
@@ -14,13 +14,13 @@ pub(crate) struct Cursor {
 
 impl Default for Cursor {
     fn default() -> Self {
-        Cursor::at(Part::Vectors, 0)
+        Cursor::at(SheetPart::Vectors, 0)
     }
 }
 
 impl Cursor {
     /// On the first figure of a row.
-    pub(crate) fn at(part: Part, row: usize) -> Cursor {
+    pub(crate) fn at(part: SheetPart, row: usize) -> Cursor {
         Cursor {
             part,
             row,
@@ -178,7 +178,7 @@ mod tests {
 
     /// Two blocks of vectors and one of points, of which the first never moves.
     fn lines() -> Vec<TableLine> {
-        use Part::{Points, Vectors};
+        use SheetPart::{Points, Vectors};
         let mut lines = Vec::new();
         let blocks = [
             (Vectors, 0..3, 0..2),
@@ -196,13 +196,13 @@ mod tests {
         lines
     }
 
-    fn place(part: Part, row: usize, column: usize) -> Cursor {
+    fn place(part: SheetPart, row: usize, column: usize) -> Cursor {
         Cursor { part, row, column }
     }
 
     #[test]
     fn it_moves_from_row_to_row_over_what_lies_between() {
-        use Part::{Points, Vectors};
+        use SheetPart::{Points, Vectors};
         let lines = lines();
         let cursor = place(Vectors, 2, 1);
         assert_eq!(cursor.moved(&lines, 1), place(Vectors, 0, 3));
@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn it_moves_from_figure_to_figure_through_all_blocks() {
-        use Part::{Points, Vectors};
+        use SheetPart::{Points, Vectors};
         let lines = lines();
         let mut cursor = place(Vectors, 1, 0);
         for column in 1..4 {
@@ -235,7 +235,7 @@ mod tests {
 
     #[test]
     fn it_settles_where_its_place_is_not_shown() {
-        use Part::{Points, Vectors};
+        use SheetPart::{Points, Vectors};
         let lines = lines();
         assert_eq!(place(Points, 0, 3).settled(&lines), place(Points, 0, 0));
         assert_eq!(place(Points, 9, 3).settled(&lines), place(Vectors, 0, 0));

@@ -1,14 +1,14 @@
 //! Finding a row by its name.
 
 use crate::report::Tables;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::figures::cursor::Cursor;
-use crate::tui::figures::sheet::Part;
+use crate::tui::figures::sheet::SheetPart;
 
 /// A name that is typed, and where the cursor was before.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Search {
-    pub(crate) name: Line,
+pub(crate) struct NameSearch {
+    pub(crate) name: EditLine,
     pub(crate) from: Whence,
 }
 
@@ -23,19 +23,19 @@ pub(crate) enum Whence {
 
 /// How well a name fits what is typed, the best last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Fit {
+enum NameMatch {
     Within,
     Beginning,
     Whole,
 }
 
-impl Fit {
-    fn of(name: &str, typed: &str) -> Option<Fit> {
+impl NameMatch {
+    fn of(name: &str, typed: &str) -> Option<NameMatch> {
         let name = name.to_ascii_lowercase();
         match name.find(typed)? {
-            0 if name.len() == typed.len() => Some(Fit::Whole),
-            0 => Some(Fit::Beginning),
-            _ => Some(Fit::Within),
+            0 if name.len() == typed.len() => Some(NameMatch::Whole),
+            0 => Some(NameMatch::Beginning),
+            _ => Some(NameMatch::Within),
         }
     }
 }
@@ -59,23 +59,23 @@ pub(crate) fn next(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor>
 }
 
 /// All rows that fit, from a place on to the end and from the beginning to there.
-fn fits(tables: &Tables, typed: &str, from: Cursor) -> Vec<(Fit, Cursor)> {
+fn fits(tables: &Tables, typed: &str, from: Cursor) -> Vec<(NameMatch, Cursor)> {
     let typed = typed.trim().to_ascii_lowercase();
     let vectors = tables.vectors.iter().map(|vector| &vector.name);
     let points = tables.points.iter().map(|point| &point.name);
     let vectors = vectors
         .enumerate()
-        .map(|(row, name)| (Cursor::at(Part::Vectors, row), name));
+        .map(|(row, name)| (Cursor::at(SheetPart::Vectors, row), name));
     let points = points
         .enumerate()
-        .map(|(row, name)| (Cursor::at(Part::Points, row), name));
+        .map(|(row, name)| (Cursor::at(SheetPart::Points, row), name));
     let mut rows: Vec<_> = vectors.chain(points).collect();
     let here = rows
         .iter()
         .position(|(c, _)| (c.part, c.row) == (from.part, from.row));
     rows.rotate_left(here.unwrap_or(0));
     let fits = rows.into_iter();
-    fits.filter_map(|(cursor, name)| Some((Fit::of(name, &typed)?, cursor)))
+    fits.filter_map(|(cursor, name)| Some((NameMatch::of(name, &typed)?, cursor)))
         .collect()
 }
 
@@ -96,8 +96,8 @@ mod tests {
 
     fn name(tables: &Tables, cursor: Cursor) -> &str {
         match cursor.part {
-            Part::Vectors => &tables.vectors[cursor.row].name,
-            Part::Points => &tables.points[cursor.row].name,
+            SheetPart::Vectors => &tables.vectors[cursor.row].name,
+            SheetPart::Points => &tables.points[cursor.row].name,
         }
     }
 

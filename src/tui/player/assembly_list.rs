@@ -1,6 +1,6 @@
 //! The assemblies of every group where the driver stands: what there is to choose from.
 
-use crate::Element;
+use crate::ElementId;
 use crate::assembly::pick_text;
 use crate::drawing::Reach;
 use crate::scene::Scene;
@@ -14,7 +14,7 @@ const MOST_GROUPS: usize = 64;
 
 /// An assembly of one group.
 #[derive(Debug)]
-pub(crate) struct Row {
+pub(crate) struct AssemblyRow {
     /// The group in the plan, and what it is called.
     pub(crate) group: GroupId,
     pub(crate) name: String,
@@ -23,7 +23,7 @@ pub(crate) struct Row {
     pub(crate) choice: Choice,
 }
 
-impl Row {
+impl AssemblyRow {
     /// `C=-`, as the command line has it.
     pub(crate) fn wish(&self) -> String {
         format!("{}={}", self.name, pick_text(self.choice.pick))
@@ -33,7 +33,7 @@ impl Row {
 /// The list of assemblies.
 #[derive(Debug)]
 pub(crate) struct AssemblyList {
-    rows: Vec<Row>,
+    rows: Vec<AssemblyRow>,
     reach: Reach,
 }
 
@@ -51,19 +51,19 @@ impl AssemblyList {
         for (number, group) in groups {
             for choice in solver.choices(at, number) {
                 let place = match group.name() {
-                    Some(Element::Point(point)) => {
+                    Some(ElementId::Point(point)) => {
                         let p = choice.state.known().position(point);
                         let decimals = decimals(reach);
                         let [x, y] = [p.x, p.y].map(|v| figure(v, decimals));
                         format!("({x}, {y})")
                     }
-                    Some(Element::Link(link)) => {
+                    Some(ElementId::Link(link)) => {
                         words().degrees(&figure(choice.state.known().angle(link), 2))
                     }
-                    Some(Element::Slide(_) | Element::Driver) | None => String::new(),
+                    Some(ElementId::Slide(_) | ElementId::Driver) | None => String::new(),
                 };
                 let name = scene.group_name(group).to_owned();
-                rows.push(Row {
+                rows.push(AssemblyRow {
                     group: number,
                     name,
                     place,
@@ -76,7 +76,7 @@ impl AssemblyList {
         (!rows.is_empty()).then_some(AssemblyList { rows, reach })
     }
 
-    pub(crate) fn rows(&self) -> &[Row] {
+    pub(crate) fn rows(&self) -> &[AssemblyRow] {
         &self.rows
     }
 
@@ -87,7 +87,7 @@ impl AssemblyList {
 
     /// Where to begin: at the first assembly that is not the present one, and could be.
     pub(crate) fn first(&self) -> usize {
-        let other = |row: &Row| !row.choice.is_current && row.choice.closes;
+        let other = |row: &AssemblyRow| !row.choice.is_current && row.choice.closes;
         self.rows.iter().position(other).unwrap_or(0)
     }
 

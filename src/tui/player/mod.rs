@@ -18,7 +18,7 @@ use edition::Edition;
 use open_scene::OpenScene;
 use playback::Playback;
 use std::time::Duration;
-use steps::Steps;
+use steps::StepLadder;
 
 /// Time between two frames while playing.
 const FRAME: Duration = Duration::from_millis(33);
@@ -29,7 +29,7 @@ const STEP_DECIMALS: usize = 9;
 #[derive(Debug)]
 pub(crate) struct Player {
     pub(crate) open_scene: OpenScene,
-    pub(crate) steps: Steps,
+    pub(crate) steps: StepLadder,
     pub(crate) playback: Playback,
     /// When the last frame was due.
     frame: Duration,
@@ -148,10 +148,10 @@ impl Player {
 }
 
 /// The steps that fit the driver.
-fn steps_of(open_scene: &OpenScene) -> Steps {
+fn steps_of(open_scene: &OpenScene) -> StepLadder {
     if open_scene.driver_range().turns() {
-        Steps::of_angle()
+        StepLadder::of_angle()
     } else {
-        Steps::of_length(open_scene.driver_range().span())
+        StepLadder::of_length(open_scene.driver_range().span())
     }
 }

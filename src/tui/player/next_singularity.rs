@@ -14,7 +14,7 @@ const DECIMALS: usize = 1;
 
 /// What there is ahead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum SingularityKind {
     DeadPoint,
     ChangePoint,
     /// The end of what was followed of a slide's travel.
@@ -24,7 +24,7 @@ enum Kind {
 /// The next thing ahead, and how far it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NextSingularity {
-    kind: Kind,
+    kind: SingularityKind,
     /// In degrees or the scene's length unit, more than 0.
     distance: f64,
 }
@@ -50,14 +50,22 @@ pub(crate) fn ahead(
         .shuttle()
         .map_or([None; 2], |(low, high)| [low, high].map(Some));
     // The first of those at the same place: a limit may be a dead point, too.
-    let all = (motion.dead_points.iter().map(|&to| (Kind::DeadPoint, to)))
-        .chain(
-            motion
-                .change_points
-                .iter()
-                .map(|&to| (Kind::ChangePoint, to)),
-        )
-        .chain(limits.into_iter().flatten().map(|to| (Kind::Limit, to)));
+    let all = (motion
+        .dead_points
+        .iter()
+        .map(|&to| (SingularityKind::DeadPoint, to)))
+    .chain(
+        motion
+            .change_points
+            .iter()
+            .map(|&to| (SingularityKind::ChangePoint, to)),
+    )
+    .chain(
+        limits
+            .into_iter()
+            .flatten()
+            .map(|to| (SingularityKind::Limit, to)),
+    );
     let ahead = all.map(|(kind, to)| NextSingularity {
         kind,
         distance: distance(to),
@@ -71,9 +79,9 @@ impl NextSingularity {
     /// `dead point in 3.2 deg`.
     pub(crate) fn text(self, driver_range: &DriverRange, unit: &str) -> String {
         let kind = match self.kind {
-            Kind::DeadPoint => words().dead_point(),
-            Kind::ChangePoint => words().change_point(),
-            Kind::Limit => words().limit(),
+            SingularityKind::DeadPoint => words().dead_point(),
+            SingularityKind::ChangePoint => words().change_point(),
+            SingularityKind::Limit => words().limit(),
         };
         let decimals = if driver_range.turns() {
             DECIMALS

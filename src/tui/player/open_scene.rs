@@ -36,7 +36,7 @@ pub(crate) struct OpenScene {
     tables: Tables,
     cost: Cost,
     /// What the given lengths do, while that is looked at.
-    answers: Option<Asked>,
+    answers: Option<LengthsQuestion>,
     /// The forces, while they are looked at and anything acts.
     force_figures: Option<ForceFigures>,
     /// The assemblies of the groups, while they are looked at.
@@ -47,7 +47,7 @@ pub(crate) struct OpenScene {
 
 /// What is asked about the given lengths, and what came of it.
 #[derive(Debug)]
-struct Asked {
+struct LengthsQuestion {
     sensitivity: Sensitivity,
     answers: Answers,
 }
@@ -229,7 +229,7 @@ impl OpenScene {
             let mut sensitivity = Sensitivity::new(scene, solver, &figures);
             let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at);
             let answers = answers.worth_reading();
-            self.answers = Some(Asked {
+            self.answers = Some(LengthsQuestion {
                 sensitivity,
                 answers,
             });

@@ -10,15 +10,15 @@ const OPENING_LENGTH: usize = 4;
 
 /// A ladder of steps, and the rung that is used.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Steps {
+pub(crate) struct StepLadder {
     ladder: Vec<f64>,
     rung: usize,
 }
 
-impl Steps {
+impl StepLadder {
     /// Steps of a link that turns.
     pub(crate) fn of_angle() -> Self {
-        Steps {
+        StepLadder {
             ladder: DEGREES.to_vec(),
             rung: OPENING_DEGREES,
         }
@@ -35,7 +35,7 @@ impl Steps {
         };
         #[expect(clippy::cast_possible_truncation, reason = "clamped to +-900")]
         let first = middle as i32 - 4;
-        Steps {
+        StepLadder {
             ladder: (first..first + LENGTHS).map(one_two_five).collect(),
             rung: OPENING_LENGTH,
         }
@@ -75,20 +75,20 @@ mod tests {
 
     #[test]
     fn the_ladder_of_lengths_is_round_and_opens_near_a_hundredth() {
-        let steps = Steps::of_length(120.0);
+        let steps = StepLadder::of_length(120.0);
         assert_eq!(
             steps.ladder,
             [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0]
         );
         assert_eq!(steps.size(), 1.0);
-        assert_eq!(Steps::of_length(0.03).size(), 0.0002);
-        assert_eq!(Steps::of_length(0.0).size(), 1.0);
-        assert_eq!(Steps::of_length(f64::INFINITY).size(), 1.0);
+        assert_eq!(StepLadder::of_length(0.03).size(), 0.0002);
+        assert_eq!(StepLadder::of_length(0.0).size(), 1.0);
+        assert_eq!(StepLadder::of_length(f64::INFINITY).size(), 1.0);
     }
 
     #[test]
     fn the_ends_of_the_ladder_hold() {
-        let mut steps = Steps::of_angle();
+        let mut steps = StepLadder::of_angle();
         assert_eq!(steps.size(), 5.0);
         for _ in 0..20 {
             steps.smaller();

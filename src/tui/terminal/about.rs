@@ -1,6 +1,6 @@
 //! What can be found out about the terminal without asking it.
 
-use super::line::{Line, window};
+use super::line::{Wire, window};
 use rustix::fs::{Mode, OFlags, open};
 use rustix::termios::isatty;
 use std::io::{stderr, stdin, stdout};
@@ -38,15 +38,15 @@ impl Terminal {
         }
         let [columns, rows, width, height] = window(&stream)?;
         let cell = |pixels: u16, cells: u16| pixels.checked_div(cells).filter(|&n| n > 0);
-        let line = Line::of(&stream);
+        let line = Wire::of(&stream);
         Some(Terminal {
             size: (columns, rows),
             cell: cell(width, columns).zip(cell(height, rows)),
             baud: match line {
-                Some(Line::Serial(baud)) => Some(baud),
-                Some(Line::Pseudo | Line::Console) | None => None,
+                Some(Wire::Serial(baud)) => Some(baud),
+                Some(Wire::Pseudo | Wire::Console) | None => None,
             },
-            console: line == Some(Line::Console),
+            console: line == Some(Wire::Console),
         })
     }
 }

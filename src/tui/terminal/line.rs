@@ -14,7 +14,7 @@ const OTHER_NAMES: u32 = 5;
 
 /// What carries the bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Line {
+pub(crate) enum Wire {
     /// A window, a multiplexer or a network connection: termios says nothing true about its speed.
     Pseudo,
     /// A console of this machine.
@@ -26,24 +26,24 @@ pub(crate) enum Line {
 /// Bits on a serial line for each byte: one to start, eight, one to stop.
 const BITS: f64 = 10.0;
 
-impl Line {
+impl Wire {
     /// The line behind a terminal.
-    pub(crate) fn of(terminal: impl AsFd) -> Option<Line> {
+    pub(crate) fn of(terminal: impl AsFd) -> Option<Wire> {
         let device = fstat(&terminal).ok()?.st_rdev;
         let speed = tcgetattr(&terminal).ok()?.output_speed();
         Some(match (major(device), minor(device)) {
-            (kind, _) if PSEUDO_TERMINALS.contains(&kind) => Line::Pseudo,
-            (TERMINALS, ..FIRST_SERIAL) | (OTHER_NAMES, _) => Line::Console,
-            _ if speed == 0 => Line::Pseudo,
-            _ => Line::Serial(speed),
+            (kind, _) if PSEUDO_TERMINALS.contains(&kind) => Wire::Pseudo,
+            (TERMINALS, ..FIRST_SERIAL) | (OTHER_NAMES, _) => Wire::Console,
+            _ if speed == 0 => Wire::Pseudo,
+            _ => Wire::Serial(speed),
         })
     }
 
     /// Bytes a second, where that is known.
     pub(crate) fn rate(self) -> Option<f64> {
         match self {
-            Line::Pseudo | Line::Console => None,
-            Line::Serial(bits) => Some(f64::from(bits) / BITS),
+            Wire::Pseudo | Wire::Console => None,
+            Wire::Serial(bits) => Some(f64::from(bits) / BITS),
         }
     }
 }

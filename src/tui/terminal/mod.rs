@@ -18,7 +18,7 @@ mod watch;
 
 pub use about::Terminal;
 #[cfg(test)]
-pub(crate) use keyboard::{Input, Keyboard};
+pub(crate) use keyboard::{Keyboard, TerminalInput};
 pub(crate) use painter::Painter;
 pub(crate) use signals::{HANG_UP, Notice, ask_to_suspend, die_of};
 pub(crate) use tty::{Tty, Wake};

@@ -10,7 +10,7 @@
 //! comes first, the rest from the top, or from where the last frame was cut.
 
 use super::queue;
-use super::sgr::{Look, Sgr, identical};
+use super::sgr::{CellStyle, Sgr, identical};
 use crate::capability::Capability;
 use crate::tui::Frames;
 use crate::tui::appearance::palette::{Palette, Theme};
@@ -39,7 +39,7 @@ const HASTY: usize = 1000;
 /// Writes frames.
 #[derive(Debug)]
 pub(crate) struct Painter {
-    look: Look,
+    look: CellStyle,
     /// Whether frames are bracketed, so that they appear at once.
     synchronised: bool,
     /// What the terminal shows, as far as `stale` does not say otherwise.
@@ -72,7 +72,7 @@ impl Painter {
             theme: Theme::Auto,
         };
         Painter {
-            look: Look {
+            look: CellStyle {
                 palette,
                 has_faint: capability.modern,
             },

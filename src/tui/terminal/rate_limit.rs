@@ -69,7 +69,7 @@ enum Manner {
 
 /// A frame on its way.
 #[derive(Clone, Copy, Debug)]
-struct Asked {
+struct FrameInFlight {
     at: Instant,
     bytes: usize,
 }
@@ -79,7 +79,7 @@ struct Asked {
 pub(super) struct RateLimit {
     manner: Manner,
     /// The frame whose answer is awaited.
-    asked: Option<Asked>,
+    asked: Option<FrameInFlight>,
     last: Option<Instant>,
     /// When the terminal has answered last.
     drawn: Option<Instant>,
@@ -87,12 +87,12 @@ pub(super) struct RateLimit {
     unasked: usize,
     /// Answers that were lost since the last one that came.
     lost: u32,
-    rate: Rate,
+    rate: LineRate,
 }
 
 /// Bytes a second that the line takes: what was measured, and never more than the line is set to.
 #[derive(Clone, Copy, Debug)]
-struct Rate {
+struct LineRate {
     set: Option<f64>,
     measured: Option<f64>,
     /// The quickest answer so far: bytes and seconds. Most of its time is the way there and back.
@@ -110,7 +110,7 @@ impl RateLimit {
             drawn: None,
             unasked: 0,
             lost: 0,
-            rate: Rate {
+            rate: LineRate {
                 set,
                 measured: None,
                 quickest: None,
@@ -126,7 +126,7 @@ impl RateLimit {
         let ask = self.manner != Manner::Mute && self.asked.is_none();
         if ask {
             let bytes = std::mem::take(&mut self.unasked) + QUESTION.len();
-            self.asked = Some(Asked { at: now, bytes });
+            self.asked = Some(FrameInFlight { at: now, bytes });
         }
         ask
     }
@@ -203,7 +203,7 @@ impl RateLimit {
 
     /// How long the answer to a question is waited for: as the line was found, and twice as long after each
     /// one that did not come.
-    fn patience(&self, asked: Asked) -> Duration {
+    fn patience(&self, asked: FrameInFlight) -> Duration {
         #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
         let bytes = asked.bytes as f64;
         let Some(expected) = self.rate.expected(bytes) else {
@@ -243,7 +243,7 @@ fn bytes(rate: f64) -> usize {
     bytes
 }
 
-impl Rate {
+impl LineRate {
     fn known(&self) -> Option<f64> {
         let of = |set: f64| self.measured.map_or(set, |measured| measured.min(set));
         self.set.map(of).or(self.measured)

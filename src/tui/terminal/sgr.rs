@@ -27,13 +27,13 @@ pub(super) struct Sgr {
 
 /// How a terminal shows cells.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+pub(super) struct CellStyle {
     pub(super) palette: Palette,
     /// The Linux console shows faint text in a grey that is hard to read; a VT100 has none.
     pub(super) has_faint: bool,
 }
 
-impl Look {
+impl CellStyle {
     /// A cell's colours and attributes, as far as the terminal has them and they can be seen.
     pub(super) fn sgr_of(&self, cell: &Cell) -> Sgr {
         let mut sgr = Sgr {

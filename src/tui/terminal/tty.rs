@@ -1,7 +1,7 @@
 //! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
 
-use super::keyboard::{Input, Keyboard};
-use super::line::Line;
+use super::keyboard::{Keyboard, TerminalInput};
+use super::line::Wire;
 use super::queue;
 use super::rate_limit::{QUESTION, RateLimit};
 use super::signals::{self, Notice, Signals};
@@ -112,7 +112,7 @@ impl Tty {
     /// Raw mode and alternate screen. What the screen shows afterwards is not known.
     pub(crate) fn enter(&mut self) -> io::Result<()> {
         self.entered = true;
-        self.rate_limit = RateLimit::new(Line::of(&self.screen).and_then(Line::rate));
+        self.rate_limit = RateLimit::new(Wire::of(&self.screen).and_then(Wire::rate));
         let mut raw = self.found.clone();
         raw.make_raw();
         tcsetattr(&self.keys, OptionalActions::Now, &raw)?;
@@ -241,7 +241,7 @@ impl Tty {
             let read = self
                 .poll(Some(until), PollFlags::empty(), None)
                 .and_then(|told| self.read_keys(told.keys, &mut inputs));
-            if read.is_err() || inputs.contains(&Input::Answer) {
+            if read.is_err() || inputs.contains(&TerminalInput::Answer) {
                 return;
             }
             // Another signal changes nothing, nor does the scene's file: we are leaving.
@@ -324,9 +324,9 @@ impl Tty {
         }
         for input in inputs {
             self.wakes.push(match input {
-                Input::Key(key) => Wake::Key(key),
-                Input::Paste(text) => Wake::Paste(text),
-                Input::Answer => {
+                TerminalInput::Key(key) => Wake::Key(key),
+                TerminalInput::Paste(text) => Wake::Paste(text),
+                TerminalInput::Answer => {
                     self.rate_limit.answered(now);
                     Wake::Room
                 }
@@ -369,7 +369,7 @@ impl Tty {
 
     /// Reads once, which never blocks after a poll. The end of the file and an error of the device
     /// mean that the terminal is gone.
-    fn read_keys(&mut self, told: PollFlags, inputs: &mut Vec<Input>) -> io::Result<()> {
+    fn read_keys(&mut self, told: PollFlags, inputs: &mut Vec<TerminalInput>) -> io::Result<()> {
         if told.is_empty() {
             return Ok(());
         }

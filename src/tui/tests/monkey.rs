@@ -13,8 +13,8 @@ use crate::tui::app::{App, Effect, Mode, View};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::document::opening;
-use crate::tui::terminal::{Input, Keyboard};
-use crate::tui::views::picker::list::Place;
+use crate::tui::terminal::{Keyboard, TerminalInput};
+use crate::tui::views::picker::list::PickerTarget;
 use crate::tui::views::tour::screens::SCREENS;
 use crate::tui::{Origin, Theme, Workbench, views};
 use ratatui::layout::Size;
@@ -107,7 +107,7 @@ fn episode(seed: u64) -> usize {
 
 /// What a monkey does.
 #[derive(Debug)]
-enum Deed {
+enum MonkeyDeed {
     Press(Key),
     /// What a line sends: keys, pieces of them, and noise.
     Bytes(Vec<u8>),
@@ -116,7 +116,7 @@ enum Deed {
     Pass(Duration),
 }
 
-fn live(chance: &mut Chance, done: &mut Vec<Deed>) {
+fn live(chance: &mut Chance, done: &mut Vec<MonkeyDeed>) {
     let preset = chance.one_of(presets::all());
     let glyphs = *chance.one_of(&[Glyphs::Ascii, Glyphs::Line, Glyphs::Braille]);
     let colours = *chance.one_of(&[
@@ -141,19 +141,19 @@ fn live(chance: &mut Chance, done: &mut Vec<Deed>) {
         done.push(deed);
         let deed = done.last().unwrap();
         match deed {
-            Deed::Press(key) => {
+            MonkeyDeed::Press(key) => {
                 if workbench.key(*key) == Effect::Quit {
                     return;
                 }
             }
-            Deed::Bytes(bytes) => {
+            MonkeyDeed::Bytes(bytes) => {
                 if !send(bytes, &mut keyboard, &mut workbench) {
                     return;
                 }
             }
-            Deed::Paste(text) => workbench.app().paste(text),
-            Deed::Resize(cols, rows) => workbench.resize(*cols, *rows),
-            Deed::Pass(time) => workbench.pass(*time),
+            MonkeyDeed::Paste(text) => workbench.app().paste(text),
+            MonkeyDeed::Resize(cols, rows) => workbench.resize(*cols, *rows),
+            MonkeyDeed::Pass(time) => workbench.pass(*time),
         }
         check(workbench.app());
         if chance.below(3) == 0 {
@@ -178,13 +178,15 @@ fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> boo
         }
         for input in inputs.drain(..) {
             match input {
-                Input::Key(key) if stays(workbench.app(), &Deed::Press(key)) => {
+                TerminalInput::Key(key) if stays(workbench.app(), &MonkeyDeed::Press(key)) => {
                     if workbench.key(key) == Effect::Quit {
                         return false;
                     }
                 }
-                Input::Paste(text) => workbench.app().paste(&text.replace(['/', '~', '.'], "")),
-                Input::Key(_) | Input::Answer => {}
+                TerminalInput::Paste(text) => {
+                    workbench.app().paste(&text.replace(['/', '~', '.'], ""))
+                }
+                TerminalInput::Key(_) | TerminalInput::Answer => {}
             }
             check(workbench.app());
         }
@@ -207,29 +209,29 @@ fn size(chance: &mut Chance) -> (u16, u16) {
     }
 }
 
-fn deed(chance: &mut Chance, app: &App) -> Deed {
+fn deed(chance: &mut Chance, app: &App) -> MonkeyDeed {
     let deed = match chance.below(100) {
-        0..55 => Deed::Press(by_the_table(chance)),
-        55..70 => Deed::Press(*chance.one_of(&LEADING)),
-        70..84 => Deed::Press(Key::Char(char::from(b' ' + chance.small(95) as u8))),
-        84..86 => Deed::Press(*chance.one_of(&ODD)),
-        86 => Deed::Bytes(noise(chance)),
-        87 => Deed::Paste(
+        0..55 => MonkeyDeed::Press(by_the_table(chance)),
+        55..70 => MonkeyDeed::Press(*chance.one_of(&LEADING)),
+        70..84 => MonkeyDeed::Press(Key::Char(char::from(b' ' + chance.small(95) as u8))),
+        84..86 => MonkeyDeed::Press(*chance.one_of(&ODD)),
+        86 => MonkeyDeed::Bytes(noise(chance)),
+        87 => MonkeyDeed::Paste(
             (0..chance.below(40))
                 .map(|_| *chance.one_of(&PASTED))
                 .collect(),
         ),
         88..91 => {
             let (cols, rows) = size(chance);
-            Deed::Resize(cols, rows)
+            MonkeyDeed::Resize(cols, rows)
         }
-        91..99 => Deed::Pass(Duration::from_millis(chance.below(200) as u64)),
-        _ => Deed::Pass(Duration::from_secs(chance.below(100_000) as u64)),
+        91..99 => MonkeyDeed::Pass(Duration::from_millis(chance.below(200) as u64)),
+        _ => MonkeyDeed::Pass(Duration::from_secs(chance.below(100_000) as u64)),
     };
     if stays(app, &deed) {
         deed
     } else {
-        Deed::Press(Key::Escape)
+        MonkeyDeed::Press(Key::Escape)
     }
 }
 
@@ -290,18 +292,18 @@ fn by_the_table(chance: &mut Chance) -> Key {
 }
 
 /// Whether the monkey stays in its cage: it looks and writes nowhere else.
-fn stays(app: &App, deed: &Deed) -> bool {
+fn stays(app: &App, deed: &MonkeyDeed) -> bool {
     match (app.mode(), deed) {
-        (Mode::FileName(_), Deed::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
-        (Mode::FileName(prompt), Deed::Press(Key::Enter)) => {
+        (Mode::FileName(_), MonkeyDeed::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
+        (Mode::FileName(prompt), MonkeyDeed::Press(Key::Enter)) => {
             is_in_cage(Path::new(prompt.name.text().trim()))
         }
-        (Mode::Confirm(question), Deed::Press(Key::Enter)) => is_in_cage(&question.to),
-        (Mode::Pick(_), Deed::Press(Key::Left)) => false,
-        (Mode::Pick(picker), Deed::Press(Key::Enter | Key::Right)) => {
+        (Mode::Confirm(question), MonkeyDeed::Press(Key::Enter)) => is_in_cage(&question.to),
+        (Mode::Pick(_), MonkeyDeed::Press(Key::Left)) => false,
+        (Mode::Pick(picker), MonkeyDeed::Press(Key::Enter | Key::Right)) => {
             match picker.chosen().map(|item| &item.place) {
-                Some(Place::Folder(path) | Place::File(path)) => is_in_cage(path),
-                Some(Place::Original | Place::Preset(_)) | None => true,
+                Some(PickerTarget::Folder(path) | PickerTarget::File(path)) => is_in_cage(path),
+                Some(PickerTarget::Original | PickerTarget::Preset(_)) | None => true,
             }
         }
         _ => match app.open_scene().origin() {

@@ -8,8 +8,8 @@
 use super::{columns, cut, mark_more, print};
 use crate::assembly::pick_text;
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
-use crate::tui::player::assembly_list::Row;
+use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::player::assembly_list::AssemblyRow;
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -50,8 +50,8 @@ struct Widths {
 }
 
 impl Widths {
-    fn of(rows: &[Row]) -> Widths {
-        let widest = |text: &dyn Fn(&Row) -> u16| rows.iter().map(text).max().unwrap_or(0);
+    fn of(rows: &[AssemblyRow]) -> Widths {
+        let widest = |text: &dyn Fn(&AssemblyRow) -> u16| rows.iter().map(text).max().unwrap_or(0);
         Widths {
             name: widest(&|row| columns(&name(row))),
             pick: widest(&|row| columns(&pick_text(row.choice.pick))),
@@ -60,19 +60,19 @@ impl Widths {
     }
 }
 
-fn name(row: &Row) -> String {
+fn name(row: &AssemblyRow) -> String {
     cut(&row.name, LONGEST_NAME)
 }
 
 fn render_row(
     app: &App,
-    row: &Row,
+    row: &AssemblyRow,
     under_cursor: bool,
     widths: &Widths,
     area: Rect,
     buffer: &mut Buffer,
 ) {
-    let part = |other| theme::part(if under_cursor { Part::Key } else { other });
+    let part = |other| theme::part(if under_cursor { ScreenPart::Key } else { other });
     let mut x = area.x;
     let right = area.right();
     let mut put = |text: &str, width: u16, style| {
@@ -80,18 +80,26 @@ fn render_row(
         print(buffer, x, area.y, room, text, style);
         x = x.saturating_add(width + GAP);
     };
-    put(if under_cursor { ">" } else { " " }, 1, part(Part::Key));
+    put(
+        if under_cursor { ">" } else { " " },
+        1,
+        part(ScreenPart::Key),
+    );
     put(
         &shown(&name(row), app.glyphs()),
         widths.name,
-        part(Part::Name),
+        part(ScreenPart::Name),
     );
-    put(&pick_text(row.choice.pick), widths.pick, part(Part::Text));
-    put(&row.place, widths.place, part(Part::Text));
+    put(
+        &pick_text(row.choice.pick),
+        widths.pick,
+        part(ScreenPart::Text),
+    );
+    put(&row.place, widths.place, part(ScreenPart::Text));
     let says = match (row.choice.is_current, row.choice.closes) {
         (true, _) => words().shown_now(),
         (false, true) => "",
         (false, false) => words().does_not_close(),
     };
-    put(says, 0, part(Part::Quiet));
+    put(says, 0, part(ScreenPart::Quiet));
 }

@@ -15,7 +15,7 @@ use super::page;
 use super::pane::{Copied, Need, Pane};
 use crate::page::{Cell, Head, Line, Page, Row, Setting, Table, Units};
 use crate::quantity::Aspect;
-use crate::report::{Entry, Existence, Forces, GuideRow, Least, Plane, missed, upwards};
+use crate::report::{Entry, Existence, Forces, GuideRow, Least, PlaneVector, missed, upwards};
 use crate::tui::app::App;
 use crate::tui::figures::copying;
 use crate::tui::figures::force_figures::{ForceFigures, Formats};
@@ -229,7 +229,7 @@ fn reactions(forces: &Forces, formats: &Formats) -> Table {
     table
 }
 
-fn plane(force: Option<Plane>, format: Format, moment: Option<Cell>) -> Vec<Option<Cell>> {
+fn plane(force: Option<PlaneVector>, format: Format, moment: Option<Cell>) -> Vec<Option<Cell>> {
     let entries = force.map_or([Entry::NONE; 4], |force| force.entries(false));
     let [x, y, size, direction] = entries;
     let figures = [x, y, size].map(|entry| Some(format.write(&entry)));

@@ -31,7 +31,7 @@ pub(crate) mod working;
 use super::app::{App, Mode, View};
 use crate::drawing::Raster;
 use crate::page::cut;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::sheet::TableLine;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -46,7 +46,7 @@ const MARGIN: u16 = 2;
 const SMALLEST: Size = Size::new(40, 12);
 
 pub(crate) use motion::Sketch;
-pub(crate) use pane::{Copied, List, Need, Pane};
+pub(crate) use pane::{Copied, Listing, Need, Pane};
 
 impl View {
     /// What is looked at in this view.
@@ -102,7 +102,14 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     if !has_room(app.size()) {
         let Size { width, height } = SMALLEST;
         let text = words().screen_too_small(width, height);
-        print(buffer, 0, 0, area.width, &text, theme::part(Part::Text));
+        print(
+            buffer,
+            0,
+            0,
+            area.width,
+            &text,
+            theme::part(ScreenPart::Text),
+        );
         return;
     }
     if let Mode::Pick(picker) = app.mode() {
@@ -195,7 +202,7 @@ fn mark_more(area: Rect, above: bool, below: bool, buffer: &mut Buffer) {
     ];
     for (glyph, y, _) in ends.into_iter().filter(|(_, _, more)| *more) {
         let x = area.right() + MARGIN - 1;
-        print(buffer, x, y, 1, glyph, theme::part(Part::Key));
+        print(buffer, x, y, 1, glyph, theme::part(ScreenPart::Key));
     }
 }
 

@@ -4,9 +4,9 @@ use super::table::doubt;
 use super::{columns, first_seen, print};
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
-use crate::page::{Line, Page, Role, TextStyle, Unsure, wrapped};
+use crate::page::{Line, Page, TextRole, TextStyle, Unsure, wrapped};
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -19,14 +19,14 @@ pub(super) fn lines(app: &App, page: &Page, area: Rect) -> Vec<Line> {
         width: area.width.into(),
     };
     let lines = page.lines(style).into_iter();
-    let below = lines.skip_while(|line| line.role() == Role::Title);
+    let below = lines.skip_while(|line| line.role() == TextRole::Title);
     below.skip_while(|line| line.spans.is_empty()).collect()
 }
 
 /// A text that stands alone.
 pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
     let lines = wrapped(text, area.width.into()).into_iter();
-    lines.map(|line| Line::of(Role::Body, line)).collect()
+    lines.map(|line| Line::of(TextRole::Body, line)).collect()
 }
 
 /// Lines, scrolled as the view is.
@@ -55,7 +55,7 @@ pub(super) fn render_line(
         let room = area.right().saturating_sub(x);
         let text = shown(&span.text, glyphs);
         // Part of a figure would be another one.
-        if span.role == Role::Figure && room < columns(&text) {
+        if span.role == TextRole::Figure && room < columns(&text) {
             continue;
         }
         print(buffer, x, area.y, room, &text, theme::part(look(span.role)));
@@ -65,12 +65,12 @@ pub(super) fn render_line(
     }
 }
 
-fn look(role: Role) -> Part {
+fn look(role: TextRole) -> ScreenPart {
     match role {
-        Role::Title | Role::Part => Part::Title,
-        Role::Section | Role::Name => Part::Name,
-        Role::Head | Role::Label | Role::Aside => Part::Quiet,
-        Role::Mark => Part::Key,
-        Role::Body | Role::Figure => Part::Text,
+        TextRole::Title | TextRole::Part => ScreenPart::Title,
+        TextRole::Section | TextRole::Name => ScreenPart::Name,
+        TextRole::Head | TextRole::Label | TextRole::Aside => ScreenPart::Quiet,
+        TextRole::Mark => ScreenPart::Key,
+        TextRole::Body | TextRole::Figure => ScreenPart::Text,
     }
 }

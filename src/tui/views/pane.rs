@@ -1,7 +1,7 @@
 //! What every view says of itself: all that the rest of the workbench knows of one.
 //!
 //! A view reads the workbench and changes nothing. What it needs to have found is told by [`Need`], and what
-//! its lines are by [`List`]; the workbench does the rest. A new view is a file with an `impl Pane`, a row in
+//! its lines are by [`Listing`]; the workbench does the rest. A new view is a file with an `impl Pane`, a row in
 //! `View::pane`, its name in `View`, and its key in the table of actions.
 
 use super::{Sketch, inset, page};
@@ -29,8 +29,8 @@ pub(crate) trait Pane {
     }
 
     /// What its lines are.
-    fn list(&self) -> List {
-        List::Lines
+    fn list(&self) -> Listing {
+        Listing::Lines
     }
 
     /// Brings what the screen remembers of its last frame up to date.
@@ -124,7 +124,7 @@ pub(crate) enum Need {
 
 /// What the lines of a view are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum List {
+pub(crate) enum Listing {
     /// They are read, and scrolled.
     Lines,
     /// Rows of the tables, with the cursor on one figure of them.

@@ -2,7 +2,7 @@
 
 use super::print;
 use crate::drawing::Glyphs;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Rect};
 use ratatui::symbols::border::{self, Set};
@@ -48,7 +48,7 @@ pub(super) fn frame(glyphs: Glyphs, frame: Rect, title: &str, buffer: &mut Buffe
     };
     Clear.render(frame, buffer);
     Block::bordered().border_set(lines).render(frame, buffer);
-    let style = theme::part(Part::Title);
+    let style = theme::part(ScreenPart::Title);
     let room = frame.width.saturating_sub(BORDER.0);
     print(
         buffer,

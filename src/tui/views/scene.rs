@@ -8,11 +8,11 @@
 //! ```
 
 use super::motion::rule;
-use super::pane::{Copied, List, Need, Pane};
+use super::pane::{Copied, Listing, Need, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::scene::Value;
 use crate::tui::app::{App, Mode};
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::document::editor::Editor;
 use crate::tui::player::open_scene::shown;
@@ -36,14 +36,14 @@ const HEAD: u16 = 1;
 const NARROWEST_DRAWING: u16 = 26;
 
 /// Where the parts of the view are.
-struct Arrangement {
+struct SceneAreas {
     list: Rect,
     /// The line between, and the drawing, where there is room for them.
     beside: Option<(Rect, Rect)>,
 }
 
-fn arrange(app: &App, body: Rect) -> Arrangement {
-    let list = Columns::of(app.editor()).width() + 1 + super::MARGIN;
+fn arrange(app: &App, body: Rect) -> SceneAreas {
+    let list = ColumnWidths::of(app.editor()).width() + 1 + super::MARGIN;
     match body.width.checked_sub(list + 1) {
         Some(width) if width >= NARROWEST_DRAWING => {
             let part = |x, width| Rect {
@@ -51,12 +51,12 @@ fn arrange(app: &App, body: Rect) -> Arrangement {
                 width,
                 ..body
             };
-            Arrangement {
+            SceneAreas {
                 list: inset(part(0, list)),
                 beside: Some((part(list, 1), part(list + 1, width))),
             }
         }
-        Some(_) | None => Arrangement {
+        Some(_) | None => SceneAreas {
             list: inset(body),
             beside: None,
         },
@@ -64,7 +64,7 @@ fn arrange(app: &App, body: Rect) -> Arrangement {
 }
 
 /// Widths of the columns: those of the longest entries, so that nothing moves while values do.
-struct Columns {
+struct ColumnWidths {
     name: u16,
     whole: u16,
     fraction: u16,
@@ -91,8 +91,8 @@ impl Pane for SceneView {
         Need::Values
     }
 
-    fn list(&self) -> List {
-        List::Values
+    fn list(&self) -> Listing {
+        Listing::Values
     }
 
     fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {
@@ -102,13 +102,13 @@ impl Pane for SceneView {
     }
 
     fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let Arrangement { list, beside } = arrange(app, body);
+        let SceneAreas { list, beside } = arrange(app, body);
         if let Some((line, drawing)) = beside {
             rule(app.glyphs(), line, buffer);
             show(sketch.raster(), drawing, buffer);
         }
         let editor = app.editor();
-        let columns = Columns::of(editor);
+        let columns = ColumnWidths::of(editor);
         columns.head(editor, list, buffer);
         let rows = Rect {
             y: list.y + HEAD,
@@ -158,8 +158,8 @@ impl Pane for SceneView {
     }
 }
 
-impl Columns {
-    fn of(editor: &Editor) -> Columns {
+impl ColumnWidths {
+    fn of(editor: &Editor) -> ColumnWidths {
         let widest = |width: &dyn Fn(&Value) -> u16| editor.values().iter().map(width).max();
         let widest = |width: &dyn Fn(&Value) -> u16| widest(width).unwrap_or(0);
         let part = |which: usize| {
@@ -168,7 +168,7 @@ impl Columns {
                 columns([whole, fraction][which])
             })
         };
-        Columns {
+        ColumnWidths {
             name: widest(&|v| columns(&v.name)).clamp(SHORTEST_NAME, LONGEST_NAME),
             whole: part(0).clamp(WHOLE.0, WHOLE.1),
             fraction: part(1).clamp(FRACTION.0, FRACTION.1),
@@ -187,7 +187,7 @@ impl Columns {
     }
 
     fn head(&self, editor: &Editor, area: Rect, buffer: &mut Buffer) {
-        let style = theme::part(Part::Quiet);
+        let style = theme::part(ScreenPart::Quiet);
         let Some(value) = editor.value() else {
             let text = words().no_numbers();
             print(buffer, area.x, area.y, area.width, text, style);
@@ -210,7 +210,7 @@ impl Columns {
     }
 
     fn row(&self, app: &App, value: &Value, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
-        let part = |other| theme::part(if under_cursor { Part::Key } else { other });
+        let part = |other| theme::part(if under_cursor { ScreenPart::Key } else { other });
         let editor = app.editor();
         let filed = editor.in_file(value);
         let mark = if filed.is_some() || editor.is_new(value) {
@@ -223,11 +223,11 @@ impl Columns {
         let mut put = |x: u16, text: &str, style| {
             print(buffer, x, y, right.saturating_sub(x), text, style);
         };
-        put(area.x, cursor, part(Part::Key));
-        put(area.x + 1, mark, theme::part(Part::Warning));
+        put(area.x, cursor, part(ScreenPart::Key));
+        put(area.x + 1, mark, theme::part(ScreenPart::Warning));
         let name = cut(&shown(&value.name, app.glyphs()), self.name.into());
         let at = area.x + CURSOR;
-        put(at, &name, part(Part::Name));
+        put(at, &name, part(ScreenPart::Name));
         let point = at + self.name + 1 + self.whole;
         let unit = point + self.fraction + 1;
         let typed = match app.mode() {
@@ -240,12 +240,12 @@ impl Columns {
             let room = usize::from(right.saturating_sub(from + 1));
             let skipped = typed.len().saturating_sub(room);
             let seen = typed.get(skipped..).unwrap_or_default();
-            put(from, seen, theme::part(Part::Text));
-            put(from + columns(seen), " ", theme::part(Part::Caret));
+            put(from, seen, theme::part(ScreenPart::Text));
+            put(from + columns(seen), " ", theme::part(ScreenPart::Caret));
             return;
         }
-        put(unit, value.unit, part(Part::Quiet));
-        self.number(&value.literal, point, y, part(Part::Text), buffer);
+        put(unit, value.unit, part(ScreenPart::Quiet));
+        self.number(&value.literal, point, y, part(ScreenPart::Text), buffer);
         if let Some(filed) = filed
             && area.width >= self.width()
         {
@@ -260,7 +260,7 @@ impl Columns {
                 area.x + self.width(),
                 y,
                 &text,
-                theme::part(Part::Quiet),
+                theme::part(ScreenPart::Quiet),
             );
         }
     }

@@ -4,7 +4,7 @@ use super::{cut, mark_more, page, print};
 use crate::capability::Colours;
 use crate::page::{Line, Span, Unsure};
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::sheet::{self, Placed, TableLine};
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
@@ -40,7 +40,7 @@ pub(super) fn extent(app: &App, area: Rect) -> (usize, usize) {
 pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
     if let Some(title) = app.difference_title(area.width.into()) {
         let title = cut(&shown(&title, app.glyphs()), area.width.into());
-        let style = theme::part(Part::Quiet);
+        let style = theme::part(ScreenPart::Quiet);
         print(buffer, area.x, area.y, area.width, &title, style);
     }
 }
@@ -66,8 +66,8 @@ pub(super) fn is_alone(app: &App, line: &TableLine) -> bool {
         return false;
     };
     match *line {
-        TableLine::Row(sheet::Part::Vectors, row, _) => !compared.pairing().has_vector(row),
-        TableLine::Row(sheet::Part::Points, row, _) => !compared.pairing().has_point(row),
+        TableLine::Row(sheet::SheetPart::Vectors, row, _) => !compared.pairing().has_vector(row),
+        TableLine::Row(sheet::SheetPart::Points, row, _) => !compared.pairing().has_point(row),
         TableLine::Blank | TableLine::Names(..) | TableLine::Units(..) => false,
     }
 }
@@ -105,7 +105,7 @@ pub(super) fn doubt(colours: Colours, figure: &Span, left: u16, area: Rect, buff
             return;
         }
         let place = &mut buffer[(x, area.y)];
-        place.set_style(theme::part(Part::Unsure));
+        place.set_style(theme::part(ScreenPart::Unsure));
         if colours == Colours::None && place.symbol().bytes().all(|b| b.is_ascii_digit()) {
             place.set_char(UNSURE);
         }

@@ -8,16 +8,16 @@
 //! >+ C           318.197    [236.202]
 //! ```
 
-use super::pane::{Copied, List, Pane};
+use super::pane::{Copied, Listing, Pane};
 use super::table::{self, columns_of, render_line};
 use super::{MARGIN, Sketch, columns, first_seen, print};
 use crate::page::Line;
 use crate::report::upwards;
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::figures::cursor::seen;
-use crate::tui::figures::sheet::{FOUND, Part as Rows, TableLine};
+use crate::tui::figures::sheet::{FOUND, SheetPart, TableLine};
 use crate::tui::views::motion::followed;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -39,8 +39,8 @@ impl Pane for TablesView {
         words().in_the_tables()
     }
 
-    fn list(&self) -> List {
-        List::Figures
+    fn list(&self) -> Listing {
+        Listing::Figures
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
@@ -117,13 +117,13 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     let TableLine::Row(part, row, _) = line else {
         return;
     };
-    let chosen = *part == Rows::Points && {
+    let chosen = *part == SheetPart::Points && {
         let points = followed::moving(app.open_scene().scene(), *part, *row);
         points
             .iter()
             .any(|(point, _)| app.followed().contains(*point))
     };
-    let key = theme::part(Part::Key);
+    let key = theme::part(ScreenPart::Key);
     if chosen {
         print(buffer, area.x - 1, area.y, 1, CHOSEN, key);
     }
@@ -147,7 +147,7 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     print(buffer, left.saturating_sub(1), area.y, 1, "[", key);
     print(buffer, right, area.y, 1, "]", key);
     for x in left..right {
-        buffer[(x, area.y)].set_style(theme::part(Part::Cursor));
+        buffer[(x, area.y)].set_style(theme::part(ScreenPart::Cursor));
     }
 }
 

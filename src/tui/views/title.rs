@@ -7,7 +7,7 @@
 
 use super::{columns, cut, print, print_right};
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
@@ -40,7 +40,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let left = room.saturating_sub(columns(&joined) + columns(GAP));
     let most = left.saturating_sub(columns(&against)).max(TITLE.min(left));
     let title = cut(&title, most.into()) + &against;
-    let style = theme::part(Part::Title);
+    let style = theme::part(ScreenPart::Title);
     print(
         buffer,
         area.x + 1,
@@ -49,7 +49,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         &cut(&title, left.into()),
         style,
     );
-    let style = theme::part(Part::Quiet);
+    let style = theme::part(ScreenPart::Quiet);
     print_right(
         buffer,
         area.right().saturating_sub(1),

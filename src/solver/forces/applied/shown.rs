@@ -1,7 +1,7 @@
 //! What each load does at a state, one by one, to be read.
 
 use super::{Act, Acting};
-use crate::solver::forces::Forces;
+use crate::solver::forces::ForceState;
 use crate::solver::state::State;
 use crate::solver::{Order, Solver};
 use crate::{LinkId, PointId, Vec2};
@@ -35,7 +35,7 @@ impl Solver {
 }
 
 impl Acting {
-    fn one(&self, load: &Act, state: &State, room: &mut Forces<f64>) -> Acted {
+    fn one(&self, load: &Act, state: &State, room: &mut ForceState<f64>) -> Acted {
         room.clear();
         self.load(load, state, room);
         let at = |point: PointId| (point, room.points[point.index()]);

@@ -2,7 +2,7 @@
 
 use crate::arithmetic::Series;
 use crate::solver::Order;
-use crate::solver::elements::{Outcome, POSITION, Snap, root};
+use crate::solver::elements::{POSITION, Snap, StepOutcome, root};
 use crate::solver::motion::change::Change;
 use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
@@ -43,7 +43,7 @@ impl Walker<'_> {
             } else if step.coupled().is_some() {
                 self.follow(i, at, q, None, series)
             } else {
-                step.run::<Series, POSITION>(q, direction, &mut series.state) == Outcome::Done
+                step.run::<Series, POSITION>(q, direction, &mut series.state) == StepOutcome::Done
             };
             if !done {
                 return None;

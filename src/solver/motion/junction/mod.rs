@@ -12,7 +12,7 @@ mod standing;
 use super::change::Change;
 use super::walk::Walker;
 use crate::arithmetic::{Series, TERMS};
-use crate::solver::elements::{Dyad, Outcome, POSITION, Snap, root};
+use crate::solver::elements::{Dyad, POSITION, Snap, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
 use standing::Standing;
@@ -28,7 +28,7 @@ pub(super) struct Junction {
     pub(super) at: Double,
     series: Workspace<Series>,
     /// The groups that are singular there.
-    folds: Vec<Fold>,
+    folds: Vec<SingularGroup>,
     /// The groups whose assemblies miss each other there, by more than lengths have been rounded.
     pub(super) missed: Vec<Missed>,
     /// The signs of all groups below the place and above it.
@@ -36,7 +36,7 @@ pub(super) struct Junction {
 }
 
 /// A singular group.
-struct Fold {
+struct SingularGroup {
     step: usize,
     group: usize,
     snap: Snap,
@@ -52,7 +52,7 @@ pub(super) struct Missed {
     pub(super) sine: f64,
 }
 
-impl Fold {
+impl SingularGroup {
     fn turns(&self) -> bool {
         self.order % 4 == 2
     }
@@ -126,7 +126,7 @@ impl Walker<'_> {
                 self.follow(i, at.hi, q, crossing, &mut junction.series)
             } else {
                 let series = &mut junction.series.state;
-                step.run::<Series, POSITION>(q, direction, series) == Outcome::Done
+                step.run::<Series, POSITION>(q, direction, series) == StepOutcome::Done
             };
             if !done {
                 return Err(Refusal::End);
@@ -157,7 +157,7 @@ impl Walker<'_> {
             Standing::Singular { snap, order } => {
                 // As long as the pivots of one have met it swings freely, and takes along those of the
                 // next: there are more ways on than can be told apart.
-                let has_met = |f: &Fold| f.snap.equal_arms;
+                let has_met = |f: &SingularGroup| f.snap.equal_arms;
                 let swings = snap.equal_arms && junction.folds.iter().any(has_met);
                 if swings && dyad.is_afloat(&junction.series) {
                     return Err(Refusal::End);
@@ -177,7 +177,7 @@ impl Walker<'_> {
 impl Junction {
     /// Keeps a singular group, and its sign on the side to which the motion goes.
     fn fold(&mut self, (step, group): (usize, usize), (snap, order): (Snap, usize), sense: f64) {
-        let fold = Fold {
+        let fold = SingularGroup {
             step,
             group,
             snap,

@@ -7,9 +7,9 @@
 mod record;
 mod subject;
 
-pub(crate) use record::Session;
+pub(crate) use record::SessionRun;
 
-use crate::files::{Draft, is_held, limited, make_private, open_to_read};
+use crate::files::{DraftFile, is_held, limited, make_private, open_to_read};
 use crate::scene::LARGEST_FILE;
 use crate::tui::Origin;
 use crate::wording::words;
@@ -20,7 +20,7 @@ use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::SystemTime;
-use subject::Subject;
+use subject::RecoverySubject;
 
 /// More files than this nobody leaves; the rest is not read.
 const MOST_FILES: usize = 1000;
@@ -65,8 +65,8 @@ pub(crate) struct Others {
 #[derive(Debug)]
 pub(crate) struct Recovery {
     folder: PathBuf,
-    session: Session,
-    subject: Subject,
+    session: SessionRun,
+    subject: RecoverySubject,
     /// Which of the scenes that were opened in this session it is.
     number: u32,
     /// The file of this session, which is locked as long as it is open.
@@ -90,13 +90,18 @@ struct Taken {
 
 impl Recovery {
     /// For the scene that was opened with this text. Others are told that a file is open here.
-    pub(crate) fn new(folder: &Path, session: &Session, origin: &Origin, text: &str) -> Recovery {
+    pub(crate) fn new(
+        folder: &Path,
+        session: &SessionRun,
+        origin: &Origin,
+        text: &str,
+    ) -> Recovery {
         static OPENED: AtomicU32 = AtomicU32::new(1);
         let mut recovery = Recovery {
             number: OPENED.fetch_add(1, Ordering::Relaxed),
             folder: folder.to_owned(),
             session: session.clone(),
-            subject: Subject::of(origin, text),
+            subject: RecoverySubject::of(origin, text),
             held: None,
             kept: false,
             told: false,
@@ -181,7 +186,7 @@ impl Recovery {
             time: record::seconds(now),
             text: text.map(str::to_owned),
         };
-        let mut draft = Draft::private(&self.folder)?;
+        let mut draft = DraftFile::private(&self.folder)?;
         draft.file.write_all(&record.bytes())?;
         self.held = Some(draft.replace(&self.file())?);
         Ok(())

@@ -12,7 +12,7 @@
 //! text
 //! ```
 
-use super::subject::{Identity, Subject};
+use super::subject::{Identity, RecoverySubject};
 use rustix::system::uname;
 use std::fmt::Write;
 use std::fs;
@@ -34,18 +34,18 @@ fn this_host() -> String {
 
 /// A run of the program.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Session {
+pub(crate) struct SessionRun {
     pub(super) process: u32,
     /// In milliseconds: processes have their numbers again.
     start: u64,
     pub(super) host: String,
 }
 
-impl Session {
+impl SessionRun {
     /// This process, at a time.
-    pub(crate) fn begun(now: SystemTime) -> Session {
+    pub(crate) fn begun(now: SystemTime) -> SessionRun {
         let start = now.duration_since(UNIX_EPOCH).unwrap_or(Duration::ZERO);
-        Session {
+        SessionRun {
             process: std::process::id(),
             start: u64::try_from(start.as_millis()).unwrap_or(u64::MAX),
             host: this_host(),
@@ -66,8 +66,8 @@ impl Session {
 /// What a session has kept.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Record {
-    pub(super) subject: Subject,
-    pub(super) session: Session,
+    pub(super) subject: RecoverySubject,
+    pub(super) session: SessionRun,
     pub(super) base: u64,
     /// In seconds since 1970.
     pub(super) time: u64,
@@ -77,7 +77,7 @@ pub(super) struct Record {
 
 impl Record {
     pub(super) fn bytes(&self) -> Vec<u8> {
-        let Session {
+        let SessionRun {
             process,
             start,
             host,
@@ -119,13 +119,13 @@ impl Record {
         let file = line("file").and_then(identity);
         let base = u64::from_str_radix(line("base")?, 16).ok()?;
         let mut session = line("session")?.splitn(3, ' ');
-        let session = Session {
+        let session = SessionRun {
             process: session.next()?.parse().ok()?,
             start: session.next()?.parse().ok()?,
             host: session.next()?.to_owned(),
         };
         let time = line("time")?.parse().ok()?;
-        let subject = Subject {
+        let subject = RecoverySubject {
             sort: sort.into(),
             name: of_digits(name)?,
             file,
@@ -213,13 +213,13 @@ mod tests {
             (Some([u64::MAX, 0, 0]), Some(String::new())),
         ] {
             let record = Record {
-                subject: Subject {
+                subject: RecoverySubject {
                     sort: "file".into(),
                     name: b"/a \xff\n".to_vec(),
                     file,
                     written: None,
                 },
-                session: Session::begun(SystemTime::now()),
+                session: SessionRun::begun(SystemTime::now()),
                 base: 7,
                 time: 99,
                 text,

@@ -12,7 +12,7 @@ pub(super) type Identity = [u64; 3];
 
 /// A scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Subject {
+pub(super) struct RecoverySubject {
     /// `file`, `preset` or `stdin`.
     pub(super) sort: String,
     /// Its path with all links followed, its name, or the sum of its text.
@@ -25,9 +25,9 @@ pub(super) struct Subject {
 
 const FILE: &str = "file";
 
-impl Subject {
-    pub(super) fn of(origin: &Origin, text: &str) -> Subject {
-        let plain = |sort: &str, name: Vec<u8>| Subject {
+impl RecoverySubject {
+    pub(super) fn of(origin: &Origin, text: &str) -> RecoverySubject {
+        let plain = |sort: &str, name: Vec<u8>| RecoverySubject {
             sort: sort.into(),
             name,
             file: None,
@@ -45,7 +45,7 @@ impl Subject {
                     u64::try_from(made.as_nanos()).ok()
                 };
                 let written = found.as_ref().and_then(|found| found.modified().ok());
-                Subject {
+                RecoverySubject {
                     file: found.map(|f| [f.dev(), f.ino(), made(&f).unwrap_or(0)]),
                     written: written.map(seconds),
                     ..plain(FILE, place.into_os_string().into_vec())
@@ -60,7 +60,7 @@ impl Subject {
 
     /// Whether it is the same scene: under the same name, since editors put a new file in the place of the
     /// old one, or the same file under another name.
-    pub(super) fn is(&self, other: &Subject) -> bool {
+    pub(super) fn is(&self, other: &RecoverySubject) -> bool {
         let same_file = self.file.is_some() && self.file == other.file;
         self.sort == other.sort && (self.name == other.name || same_file)
     }

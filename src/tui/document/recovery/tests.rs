@@ -19,7 +19,7 @@ fn four_bar() -> Origin {
 
 /// A session that began then, on a scene.
 fn session(folder: &Path, begun: u64, origin: &Origin) -> Recovery {
-    Recovery::new(folder, &Session::begun(at(begun)), origin, "old")
+    Recovery::new(folder, &SessionRun::begun(at(begun)), origin, "old")
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! A column of the tables: what it shows, of which rows, and in which form.
 
-use super::Part;
+use super::SheetPart;
 use crate::drawing::Glyphs;
 use crate::page::{Cell, Units};
 use crate::quantity::Aspect;
@@ -9,7 +9,7 @@ use crate::tui::figures::format::Format;
 
 /// What a column shows, of the order 0 (position), 1 (velocity) or 2 (acceleration).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Figure {
+pub(super) enum ColumnFigure {
     /// The length of a vector, or its rates.
     Length(usize),
     /// The direction of a vector, or its rates.
@@ -27,7 +27,7 @@ pub(super) enum Figure {
 /// A column: what it shows, and how.
 #[derive(Clone, Debug)]
 pub(super) struct Column {
-    figure: Figure,
+    figure: ColumnFigure,
     unit: String,
     format: Format,
     /// Whether a chunk may begin with it: what belongs together is kept together.
@@ -40,31 +40,35 @@ pub(super) struct Column {
 /// Stands behind a figure that was found; the others are given by the scene.
 pub(crate) const FOUND: char = '*';
 
-pub(super) const VECTOR_FIGURES: [(Figure, bool); 6] = [
-    (Figure::Length(0), true),
-    (Figure::Turning(0), false),
-    (Figure::Length(1), true),
-    (Figure::Turning(1), false),
-    (Figure::Length(2), true),
-    (Figure::Turning(2), false),
+pub(super) const VECTOR_FIGURES: [(ColumnFigure, bool); 6] = [
+    (ColumnFigure::Length(0), true),
+    (ColumnFigure::Turning(0), false),
+    (ColumnFigure::Length(1), true),
+    (ColumnFigure::Turning(1), false),
+    (ColumnFigure::Length(2), true),
+    (ColumnFigure::Turning(2), false),
 ];
 
-pub(super) const POINT_FIGURES: [(Figure, bool); 10] = [
-    (Figure::AlongX(0), true),
-    (Figure::AlongY(0), false),
-    (Figure::AlongX(1), true),
-    (Figure::AlongY(1), false),
-    (Figure::Size(1), false),
-    (Figure::Bearing(1), false),
-    (Figure::AlongX(2), true),
-    (Figure::AlongY(2), false),
-    (Figure::Size(2), false),
-    (Figure::Bearing(2), false),
+pub(super) const POINT_FIGURES: [(ColumnFigure, bool); 10] = [
+    (ColumnFigure::AlongX(0), true),
+    (ColumnFigure::AlongY(0), false),
+    (ColumnFigure::AlongX(1), true),
+    (ColumnFigure::AlongY(1), false),
+    (ColumnFigure::Size(1), false),
+    (ColumnFigure::Bearing(1), false),
+    (ColumnFigure::AlongX(2), true),
+    (ColumnFigure::AlongY(2), false),
+    (ColumnFigure::Size(2), false),
+    (ColumnFigure::Bearing(2), false),
 ];
 
 impl Column {
     /// A figure in the form that fits it over the motion; `opens` where a chunk may begin with it.
-    pub(super) fn new(samples: &[Tables], part: Part, (figure, opens): (Figure, bool)) -> Column {
+    pub(super) fn new(
+        samples: &[Tables],
+        part: SheetPart,
+        (figure, opens): (ColumnFigure, bool),
+    ) -> Column {
         let first = samples.first();
         let found = |t: &Tables| figure.entries(t, part).any(|entry| !entry.given);
         Column {
@@ -72,7 +76,7 @@ impl Column {
             unit: figure.unit(first.map_or("", |t| t.unit)),
             format: figure.format(samples, part),
             opens,
-            starred: part == Part::Vectors && first.is_some_and(found),
+            starred: part == SheetPart::Vectors && first.is_some_and(found),
         }
     }
 
@@ -89,7 +93,7 @@ impl Column {
     }
 
     /// The figure with all that is known of it; `None` where the row has no such figure at all.
-    pub(super) fn entry(&self, tables: &Tables, part: Part, row: usize) -> Option<Entry> {
+    pub(super) fn entry(&self, tables: &Tables, part: SheetPart, row: usize) -> Option<Entry> {
         self.figure.entry(tables, part, row)
     }
 
@@ -128,12 +132,12 @@ impl Column {
     }
 
     /// The figure, with the mark of one that was found where there are such marks.
-    pub(super) fn cell(&self, tables: &Tables, part: Part, row: usize) -> Cell {
+    pub(super) fn cell(&self, tables: &Tables, part: SheetPart, row: usize) -> Cell {
         let Some(entry) = self.figure.entry(tables, part, row) else {
             return self.plain(String::new());
         };
         let mut cell = match self.figure {
-            Figure::Turning(0) | Figure::Bearing(_) => self.format.write_angle(&entry),
+            ColumnFigure::Turning(0) | ColumnFigure::Bearing(_) => self.format.write_angle(&entry),
             _ => self.format.write(&entry),
         };
         let found = entry.value.is_some() && !entry.given;
@@ -152,50 +156,50 @@ impl Column {
     }
 }
 
-impl Figure {
+impl ColumnFigure {
     fn symbol(self, glyphs: Glyphs) -> &'static str {
         let greek = glyphs == Glyphs::Braille;
         match self {
-            Figure::Length(order) => ["r", "r'", "r''"][order],
-            Figure::Turning(order) if greek => ["\u{3b8}", "\u{3c9}", "\u{3b1}"][order],
-            Figure::Turning(order) => ["theta", "omega", "alpha"][order],
-            Figure::AlongX(order) => ["x", "vx", "ax"][order],
-            Figure::AlongY(order) => ["y", "vy", "ay"][order],
-            Figure::Size(order) => ["r", "v", "a"][order],
-            Figure::Bearing(order) => ["dir r", "dir v", "dir a"][order],
+            ColumnFigure::Length(order) => ["r", "r'", "r''"][order],
+            ColumnFigure::Turning(order) if greek => ["\u{3b8}", "\u{3c9}", "\u{3b1}"][order],
+            ColumnFigure::Turning(order) => ["theta", "omega", "alpha"][order],
+            ColumnFigure::AlongX(order) => ["x", "vx", "ax"][order],
+            ColumnFigure::AlongY(order) => ["y", "vy", "ay"][order],
+            ColumnFigure::Size(order) => ["r", "v", "a"][order],
+            ColumnFigure::Bearing(order) => ["dir r", "dir v", "dir a"][order],
         }
     }
 
     /// As in the name of a column, behind the dot.
     fn name(self) -> &'static str {
         match self {
-            Figure::Length(order) => ["length", "rate", "accel"][order],
-            Figure::Turning(order) => ["angle", "omega", "alpha"][order],
-            Figure::AlongX(order) => ["x", "vx", "ax"][order],
-            Figure::AlongY(order) => ["y", "vy", "ay"][order],
-            Figure::Size(order) => ["r", "v", "a"][order],
-            Figure::Bearing(order) => ["r.angle", "v.angle", "a.angle"][order],
+            ColumnFigure::Length(order) => ["length", "rate", "accel"][order],
+            ColumnFigure::Turning(order) => ["angle", "omega", "alpha"][order],
+            ColumnFigure::AlongX(order) => ["x", "vx", "ax"][order],
+            ColumnFigure::AlongY(order) => ["y", "vy", "ay"][order],
+            ColumnFigure::Size(order) => ["r", "v", "a"][order],
+            ColumnFigure::Bearing(order) => ["r.angle", "v.angle", "a.angle"][order],
         }
     }
 
     fn unit(self, length: &str) -> String {
         let aspect = match self {
-            Figure::Length(order)
-            | Figure::AlongX(order)
-            | Figure::AlongY(order)
-            | Figure::Size(order) => [Aspect::Length, Aspect::Rate, Aspect::Accel][order],
-            Figure::Turning(order) => [Aspect::Angle, Aspect::Omega, Aspect::Alpha][order],
-            Figure::Bearing(_) => Aspect::Angle,
+            ColumnFigure::Length(order)
+            | ColumnFigure::AlongX(order)
+            | ColumnFigure::AlongY(order)
+            | ColumnFigure::Size(order) => [Aspect::Length, Aspect::Rate, Aspect::Accel][order],
+            ColumnFigure::Turning(order) => [Aspect::Angle, Aspect::Omega, Aspect::Alpha][order],
+            ColumnFigure::Bearing(_) => Aspect::Angle,
         };
         aspect.unit(length)
     }
 
     /// The decimals and the width that this figure needs in all rows over the motion. Components and
     /// size of one order share theirs, so that they can be compared by eye.
-    fn format(self, samples: &[Tables], part: Part) -> Format {
+    fn format(self, samples: &[Tables], part: SheetPart) -> Format {
         let figure = match self {
-            Figure::Turning(0) | Figure::Bearing(_) => return Format::ANGLE,
-            Figure::AlongX(order) | Figure::AlongY(order) => Figure::Size(order),
+            ColumnFigure::Turning(0) | ColumnFigure::Bearing(_) => return Format::ANGLE,
+            ColumnFigure::AlongX(order) | ColumnFigure::AlongY(order) => ColumnFigure::Size(order),
             other => other,
         };
         let of_sample = |tables: &Tables| {
@@ -211,37 +215,37 @@ impl Figure {
     }
 
     /// The entries of all rows that have such a figure.
-    fn entries(self, tables: &Tables, part: Part) -> impl Iterator<Item = Entry> {
+    fn entries(self, tables: &Tables, part: SheetPart) -> impl Iterator<Item = Entry> {
         let rows = match part {
-            Part::Vectors => tables.vectors.len(),
-            Part::Points => tables.points.len(),
+            SheetPart::Vectors => tables.vectors.len(),
+            SheetPart::Points => tables.points.len(),
         };
         (0..rows).filter_map(move |row| self.entry(tables, part, row))
     }
 
-    fn entry(self, tables: &Tables, part: Part, row: usize) -> Option<Entry> {
+    fn entry(self, tables: &Tables, part: SheetPart, row: usize) -> Option<Entry> {
         match part {
-            Part::Vectors => self.vector_entry(tables.vectors.get(row)?),
-            Part::Points => Some(self.point_entry(tables.points.get(row)?)),
+            SheetPart::Vectors => self.vector_entry(tables.vectors.get(row)?),
+            SheetPart::Points => Some(self.point_entry(tables.points.get(row)?)),
         }
     }
 
     /// `None` where the vector has no such figure at all.
     fn vector_entry(self, vector: &VectorColumn) -> Option<Entry> {
         match self {
-            Figure::Length(order) => vector.length.map(|length| length[order]),
-            Figure::Turning(order) => Some(vector.direction[order]),
+            ColumnFigure::Length(order) => vector.length.map(|length| length[order]),
+            ColumnFigure::Turning(order) => Some(vector.direction[order]),
             _ => None,
         }
     }
 
     fn point_entry(self, point: &PointRow) -> Entry {
         let (order, figure) = match self {
-            Figure::AlongX(order) => (order, 0),
-            Figure::AlongY(order) => (order, 1),
-            Figure::Size(order) => (order, 2),
-            Figure::Bearing(order) => (order, 3),
-            Figure::Length(_) | Figure::Turning(_) => return Entry::NONE,
+            ColumnFigure::AlongX(order) => (order, 0),
+            ColumnFigure::AlongY(order) => (order, 1),
+            ColumnFigure::Size(order) => (order, 2),
+            ColumnFigure::Bearing(order) => (order, 3),
+            ColumnFigure::Length(_) | ColumnFigure::Turning(_) => return Entry::NONE,
         };
         let plane = point.motion[order].as_ref();
         plane.map_or(Entry::NONE, |plane| plane.entries(point.fixed)[figure])

@@ -4,7 +4,7 @@ mod column;
 mod names;
 
 use crate::drawing::Glyphs;
-use crate::page::{Cell, Columns, Line, Rest, Role, Setting, Units};
+use crate::page::{Cell, ColumnLayout, Line, Rest, Setting, TextRole, Units};
 use crate::report::{Entry, Tables};
 use column::{Column, POINT_FIGURES, VECTOR_FIGURES};
 use names::short_names;
@@ -15,7 +15,7 @@ pub(crate) use column::FOUND;
 
 /// The two parts of the tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Part {
+pub(crate) enum SheetPart {
     /// The vectors of the loop equations.
     Vectors,
     /// Joints, centres of mass and other points.
@@ -28,11 +28,11 @@ pub(crate) enum TableLine {
     /// Between two chunks of columns.
     Blank,
     /// The names of columns, with their units where all of them fit into one line.
-    Names(Part, Range<usize>),
+    Names(SheetPart, Range<usize>),
     /// Their units.
-    Units(Part, Range<usize>),
+    Units(SheetPart, Range<usize>),
     /// The figures of the row with this number.
-    Row(Part, usize, Range<usize>),
+    Row(SheetPart, usize, Range<usize>),
 }
 
 /// The columns of a scene's tables.
@@ -59,11 +59,11 @@ impl Sheet {
             short_names(&points.iter().map(|p| p.name.as_str()).collect::<Vec<_>>()),
         ];
         let names = rows.iter().flatten().map(|name| name.chars().count());
-        let names = names.chain([Part::Vectors.title().len()]).max();
+        let names = names.chain([SheetPart::Vectors.title().len()]).max();
         let column = |part, figure| Column::new(samples, part, figure);
         Sheet {
-            vectors: VECTOR_FIGURES.map(|f| column(Part::Vectors, f)).into(),
-            points: POINT_FIGURES.map(|f| column(Part::Points, f)).into(),
+            vectors: VECTOR_FIGURES.map(|f| column(SheetPart::Vectors, f)).into(),
+            points: POINT_FIGURES.map(|f| column(SheetPart::Points, f)).into(),
             rows,
             fixed: points.iter().map(|point| point.fixed).collect(),
             names: names.unwrap_or(0),
@@ -71,22 +71,27 @@ impl Sheet {
     }
 
     /// How many rows a part has.
-    pub(crate) fn row_count(&self, part: Part) -> usize {
+    pub(crate) fn row_count(&self, part: SheetPart) -> usize {
         self.rows[part as usize].len()
     }
 
     /// The names of all figures of a part, with their units: `vx [mm/s]`.
-    pub(crate) fn headers(&self, part: Part) -> impl Iterator<Item = String> {
+    pub(crate) fn headers(&self, part: SheetPart) -> impl Iterator<Item = String> {
         self.columns(part).iter().map(Column::header)
     }
 
     /// The unit of a figure.
-    pub(crate) fn unit(&self, part: Part, column: usize) -> Option<&str> {
+    pub(crate) fn unit(&self, part: SheetPart, column: usize) -> Option<&str> {
         self.columns(part).get(column).map(Column::plain_unit)
     }
 
     /// All figures of a row; `None` for those that it does not have at all.
-    pub(crate) fn entries(&self, tables: &Tables, part: Part, row: usize) -> Vec<Option<Entry>> {
+    pub(crate) fn entries(
+        &self,
+        tables: &Tables,
+        part: SheetPart,
+        row: usize,
+    ) -> Vec<Option<Entry>> {
         let columns = self.columns(part).iter();
         columns
             .map(|column| column.entry(tables, part, row))
@@ -106,18 +111,19 @@ impl Sheet {
         Placed {
             sheet: self,
             glyphs,
-            parts: [Part::Vectors, Part::Points].map(|part| self.place(part, width, glyphs)),
+            parts: [SheetPart::Vectors, SheetPart::Points]
+                .map(|part| self.place(part, width, glyphs)),
         }
     }
 
     /// Where the columns of a part stand: with the units behind their names where that leaves as many side by
     /// side.
-    fn place(&self, part: Part, width: usize, glyphs: Glyphs) -> (Columns, Units) {
+    fn place(&self, part: SheetPart, width: usize, glyphs: Glyphs) -> (ColumnLayout, Units) {
         let columns = self.columns(part);
         let fit = |units: Units| {
             let widths = columns.iter().map(|column| column.width(glyphs, units));
             let opens = |c: usize| columns.get(c).is_none_or(|column| column.opens);
-            Columns::fit(&SETTING, self.names, widths.collect(), opens, width)
+            ColumnLayout::fit(&SETTING, self.names, widths.collect(), opens, width)
         };
         let [behind, below] = [Units::Behind, Units::Below].map(fit);
         let is_same = behind.ranges().eq(below.ranges());
@@ -129,10 +135,10 @@ impl Sheet {
     }
 
     /// The rows that these columns have something to say about: what never moves has positions alone.
-    fn rows_of(&self, part: Part, chunk: &Range<usize>) -> Vec<usize> {
+    fn rows_of(&self, part: SheetPart, chunk: &Range<usize>) -> Vec<usize> {
         let rows = 0..self.rows[part as usize].len();
         let positions = chunk.start == 0;
-        rows.filter(|&row| part == Part::Vectors || positions || !self.fixed[row])
+        rows.filter(|&row| part == SheetPart::Vectors || positions || !self.fixed[row])
             .collect()
     }
 
@@ -153,10 +159,10 @@ impl Sheet {
         (narrow.unwrap_or(0), needed(&self.vectors))
     }
 
-    fn columns(&self, part: Part) -> &[Column] {
+    fn columns(&self, part: SheetPart) -> &[Column] {
         match part {
-            Part::Vectors => &self.vectors,
-            Part::Points => &self.points,
+            SheetPart::Vectors => &self.vectors,
+            SheetPart::Points => &self.points,
         }
     }
 }
@@ -167,14 +173,14 @@ pub(crate) struct Placed<'s> {
     sheet: &'s Sheet,
     glyphs: Glyphs,
     /// Where the columns of each part stand, and their units.
-    parts: [(Columns, Units); 2],
+    parts: [(ColumnLayout, Units); 2],
 }
 
 impl Placed<'_> {
     /// The lines of both parts.
     pub(crate) fn lines(&self) -> Vec<TableLine> {
-        let mut lines = self.part(Part::Vectors);
-        let points = self.part(Part::Points);
+        let mut lines = self.part(SheetPart::Vectors);
+        let points = self.part(SheetPart::Points);
         if !lines.is_empty() && !points.is_empty() {
             lines.push(TableLine::Blank);
         }
@@ -184,11 +190,11 @@ impl Placed<'_> {
 
     /// How many lines the vectors take.
     pub(crate) fn vector_lines(&self) -> usize {
-        self.part(Part::Vectors).len()
+        self.part(SheetPart::Vectors).len()
     }
 
     /// The lines of one part: chunk by chunk of the columns that fit side by side.
-    fn part(&self, part: Part) -> Vec<TableLine> {
+    fn part(&self, part: SheetPart) -> Vec<TableLine> {
         let mut lines = Vec::new();
         let (columns, units) = &self.parts[part as usize];
         for chunk in columns.ranges() {
@@ -230,20 +236,23 @@ impl Placed<'_> {
         let (name, roles) = match line {
             TableLine::Row(part, row, _) => {
                 let name = self.sheet.rows[*part as usize].get(*row);
-                (name.map_or("", String::as_str), [Role::Name, Role::Figure])
+                (
+                    name.map_or("", String::as_str),
+                    [TextRole::Name, TextRole::Figure],
+                )
             }
-            TableLine::Names(part, _) => (part.title(), [Role::Head; 2]),
-            TableLine::Units(..) | TableLine::Blank => ("", [Role::Head; 2]),
+            TableLine::Names(part, _) => (part.title(), [TextRole::Head; 2]),
+            TableLine::Units(..) | TableLine::Blank => ("", [TextRole::Head; 2]),
         };
         columns.line(chunk, ("", name), cells.iter().map(Some), roles)
     }
 
     /// The line of a row that has something to say in the place of figures.
-    pub(crate) fn told(&self, row: (Part, usize), words: &str) -> Line {
+    pub(crate) fn told(&self, row: (SheetPart, usize), words: &str) -> Line {
         let (part, row) = row;
         let name = self.sheet.rows[part as usize].get(row);
-        let mut line = Line::of(Role::Name, name.map_or("", String::as_str));
-        line.push(self.sheet.names + SETTING.gap, words, Role::Aside);
+        let mut line = Line::of(TextRole::Name, name.map_or("", String::as_str));
+        line.push(self.sheet.names + SETTING.gap, words, TextRole::Aside);
         line
     }
 }
@@ -257,22 +266,22 @@ const SETTING: Setting = Setting {
     spread: 4,
     units: Units::Below,
     rest: Rest::Below,
-    called: Role::Name,
+    called: TextRole::Name,
 };
 
-impl Part {
+impl SheetPart {
     pub(crate) fn title(self) -> &'static str {
         match self {
-            Part::Vectors => words().vector(),
-            Part::Points => words().point(),
+            SheetPart::Vectors => words().vector(),
+            SheetPart::Points => words().point(),
         }
     }
 
     /// The whole name of a row; nothing where there is no such row.
     pub(crate) fn name(self, tables: &Tables, row: usize) -> &str {
         let name = match self {
-            Part::Vectors => tables.vectors.get(row).map(|vector| &vector.name),
-            Part::Points => tables.points.get(row).map(|point| &point.name),
+            SheetPart::Vectors => tables.vectors.get(row).map(|vector| &vector.name),
+            SheetPart::Points => tables.points.get(row).map(|point| &point.name),
         };
         name.map_or("", String::as_str)
     }

@@ -45,7 +45,7 @@ const MOUSE: u8 = 3;
 
 /// What the terminal sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Input {
+pub(crate) enum TerminalInput {
     /// A key was pressed.
     Key(Key),
     /// Text was pasted; it must never be taken for keys.
@@ -56,7 +56,7 @@ pub(crate) enum Input {
 
 /// What has begun and not ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum State {
+enum Unfinished {
     /// Nothing.
     #[default]
     Ground,
@@ -81,7 +81,7 @@ enum State {
 /// The state machine with its clock.
 #[derive(Debug, Default)]
 pub(crate) struct Keyboard {
-    state: State,
+    state: Unfinished,
     /// Bytes of the character, the parameters or the paste that has begun.
     held: Vec<u8>,
     /// The last bytes of a paste, the latest lowest.
@@ -95,9 +95,9 @@ pub(crate) struct Keyboard {
 
 impl Keyboard {
     /// Takes bytes that came `now`, and appends what they mean.
-    pub(crate) fn feed(&mut self, bytes: &[u8], now: Instant, inputs: &mut Vec<Input>) {
+    pub(crate) fn feed(&mut self, bytes: &[u8], now: Instant, inputs: &mut Vec<TerminalInput>) {
         if self.overdue && self.is_typed(bytes, now) {
-            self.begin(State::Ground);
+            self.begin(Unfinished::Ground);
         }
         for &byte in bytes {
             self.take(byte, now, inputs);
@@ -109,34 +109,36 @@ impl Keyboard {
     #[must_use]
     pub(crate) fn deadline(&self) -> Option<Instant> {
         let patience = match self.state {
-            State::Ground => return None,
-            State::Escape => ESCAPE_PATIENCE,
-            State::Csi | State::Ss3 | State::Console | State::Skipped(_) | State::Character(_) => {
-                SEQUENCE_PATIENCE
-            }
-            State::Text => STRING_PATIENCE,
-            State::Paste if self.overdue => return None,
-            State::Paste => PASTE_PATIENCE,
+            Unfinished::Ground => return None,
+            Unfinished::Escape => ESCAPE_PATIENCE,
+            Unfinished::Csi
+            | Unfinished::Ss3
+            | Unfinished::Console
+            | Unfinished::Skipped(_)
+            | Unfinished::Character(_) => SEQUENCE_PATIENCE,
+            Unfinished::Text => STRING_PATIENCE,
+            Unfinished::Paste if self.overdue => return None,
+            Unfinished::Paste => PASTE_PATIENCE,
         };
         Some(self.last_byte? + patience)
     }
 
     /// The rest did not come: a lone ESC was the key, of a paste is taken what there is, anything else is
     /// dropped.
-    pub(crate) fn give_up(&mut self, inputs: &mut Vec<Input>) {
+    pub(crate) fn give_up(&mut self, inputs: &mut Vec<TerminalInput>) {
         match self.state {
-            State::Escape => inputs.push(Input::Key(Key::Escape)),
-            State::Paste => {
+            Unfinished::Escape => inputs.push(TerminalInput::Key(Key::Escape)),
+            Unfinished::Paste => {
                 self.pasted(inputs);
                 self.overdue = true;
                 return;
             }
             _ => {}
         }
-        self.begin(State::Ground);
+        self.begin(Unfinished::Ground);
     }
 
-    fn begin(&mut self, state: State) {
+    fn begin(&mut self, state: Unfinished) {
         self.state = state;
         self.held.clear();
         self.overdue = false;
@@ -155,17 +157,17 @@ impl Keyboard {
     }
 
     /// What has come of a paste is text.
-    fn pasted(&mut self, inputs: &mut Vec<Input>) {
+    fn pasted(&mut self, inputs: &mut Vec<TerminalInput>) {
         self.held.truncate(LONGEST_PASTE);
         if !self.held.is_empty() {
             let text = String::from_utf8_lossy(&self.held).into_owned();
-            inputs.push(Input::Paste(text));
+            inputs.push(TerminalInput::Paste(text));
         }
         self.held.clear();
     }
 
-    fn take(&mut self, byte: u8, now: Instant, inputs: &mut Vec<Input>) {
-        if self.state == State::Paste {
+    fn take(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
+        if self.state == Unfinished::Paste {
             self.paste(byte, now, inputs);
             return;
         }
@@ -174,49 +176,49 @@ impl Keyboard {
             // answer to a frame, which comes upon the heels of the key.
             ESC => {
                 self.give_up(inputs);
-                self.begin(State::Escape);
+                self.begin(Unfinished::Escape);
             }
             CTRL_C => {
-                self.begin(State::Ground);
-                inputs.push(Input::Key(Key::Ctrl('c')));
+                self.begin(Unfinished::Ground);
+                inputs.push(TerminalInput::Key(Key::Ctrl('c')));
             }
-            _ if CANCELS.contains(&byte) && self.state != State::Ground => {
-                self.begin(State::Ground);
+            _ if CANCELS.contains(&byte) && self.state != Unfinished::Ground => {
+                self.begin(Unfinished::Ground);
             }
             _ => self.go_on(byte, now, inputs),
         }
     }
 
-    fn go_on(&mut self, byte: u8, now: Instant, inputs: &mut Vec<Input>) {
+    fn go_on(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
         match self.state {
-            State::Ground | State::Paste => self.ground(byte, inputs),
-            State::Escape => self.escape(byte),
-            State::Csi => self.csi(byte, now, inputs),
-            State::Ss3 => self.ss3(byte, inputs),
-            State::Character(rest) => self.character(byte, rest, inputs),
-            State::Console => {
-                self.begin(State::Ground);
+            Unfinished::Ground | Unfinished::Paste => self.ground(byte, inputs),
+            Unfinished::Escape => self.escape(byte),
+            Unfinished::Csi => self.csi(byte, now, inputs),
+            Unfinished::Ss3 => self.ss3(byte, inputs),
+            Unfinished::Character(rest) => self.character(byte, rest, inputs),
+            Unfinished::Console => {
+                self.begin(Unfinished::Ground);
                 if let b'A'..=b'E' = byte {
-                    inputs.push(Input::Key(Key::Function(byte - b'A' + 1)));
+                    inputs.push(TerminalInput::Key(Key::Function(byte - b'A' + 1)));
                 }
             }
-            State::Skipped(rest) => self.begin(match rest {
-                0 | 1 => State::Ground,
-                _ => State::Skipped(rest - 1),
+            Unfinished::Skipped(rest) => self.begin(match rest {
+                0 | 1 => Unfinished::Ground,
+                _ => Unfinished::Skipped(rest - 1),
             }),
-            State::Text if byte == BELL => self.begin(State::Ground),
-            State::Text => {}
+            Unfinished::Text if byte == BELL => self.begin(Unfinished::Ground),
+            Unfinished::Text => {}
         }
     }
 
-    fn ground(&mut self, byte: u8, inputs: &mut Vec<Input>) {
+    fn ground(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
         match byte {
-            0x00..0x20 | 0x7f => inputs.extend(control(byte).map(Input::Key)),
-            0x20..0x7f => inputs.push(Input::Key(Key::Char(char::from(byte)))),
+            0x00..0x20 | 0x7f => inputs.extend(control(byte).map(TerminalInput::Key)),
+            0x20..0x7f => inputs.push(TerminalInput::Key(Key::Char(char::from(byte)))),
             // A terminal of eight bits begins its sequences so; no character begins so in UTF-8.
-            0x8f => self.begin(State::Ss3),
-            0x9b => self.begin(State::Csi),
-            0x90 | 0x98 | 0x9d..=0x9f => self.begin(State::Text),
+            0x8f => self.begin(Unfinished::Ss3),
+            0x9b => self.begin(Unfinished::Csi),
+            0x90 | 0x98 | 0x9d..=0x9f => self.begin(Unfinished::Text),
             0xc2..=0xdf => self.begin_character(byte, 1),
             0xe0..=0xef => self.begin_character(byte, 2),
             0xf0..=0xf4 => self.begin_character(byte, 3),
@@ -225,20 +227,20 @@ impl Keyboard {
     }
 
     fn begin_character(&mut self, byte: u8, rest: u8) {
-        self.begin(State::Character(rest));
+        self.begin(Unfinished::Character(rest));
         self.held.push(byte);
     }
 
-    fn character(&mut self, byte: u8, rest: u8, inputs: &mut Vec<Input>) {
+    fn character(&mut self, byte: u8, rest: u8, inputs: &mut Vec<TerminalInput>) {
         // A letter of another encoding: it is dropped, and what follows is none of it.
         if byte & 0xc0 != 0x80 {
-            self.begin(State::Ground);
+            self.begin(Unfinished::Ground);
             self.ground(byte, inputs);
             return;
         }
         self.held.push(byte);
         if rest > 1 {
-            self.state = State::Character(rest - 1);
+            self.state = Unfinished::Character(rest - 1);
             return;
         }
         let text = std::str::from_utf8(&self.held).ok();
@@ -246,46 +248,46 @@ impl Keyboard {
         inputs.extend(
             character
                 .filter(|c| !c.is_control())
-                .map(|c| Input::Key(Key::Char(c))),
+                .map(|c| TerminalInput::Key(Key::Char(c))),
         );
-        self.begin(State::Ground);
+        self.begin(Unfinished::Ground);
     }
 
     fn escape(&mut self, byte: u8) {
         match byte {
-            b'[' => self.begin(State::Csi),
-            b'O' => self.begin(State::Ss3),
-            b']' | b'P' | b'_' | b'^' | b'X' => self.begin(State::Text),
+            b'[' => self.begin(Unfinished::Csi),
+            b'O' => self.begin(Unfinished::Ss3),
+            b']' | b'P' | b'_' | b'^' | b'X' => self.begin(Unfinished::Text),
             // The end of a string, or a key with Alt, which is none: a slow line joins Esc and the next key.
-            0xc2..=0xdf => self.begin(State::Skipped(1)),
-            0xe0..=0xef => self.begin(State::Skipped(2)),
-            0xf0..=0xf4 => self.begin(State::Skipped(3)),
-            _ => self.begin(State::Ground),
+            0xc2..=0xdf => self.begin(Unfinished::Skipped(1)),
+            0xe0..=0xef => self.begin(Unfinished::Skipped(2)),
+            0xf0..=0xf4 => self.begin(Unfinished::Skipped(3)),
+            _ => self.begin(Unfinished::Ground),
         }
     }
 
-    fn csi(&mut self, byte: u8, now: Instant, inputs: &mut Vec<Input>) {
+    fn csi(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
         match byte {
             0x20..0x40 => self.hold(byte),
-            b'[' if self.held.is_empty() => self.begin(State::Console),
-            b'M' if self.held.is_empty() => self.begin(State::Skipped(MOUSE)),
+            b'[' if self.held.is_empty() => self.begin(Unfinished::Console),
+            b'M' if self.held.is_empty() => self.begin(Unfinished::Skipped(MOUSE)),
             b'~' if self.held == PASTE_BEGINS => {
-                self.begin(State::Paste);
+                self.begin(Unfinished::Paste);
                 (self.recent, self.since) = (0, Some(now));
             }
             b'n' if self.held == b"0" => {
-                self.begin(State::Ground);
-                inputs.push(Input::Answer);
+                self.begin(Unfinished::Ground);
+                inputs.push(TerminalInput::Answer);
             }
             0x40..0x7f => {
                 if self.held.len() < LONGEST_SEQUENCE {
-                    inputs.extend(csi(&self.held, byte).map(Input::Key));
+                    inputs.extend(csi(&self.held, byte).map(TerminalInput::Key));
                 }
-                self.begin(State::Ground);
+                self.begin(Unfinished::Ground);
             }
             // No sequence has these: it was noise, and this is a key.
             _ => {
-                self.begin(State::Ground);
+                self.begin(Unfinished::Ground);
                 self.ground(byte, inputs);
             }
         }
@@ -298,24 +300,24 @@ impl Keyboard {
         }
     }
 
-    fn ss3(&mut self, byte: u8, inputs: &mut Vec<Input>) {
+    fn ss3(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
         match byte {
             b'0'..=b';' => {}
             0x20..0x7f => {
-                inputs.extend(ss3(byte).map(Input::Key));
-                self.begin(State::Ground);
+                inputs.extend(ss3(byte).map(TerminalInput::Key));
+                self.begin(Unfinished::Ground);
             }
             _ => {
-                self.begin(State::Ground);
+                self.begin(Unfinished::Ground);
                 self.ground(byte, inputs);
             }
         }
     }
 
-    fn paste(&mut self, byte: u8, now: Instant, inputs: &mut Vec<Input>) {
+    fn paste(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
         if byte == CTRL_C && self.is_pressed(now) {
-            self.begin(State::Ground);
-            inputs.push(Input::Key(Key::Ctrl('c')));
+            self.begin(Unfinished::Ground);
+            inputs.push(TerminalInput::Key(Key::Ctrl('c')));
             return;
         }
         self.recent = self.recent << 8 | u64::from(byte);
@@ -325,11 +327,11 @@ impl Keyboard {
         if self.has_come(PASTE_ENDS) {
             self.drop_end(PASTE_ENDS);
             self.pasted(inputs);
-            self.begin(State::Ground);
+            self.begin(Unfinished::Ground);
         } else if self.has_come(ANSWER) {
             // The terminal answers whenever it has drawn, in the middle of a paste too.
             self.drop_end(ANSWER);
-            inputs.push(Input::Answer);
+            inputs.push(TerminalInput::Answer);
         }
     }
 

@@ -3,7 +3,7 @@
 use super::*;
 use proptest::prelude::*;
 
-fn keys_of(pieces: &[&[u8]]) -> Vec<Input> {
+fn keys_of(pieces: &[&[u8]]) -> Vec<TerminalInput> {
     let mut keyboard = Keyboard::default();
     let mut inputs = Vec::new();
     let now = Instant::now();
@@ -16,12 +16,12 @@ fn keys_of(pieces: &[&[u8]]) -> Vec<Input> {
     inputs
 }
 
-fn key_of(bytes: &[u8]) -> Vec<Input> {
+fn key_of(bytes: &[u8]) -> Vec<TerminalInput> {
     keys_of(&[bytes])
 }
 
-fn key(key: Key) -> Vec<Input> {
-    vec![Input::Key(key)]
+fn key(key: Key) -> Vec<TerminalInput> {
+    vec![TerminalInput::Key(key)]
 }
 
 #[test]
@@ -86,17 +86,17 @@ fn answers_are_told_from_keys_and_found_in_pastes() {
     assert_eq!(
         key_of(b"a\x1b[0nb"),
         vec![
-            Input::Key(Key::Char('a')),
-            Input::Answer,
-            Input::Key(Key::Char('b'))
+            TerminalInput::Key(Key::Char('a')),
+            TerminalInput::Answer,
+            TerminalInput::Key(Key::Char('b'))
         ]
     );
     assert_eq!(
         key_of(b"\x1b[200~a\x1b[0nb\x1b[201~"),
-        vec![Input::Answer, Input::Paste("ab".into())]
+        vec![TerminalInput::Answer, TerminalInput::Paste("ab".into())]
     );
     // As a terminal of eight bits has it.
-    assert_eq!(key_of(b"\x9b0n"), vec![Input::Answer]);
+    assert_eq!(key_of(b"\x9b0n"), vec![TerminalInput::Answer]);
 }
 
 /// These used to swallow the ESC of the answer behind them, and stopped the screen for 4 s.
@@ -118,9 +118,9 @@ fn an_answer_is_heard_behind_whatever_was_unfinished() {
     ];
     for bytes in unfinished {
         let inputs = key_of(&[bytes, b"\x1b[0n"].concat());
-        assert_eq!(inputs, vec![Input::Answer], "{bytes:?}");
+        assert_eq!(inputs, vec![TerminalInput::Answer], "{bytes:?}");
     }
-    let both = vec![Input::Key(Key::Escape), Input::Answer];
+    let both = vec![TerminalInput::Key(Key::Escape), TerminalInput::Answer];
     assert_eq!(key_of(b"\x1b\x1b[0n"), both);
     assert_eq!(keys_of(&[b"\x1b", b"\x1b[0", b"n"]), both);
 }
@@ -172,15 +172,15 @@ fn a_lone_escape_is_a_key_once_nothing_follows() {
 fn a_paste_is_never_keys_however_long() {
     let pasted = b"\x1b[200~q\x03\r\x1b[A\x1b]\x1b[201~";
     let text = "q\x03\r\x1b[A\x1b]".to_owned();
-    assert_eq!(key_of(pasted), vec![Input::Paste(text.clone())]);
+    assert_eq!(key_of(pasted), vec![TerminalInput::Paste(text.clone())]);
     let pieces: Vec<&[u8]> = pasted.chunks(1).collect();
-    assert_eq!(keys_of(&pieces), vec![Input::Paste(text)]);
+    assert_eq!(keys_of(&pieces), vec![TerminalInput::Paste(text)]);
     let mut long = b"\x1b[200~".to_vec();
     long.resize(3 * LONGEST_PASTE, b'q');
     long.extend_from_slice(b"\x1b[201~ ");
     let inputs = key_of(&long);
     assert!(
-        matches!(&inputs[..], [Input::Paste(text), Input::Key(_)] if text.len() == LONGEST_PASTE)
+        matches!(&inputs[..], [TerminalInput::Paste(text), TerminalInput::Key(_)] if text.len() == LONGEST_PASTE)
     );
 }
 
@@ -218,21 +218,21 @@ fn the_rest_of_a_paste_that_stalls_is_no_keys() {
     let now = Instant::now();
     keyboard.feed(b"\x1b[200~one q", now, &mut inputs);
     keyboard.give_up(&mut inputs);
-    assert_eq!(inputs, [Input::Paste("one q".into())]);
+    assert_eq!(inputs, [TerminalInput::Paste("one q".into())]);
     assert_eq!(keyboard.deadline(), None);
     inputs.clear();
     let later = now + 2 * PASTE_PATIENCE;
     keyboard.feed(b" w q w q w q", later, &mut inputs);
     keyboard.feed(b" R\x1b[201~x", later + PRESSED, &mut inputs);
-    let rest = Input::Paste(" w q w q w q R".into());
-    assert_eq!(inputs, [rest, Input::Key(Key::Char('x'))]);
+    let rest = TerminalInput::Paste(" w q w q w q R".into());
+    assert_eq!(inputs, [rest, TerminalInput::Key(Key::Char('x'))]);
     // One without an end makes nobody deaf.
     inputs.clear();
     keyboard.feed(b"\x1b[200~two", later, &mut inputs);
     keyboard.give_up(&mut inputs);
     keyboard.feed(b"\x1b[A", later + 2 * PASTE_PATIENCE, &mut inputs);
     keyboard.feed(b"q", later + 2 * PASTE_PATIENCE + PRESSED, &mut inputs);
-    let keys = [Key::Up, Key::Char('q')].map(Input::Key);
+    let keys = [Key::Up, Key::Char('q')].map(TerminalInput::Key);
     assert_eq!(inputs[1..], keys);
 }
 
@@ -249,7 +249,7 @@ proptest! {
             keyboard.feed(piece, now, &mut inputs);
             prop_assert!(keyboard.held.len() <= LONGEST_PASTE + PASTE_ENDS.len());
         }
-        let is_pasting = keyboard.state == State::Paste;
+        let is_pasting = keyboard.state == Unfinished::Paste;
         inputs.clear();
         // Within a paste, after a moment; everywhere else at once.
         let later = if is_pasting { now + PRESSED } else { now };

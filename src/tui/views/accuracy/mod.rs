@@ -13,7 +13,7 @@ use super::pane::{Need, Pane};
 use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::trade_off;
 use crate::page::{Line, Page};
-use crate::report::{Accuracy, Measure};
+use crate::report::{Accuracy, StudyMeasure};
 use crate::study::Findings;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
@@ -31,19 +31,19 @@ const LEAST_CHART: u16 = 34;
 const ROWS_ABOVE: (u16, u16) = (7, 18);
 
 /// Where the parts of the view are.
-struct Arrangement {
+struct AccuracyAreas {
     chart: Rect,
     list: Rect,
 }
 
-fn arrange(area: Rect) -> Arrangement {
+fn arrange(area: Rect) -> AccuracyAreas {
     let sides = 1 + MARGIN;
     let beside = |list: u16| {
         area.width
             .checked_sub(list + sides)
             .filter(|&w| w >= LEAST_CHART)
     };
-    let both = |width: u16| Arrangement {
+    let both = |width: u16| AccuracyAreas {
         chart: Rect { width, ..area },
         list: inset(Rect {
             x: area.x + width,
@@ -56,7 +56,7 @@ fn arrange(area: Rect) -> Arrangement {
     }
     let (least, most) = ROWS_ABOVE;
     let height = (area.height / 2).clamp(least, most).min(area.height);
-    Arrangement {
+    AccuracyAreas {
         chart: Rect { height, ..area },
         list: inset(Rect {
             y: area.y + height,
@@ -90,7 +90,7 @@ impl Pane for AccuracyView {
         let Some(findings) = app.study_run().findings() else {
             return;
         };
-        let Arrangement { chart, list } = arrange(body);
+        let AccuracyAreas { chart, list } = arrange(body);
         render_chart(app, findings, chart, buffer);
         page::render(app, &lines(app, findings, list), list, buffer);
     }
@@ -139,15 +139,15 @@ fn render_chart(app: &App, findings: &Findings, area: Rect, buffer: &mut Buffer)
 
 /// The methods by their letters: what is most asked for where there is little room.
 fn lines(app: &App, findings: &Findings, list: Rect) -> Vec<Line> {
-    let measures: &[Measure] = match list.width >= WIDE {
+    let measures: &[StudyMeasure] = match list.width >= WIDE {
         true => &[
-            Measure::Time,
-            Measure::Position,
-            Measure::Velocity,
-            Measure::Acceleration,
-            Measure::Failures,
+            StudyMeasure::Time,
+            StudyMeasure::Position,
+            StudyMeasure::Velocity,
+            StudyMeasure::Acceleration,
+            StudyMeasure::Failures,
         ],
-        false => &[Measure::Time, Measure::Position],
+        false => &[StudyMeasure::Time, StudyMeasure::Position],
     };
     let scene = app.open_scene().scene();
     let accuracy = Accuracy { scene, findings };

@@ -8,7 +8,7 @@ use std::time::Duration;
 const SLICE: Duration = Duration::from_millis(25);
 
 /// A clock that only goes forward; its beginning means nothing.
-pub(crate) type Clock = fn() -> Duration;
+pub(crate) type Ticker = fn() -> Duration;
 
 /// How far a study has come.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,14 +26,14 @@ pub(crate) enum Phase {
 /// The study of a scene, if it was asked for.
 #[derive(Debug)]
 pub(crate) struct StudyRun {
-    clock: Clock,
+    clock: Ticker,
     phase: Phase,
     study: Option<Box<Study>>,
     findings: Option<Findings>,
 }
 
 impl StudyRun {
-    pub(crate) fn new(clock: Clock) -> Self {
+    pub(crate) fn new(clock: Ticker) -> Self {
         StudyRun {
             clock,
             phase: Phase::Idle,

@@ -2,7 +2,7 @@
 
 use super::page::lines_of;
 use super::text::finds;
-use crate::manual::{Line, TOPICS, joined};
+use crate::manual::{ManualLine, TOPICS, joined};
 use crate::tui::commands::keymap::Keymap;
 
 /// The next page and line where a passage with these words begins: from a line of a page on, in the pages that follow,
@@ -23,9 +23,9 @@ pub(super) fn next(
 }
 
 /// Whether a passage with all words begins in the first of these lines, and not only in one of those behind it.
-fn begins(wanted: &str, lines: &[Line]) -> bool {
+fn begins(wanted: &str, lines: &[ManualLine]) -> bool {
     let going_on = lines.iter().skip(1).take_while(|line| line.goes_on);
-    let has_all = |lines: &[Line]| finds(wanted, &[&joined(lines)]);
+    let has_all = |lines: &[ManualLine]| finds(wanted, &[&joined(lines)]);
     let passages = (1..=going_on.count() + 1).map(|length| &lines[..length]);
     let shortest = passages.into_iter().find(|passage| has_all(passage));
     shortest.is_some_and(|passage| !has_all(&passage[1..]))

@@ -1,22 +1,22 @@
 //! The table of actions by what they are for, as the help, the manual and the configuration tell it.
 
 use crate::tui::app::View;
-use crate::tui::commands::action::{self, Entry, Place};
+use crate::tui::commands::action::{self, ActionRow, KeyContext};
 use crate::tui::commands::keymap::Keymap;
 use crate::wording::words;
 
 /// The rows of the table by what they are for: those of a view alone first, what all views have in common, then
 /// those of the other views.
-pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Entry>)> {
+pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static ActionRow>)> {
     let of = |view: View| {
-        let here = move |entry: &&Entry| entry.place == Place::In(view);
+        let here = move |entry: &&ActionRow| entry.place == KeyContext::In(view);
         (
             view.pane().help_title(),
             action::entries().filter(here).collect(),
         )
     };
     let common = action::SECTIONS.iter().map(|section| {
-        let everywhere = |entry: &&Entry| entry.place == Place::Everywhere;
+        let everywhere = |entry: &&ActionRow| entry.place == KeyContext::Everywhere;
         let entries: Vec<_> = section.entries.iter().filter(everywhere).collect();
         ((section.title)(words()), entries)
     });
@@ -31,7 +31,8 @@ pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Ent
 /// purpose.
 pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> {
     groups(None).into_iter().flat_map(|(title, entries)| {
-        let row = move |entry: &Entry| (title, action::listed(entry.keys), (entry.help)(words()));
+        let row =
+            move |entry: &ActionRow| (title, action::listed(entry.keys), (entry.help)(words()));
         entries.into_iter().map(row)
     })
 }

@@ -16,7 +16,7 @@ use super::table::UNSURE;
 use super::{columns, cut, print, print_right};
 use crate::capability::Colours;
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, entries};
 use crate::tui::figures::sheet::FOUND;
 use crate::tui::views::help::text::{Help, HelpLine};
@@ -63,7 +63,7 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
                 y,
                 inner.width,
                 text,
-                theme::part(Part::Text),
+                theme::part(ScreenPart::Text),
             );
         }
     }
@@ -87,15 +87,22 @@ fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
                 y,
                 line_columns(),
                 title,
-                theme::part(Part::Title),
+                theme::part(ScreenPart::Title),
             );
         }
         HelpLine::Keys(keys, help) => {
             let keys = cut(keys, usize::from(KEYS) - 1);
             // Bold keys would be a third of what the help takes of a slow line.
-            print(buffer, x, y, KEYS, &keys, theme::part(Part::Text));
+            print(buffer, x, y, KEYS, &keys, theme::part(ScreenPart::Text));
             let room = line_columns() - KEYS;
-            print(buffer, x + KEYS, y, room, help, theme::part(Part::Text));
+            print(
+                buffer,
+                x + KEYS,
+                y,
+                room,
+                help,
+                theme::part(ScreenPart::Text),
+            );
         }
     }
 }
@@ -106,8 +113,19 @@ fn searched(sought: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer
     let skipped = sought.len().saturating_sub(room.into());
     let text = format!("/{}", sought.get(skipped..).unwrap_or_default());
     let room = room + 1;
-    let x = print(buffer, x, place.y, room, &text, theme::part(Part::Text));
-    let caret = if typing { Part::Caret } else { Part::Text };
+    let x = print(
+        buffer,
+        x,
+        place.y,
+        room,
+        &text,
+        theme::part(ScreenPart::Text),
+    );
+    let caret = if typing {
+        ScreenPart::Caret
+    } else {
+        ScreenPart::Text
+    };
     print(buffer, x, place.y, 1, " ", theme::part(caret));
 }
 
@@ -116,7 +134,7 @@ fn manual_behind(app: &App, place: Rect, buffer: &mut Buffer) {
     if count(place) == 1
         && let Some(key) = app.keymap().key(Action::NextView)
     {
-        let style = theme::part(Part::Quiet);
+        let style = theme::part(ScreenPart::Quiet);
         let manual = format!(" {} ", words().turns_to_manual(&key));
         print_right(buffer, place.right() - 2, place.y, &manual, style);
     }
@@ -124,7 +142,7 @@ fn manual_behind(app: &App, place: Rect, buffer: &mut Buffer) {
 
 /// In the lower border what marks mean, and how to see more.
 fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer) {
-    let (y, style) = (place.bottom() - 1, theme::part(Part::Quiet));
+    let (y, style) = (place.bottom() - 1, theme::part(ScreenPart::Quiet));
     let inner = popup::within(place);
     let seen = usize::from(inner.height) * usize::from(count(place));
     let legend = legend(app.colours(), inner.width > line_columns());

@@ -9,8 +9,8 @@
 use super::keys::rows_of;
 use super::text::Help;
 use super::{print, print_right, searched};
-use crate::manual::{Kind, Line, TOPICS, Topic, folded, lines};
-use crate::tui::appearance::theme::{self, Part};
+use crate::manual::{LineKind, ManualLine, TOPICS, Topic, folded, lines};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::keymap::Keymap;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -31,9 +31,9 @@ pub(super) fn render(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer
     let rows = (area.y + HEADING)..area.bottom();
     for (y, (number, line)) in rows.zip(seen.skip(help.scroll)) {
         let part = match line.kind {
-            _ if found == Some(number) => Part::Cursor,
-            Kind::Title => Part::Title,
-            Kind::Words | Kind::Code => Part::Text,
+            _ if found == Some(number) => ScreenPart::Cursor,
+            LineKind::Title => ScreenPart::Title,
+            LineKind::Words | LineKind::Code => ScreenPart::Text,
         };
         print(buffer, area.x, y, area.width, &line.text, theme::part(part));
     }
@@ -42,7 +42,7 @@ pub(super) fn render(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer
 fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
     let text = words().help_topic(topic.name, help.page(), TOPICS.len());
     let text = format!(" {text} ");
-    let style = theme::part(Part::Title);
+    let style = theme::part(ScreenPart::Title);
     let end = print(buffer, area.x, area.y, area.width, &text, style);
     let place = Rect {
         width: area.width.saturating_sub(MARKS),
@@ -52,7 +52,7 @@ fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
         searched(words, help.is_typing(), end, place, buffer);
     }
     if help.is_nowhere() {
-        let style = theme::part(Part::Warning);
+        let style = theme::part(ScreenPart::Warning);
         let nowhere = format!(" {} ", words().nowhere());
         print_right(buffer, place.right(), area.y, &nowhere, style);
     }
@@ -60,7 +60,7 @@ fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
     let marks = [("^", help.scroll > 0), ("v", help.scroll + rows < lines)];
     for (x, (mark, is_more)) in (place.right()..).zip(marks) {
         let mark = if is_more { mark } else { " " };
-        print(buffer, x, area.y, 1, mark, theme::part(Part::Key));
+        print(buffer, x, area.y, 1, mark, theme::part(ScreenPart::Key));
     }
 }
 
@@ -71,7 +71,7 @@ pub(super) fn extent(help: &Help, area: Rect) -> (usize, usize) {
 }
 
 /// A topic on a screen of so many columns.
-pub(super) fn lines_of(topic: &Topic, columns: u16, keymap: &Keymap) -> Vec<Line> {
+pub(super) fn lines_of(topic: &Topic, columns: u16, keymap: &Keymap) -> Vec<ManualLine> {
     let lines = lines(&topic.text(|| rows_of(keymap)), columns.into()).into_iter();
     lines
         .flat_map(|line| folded(line, columns.into()))

@@ -7,7 +7,7 @@ use crate::manual::{self, TOPICS, Topic};
 use crate::tui::app::View;
 use crate::tui::commands::action;
 use crate::tui::commands::keymap::Keymap;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::wording::words;
 
 /// The help overlay.
@@ -17,20 +17,20 @@ pub(crate) struct Help {
     pub(crate) scroll: usize,
     /// 0 for the keys; else a topic, by its place in the manual from 1 on.
     page: usize,
-    search: Option<Search>,
+    search: Option<TextSearch>,
     /// The line of the topic that was found, on a screen of so many columns.
     found: Option<(u16, usize)>,
     /// Whether no topic has the words that are typed.
     nowhere: bool,
     /// The topic in lines, and of which page and how many columns they are.
-    reading: Vec<manual::Line>,
+    reading: Vec<manual::ManualLine>,
     laid_out: (usize, u16),
 }
 
 /// What is searched for.
 #[derive(Clone, Debug, PartialEq, Eq)]
-struct Search {
-    line: Line,
+struct TextSearch {
+    line: EditLine,
     /// Whether keys are typed into the line.
     typing: bool,
     /// The page and line where one read when the search began, to go back to; `None` once one has read on from what
@@ -84,7 +84,7 @@ impl Help {
     }
 
     /// The topic as it was laid out.
-    pub(super) fn reading(&self) -> &[manual::Line] {
+    pub(super) fn reading(&self) -> &[manual::ManualLine] {
         &self.reading
     }
 
@@ -138,9 +138,9 @@ impl Help {
     pub(crate) fn search(&mut self) {
         let line = match self.search.take() {
             Some(search) => search.line,
-            None => Line::for_words(),
+            None => EditLine::for_words(),
         };
-        self.search = Some(Search {
+        self.search = Some(TextSearch {
             line,
             typing: true,
             from: Some((self.page, self.scroll)),
@@ -148,7 +148,7 @@ impl Help {
     }
 
     /// The line that is typed into.
-    pub(crate) fn typed(&mut self) -> Option<&mut Line> {
+    pub(crate) fn typed(&mut self) -> Option<&mut EditLine> {
         let search = self.search.as_mut().filter(|search| search.typing)?;
         Some(&mut search.line)
     }

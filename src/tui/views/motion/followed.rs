@@ -2,7 +2,7 @@
 
 use crate::PointId;
 use crate::scene::{Scene, VectorKind};
-use crate::tui::figures::sheet::Part;
+use crate::tui::figures::sheet::SheetPart;
 
 /// Points that the motion view gives arrows and traces; none chosen means the usual ones.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -44,15 +44,15 @@ impl FollowedPoints {
 
 /// What stands behind a row of the tables: a point itself, of a vector its ends, of a link that is given
 /// by its points alone all of these.
-fn points_of(scene: &Scene, part: Part, row: usize) -> Vec<PointId> {
+fn points_of(scene: &Scene, part: SheetPart, row: usize) -> Vec<PointId> {
     let mechanism = &scene.mechanism;
     match part {
-        Part::Points => {
+        SheetPart::Points => {
             let points = mechanism.point_ids();
             let mut named = points.filter(|&p| scene.point_name(p).is_some());
             named.nth(row).into_iter().collect()
         }
-        Part::Vectors => match scene.vectors.get(row).map(|vector| vector.kind) {
+        SheetPart::Vectors => match scene.vectors.get(row).map(|vector| vector.kind) {
             Some(VectorKind::Between(tail, head)) => vec![tail, head],
             Some(VectorKind::Slide(slide)) => vec![mechanism.slide(slide).slider.point()],
             Some(VectorKind::Link(link)) => {
@@ -71,7 +71,7 @@ fn points_of(scene: &Scene, part: Part, row: usize) -> Vec<PointId> {
 }
 
 /// Those of them that move, with their names: a point of the ground has no arrows and leaves no trace.
-pub(crate) fn moving(scene: &Scene, part: Part, row: usize) -> Vec<(PointId, &str)> {
+pub(crate) fn moving(scene: &Scene, part: SheetPart, row: usize) -> Vec<(PointId, &str)> {
     let points = points_of(scene, part, row).into_iter();
     let moving = points.filter(|&p| scene.mechanism.point(p).ground.is_none());
     moving
@@ -89,7 +89,7 @@ mod tests {
         Scene::parse(presets::find(name).unwrap().text, name).unwrap()
     }
 
-    fn names(scene: &Scene, part: Part, row: usize) -> Vec<&str> {
+    fn names(scene: &Scene, part: SheetPart, row: usize) -> Vec<&str> {
         let points = moving(scene, part, row).into_iter();
         points.map(|(_, name)| name).collect()
     }
@@ -98,7 +98,7 @@ mod tests {
     fn a_vector_stands_for_those_of_its_ends_that_move() {
         let scene = preset("four-bar");
         let vectors: Vec<_> = (0..4)
-            .map(|row| names(&scene, Part::Vectors, row))
+            .map(|row| names(&scene, SheetPart::Vectors, row))
             .collect();
         assert_eq!(vectors, [&["B"][..], &["B", "C"], &["C"], &[]]);
         let slider = preset("slider-crank");
@@ -106,7 +106,7 @@ mod tests {
             .vectors
             .iter()
             .position(|v| matches!(v.kind, VectorKind::Slide(_)));
-        assert_eq!(names(&slider, Part::Vectors, at.unwrap()), ["C"]);
+        assert_eq!(names(&slider, SheetPart::Vectors, at.unwrap()), ["C"]);
     }
 
     /// The rows of the tables and what stands behind them are the same, in every preset.
@@ -119,17 +119,20 @@ mod tests {
             let _ = solver.solve(scene.mechanism.driver().start, Order::Position, &mut state);
             let tables = crate::report::Tables::new(&scene, &state);
             for (row, point) in tables.points.iter().enumerate() {
-                let found = points_of(&scene, Part::Points, row);
+                let found = points_of(&scene, SheetPart::Points, row);
                 let names: Vec<_> = found.iter().map(|&p| scene.point_name(p)).collect();
                 assert_eq!(names, [Some(point.name.as_str())], "{}", preset.name);
-                assert_eq!(moving(&scene, Part::Points, row).is_empty(), point.fixed);
+                assert_eq!(
+                    moving(&scene, SheetPart::Points, row).is_empty(),
+                    point.fixed
+                );
             }
             for (row, vector) in tables.vectors.iter().enumerate() {
-                let found = points_of(&scene, Part::Vectors, row);
+                let found = points_of(&scene, SheetPart::Vectors, row);
                 assert!(!found.is_empty(), "{}: {}", preset.name, vector.name);
             }
-            assert!(points_of(&scene, Part::Points, tables.points.len()).is_empty());
-            assert!(points_of(&scene, Part::Vectors, tables.vectors.len()).is_empty());
+            assert!(points_of(&scene, SheetPart::Points, tables.points.len()).is_empty());
+            assert!(points_of(&scene, SheetPart::Vectors, tables.vectors.len()).is_empty());
         }
     }
 }

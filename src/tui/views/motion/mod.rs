@@ -6,14 +6,14 @@ pub(crate) mod viewport;
 use super::pane::{Copied, Pane};
 use super::{assemblies, columns, inset, print, show, table};
 use crate::Vec2;
-use crate::drawing::{self, Glyphs, Labels, Piece, Raster, Reach, Role};
+use crate::drawing::{self, Glyphs, Labels, LegendPiece, Raster, Reach, Role};
 use crate::report::upwards;
 use crate::tui::app::{App, Mode};
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, MotionAction};
 use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::player::edition::Edition;
-use crate::tui::views::motion::viewport::Setting;
+use crate::tui::views::motion::viewport::ViewportSetting;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -24,7 +24,7 @@ pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
 
 /// Where the parts of the view are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Arrangement {
+pub(super) struct MotionAreas {
     pub(super) drawing: Rect,
     /// Below the drawing, without a line where nothing needs to be told.
     pub(super) legend: Rect,
@@ -47,7 +47,7 @@ const ROOM_FOR_RULE: u16 = 14;
 const LOWEST_DRAWING: u16 = 4;
 
 /// Puts the tables where they leave the linkage the larger scale.
-pub(super) fn arrange(app: &App, area: Rect) -> Arrangement {
+pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
     let below = below(app, area);
     let arrangement = match beside(app, area) {
         Some(beside) if scale(app, beside.drawing) >= scale(app, below.drawing) => beside,
@@ -59,14 +59,14 @@ pub(super) fn arrange(app: &App, area: Rect) -> Arrangement {
 /// A legend takes so many lines at the most, and one on low screens.
 const MOST_LEGEND: usize = 2;
 
-impl Arrangement {
+impl MotionAreas {
     /// The legend takes its lines from the drawing.
-    fn with_legend(self, app: &App) -> Arrangement {
+    fn with_legend(self, app: &App) -> MotionAreas {
         let drawing = self.drawing;
         let lines = legend(app, drawing).len();
         let lines = u16::try_from(lines).unwrap_or(0);
         let height = drawing.height.saturating_sub(lines).max(1);
-        Arrangement {
+        MotionAreas {
             drawing: Rect { height, ..drawing },
             legend: Rect {
                 y: drawing.y + height,
@@ -79,7 +79,7 @@ impl Arrangement {
 }
 
 /// The lines of the legend for a drawing in this area.
-fn legend(app: &App, area: Rect) -> Vec<Vec<Piece>> {
+fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
     let most = if area.height < ROOM_FOR_RULE {
         1
     } else {
@@ -91,7 +91,7 @@ fn legend(app: &App, area: Rect) -> Vec<Vec<Piece>> {
 }
 
 /// The window on the drawing in this area.
-fn window(app: &App, area: Rect) -> drawing::View {
+fn window(app: &App, area: Rect) -> drawing::WorldView {
     let (viewport, open_scene) = (app.viewport(), app.open_scene());
     let own = viewport.reach(open_scene, area.height);
     let reach = match (app.mode(), open_scene.assembly_list(), app.compared()) {
@@ -102,7 +102,7 @@ fn window(app: &App, area: Rect) -> drawing::View {
     viewport.view(&reach, (area.width, area.height), app.aspect())
 }
 
-fn beside(app: &App, area: Rect) -> Option<Arrangement> {
+fn beside(app: &App, area: Rect) -> Option<MotionAreas> {
     let (narrow, wide) = app.sheet().widths(app.glyphs());
     let [narrow, wide] = [narrow, wide].map(|w| u16::try_from(w).unwrap_or(u16::MAX));
     // The blanks beside the tables, and the rule.
@@ -121,7 +121,7 @@ fn beside(app: &App, area: Rect) -> Option<Arrangement> {
         width: w,
         ..area
     });
-    Some(Arrangement {
+    Some(MotionAreas {
         drawing,
         legend: Rect::ZERO,
         rule,
@@ -146,7 +146,7 @@ fn columns_used(app: &App, area: Rect) -> u16 {
     }
 }
 
-fn below(app: &App, area: Rect) -> Arrangement {
+fn below(app: &App, area: Rect) -> MotionAreas {
     let width = usize::from(inset(area).width);
     let placed = app.sheet().placed(width, app.glyphs());
     let [vectors, all] = [placed.vector_lines(), placed.lines().len()]
@@ -170,7 +170,7 @@ fn below(app: &App, area: Rect) -> Arrangement {
         height: h,
         ..area
     });
-    Arrangement {
+    MotionAreas {
         drawing,
         legend: Rect::ZERO,
         rule,
@@ -186,7 +186,7 @@ fn needed(app: &App) -> &Reach {
 
 /// Cells along x for a unit of length in a drawing of this size.
 fn scale(app: &App, area: Rect) -> f64 {
-    let view = drawing::View::fit(needed(app), area.width, area.height, app.aspect());
+    let view = drawing::WorldView::fit(needed(app), area.width, area.height, app.aspect());
     (view.cell(Vec2::new(1.0, 0.0)) - view.cell(Vec2::ZERO)).x
 }
 
@@ -196,7 +196,7 @@ pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
     /// Which scene the labels belong to, in which form, and what of it was shown.
-    drawn: Option<(Edition, Setting)>,
+    drawn: Option<(Edition, ViewportSetting)>,
 }
 
 impl Sketch {
@@ -304,15 +304,15 @@ impl Pane for MotionView {
 }
 
 /// The legend, arrows in the look that they have in the drawing.
-fn explain(app: &App, arrangement: Arrangement, buffer: &mut Buffer) {
+fn explain(app: &App, arrangement: MotionAreas, buffer: &mut Buffer) {
     let area = arrangement.legend;
     // Where the arrows were measured, so that both say the same.
     let lines = legend(app, arrangement.drawing);
     for (y, line) in (area.top()..area.bottom()).zip(lines) {
         let mut x = area.x;
-        for Piece { text, role } in line {
+        for LegendPiece { text, role } in line {
             let style = match role {
-                Role::Label | Role::Empty => theme::part(Part::Quiet),
+                Role::Label | Role::Empty => theme::part(ScreenPart::Quiet),
                 role => theme::role(role),
             };
             let room = area.right().saturating_sub(x);
@@ -331,6 +331,6 @@ pub(super) fn rule(glyphs: Glyphs, area: Rect, buffer: &mut Buffer) {
     for position in area.positions() {
         buffer[position]
             .set_char(glyph)
-            .set_style(theme::part(Part::Quiet));
+            .set_style(theme::part(ScreenPart::Quiet));
     }
 }

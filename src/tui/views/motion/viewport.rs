@@ -3,7 +3,7 @@
 //! Layers are switched by keys and stay on from scene to scene; the window is fitted to each scene anew.
 //! What follows from the whole motion is found once for a scene and a choice, not for every frame.
 
-use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, View, Wanted};
+use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, Wanted, WorldView};
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::motion::followed::FollowedPoints;
@@ -26,28 +26,28 @@ const PICTURE_ASPECT: f64 = 2.0;
 
 /// Which names are shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Names {
+pub(crate) enum ShownNames {
     #[default]
     Points,
     PointsAndLinks,
     None,
 }
 
-impl Names {
-    fn next(self) -> Names {
+impl ShownNames {
+    fn next(self) -> ShownNames {
         match self {
-            Names::Points => Names::PointsAndLinks,
-            Names::PointsAndLinks => Names::None,
-            Names::None => Names::Points,
+            ShownNames::Points => ShownNames::PointsAndLinks,
+            ShownNames::PointsAndLinks => ShownNames::None,
+            ShownNames::None => ShownNames::Points,
         }
     }
 
     /// In words.
     pub(crate) fn text(self) -> &'static str {
         match self {
-            Names::Points => words().names_of_points(),
-            Names::PointsAndLinks => words().names_of_points_and_links(),
-            Names::None => words().no_names(),
+            ShownNames::Points => words().names_of_points(),
+            ShownNames::PointsAndLinks => words().names_of_points_and_links(),
+            ShownNames::None => words().no_names(),
         }
     }
 }
@@ -95,8 +95,8 @@ impl Window {
 
 /// What a person has set.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Setting {
-    names: Names,
+pub(crate) struct ViewportSetting {
+    names: ShownNames,
     on: On,
     window: Window,
 }
@@ -104,7 +104,7 @@ pub(crate) struct Setting {
 /// What the motion view shows, and how large.
 #[derive(Debug)]
 pub(crate) struct Viewport {
-    setting: Setting,
+    setting: ViewportSetting,
     overlay: Overlay,
     /// The space that the linkage needs with its arrows, where there are any.
     reach: Option<Reach>,
@@ -118,8 +118,8 @@ impl Default for Viewport {
     fn default() -> Self {
         let mut on = On([false; 6]);
         on.0[Layer::Guides as usize] = true;
-        let setting = Setting {
-            names: Names::default(),
+        let setting = ViewportSetting {
+            names: ShownNames::default(),
             on,
             window: Window::default(),
         };
@@ -135,12 +135,12 @@ impl Default for Viewport {
 
 impl Viewport {
     /// What is set: another one, another drawing.
-    pub(crate) fn setting(&self) -> Setting {
+    pub(crate) fn setting(&self) -> ViewportSetting {
         self.setting
     }
 
     /// Switches to the next names.
-    pub(crate) fn next_names(&mut self) -> Names {
+    pub(crate) fn next_names(&mut self) -> ShownNames {
         self.setting.names = self.setting.names.next();
         self.setting.names
     }
@@ -247,8 +247,8 @@ impl Viewport {
     pub(crate) fn figure(&self, open_scene: &OpenScene) -> Figure {
         let layers = Layers {
             ground: self.setting.on.has(Layer::Guides),
-            points: self.setting.names != Names::None,
-            links: self.setting.names == Names::PointsAndLinks,
+            points: self.setting.names != ShownNames::None,
+            links: self.setting.names == ShownNames::PointsAndLinks,
             centres: self.setting.on.has(Layer::Centres),
         };
         let (scene, state) = (open_scene.scene(), open_scene.state());
@@ -264,13 +264,13 @@ impl Viewport {
     }
 
     /// The window of so many cells on a drawing that needs this space.
-    pub(crate) fn view(&self, reach: &Reach, (cols, rows): (u16, u16), aspect: f64) -> View {
-        let view = View::fit(reach, cols, rows, aspect);
+    pub(crate) fn view(&self, reach: &Reach, (cols, rows): (u16, u16), aspect: f64) -> WorldView {
+        let view = WorldView::fit(reach, cols, rows, aspect);
         view.zoomed(reach, self.zoom(), self.setting.window.shift)
     }
 
     /// What is on that the drawing does not explain by itself, the most important first.
-    pub(crate) fn legend(&self, view: &View) -> Vec<LegendEntry> {
+    pub(crate) fn legend(&self, view: &WorldView) -> Vec<LegendEntry> {
         let mut entries = self.overlay.legend(view, self.zoom());
         let note = |text: &str| LegendEntry::Note(text.to_owned());
         if self.setting.window != Window::default() {
@@ -292,7 +292,7 @@ impl Viewport {
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> String {
         let (cols, most) = PICTURE;
         let reach = self.reach(open_scene, most);
-        let snug = View::snug(reach, cols, most, PICTURE_ASPECT);
+        let snug = WorldView::snug(reach, cols, most, PICTURE_ASPECT);
         let view = snug.zoomed(reach, self.zoom(), self.setting.window.shift);
         let at = open_scene.driver_range().on_grid(open_scene.at());
         let title = words().drawing_of(&open_scene.scene().name, &at, open_scene.unit());

@@ -12,7 +12,7 @@ pub(crate) mod study;
 
 use super::pane::{Copied, Need, Pane};
 use super::{MARGIN, Sketch, inset, page, show};
-use crate::drawing::plot::{Look, Plot};
+use crate::drawing::plot::{Plot, PlotStyle};
 use crate::page::Line;
 use crate::tui::app::App;
 use crate::wording::words;
@@ -30,16 +30,16 @@ const GAP: u16 = 2;
 const ROWS_ABOVE: (u16, u16) = (5, 16);
 
 /// Where the parts of the view are.
-struct Arrangement {
+struct MotorAreas {
     curve: Rect,
     list: Rect,
 }
 
-fn arrange(app: &App, area: Rect) -> Arrangement {
+fn arrange(app: &App, area: Rect) -> MotorAreas {
     if app.motor().plot().is_none() {
         let curve = Rect { height: 0, ..area };
         let list = inset(area);
-        return Arrangement { curve, list };
+        return MotorAreas { curve, list };
     }
     let beside = |list: u16| {
         let left = area.width.checked_sub(list + 1 + MARGIN);
@@ -51,7 +51,7 @@ fn arrange(app: &App, area: Rect) -> Arrangement {
             width: area.width - width,
             ..area
         };
-        return Arrangement {
+        return MotorAreas {
             curve: Rect {
                 width: width.saturating_sub(GAP),
                 ..area
@@ -66,7 +66,7 @@ fn arrange(app: &App, area: Rect) -> Arrangement {
         height: area.height - height,
         ..area
     };
-    Arrangement {
+    MotorAreas {
         curve: Rect { height, ..area },
         list: inset(list),
     }
@@ -93,7 +93,7 @@ impl Pane for MotorView {
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let Arrangement { curve, list } = arrange(app, body);
+        let MotorAreas { curve, list } = arrange(app, body);
         if let Some(plot) = app.motor().plot() {
             render_curve(app, plot, curve, buffer);
         }
@@ -131,7 +131,7 @@ fn lines(app: &App, list: Rect) -> Vec<Line> {
 }
 
 fn render_curve(app: &App, plot: &Plot, area: Rect, buffer: &mut Buffer) {
-    let look = Look {
+    let look = PlotStyle {
         cols: area.width,
         rows: area.height,
         glyphs: app.glyphs(),

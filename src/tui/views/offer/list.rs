@@ -11,14 +11,14 @@ pub(crate) struct Offer {
     pub(crate) others: Others,
     pub(crate) cursor: usize,
     /// What is read of the edits under the cursor.
-    pub(crate) page: Option<Page>,
+    pub(crate) page: Option<OfferPage>,
     /// Whether it is asked if the edits under the cursor are to go.
     pub(crate) asks: bool,
 }
 
 /// Lines that are read.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Page {
+pub(crate) struct OfferPage {
     pub(crate) title: &'static str,
     pub(crate) lines: Vec<String>,
     pub(crate) scroll: usize,
@@ -44,7 +44,7 @@ impl Offer {
     /// Reads the text of the edits.
     pub(crate) fn look(&mut self) {
         let lines = |chosen: &Generation| chosen.text.lines().map(str::to_owned).collect();
-        self.page = self.chosen().map(|chosen| Page {
+        self.page = self.chosen().map(|chosen| OfferPage {
             title: words().the_edited_text(),
             lines: lines(chosen),
             scroll: 0,
@@ -53,7 +53,7 @@ impl Offer {
 
     /// Reads what they change of the text that the file has now.
     pub(crate) fn compare(&mut self, present: &str) {
-        self.page = self.chosen().map(|chosen| Page {
+        self.page = self.chosen().map(|chosen| OfferPage {
             title: words().what_the_edits_change(),
             lines: difference(present, &chosen.text),
             scroll: 0,

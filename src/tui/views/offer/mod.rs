@@ -14,10 +14,10 @@ pub(crate) mod list;
 use super::popup::{self, BORDER};
 use super::{cut, print};
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::document::recovery::{Alive, Generation};
 use crate::tui::player::open_scene::shown;
-use crate::tui::views::offer::list::{Offer, Page};
+use crate::tui::views::offer::list::{Offer, OfferPage};
 use crate::tui::views::tour::screens::wrapped;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -26,10 +26,10 @@ use ratatui::layout::Rect;
 /// Columns of the list.
 const LIST: u16 = 54;
 /// A line, and how it looks.
-type Line = (String, Part);
+type OfferLine = (String, ScreenPart);
 
 pub(super) fn render(app: &App, offer: &Offer, area: Rect, buffer: &mut Buffer) {
-    let Layout { place, lines, keys } = Layout::of(offer, area);
+    let OfferLayout { place, lines, keys } = OfferLayout::of(offer, area);
     let title = match &offer.page {
         Some(page) => page.title,
         None if offer.others.left.is_empty() => words().open_elsewhere(),
@@ -46,25 +46,25 @@ pub(super) fn render(app: &App, offer: &Offer, area: Rect, buffer: &mut Buffer) 
         put(y, text, *part);
     }
     for (y, text) in (below..inner.bottom()).zip(&keys) {
-        put(y, text, Part::Key);
+        put(y, text, ScreenPart::Key);
     }
 }
 
 /// Where the offer stands.
 pub(super) fn placed(offer: &Offer, area: Rect) -> Rect {
-    Layout::of(offer, area).place
+    OfferLayout::of(offer, area).place
 }
 
 /// What is seen of the offer, and where.
-struct Layout {
+struct OfferLayout {
     place: Rect,
-    lines: Vec<Line>,
+    lines: Vec<OfferLine>,
     /// Below the lines.
     keys: Vec<String>,
 }
 
-impl Layout {
-    fn of(offer: &Offer, area: Rect) -> Layout {
+impl OfferLayout {
+    fn of(offer: &Offer, area: Rect) -> OfferLayout {
         let room = area.width.saturating_sub(BORDER.0);
         let columns = match offer.page {
             Some(_) => room,
@@ -80,7 +80,7 @@ impl Layout {
             Some(_) => area.height,
             None => rows(&lines).saturating_add(rows(&keys)),
         };
-        Layout {
+        OfferLayout {
             place: popup::centred(area, columns, height),
             lines,
             keys,
@@ -131,33 +131,37 @@ fn hints(keys: &[String], width: usize) -> Vec<String> {
 }
 
 /// The generations, with the cursor among those that are seen, and who else is there.
-fn listed(offer: &Offer, columns: u16, most: u16) -> Vec<Line> {
+fn listed(offer: &Offer, columns: u16, most: u16) -> Vec<OfferLine> {
     let elsewhere = offer.others.alive.iter().flat_map(|other| {
         let lines = wrapped(&elsewhere(other), columns.into(), false);
-        lines.into_iter().map(|line| (line, Part::Warning))
+        lines.into_iter().map(|line| (line, ScreenPart::Warning))
     });
-    let mut behind: Vec<Line> = elsewhere.collect();
-    behind.push((String::new(), Part::Text));
+    let mut behind: Vec<OfferLine> = elsewhere.collect();
+    behind.push((String::new(), ScreenPart::Text));
     let left = &offer.others.left;
     let room = usize::from(most).saturating_sub(behind.len()).max(1);
     let first = offer.cursor.saturating_sub(room / 2);
     let first = first.min(left.len().saturating_sub(room));
     let seen = left.iter().enumerate().skip(first).take(room);
-    let mut lines: Vec<Line> = seen
+    let mut lines: Vec<OfferLine> = seen
         .map(|(n, found)| row(found, n == offer.cursor))
         .collect();
     lines.append(&mut behind);
     lines
 }
 
-fn row(found: &Generation, is_chosen: bool) -> Line {
+fn row(found: &Generation, is_chosen: bool) -> OfferLine {
     let mark = if is_chosen { '>' } else { ' ' };
     let says = match (found.is_older, found.is_stale) {
         (true, _) => words().older_than_file(),
         (false, true) => words().made_on_another_text(),
         (false, false) => "",
     };
-    let part = if is_chosen { Part::Key } else { Part::Text };
+    let part = if is_chosen {
+        ScreenPart::Key
+    } else {
+        ScreenPart::Text
+    };
     (
         format!("{mark} {}  {says}", found.time).trim_end().into(),
         part,
@@ -174,11 +178,11 @@ fn elsewhere(other: &Alive) -> String {
 }
 
 /// The lines of a page from where it is scrolled to.
-fn read(page: &Page, offer: &Offer, most: u16) -> Vec<Line> {
+fn read(page: &OfferPage, offer: &Offer, most: u16) -> Vec<OfferLine> {
     let time = offer.chosen().map_or("", |chosen| &chosen.time);
-    let head = (words().of_time(time), Part::Quiet);
+    let head = (words().of_time(time), ScreenPart::Quiet);
     let lines = page.lines.iter().skip(page.scroll);
-    let lines = lines.map(|line| (line.clone(), Part::Text));
+    let lines = lines.map(|line| (line.clone(), ScreenPart::Text));
     std::iter::once(head)
         .chain(lines)
         .take(most.into())

@@ -19,7 +19,7 @@ pub(crate) enum Purpose {
 
 /// What can be chosen.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum PickerTarget {
     /// The open scene, as it was when it was opened.
     Original,
     /// A folder to look into.
@@ -30,14 +30,16 @@ pub(crate) enum Place {
     Preset(&'static str),
 }
 
-impl Place {
+impl PickerTarget {
     /// Where an open scene comes from.
-    pub(crate) fn of(origin: &Origin) -> Option<Place> {
+    pub(crate) fn of(origin: &Origin) -> Option<PickerTarget> {
         match origin {
-            Origin::Preset(name) => presets::find(name).map(|preset| Place::Preset(preset.name)),
+            Origin::Preset(name) => {
+                presets::find(name).map(|preset| PickerTarget::Preset(preset.name))
+            }
             Origin::File(path) => {
                 let folder = whole(path.parent()?);
-                Some(Place::File(folder.join(path.file_name()?)))
+                Some(PickerTarget::File(folder.join(path.file_name()?)))
             }
             Origin::Stdin => None,
         }
@@ -46,8 +48,8 @@ impl Place {
 
 /// An entry of the list.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Item {
-    pub(crate) place: Place,
+pub(crate) struct PickerItem {
+    pub(crate) place: PickerTarget,
     /// As it is listed: the name of a file with its ending, of a folder with a stroke behind it.
     pub(crate) name: String,
     /// The title of a preset; of a file nothing is known until it is looked at.
@@ -58,7 +60,7 @@ pub(crate) struct Item {
 
 /// A line of the list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Row<'p> {
+pub(crate) enum PickerRow<'p> {
     /// The folder whose files follow.
     Folder(&'p Path),
     /// The presets follow.
@@ -66,7 +68,7 @@ pub(crate) enum Row<'p> {
     /// Something to know, where entries could be expected.
     Note(&'p str),
     /// An entry, and whether it is under the cursor.
-    Item(&'p Item, bool),
+    Item(&'p PickerItem, bool),
 }
 
 /// The list, what was typed to narrow it, and the cursor in it.
@@ -78,7 +80,7 @@ pub(crate) struct Picker {
     folder: PathBuf,
     /// What is to be said about the folder.
     note: Option<String>,
-    items: Vec<Item>,
+    items: Vec<PickerItem>,
     search: String,
     /// The numbers of the entries that match the search.
     matches: Vec<usize>,
@@ -93,24 +95,24 @@ const ABOVE: &str = "..";
 
 /// A folder, and what was found in it, or in words why nothing was.
 #[derive(Debug)]
-pub(crate) struct Reading {
+pub(crate) struct FolderReading {
     folder: PathBuf,
     found: Result<Folder, String>,
 }
 
-impl Reading {
+impl FolderReading {
     /// Reads a folder, which may take long.
-    pub(crate) fn of(folder: &Path) -> Reading {
+    pub(crate) fn of(folder: &Path) -> FolderReading {
         let folder = whole(folder);
         let found = Folder::read(&folder).map_err(|why| words().cannot_be_read(&why));
-        Reading { folder, found }
+        FolderReading { folder, found }
     }
 }
 
-impl Default for Reading {
+impl Default for FolderReading {
     /// None so far.
     fn default() -> Self {
-        Reading {
+        FolderReading {
             folder: PathBuf::new(),
             found: Err(words().folder_being_read().into()),
         }
@@ -130,7 +132,7 @@ impl Picker {
             matches: Vec::new(),
             cursor: 0,
         };
-        picker.list(Reading::default(), None);
+        picker.list(FolderReading::default(), None);
         picker
     }
 
@@ -148,32 +150,36 @@ impl Picker {
     }
 
     /// The entry under the cursor; `None` where nothing matches.
-    pub(crate) fn chosen(&self) -> Option<&Item> {
+    pub(crate) fn chosen(&self) -> Option<&PickerItem> {
         let number = self.matches.get(self.cursor)?;
         self.items.get(*number)
     }
 
     /// Lists another folder, with nothing typed, and the cursor on `at` where that is in it.
-    pub(crate) fn list(&mut self, read: Reading, at: Option<&Place>) {
+    pub(crate) fn list(&mut self, read: FolderReading, at: Option<&PickerTarget>) {
         self.folder = read.folder;
         self.search.clear();
         self.items.clear();
         if self.original {
-            self.items
-                .push(Item::new(Place::Original, words().as_opened(), ""));
+            self.items.push(PickerItem::new(
+                PickerTarget::Original,
+                words().as_opened(),
+                "",
+            ));
         }
         let above = self.folder.parent().map(Path::to_owned);
-        let above = above.map(|above| Item::new(Place::Folder(above), ABOVE, ""));
+        let above = above.map(|above| PickerItem::new(PickerTarget::Folder(above), ABOVE, ""));
         self.items.extend(above);
         self.note = match read.found {
             Ok(found) => self.take(found),
             Err(why) => Some(why),
         };
         let presets = presets::all().iter().zip(TITLES.iter());
-        self.items
-            .extend(presets.map(|(p, title)| Item::new(Place::Preset(p.name), p.name, title)));
+        self.items.extend(
+            presets.map(|(p, title)| PickerItem::new(PickerTarget::Preset(p.name), p.name, title)),
+        );
         self.narrow();
-        let known = |place: &Place| self.items.iter().position(|item| item.place == *place);
+        let known = |place: &PickerTarget| self.items.iter().position(|item| item.place == *place);
         self.cursor = at.and_then(known).unwrap_or_else(|| self.first_scene());
     }
 
@@ -186,11 +192,13 @@ impl Picker {
         };
         for path in found.folders {
             let name = format!("{}/", name_of(&path));
-            self.items.push(Item::new(Place::Folder(path), &name, ""));
+            self.items
+                .push(PickerItem::new(PickerTarget::Folder(path), &name, ""));
         }
         for path in found.scenes {
             let name = name_of(&path);
-            self.items.push(Item::new(Place::File(path), &name, ""));
+            self.items
+                .push(PickerItem::new(PickerTarget::File(path), &name, ""));
         }
         note.map(str::to_owned)
     }
@@ -201,9 +209,9 @@ impl Picker {
     }
 
     /// The folder that holds the one that is listed, and this one as a place in it.
-    pub(crate) fn above(&self) -> Option<(PathBuf, Place)> {
+    pub(crate) fn above(&self) -> Option<(PathBuf, PickerTarget)> {
         let above = self.folder.parent()?.to_owned();
-        Some((above, Place::Folder(self.folder.clone())))
+        Some((above, PickerTarget::Folder(self.folder.clone())))
     }
 
     /// Types into the search; what could act on a terminal is left out, and so is a blank in front.
@@ -233,7 +241,7 @@ impl Picker {
     }
 
     /// The lines of the list: what matches, under the headings of its parts.
-    pub(crate) fn rows(&self) -> Vec<Row<'_>> {
+    pub(crate) fn rows(&self) -> Vec<PickerRow<'_>> {
         let items = self.matches.iter().enumerate();
         let items = items.filter_map(|(i, &n)| Some((i == self.cursor, self.items.get(n)?)));
         let mut rows = Vec::with_capacity(self.matches.len() + 3);
@@ -242,22 +250,22 @@ impl Picker {
         let note = self.note.as_deref().filter(|_| self.search.is_empty());
         for (under_cursor, item) in items {
             match item.place {
-                Place::Original => {}
-                Place::Folder(_) | Place::File(_) => {
+                PickerTarget::Original => {}
+                PickerTarget::Folder(_) | PickerTarget::File(_) => {
                     if !in_folder {
-                        rows.push(Row::Folder(&self.folder));
+                        rows.push(PickerRow::Folder(&self.folder));
                     }
                     in_folder = true;
                 }
-                Place::Preset(_) => {
+                PickerTarget::Preset(_) => {
                     if !in_presets {
-                        rows.extend(note.map(Row::Note));
-                        rows.push(Row::Presets);
+                        rows.extend(note.map(PickerRow::Note));
+                        rows.push(PickerRow::Presets);
                     }
                     in_presets = true;
                 }
             }
-            rows.push(Row::Item(item, under_cursor));
+            rows.push(PickerRow::Item(item, under_cursor));
         }
         rows
     }
@@ -279,7 +287,7 @@ impl Picker {
     fn narrow(&mut self) {
         let typed = self.search.to_lowercase();
         let words: Vec<&str> = typed.split_whitespace().collect();
-        let matches = |item: &Item| {
+        let matches = |item: &PickerItem| {
             words.is_empty()
                 || (item.name != ABOVE && words.iter().all(|word| item.key.contains(word)))
         };
@@ -290,14 +298,14 @@ impl Picker {
 
     /// Where the cursor is best when nothing says more: folders come first, but are not looked for.
     fn first_scene(&self) -> usize {
-        let is_scene = |n: &usize| !matches!(self.items[*n].place, Place::Folder(_));
+        let is_scene = |n: &usize| !matches!(self.items[*n].place, PickerTarget::Folder(_));
         self.matches.iter().position(is_scene).unwrap_or(0)
     }
 }
 
-impl Item {
-    fn new(place: Place, name: &str, title: &'static str) -> Item {
-        Item {
+impl PickerItem {
+    fn new(place: PickerTarget, name: &str, title: &'static str) -> PickerItem {
+        PickerItem {
             place,
             name: name.to_owned(),
             title,

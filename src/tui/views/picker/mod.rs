@@ -17,25 +17,25 @@ use super::{body, columns, cut, inset, mark_more, print, print_right, row};
 use crate::drawing::{self, Layers};
 use crate::page::wrapped;
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
-use crate::tui::views::picker::list::{Item, Picker, Purpose, Row};
-use crate::tui::views::picker::preview::{Fault, Preview, Sample};
+use crate::tui::views::picker::list::{Picker, PickerItem, PickerRow, Purpose};
+use crate::tui::views::picker::preview::{Preview, Sample, Unopenable};
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Where the parts of the screen are.
-struct Arrangement {
+struct PickerAreas {
     list: Rect,
     /// One column, and what is right of it; none on small screens.
     preview: Option<(Rect, Rect)>,
 }
 
-fn arrange(area: Rect) -> Arrangement {
+fn arrange(area: Rect) -> PickerAreas {
     if area.width < NARROWEST || area.height < LOWEST {
         let list = inset(area);
-        return Arrangement {
+        return PickerAreas {
             list,
             preview: None,
         };
@@ -50,7 +50,7 @@ fn arrange(area: Rect) -> Arrangement {
         width,
         ..area
     };
-    Arrangement {
+    PickerAreas {
         list: inset(part(0, width)),
         preview: Some((
             part(width, 1),
@@ -85,21 +85,32 @@ fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
         let room = right.saturating_sub(x);
         print(buffer, x, area.y, room, text, theme::part(part))
     };
-    let x = put(buffer, area.x + 1, what, Part::Title);
-    let x = put(buffer, x + 2, words().search_for(), Part::Quiet);
-    let x = put(buffer, x, &shown(picker.search(), app.glyphs()), Part::Text);
-    let x = put(buffer, x, " ", Part::Caret);
+    let x = put(buffer, area.x + 1, what, ScreenPart::Title);
+    let x = put(buffer, x + 2, words().search_for(), ScreenPart::Quiet);
+    let x = put(
+        buffer,
+        x,
+        &shown(picker.search(), app.glyphs()),
+        ScreenPart::Text,
+    );
+    let x = put(buffer, x, " ", ScreenPart::Caret);
     let (found, all) = picker.count();
     let count = words().some_of(found, all);
     if x + columns(&count) < right {
-        print_right(buffer, right, area.y, &count, theme::part(Part::Quiet));
+        print_right(
+            buffer,
+            right,
+            area.y,
+            &count,
+            theme::part(ScreenPart::Quiet),
+        );
     }
 }
 
 fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let rows = picker.rows();
     if rows.is_empty() {
-        let style = theme::part(Part::Text);
+        let style = theme::part(ScreenPart::Text);
         paragraph(app, words().nothing_matches(), area, style, buffer);
         return;
     }
@@ -107,7 +118,7 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let height = usize::from(area.height).max(1);
     let cursor = rows
         .iter()
-        .position(|row| matches!(row, Row::Item(_, true)));
+        .position(|row| matches!(row, PickerRow::Item(_, true)));
     let most = rows.len().saturating_sub(height);
     let first = cursor.unwrap_or(0).saturating_sub(height / 2).min(most);
     mark_more(area, first > 0, first < most, buffer);
@@ -118,7 +129,7 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
             ..area
         };
         match *row {
-            Row::Folder(path) => {
+            PickerRow::Folder(path) => {
                 let path = path.display().to_string();
                 heading(
                     &ending(&shown(&path, app.glyphs()), area.width.into()),
@@ -126,8 +137,8 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
                     buffer,
                 );
             }
-            Row::Presets => heading(words().presets(), line, buffer),
-            Row::Note(note) => {
+            PickerRow::Presets => heading(words().presets(), line, buffer),
+            PickerRow::Note(note) => {
                 let text = cut(&shown(note, app.glyphs()), usize::from(area.width) - 2);
                 print(
                     buffer,
@@ -135,27 +146,27 @@ fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
                     y,
                     line.width,
                     &text,
-                    theme::part(Part::Quiet),
+                    theme::part(ScreenPart::Quiet),
                 );
             }
-            Row::Item(item, under_cursor) => entry(app, item, under_cursor, line, buffer),
+            PickerRow::Item(item, under_cursor) => entry(app, item, under_cursor, line, buffer),
         }
     }
 }
 
 fn heading(text: &str, area: Rect, buffer: &mut Buffer) {
-    let style = theme::part(Part::Quiet);
+    let style = theme::part(ScreenPart::Quiet);
     print(buffer, area.x, area.y, area.width, text, style);
 }
 
-fn entry(app: &App, item: &Item, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
-    let part = |other| theme::part(if under_cursor { Part::Key } else { other });
+fn entry(app: &App, item: &PickerItem, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
+    let part = |other| theme::part(if under_cursor { ScreenPart::Key } else { other });
     let room = usize::from(area.width.saturating_sub(INDENT));
     let mark = if under_cursor { ">" } else { " " };
-    print(buffer, area.x, area.y, 1, mark, part(Part::Key));
+    print(buffer, area.x, area.y, 1, mark, part(ScreenPart::Key));
     let name = cut(&shown(&item.name, app.glyphs()), room);
     let x = area.x + INDENT;
-    print(buffer, x, area.y, area.width, &name, part(Part::Text));
+    print(buffer, x, area.y, area.width, &name, part(ScreenPart::Text));
     // Titles stand below each other.
     let x = x + NAMES;
     if area.right() >= x + SHORTEST_TITLE && columns(&name) < NAMES {
@@ -169,7 +180,7 @@ fn entry(app: &App, item: &Item, under_cursor: bool, area: Rect, buffer: &mut Bu
             area.y,
             area.right() - x,
             &title,
-            part(Part::Quiet),
+            part(ScreenPart::Quiet),
         );
     }
 }
@@ -190,14 +201,20 @@ fn preview(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
         title.y,
         title.width,
         &name,
-        theme::part(Part::Title),
+        theme::part(ScreenPart::Title),
     );
     match app.preview() {
         Some(Preview::Scene(sample)) => scene(app, sample, below, buffer),
         Some(Preview::Fault(fault)) => faulty(app, fault, below, buffer),
         Some(Preview::Folder(names)) => folder(app, names, below, buffer),
         Some(Preview::Unseen(why)) => {
-            paragraph(app, why, split(below, 1).1, theme::part(Part::Text), buffer);
+            paragraph(
+                app,
+                why,
+                split(below, 1).1,
+                theme::part(ScreenPart::Text),
+                buffer,
+            );
         }
         None => {}
     }
@@ -218,7 +235,7 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
         &sample.state,
         Layers::default(),
     );
-    let view = drawing::View::fit(&sample.reach, picture.width, picture.height, app.aspect());
+    let view = drawing::WorldView::fit(&sample.reach, picture.width, picture.height, app.aspect());
     super::show(
         &drawing::render(&figure, &view, app.glyphs()),
         picture,
@@ -231,9 +248,9 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
 }
 
 /// What is worth knowing before a scene is opened, in lines.
-fn facts(sample: &Sample, width: usize) -> Vec<(String, Part)> {
+fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
     let Sample { scene, .. } = sample;
-    let lines = |text: &str, most: usize, part: Part| {
+    let lines = |text: &str, most: usize, part: ScreenPart| {
         let mut lines = wrapped(text, width);
         if lines.len() > most {
             lines.truncate(most);
@@ -245,13 +262,17 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, Part)> {
     };
     let own = format!("{}; {}", sample.parts, sample.range);
     let said = [
-        (own.as_str(), MOST_FACTS, Part::Text),
+        (own.as_str(), MOST_FACTS, ScreenPart::Text),
         (
             scene.source.as_deref().unwrap_or(""),
             MOST_SOURCE,
-            Part::Quiet,
+            ScreenPart::Quiet,
         ),
-        (scene.note.as_deref().unwrap_or(""), MOST_NOTE, Part::Text),
+        (
+            scene.note.as_deref().unwrap_or(""),
+            MOST_NOTE,
+            ScreenPart::Text,
+        ),
     ];
     let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
     said.flat_map(|(text, most, part)| lines(text, most, part))
@@ -259,27 +280,39 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, Part)> {
 }
 
 /// The first fault in words, where it is and what mends it.
-fn faulty(app: &App, fault: &Fault, area: Rect, buffer: &mut Buffer) {
+fn faulty(app: &App, fault: &Unopenable, area: Rect, buffer: &mut Buffer) {
     let area = split(area, 1).1;
     let area = paragraph(
         app,
         words().cannot_be_opened(),
         area,
-        theme::part(Part::Warning),
+        theme::part(ScreenPart::Warning),
         buffer,
     );
-    let area = paragraph(app, &fault.what, area, theme::part(Part::Text), buffer);
+    let area = paragraph(
+        app,
+        &fault.what,
+        area,
+        theme::part(ScreenPart::Text),
+        buffer,
+    );
     let mut area = area;
     if let Some((line, column)) = fault.at {
         let place = words().line_and_column(line, column);
-        area = paragraph(app, &place, area, theme::part(Part::Quiet), buffer);
+        area = paragraph(app, &place, area, theme::part(ScreenPart::Quiet), buffer);
     }
     if let Some(mend) = &fault.mend {
-        area = paragraph(app, mend, split(area, 1).1, theme::part(Part::Text), buffer);
+        area = paragraph(
+            app,
+            mend,
+            split(area, 1).1,
+            theme::part(ScreenPart::Text),
+            buffer,
+        );
     }
     if fault.more > 0 {
         let more = words().more_below(fault.more);
-        paragraph(app, &more, area, theme::part(Part::Quiet), buffer);
+        paragraph(app, &more, area, theme::part(ScreenPart::Quiet), buffer);
     }
 }
 
@@ -287,7 +320,7 @@ fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
     let area = split(area, 1).1;
     if names.is_empty() {
         let none = words().no_scene_file_in_it();
-        paragraph(app, none, area, theme::part(Part::Quiet), buffer);
+        paragraph(app, none, area, theme::part(ScreenPart::Quiet), buffer);
         return;
     }
     let height = usize::from(area.height);
@@ -305,12 +338,12 @@ fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
             y,
             area.width,
             &name,
-            theme::part(Part::Text),
+            theme::part(ScreenPart::Text),
         );
     }
     if !is_whole && area.height > 0 {
         let more = words().and_more(names.len() - seen);
-        let style = theme::part(Part::Quiet);
+        let style = theme::part(ScreenPart::Quiet);
         print(buffer, area.x, area.bottom() - 1, area.width, &more, style);
     }
 }

@@ -7,7 +7,7 @@ use crate::solver::{Order, Range, Solver, State};
 use crate::tui::document::opening::{self, Unopened};
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::views::picker::folder::{Folder, name_of};
-use crate::tui::views::picker::list::Place;
+use crate::tui::views::picker::list::PickerTarget;
 use crate::tui::{Opened, Origin};
 use crate::wording::words;
 use std::fs;
@@ -25,7 +25,7 @@ pub(crate) enum Preview {
     /// A scene where it opens.
     Scene(Box<Sample>),
     /// A file that cannot be opened.
-    Fault(Fault),
+    Fault(Unopenable),
     /// What a folder holds, by name.
     Folder(Vec<String>),
     /// There is nothing to see yet; why, in words.
@@ -46,7 +46,7 @@ pub(crate) struct Sample {
 
 /// Why a file cannot be opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Fault {
+pub(crate) struct Unopenable {
     /// What is wrong first.
     pub(crate) what: String,
     /// Line and column, from 1.
@@ -60,12 +60,12 @@ pub(crate) struct Fault {
 /// The previews that were made, the last ones last.
 #[derive(Debug, Default)]
 pub(crate) struct Previews {
-    made: Vec<(Place, Preview)>,
+    made: Vec<(PickerTarget, Preview)>,
 }
 
 impl Previews {
     /// Whether the preview of an entry is to be made: not if there is one, or it is being made.
-    pub(crate) fn expect(&mut self, place: &Place) -> bool {
+    pub(crate) fn expect(&mut self, place: &PickerTarget) -> bool {
         let is_new = self.of(place).is_none();
         if is_new {
             if self.made.len() == KEPT {
@@ -78,7 +78,7 @@ impl Previews {
     }
 
     /// The preview of an entry was made; of one that is still in the list.
-    pub(crate) fn put(&mut self, place: &Place, preview: Preview) {
+    pub(crate) fn put(&mut self, place: &PickerTarget, preview: Preview) {
         let expected = self.made.iter_mut().find(|(known, _)| known == place);
         if let Some((_, made)) = expected {
             *made = preview;
@@ -86,7 +86,7 @@ impl Previews {
     }
 
     /// The preview of an entry, if it was made.
-    pub(crate) fn of(&self, place: &Place) -> Option<&Preview> {
+    pub(crate) fn of(&self, place: &PickerTarget) -> Option<&Preview> {
         let made = self.made.iter().find(|(known, _)| known == place);
         made.map(|(_, preview)| preview)
     }
@@ -99,12 +99,12 @@ impl Previews {
 
 impl Preview {
     /// Makes the preview of an entry, which may take long. `original` is the text that was opened.
-    pub(crate) fn of(place: &Place, original: &str) -> Preview {
+    pub(crate) fn of(place: &PickerTarget, original: &str) -> Preview {
         match place {
-            Place::Folder(path) => of_folder(path),
-            Place::File(path) => of_file(path),
-            Place::Original => of_text(original, ""),
-            Place::Preset(name) => {
+            PickerTarget::Folder(path) => of_folder(path),
+            PickerTarget::File(path) => of_file(path),
+            PickerTarget::Original => of_text(original, ""),
+            PickerTarget::Preset(name) => {
                 let text = presets::find(name).map_or("", |preset| preset.text);
                 of_text(text, name)
             }
@@ -115,7 +115,7 @@ impl Preview {
 fn of_text(text: &str, name: &str) -> Preview {
     match opening::text(text, Origin::Preset(name.to_owned())) {
         Ok(opened) => Preview::Scene(Box::new(Sample::of(opened))),
-        Err(diagnostics) => Preview::Fault(Fault::first_of(&diagnostics)),
+        Err(diagnostics) => Preview::Fault(Unopenable::first_of(&diagnostics)),
     }
 }
 
@@ -128,8 +128,8 @@ fn of_file(path: &Path) -> Preview {
     }
     match opening::scene_of(path) {
         Ok(opened) => Preview::Scene(Box::new(Sample::of(opened))),
-        Err(Unopened::Wrong(diagnostics)) => Preview::Fault(Fault::first_of(&diagnostics)),
-        Err(unread @ Unopened::Unread(_)) => Preview::Fault(Fault {
+        Err(Unopened::Wrong(diagnostics)) => Preview::Fault(Unopenable::first_of(&diagnostics)),
+        Err(unread @ Unopened::Unread(_)) => Preview::Fault(Unopenable {
             what: unread.first_words(),
             at: None,
             mend: None,
@@ -165,10 +165,10 @@ impl Sample {
     }
 }
 
-impl Fault {
-    fn first_of(diagnostics: &Diagnostics) -> Fault {
+impl Unopenable {
+    fn first_of(diagnostics: &Diagnostics) -> Unopenable {
         let first = diagnostics.items.first();
-        Fault {
+        Unopenable {
             what: diagnostics.first_words().to_owned(),
             at: first.and_then(|item| diagnostics.position(item)),
             mend: first.and_then(|item| item.helps.first().cloned()),

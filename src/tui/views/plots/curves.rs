@@ -45,12 +45,12 @@ struct Sampled {
     of: (Edition, Option<Edition>),
     /// What is plotted, in the order of the panels' figures.
     names: Vec<String>,
-    outcome: Outcome,
+    outcome: SamplingOutcome,
 }
 
 /// What came of sampling.
 #[derive(Debug)]
-enum Outcome {
+enum SamplingOutcome {
     Plot(Box<Curves>, Plot),
     /// In words, why there is nothing.
     Nothing(String),
@@ -81,9 +81,9 @@ impl Plots {
         let outcome = match sampled(open_scene.scene(), open_scene.solver(), &names, &self.along) {
             Ok(curves) => {
                 let plot = Plot::of(&curves);
-                Outcome::Plot(Box::new(curves), plot)
+                SamplingOutcome::Plot(Box::new(curves), plot)
             }
-            Err(why) => Outcome::Nothing(why),
+            Err(why) => SamplingOutcome::Nothing(why),
         };
         self.sampled = Some(Sampled { of, names, outcome });
         if let Some(compared) = compared {
@@ -168,8 +168,8 @@ impl Plots {
     pub(crate) fn plot(&self) -> Result<&Plot, &str> {
         match self.sampled.as_ref().map(|s| &s.outcome) {
             None => Err(""),
-            Some(Outcome::Nothing(why)) => Err(why),
-            Some(Outcome::Plot(_, plot)) => Ok(plot),
+            Some(SamplingOutcome::Nothing(why)) => Err(why),
+            Some(SamplingOutcome::Plot(_, plot)) => Ok(plot),
         }
     }
 
@@ -186,7 +186,7 @@ impl Plots {
             Along::Figure(name) => known(name),
         };
         let names: Vec<String> = names.iter().filter(|name| known(name)).cloned().collect();
-        if let (true, Outcome::Plot(_, plot), Ok(curves)) =
+        if let (true, SamplingOutcome::Plot(_, plot), Ok(curves)) =
             (along, outcome, sampled(scene, solver, &names, &self.along))
         {
             let other = Plot::of(&curves).in_unit(scene.unit.symbol(), unit, compared.scale());
@@ -209,8 +209,8 @@ impl Plots {
     /// What was sampled; `None` where there is nothing.
     pub(crate) fn curves(&self) -> Option<&Curves> {
         match self.sampled.as_ref().map(|s| &s.outcome) {
-            Some(Outcome::Plot(curves, _)) => Some(curves),
-            Some(Outcome::Nothing(_)) | None => None,
+            Some(SamplingOutcome::Plot(curves, _)) => Some(curves),
+            Some(SamplingOutcome::Nothing(_)) | None => None,
         }
     }
 

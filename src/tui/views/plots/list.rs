@@ -2,7 +2,7 @@
 
 use crate::quantity::Catalogue;
 use crate::scene::Scene;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 
 /// All quantities of a scene, narrowed by what is searched for.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub(crate) struct PlotList {
     /// Those that are listed, by their place among all.
     found: Vec<usize>,
     cursor: usize,
-    search: Line,
+    search: EditLine,
     typing: bool,
 }
 
@@ -26,7 +26,7 @@ impl PlotList {
             found: (0..all.len()).collect(),
             cursor: cursor.unwrap_or(0),
             all,
-            search: Line::for_words(),
+            search: EditLine::for_words(),
             typing: false,
         }
     }
@@ -67,7 +67,7 @@ impl PlotList {
     }
 
     /// The line that is typed into; [`PlotList::narrow`] has to follow.
-    pub(crate) fn typed(&mut self) -> Option<&mut Line> {
+    pub(crate) fn typed(&mut self) -> Option<&mut EditLine> {
         self.typing.then_some(&mut self.search)
     }
 

@@ -11,9 +11,9 @@ pub(crate) mod list;
 
 use super::pane::{Copied, Need, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
-use crate::drawing::plot::{Look, Plot};
+use crate::drawing::plot::{Plot, PlotStyle};
 use crate::tui::app::{App, Mode};
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, PlotsAction};
 use crate::tui::figures::copying;
 use crate::tui::player::open_scene::shown;
@@ -31,21 +31,21 @@ const HEAD: u16 = 1;
 const NAME: u16 = 16;
 
 /// Where the parts of the view are.
-struct Arrangement {
+struct PlotAreas {
     list: Option<Rect>,
     plot: Option<Rect>,
 }
 
-fn arrange(app: &App, area: Rect) -> Arrangement {
+fn arrange(app: &App, area: Rect) -> PlotAreas {
     let whole = inset(area);
     if !matches!(app.mode(), Mode::PlotList(_)) {
-        return Arrangement {
+        return PlotAreas {
             list: None,
             plot: Some(whole),
         };
     }
     if area.width < BOTH {
-        return Arrangement {
+        return PlotAreas {
             list: Some(inset(area)),
             plot: None,
         };
@@ -59,7 +59,7 @@ fn arrange(app: &App, area: Rect) -> Arrangement {
         width: whole.width - LIST,
         ..whole
     };
-    Arrangement {
+    PlotAreas {
         list: Some(inset(list)),
         plot: Some(plot),
     }
@@ -86,7 +86,7 @@ impl Pane for PlotsView {
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let Arrangement { list, plot } = arrange(app, body);
+        let PlotAreas { list, plot } = arrange(app, body);
         if let Some(body) = plot {
             render_plot(app, body, buffer);
         }
@@ -150,7 +150,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
         }
     };
     let area = tell_what_is_hidden(app, area, buffer);
-    let look = Look {
+    let look = PlotStyle {
         cols: area.width,
         rows: area.height,
         glyphs: app.glyphs(),
@@ -173,7 +173,14 @@ fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
     let height = u16::try_from(lines.len()).unwrap_or(area.height);
     let height = height.min(area.height / 2);
     for (y, line) in (area.top()..area.top() + height).zip(&lines) {
-        print(buffer, area.x, y, area.width, line, theme::part(Part::Text));
+        print(
+            buffer,
+            area.x,
+            y,
+            area.width,
+            line,
+            theme::part(ScreenPart::Text),
+        );
     }
     Rect {
         y: area.y + height,
@@ -183,7 +190,7 @@ fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
 }
 
 /// Marks at the right edge that there are more panels above or below.
-fn mark_panels(plot: &Plot, look: &Look, area: Rect, buffer: &mut Buffer) {
+fn mark_panels(plot: &Plot, look: &PlotStyle, area: Rect, buffer: &mut Buffer) {
     let hidden = plot.panels.len() - plot.panels_in(look.rows);
     let first = look.first.min(hidden);
     mark_more(area, first > 0, first < hidden, buffer);
@@ -213,17 +220,17 @@ fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
         y += 1;
     };
     for line in &lines {
-        say(line, columns(line), Part::Text);
+        say(line, columns(line), ScreenPart::Text);
     }
-    say("", 0, Part::Text);
+    say("", 0, ScreenPart::Text);
     for line in &leads {
-        say(line, block, Part::Quiet);
+        say(line, block, ScreenPart::Quiet);
     }
 }
 
 fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
     let (found, all) = list.count();
-    let quiet = theme::part(Part::Quiet);
+    let quiet = theme::part(ScreenPart::Quiet);
     match list.search() {
         None => {
             print(
@@ -242,9 +249,16 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
             let skipped = text.len().saturating_sub(room.saturating_sub(1));
             let seen = text.get(skipped..).unwrap_or_default();
             let x = print(buffer, area.x, area.y, area.width, "/", quiet);
-            let x = print(buffer, x, area.y, area.width, seen, theme::part(Part::Text));
+            let x = print(
+                buffer,
+                x,
+                area.y,
+                area.width,
+                seen,
+                theme::part(ScreenPart::Text),
+            );
             if typing {
-                print(buffer, x, area.y, 1, " ", theme::part(Part::Caret));
+                print(buffer, x, area.y, 1, " ", theme::part(ScreenPart::Caret));
             }
             print_right(buffer, area.right(), area.y, &found.to_string(), quiet);
         }
@@ -272,20 +286,20 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
     let seen = list.rows().enumerate().skip(first);
     for (y, (i, (name, unit))) in (rows.top()..rows.bottom()).zip(seen) {
         let is_here = i == list.cursor();
-        let part = |other| theme::part(if is_here { Part::Key } else { other });
+        let part = |other| theme::part(if is_here { ScreenPart::Key } else { other });
         let mark = match (is_here, app.plots().is_chosen(name)) {
             (true, true) => "> [x] ",
             (true, false) => "> [ ] ",
             (false, true) => "  [x] ",
             (false, false) => "  [ ] ",
         };
-        let x = print(buffer, rows.x, y, rows.width, mark, part(Part::Text));
+        let x = print(buffer, rows.x, y, rows.width, mark, part(ScreenPart::Text));
         let room = rows.right().saturating_sub(x);
         let name = shown(&cut(name, usize::from(NAME.min(room))), app.glyphs());
-        print(buffer, x, y, room, &name, part(Part::Name));
+        print(buffer, x, y, room, &name, part(ScreenPart::Name));
         let x = (x + NAME + 1).min(x + columns(&name).max(9) + 1);
         let room = rows.right().saturating_sub(x);
-        print(buffer, x, y, room, unit, part(Part::Quiet));
+        print(buffer, x, y, room, unit, part(ScreenPart::Quiet));
     }
     mark_more(rows, first > 0, first < most, buffer);
 }

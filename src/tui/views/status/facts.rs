@@ -3,9 +3,9 @@
 use crate::solver::Condition;
 use crate::tui::Origin;
 use crate::tui::app::{App, Mode, Unsaved};
-use crate::tui::appearance::theme::Part;
+use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::action::{Action, entry_of};
-use crate::tui::document::writing::{Content, Prompt, Question};
+use crate::tui::document::writing::{Prompt, Question, SavedContent};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::next_singularity::ahead;
 use crate::tui::player::open_scene::{OpenScene, shown};
@@ -23,8 +23,8 @@ pub(super) fn mode(app: &App) -> &'static str {
         Mode::Assemblies(_) | Mode::PlotList(_) => words().choosing(),
         Mode::FileName(Prompt { content, .. }) | Mode::Confirm(Question { content, .. }) => {
             match content {
-                Content::Scene => words().save(),
-                Content::Text(_) => words().writing(),
+                SavedContent::Scene => words().save(),
+                SavedContent::Text(_) => words().writing(),
             }
         }
         Mode::Pick(picker) => match picker.purpose() {
@@ -89,14 +89,14 @@ pub(super) fn progress(app: &App) -> Option<String> {
 }
 
 /// In one word, and with what follows from it where there is room.
-pub(super) fn state(condition: Condition, narrow: bool) -> (&'static str, Part) {
+pub(super) fn state(condition: Condition, narrow: bool) -> (&'static str, ScreenPart) {
     match condition {
-        Condition::Ok => (words().ok(), Part::Text),
-        Condition::ChangePoint => (words().change_point(), Part::Warning),
-        Condition::DeadPoint if narrow => (words().dead_point(), Part::Warning),
-        Condition::DeadPoint => (words().dead_point_without_rates(), Part::Warning),
-        Condition::NoAssembly if narrow => (words().no_assembly(), Part::Warning),
-        Condition::NoAssembly => (words().no_assembly_here(), Part::Warning),
+        Condition::Ok => (words().ok(), ScreenPart::Text),
+        Condition::ChangePoint => (words().change_point(), ScreenPart::Warning),
+        Condition::DeadPoint if narrow => (words().dead_point(), ScreenPart::Warning),
+        Condition::DeadPoint => (words().dead_point_without_rates(), ScreenPart::Warning),
+        Condition::NoAssembly if narrow => (words().no_assembly(), ScreenPart::Warning),
+        Condition::NoAssembly => (words().no_assembly_here(), ScreenPart::Warning),
     }
 }
 

@@ -14,7 +14,7 @@ mod writer;
 use super::{columns, cut};
 use crate::solver::Condition;
 use crate::tui::app::{App, Mode};
-use crate::tui::appearance::theme::Part;
+use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -33,7 +33,7 @@ const HINTS: u16 = 26;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let mut line = Writer::new(area, buffer);
-    line.say(&format!(" {} ", facts::mode(app)), Part::Mode);
+    line.say(&format!(" {} ", facts::mode(app)), ScreenPart::Mode);
     if prompts::render(app, &mut line) {
         return;
     }
@@ -52,7 +52,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     let driver = studied.unwrap_or_else(|| facts::driver(app.open_scene()));
     let is_missing = app.condition() != Condition::Ok;
     let (state, part) = match is_studied {
-        true => ("", Part::Text),
+        true => ("", ScreenPart::Text),
         false => facts::state(app.condition(), narrow),
     };
     let why = if is_missing { columns(state) + 2 } else { 0 };
@@ -60,7 +60,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     let spare = line.room().checked_sub(needed);
     // A part of a figure would be another figure: it stands whole, or not at all.
     if spare >= Some(columns(&driver) + 2) || (is_missing && spare.is_none()) {
-        line.say(&driver, Part::Text);
+        line.say(&driver, ScreenPart::Text);
         line.gap(2);
     }
     // Why figures are missing stays to be read, whatever else there is to say.
@@ -91,10 +91,10 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     let room = line.room().saturating_sub(behind);
     if room >= SHORTEST_SCENE && !(narrow && is_listing(app)) {
         let longest = usize::from(room - gap).min(LONGEST_SCENE);
-        line.say(&cut(&facts::scene(app), longest), Part::Text);
+        line.say(&cut(&facts::scene(app), longest), ScreenPart::Text);
         line.gap(gap);
     }
-    line.say(&driver, Part::Text);
+    line.say(&driver, ScreenPart::Text);
     line.gap(gap);
     if is_studied {
         line.gap(gap);
@@ -122,7 +122,7 @@ fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     let of_trust = trust.as_deref().map_or(0, |trust| columns(trust) + gap);
     let side_by_side = line.room() >= reserved + gap + of_trust + HINTS;
     if let Some(near) = &near {
-        line.say(near, Part::Text);
+        line.say(near, ScreenPart::Text);
         line.gap(gap);
     } else if !(narrow && is_listing(app) && app.condition() == Condition::Ok) {
         line.say(state, part);
@@ -134,7 +134,7 @@ fn standing(app: &App, narrow: bool, needed: u16, line: &mut Writer<'_>) {
     let fits = |trust: &String| line.room() >= columns(trust) + needed;
     let shown = trust.filter(|trust| (near.is_none() || side_by_side) && fits(trust));
     if let Some(trust) = shown {
-        line.say(&trust, Part::Quiet);
+        line.say(&trust, ScreenPart::Quiet);
         line.gap(gap);
     }
     if reserved > 0 && line.room_from(from) >= needed {

@@ -3,12 +3,12 @@
 use super::facts::mode;
 use super::{ROOM_FOR_GAPS, Writer};
 use crate::tui::app::{App, Mode, Unsaved};
-use crate::tui::appearance::theme::Part;
+use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::key::Key;
-use crate::tui::commands::line::Line;
+use crate::tui::commands::line::EditLine;
 use crate::tui::document::writing::Question;
 use crate::tui::player::open_scene::shown;
-use crate::tui::views::picker::list::{Picker, Place};
+use crate::tui::views::picker::list::{Picker, PickerTarget};
 use crate::tui::views::picker::preview::Preview;
 use crate::tui::views::{columns, cut};
 use crate::wording::words;
@@ -36,16 +36,16 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
 }
 
 /// Where a coordinate is typed.
-fn coordinate(app: &App, typed: &Line, line: &mut Writer<'_>) {
+fn coordinate(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     let unit = app.open_scene().unit();
     let what = match app.open_scene().driver_range().turns() {
         true => words().angle_in(unit),
         false => words().position_in(unit),
     };
     line.gap(1);
-    line.say(&what, Part::Text);
-    line.say(typed.text(), Part::Text);
-    line.say(" ", Part::Caret);
+    line.say(&what, ScreenPart::Text);
+    line.say(typed.text(), ScreenPart::Text);
+    line.say(" ", ScreenPart::Caret);
     line.gap(3);
     if let Some(message) = app.message() {
         line.tell(message, app);
@@ -56,15 +56,15 @@ fn coordinate(app: &App, typed: &Line, line: &mut Writer<'_>) {
 }
 
 /// Where the name of a file is typed; of a long one its end is seen.
-fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
+fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
-    line.say(words().write_to(), Part::Text);
+    line.say(words().write_to(), ScreenPart::Text);
     let room = usize::from(line.room().saturating_sub(1));
     let text = shown(typed.text(), app.glyphs());
     let skipped = text.chars().count().saturating_sub(room);
     let seen: String = text.chars().skip(skipped).collect();
-    line.say(&seen, Part::Text);
-    line.say(" ", Part::Caret);
+    line.say(&seen, ScreenPart::Text);
+    line.say(" ", ScreenPart::Caret);
     if object(app, line) {
         return;
     }
@@ -73,11 +73,11 @@ fn file_name(app: &App, typed: &Line, line: &mut Writer<'_>) {
 }
 
 /// Where a name is typed that is sought.
-fn sought(app: &App, typed: &Line, line: &mut Writer<'_>) {
+fn sought(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
-    line.say(words().name(), Part::Text);
-    line.say(typed.text(), Part::Text);
-    line.say(" ", Part::Caret);
+    line.say(words().name(), ScreenPart::Text);
+    line.say(typed.text(), ScreenPart::Text);
+    line.say(" ", ScreenPart::Caret);
     if object(app, line) {
         return;
     }
@@ -94,7 +94,7 @@ fn value(app: &App, line: &mut Writer<'_>) {
     }
     if let Some(value) = app.editor().value() {
         let units = value.units().join(", ");
-        line.say(&words().value_in(&value.name, &units), Part::Text);
+        line.say(&words().value_in(&value.name, &units), ScreenPart::Text);
         line.gap(2);
     }
     line.hint(&Key::Enter.to_string(), words().take());
@@ -106,8 +106,10 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
     line.gap(1);
     let enter = match picker.chosen().map(|item| &item.place) {
         None => None,
-        Some(Place::Folder(_)) => Some(words().look_inside()),
-        Some(Place::Original | Place::File(_) | Place::Preset(_)) => Some(mode(app)),
+        Some(PickerTarget::Folder(_)) => Some(words().look_inside()),
+        Some(PickerTarget::Original | PickerTarget::File(_) | PickerTarget::Preset(_)) => {
+            Some(mode(app))
+        }
     };
     let keys = [(Key::Enter, enter), (Key::Escape, Some(words().back()))];
     let keys = keys.map(|(key, name)| Some((key.to_string(), name?)));
@@ -118,13 +120,15 @@ fn picking(app: &App, picker: &Picker, line: &mut Writer<'_>) {
         false => keys.iter().flatten().map(needed).sum(),
     };
     let (words, part) = match app.preview() {
-        _ if let Some(message) = app.message() => (message, Part::Warning),
-        Some(Preview::Scene(sample)) => (sample.scene.name.as_str(), Part::Text),
-        Some(Preview::Fault(fault)) => (fault.what.as_str(), Part::Warning),
-        Some(Preview::Unseen(why)) => (why.as_str(), Part::Quiet),
-        Some(Preview::Folder(names)) if names.is_empty() => (words().no_scene_in_it(), Part::Quiet),
-        Some(Preview::Folder(_)) => (words().a_folder(), Part::Quiet),
-        None => ("", Part::Quiet),
+        _ if let Some(message) = app.message() => (message, ScreenPart::Warning),
+        Some(Preview::Scene(sample)) => (sample.scene.name.as_str(), ScreenPart::Text),
+        Some(Preview::Fault(fault)) => (fault.what.as_str(), ScreenPart::Warning),
+        Some(Preview::Unseen(why)) => (why.as_str(), ScreenPart::Quiet),
+        Some(Preview::Folder(names)) if names.is_empty() => {
+            (words().no_scene_in_it(), ScreenPart::Quiet)
+        }
+        Some(Preview::Folder(_)) => (words().a_folder(), ScreenPart::Quiet),
+        None => ("", ScreenPart::Quiet),
     };
     let longest = line.room().saturating_sub(hints + 1);
     let words = cut(&shown(words, app.glyphs()), longest.into());
@@ -175,7 +179,7 @@ fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
         .saturating_sub(keys().map(needed).sum::<u16>() + 1);
     line.gap(1);
     let edits = if columns(edits) > room { "" } else { edits };
-    line.say(&shown(edits, app.glyphs()), Part::Text);
+    line.say(&shown(edits, app.glyphs()), ScreenPart::Text);
     line.gap(if edits.is_empty() { 0 } else { 2 });
     for (key, name) in keys() {
         line.hint(key, name);
@@ -187,7 +191,7 @@ fn offered(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     match app.message() {
         Some(message) => line.tell(message, app),
-        None => line.say(words().edits_by_others(), Part::Quiet),
+        None => line.say(words().edits_by_others(), ScreenPart::Quiet),
     }
 }
 
@@ -208,7 +212,7 @@ fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
     let room = line.room().saturating_sub(rest);
     let name = cut(&name, usize::from(room.max(SHORTEST_FILE)));
     line.gap(1);
-    line.say(&asked.doubt.question(&name), Part::Text);
+    line.say(&asked.doubt.question(&name), ScreenPart::Text);
     line.gap(2);
     for (key, name) in &keys {
         line.hint(key, name);

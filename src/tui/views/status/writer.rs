@@ -1,7 +1,7 @@
 //! Writing along a line.
 
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
+use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::{columns, print};
 use ratatui::buffer::Buffer;
@@ -43,7 +43,7 @@ impl<'a> Writer<'a> {
         self.x = self.x.max(x);
     }
 
-    pub(super) fn say(&mut self, text: &str, part: Part) {
+    pub(super) fn say(&mut self, text: &str, part: ScreenPart) {
         let (room, style) = (self.room(), theme::part(part));
         self.x = print(self.buffer, self.x, self.area.y, room, text, style);
     }
@@ -60,10 +60,10 @@ impl<'a> Writer<'a> {
         if latest < self.x {
             // It covers, but does not run into what it does not cover.
             self.x = latest.saturating_sub(1).max(self.area.x);
-            self.say(" ", Part::Text);
+            self.say(" ", ScreenPart::Text);
             self.x = latest;
         }
-        self.say(&message, Part::Warning);
+        self.say(&message, ScreenPart::Warning);
     }
 
     /// A key and what it does; nothing where there is no room for both.
@@ -73,9 +73,9 @@ impl<'a> Writer<'a> {
             self.x = self.area.right();
             return;
         }
-        self.say(key, Part::Key);
+        self.say(key, ScreenPart::Key);
         self.gap(1);
-        self.say(name, Part::Quiet);
+        self.say(name, ScreenPart::Quiet);
         self.gap(2);
     }
 }

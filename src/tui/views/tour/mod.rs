@@ -12,8 +12,8 @@ pub(crate) mod screens;
 use super::popup::{self, BORDER};
 use super::{print, print_right};
 use crate::tui::app::App;
-use crate::tui::appearance::theme::{self, Part};
-use crate::tui::views::tour::screens::{SCREENS, Screen, screen, wrapped};
+use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::views::tour::screens::{SCREENS, TourScreen, screen, wrapped};
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -36,7 +36,7 @@ pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) 
             y,
             inner.width,
             line,
-            theme::part(Part::Text),
+            theme::part(ScreenPart::Text),
         );
     }
     let next = match number + 1 < SCREENS {
@@ -44,7 +44,7 @@ pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) 
         false => words().done(),
     };
     let keys = format!(" {} ", words().tour_keys(next));
-    let style = theme::part(Part::Quiet);
+    let style = theme::part(ScreenPart::Quiet);
     print_right(buffer, place.right() - 1, place.bottom() - 1, &keys, style);
 }
 
@@ -54,7 +54,7 @@ pub(super) fn placed(app: &App, number: usize, area: Rect) -> Rect {
 }
 
 /// The place of a screen, and its lines.
-fn laid_out(screen: &Screen, area: Rect) -> (Rect, Vec<String>) {
+fn laid_out(screen: &TourScreen, area: Rect) -> (Rect, Vec<String>) {
     let beside = area.width >= ROOM_BESIDE;
     let width = if beside { TEXT + BORDER.0 } else { area.width };
     let text = wrapped(&screen.text, (width - BORDER.0).into(), beside);

@@ -18,14 +18,14 @@ const MARK: &str = "tour-shown";
 
 /// A screen of the tour.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Screen {
+pub(crate) struct TourScreen {
     pub(crate) title: &'static str,
     /// Text to be broken into lines; a line feed begins a paragraph.
     pub(crate) text: String,
 }
 
 /// A screen, from 0, with the keys that a person has.
-pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
+pub(crate) fn screen(number: usize, keymap: &Keymap) -> TourScreen {
     use Action as A;
     let look = |view| keymap.told(A::Look(view));
     let key = |action| keymap.told(action);
@@ -81,7 +81,7 @@ pub(crate) fn screen(number: usize, keymap: &Keymap) -> Screen {
             ),
         ),
     };
-    Screen { title, text }
+    TourScreen { title, text }
 }
 
 /// Whether a key for this works while the tour is shown.

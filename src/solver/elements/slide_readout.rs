@@ -1,29 +1,29 @@
 //! What a slide's table shows: its way along the guide.
 
-use super::{Element, Line, Nothing, Outcome};
-use crate::solver::demand::Part;
+use super::{Element, GuideLine, Nothing, StepOutcome};
+use crate::solver::demand::PlacedPart;
 use crate::solver::forces::Site;
 use crate::solver::state::{LinkState, State, TravelState};
 use crate::{Number, PointId, SlideId, Vec2};
 
 /// What a slide's table shows.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::solver) struct Travel {
+pub(in crate::solver) struct SlideReadout {
     pub slide: SlideId,
     pub point: PointId,
-    pub line: Line,
+    pub line: GuideLine,
 }
 
-impl Element for Travel {
+impl Element for SlideReadout {
     const HAS_RESIDUALS: bool = true;
     type Back = Nothing;
 
-    fn outputs(&self, places: &mut impl FnMut(Part)) {
-        places(Part::Slide(self.slide));
+    fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
+        places(PlacedPart::Slide(self.slide));
     }
 
-    fn inputs(&self, reads: &mut impl FnMut(Part)) {
-        reads(Part::Point(self.point));
+    fn inputs(&self, reads: &mut impl FnMut(PlacedPart)) {
+        reads(PlacedPart::Point(self.point));
         self.line.inputs().into_iter().for_each(reads);
     }
 
@@ -34,7 +34,7 @@ impl Element for Travel {
         _q: T,
         _direction: Vec2<T>,
         state: &mut State<T>,
-    ) -> Outcome {
+    ) -> StepOutcome {
         let guide = self.line.at(state);
         let x = state.points[self.point.index()];
         let s = guide.t.dot(x.p - guide.q.p);
@@ -48,7 +48,7 @@ impl Element for Travel {
                 a: guide.a,
             },
         };
-        Outcome::Done
+        StepOutcome::Done
     }
 
     fn back(&self, _site: &Site<'_>) -> Option<Nothing> {
