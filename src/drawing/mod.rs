@@ -28,7 +28,6 @@
 //! ```
 
 mod arrow;
-mod chart;
 mod effort;
 mod figure;
 mod labels;
@@ -51,7 +50,6 @@ mod trace;
 mod trade_off;
 mod view;
 
-pub use chart::{Axis, Chart, Datum};
 pub use effort::effort;
 pub use figure::{Figure, Role, Shape};
 pub use labels::Labels;
@@ -59,6 +57,7 @@ pub use legend::{LegendEntry, LegendPiece, legend_lines};
 pub use linkage::{Layers, add_ghost, add_other, linkage};
 pub use overlay::{Overlay, Wanted};
 pub use picture::svg;
+pub use plot::{Chart, Datum, DecadeAxis};
 pub use points::{moving_points, usual_arrows, usual_traces};
 pub use raster::{CharCell, Raster};
 pub use reach::Reach;

@@ -1,6 +1,6 @@
 //! The chart of a study: time against error, a letter for every method.
 
-use super::chart::{Axis, Chart, Datum};
+use super::plot::{Chart, Datum, DecadeAxis};
 use crate::study::Findings;
 
 /// Smaller errors, and none at all, stand here: below the rounding of one double.
@@ -20,11 +20,11 @@ pub fn trade_off(findings: &Findings) -> Chart {
         })
     };
     Chart {
-        x: Axis {
+        x: DecadeAxis {
             title: "time".into(),
             label: time,
         },
-        y: Axis {
+        y: DecadeAxis {
             title: "error".into(),
             label: |power| format!("1e{power}"),
         },

@@ -55,7 +55,6 @@ mod state;
 mod transmission;
 mod twice;
 mod workspace;
-mod zero;
 
 pub use by_length::ByLength;
 pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};

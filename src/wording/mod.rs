@@ -17,15 +17,16 @@ use english::*;
 /// Every sentence, in one language.
 pub(crate) trait Words:
     ActionsWords
-    + BalanceWords
     + CheckingWords
     + CommandsWords
     + ConfigurationWords
     + EditingWords
     + ExamplesWords
+    + ExportsWords
     + FaultsWords
     + FiguresWords
     + FilesWords
+    + ForcesWords
     + HelpingWords
     + HintsWords
     + ManualWords
@@ -37,7 +38,6 @@ pub(crate) trait Words:
     + PickingWords
     + PlotsWords
     + ReactionsWords
-    + TakingWords
     + TerminalsWords
     + TourWords
     + ViewsWords

@@ -1,9 +1,10 @@
-//! Who may import whom, and where sentences stand, read from the sources themselves.
+//! Who may import whom, what types are called, and where sentences stand, read from the sources themselves.
 //!
 //! The way of the data is scene -> mechanism -> solver -> quantity -> study -> drawing, report -> tui. `solver` knows
 //! no file, no unit name and no terminal; nobody imports `tui` but the command line, and nobody
 //! imports the command line but `main`.
 
+mod names;
 mod wording;
 
 use std::collections::{BTreeMap, BTreeSet};

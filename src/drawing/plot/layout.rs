@@ -62,7 +62,7 @@ pub(super) struct CellScale {
 }
 
 impl CellScale {
-    fn along(low: f64, high: f64, from: i32, cells: i32, inset: f64) -> CellScale {
+    pub(super) fn along(low: f64, high: f64, from: i32, cells: i32, inset: f64) -> CellScale {
         CellScale {
             low,
             high,
@@ -71,7 +71,7 @@ impl CellScale {
         }
     }
 
-    fn upwards(low: f64, high: f64, top: i32, cells: i32, inset: f64) -> CellScale {
+    pub(super) fn upwards(low: f64, high: f64, top: i32, cells: i32, inset: f64) -> CellScale {
         let length = f64::from(cells) - 2.0 * inset;
         CellScale {
             low,

@@ -15,6 +15,8 @@
 //! where the driver is. Curves are drawn through every sample that has a value, and nowhere else: what
 //! does not exist, and where a figure jumps, is a gap. Nothing here knows a terminal.
 
+mod chart;
+mod frame;
 mod layout;
 mod paint;
 mod paper;
@@ -22,6 +24,8 @@ mod path;
 #[cfg(test)]
 mod tests;
 mod ticks;
+
+pub use chart::{Chart, Datum, DecadeAxis};
 
 use crate::Vec2;
 use crate::drawing::Glyphs;

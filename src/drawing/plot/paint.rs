@@ -1,5 +1,6 @@
 //! From a plot to cells.
 
+use super::frame::{FrameGlyphs, length, write};
 use super::layout::{PanelArea, PlotLayout};
 use super::path::Pen;
 use super::ticks::TickStyle;
@@ -34,42 +35,6 @@ const FLATTEST: i32 = 10;
 
 /// Blanks between the unit and the label behind it.
 const UNIT_GAP: i32 = 2;
-
-/// The glyphs of the frame.
-struct FrameGlyphs {
-    upright: char,
-    level: char,
-    corner: char,
-    tick: char,
-    nought: char,
-    cursor: char,
-    /// What stands for a line in a legend.
-    sample: char,
-}
-
-impl FrameGlyphs {
-    fn of(glyphs: Glyphs) -> FrameGlyphs {
-        let [upright, level, corner, nought, cursor, sample] = match glyphs {
-            Glyphs::Ascii => ['|', '-', '+', '.', ':', '*'],
-            // Every console font has these; the half-crossings not all.
-            Glyphs::Line => [
-                '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', ':', '\u{2500}',
-            ],
-            Glyphs::Braille => [
-                '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', '\u{2506}', '\u{2500}',
-            ],
-        };
-        FrameGlyphs {
-            upright,
-            level,
-            corner,
-            tick: '+',
-            nought,
-            cursor,
-            sample,
-        }
-    }
-}
 
 impl Plot {
     /// The plot in cells, with the cursor in a state; empty where there is no room for it.
@@ -120,10 +85,7 @@ impl PlotPainter<'_> {
         let PlotLayout {
             axis, foot, end, ..
         } = *self.layout;
-        for col in axis + 1..end {
-            raster.put(col, foot, self.strokes.level, Role::Axis);
-        }
-        raster.put(axis, foot, self.strokes.corner, Role::Axis);
+        self.strokes.put_level(axis..end, foot, raster);
         let ticks = &self.layout.x_ticks;
         let mut labels: Vec<(i32, String)> = Vec::new();
         for (value, label) in ticks.labels() {
@@ -214,16 +176,14 @@ impl PlotPainter<'_> {
     fn upright_axis(&self, frame: &PanelArea, raster: &mut Raster) {
         let axis = self.layout.axis;
         let block = frame.block;
-        for row in block.top..block.top + block.height {
-            raster.put(axis, row, self.strokes.upright, Role::Axis);
-        }
-        let mut free = block.top + block.height;
+        let rows = block.top..block.top + block.height;
+        self.strokes.put_upright(axis, rows.clone(), raster);
+        let mut free = rows.end;
         for (value, label) in frame.ticks.labels() {
             let Some(row) = frame.y.cell(value).filter(|&row| row < free) else {
                 continue;
             };
-            write(raster, axis - length(&label), row, &label, Role::Axis);
-            raster.put(axis, row, self.strokes.tick, Role::Axis);
+            self.strokes.put_label((axis, row), &label, raster);
             free = row;
         }
         if let Some(row) = frame.y.cell(0.0).filter(|_| frame.y.crosses(0.0)) {
@@ -233,7 +193,7 @@ impl PlotPainter<'_> {
         }
         let along = self.here.and_then(|here| here.along);
         if let Some(col) = along.and_then(|x| self.layout.x.cell(x)) {
-            for row in block.top..block.top + block.height {
+            for row in rows {
                 raster.put(col, row, self.strokes.cursor, Role::Ghost);
             }
         }
@@ -403,14 +363,4 @@ fn seats<'r>(
     let inside = (1..=DEEPEST)
         .flat_map(move |depth| free_places(raster, (col, row + inwards * depth), text));
     close.chain(aside).chain(inside)
-}
-
-fn length(text: &str) -> i32 {
-    i32::try_from(text.chars().count()).unwrap_or(i32::MAX)
-}
-
-fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
-    for (col, glyph) in (col..).zip(text.chars()) {
-        raster.put(col, row, glyph, role);
-    }
 }

@@ -6,9 +6,9 @@
 //! equation: what one curve does not join another may.
 
 use super::{Coupled, Scratch};
+use crate::numeric::root;
 use crate::solver::lu;
 use crate::solver::state::State;
-use crate::solver::zero::zero;
 
 /// Steps along a curve, in scaled lengths and radians: at the most, and below which a curve is given up:
 /// there it branches.
@@ -225,10 +225,11 @@ impl Tracer<'_> {
         to: &CurvePlace,
         step: f64,
     ) -> Option<Vec<f64>> {
-        let at = zero((0.0, from.miss), (step, to.miss), ON_CURVE, |step| {
+        let at = root((0.0, from.miss), (step, to.miss), ON_CURVE, |step| {
             let (z, _) = self.land(row, from, step)?;
             Some(self.direction(row, z, &from.along)?.miss)
-        })?;
+        });
+        let at = at.ok()?;
         let (z, _) = self.land(row, from, at)?;
         self.settled(&z, false)
     }

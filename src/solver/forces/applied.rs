@@ -4,9 +4,9 @@
 //! Inside, lengths are the solver's and forces newtons, so that couples are in newtons times the
 //! solver's length; a factor turns these into N m where they are read.
 
-mod shown;
+mod acted;
 
-pub use shown::Acted;
+pub use acted::Acted;
 
 use super::TorquePart;
 use super::profile::ReadyProfile;

@@ -4,12 +4,12 @@
 use super::NearMiss;
 use super::junction::Junction;
 use super::walk::Walker;
+use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::change_point::Passage;
 use crate::solver::elements::{Dyad, REACH_SLACK, StepOutcome};
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
-use crate::solver::zero::zero;
 
 /// A measure this small is a gap of the size of the rounding, squared.
 const GAP: f64 = 1e-28;
@@ -176,9 +176,10 @@ impl Walker<'_> {
         );
         let rates = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
         let finest = self.engine.finest();
-        let at = zero((a, rates.0), (b, rates.1), finest, |at| {
+        let at = root((a, rates.0), (b, rates.1), finest, |at| {
             self.stretch_rate(step, at)
-        })?;
+        });
+        let at = at.ok()?;
         self.stretch_rate(step, at)?;
         self.is_stretched(step, group, at).then_some(at)
     }

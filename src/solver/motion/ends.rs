@@ -9,12 +9,12 @@
 use super::walk::Walker;
 use super::{Folded, Stretched};
 use crate::Double;
+use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::coupled::Correction;
 use crate::solver::exact::Exact;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
-use crate::solver::zero::zero;
 
 /// Doublings of an ulp within which a limit is sought around where the walk ended.
 const DOUBLINGS: i32 = 30;
@@ -134,9 +134,10 @@ impl Walker<'_> {
             let b = self.measure_behind(step, group, outside)?;
             (a > 0.0 && b < 0.0).then_some(((inside, a), (outside, b)))
         })?;
-        zero(inside, outside, 0.0, |at| {
+        let at = root(inside, outside, 0.0, |at| {
             self.measure_behind(step, group, at)
-        })
+        });
+        at.ok()
     }
 
     /// A dyad's measure, negative beyond its reach.

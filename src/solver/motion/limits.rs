@@ -2,10 +2,10 @@
 
 use super::walk::{SAMPLES, Walker};
 use super::{NearMiss, ONE_MISS};
+use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
-use crate::solver::zero::zero;
 
 /// A measure whose smallest sample is below this is searched for a zero between the samples.
 const SUSPICIOUS: f64 = 0.05;
@@ -142,9 +142,10 @@ impl Walker<'_> {
         let step = steps.position(|step| step.choice() == Some(group))?;
         let (rate_a, rate_b) = (self.stretch_rate(step, a)?, self.stretch_rate(step, b)?);
         let finest = self.engine.finest();
-        zero((a, rate_a), (b, rate_b), finest, |at| {
+        let at = root((a, rate_a), (b, rate_b), finest, |at| {
             self.stretch_rate(step, at)
-        })
+        });
+        at.ok()
     }
 
     /// The last coordinate on the way from `good` to `bad` at which a measure is positive.

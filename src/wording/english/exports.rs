@@ -5,7 +5,7 @@ use std::fmt::Display;
 
 catalogue! {
     /// Things that are copied or written.
-    trait TakingWords for English {
+    trait ExportsWords for English {
         no_clipboard = "this terminal has no clipboard";
         nothing_to_copy = "nothing to copy here; the tables have all";
         no_value_to_copy = "there is no value to copy";

@@ -12,9 +12,11 @@
 //! Every point is a letter, so that a list beside the chart says what it is. The best front - the
 //! points that no other one beats in both directions - is joined by dotted steps.
 
-use super::figure::Role;
-use super::raster::Raster;
-use super::render::Glyphs;
+use super::frame::{FrameGlyphs, length, write};
+use super::layout::CellScale;
+use crate::drawing::figure::Role;
+use crate::drawing::raster::Raster;
+use crate::drawing::render::Glyphs;
 
 /// A point of a chart; both coordinates positive and finite, others are left out.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +33,7 @@ pub struct Datum {
 
 /// An axis: what it counts, and what stands at each power of ten.
 #[derive(Clone, Debug)]
-pub struct Axis {
+pub struct DecadeAxis {
     /// What it counts.
     pub title: String,
     /// The text at ten to this power.
@@ -42,56 +44,33 @@ pub struct Axis {
 #[derive(Clone, Debug)]
 pub struct Chart {
     /// The level axis.
-    pub x: Axis,
+    pub x: DecadeAxis,
     /// The upright axis.
-    pub y: Axis,
+    pub y: DecadeAxis,
     /// The points; of two in one cell the best, and then the first, keeps it.
     pub data: Vec<Datum>,
 }
 
-/// The glyphs of a chart.
-struct Strokes {
-    upright: char,
-    level: char,
-    corner: char,
-    tick: char,
-    along: char,
-    down: char,
-}
-
-impl Strokes {
-    fn of(glyphs: Glyphs) -> Strokes {
-        let [upright, level, corner, tick, along, down] = match glyphs {
-            Glyphs::Ascii => ['|', '-', '+', '+', '.', ':'],
-            // Every console font has these; the half-crossings not all.
-            Glyphs::Line => ['\u{2502}', '\u{2500}', '\u{2514}', '+', '\u{b7}', '\u{b7}'],
-            Glyphs::Braille => [
-                '\u{2502}', '\u{2500}', '\u{2514}', '+', '\u{2824}', '\u{2847}',
-            ],
-        };
-        Strokes {
-            upright,
-            level,
-            corner,
-            tick,
-            along,
-            down,
-        }
+/// The glyphs of the steps of the front: along a row, and down a column.
+fn steps(glyphs: Glyphs) -> [char; 2] {
+    match glyphs {
+        Glyphs::Ascii => ['.', ':'],
+        Glyphs::Line => ['\u{b7}', '\u{b7}'],
+        Glyphs::Braille => ['\u{2824}', '\u{2847}'],
     }
 }
 
-/// Whole decades along a number of cells.
+/// Whole decades.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Scale {
-    /// The power of ten at the first cell.
+struct Decades {
+    /// The power of ten at the low end.
     low: i32,
-    decades: i32,
-    cells: i32,
+    count: i32,
 }
 
-impl Scale {
+impl Decades {
     /// The decades that hold all values; one that is a power of ten itself needs no further one.
-    fn around(values: impl Iterator<Item = f64>, cells: i32) -> Scale {
+    fn around(values: impl Iterator<Item = f64>) -> Decades {
         let (mut low, mut high) = (i32::MAX, i32::MIN);
         for value in values {
             let power = value.log10();
@@ -101,30 +80,24 @@ impl Scale {
         if low > high {
             (low, high) = (0, 1);
         }
-        Scale {
-            low,
-            decades: (high - low).max(1),
-            cells,
-        }
+        let count = (high - low).max(1);
+        Decades { low, count }
     }
 
-    /// The cell of ten to this power, counted from the low end.
-    fn cell(self, power: f64) -> i32 {
-        let share = (power - f64::from(self.low)) / f64::from(self.decades);
-        (share * f64::from(self.cells - 1)).round() as i32
+    /// The powers of ten at its ends.
+    fn ends(self) -> [f64; 2] {
+        [self.low, self.low + self.count].map(f64::from)
     }
 
-    /// The powers of ten to be labelled, and their cells: as many as leave `room` cells to each.
-    fn ticks(self, room: i32) -> impl Iterator<Item = (i32, i32)> {
+    /// The powers of ten to be labelled along so many cells: as many as leave `room` cells to each.
+    fn ticks(self, cells: i32, room: i32) -> impl Iterator<Item = i32> {
         let fits = |every: &i32| {
-            let labels = self.decades / every;
-            labels < 1 || (self.cells - 1) * every / self.decades >= room
+            let labels = self.count / every;
+            labels < 1 || (cells - 1) * every / self.count >= room
         };
-        let every = (1..=self.decades).find(fits).unwrap_or(self.decades);
-        let powers = self.low..=self.low + self.decades;
-        powers
-            .filter(move |power| power.rem_euclid(every) == 0)
-            .map(move |power| (power, self.cell(f64::from(power))))
+        let every = (1..=self.count).find(fits).unwrap_or(self.count);
+        let powers = self.low..=self.low + self.count;
+        powers.filter(move |power| power.rem_euclid(every) == 0)
     }
 }
 
@@ -144,104 +117,115 @@ impl Chart {
         // The best are placed first and keep their cells.
         data.sort_by_key(|d| !d.best);
         let height = i32::from(rows) - FRAME_ROWS;
-        let upright = Scale::around(data.iter().map(|d| d.y), height);
-        let labels = upright.ticks(1).map(|(power, _)| (self.y.label)(power));
+        let upright = Decades::around(data.iter().map(|d| d.y));
+        let labels = upright.ticks(height, 1).map(self.y.label);
         let margin = labels.map(|label| length(&label)).max().unwrap_or(0);
         let width = i32::from(cols) - margin - 1;
         if height < LEAST || width < LEAST {
             return raster;
         }
-        let plot = Plot {
-            left: margin + 1,
-            foot: height,
-            level: Scale::around(data.iter().map(|d| d.x), width),
-            upright,
+        let level = Decades::around(data.iter().map(|d| d.x));
+        let ([left, right], [low, high]) = (level.ends(), upright.ends());
+        let painter = ChartPainter {
+            chart: self,
+            axis: margin,
+            end: margin + 1 + width,
+            foot: height + 1,
+            decades: [level, upright],
+            x: CellScale::along(left, right, margin + 1, width, 0.5),
+            y: CellScale::upwards(low, high, 1, height, 0.5),
+            strokes: FrameGlyphs::of(glyphs),
         };
-        plot.frame(self, &Strokes::of(glyphs), &mut raster);
-        plot.front(&data, &Strokes::of(glyphs), &mut raster);
-        plot.letters(&data, &mut raster);
+        painter.frame(&mut raster);
+        painter.front(&data, steps(glyphs), &mut raster);
+        painter.letters(&data, &mut raster);
         raster
     }
 }
 
-/// Where the points of a chart are.
-struct Plot {
-    /// The first column behind the upright axis.
-    left: i32,
-    /// The last row above the level axis.
+/// Where the parts of a chart are.
+struct ChartPainter<'a> {
+    chart: &'a Chart,
+    /// The column of the upright axis, behind its labels.
+    axis: i32,
+    /// Behind the last column.
+    end: i32,
+    /// The row of the level axis.
     foot: i32,
-    level: Scale,
-    upright: Scale,
+    /// Along the level axis, and along the upright one.
+    decades: [Decades; 2],
+    /// From powers of ten to columns,
+    x: CellScale,
+    /// and to rows.
+    y: CellScale,
+    strokes: FrameGlyphs,
 }
 
-impl Plot {
-    fn frame(&self, chart: &Chart, strokes: &Strokes, raster: &mut Raster) {
-        let axis = self.left - 1;
-        let base = self.foot + 1;
-        for row in 1..base {
-            raster.put(axis, row, strokes.upright, Role::Axis);
+impl ChartPainter<'_> {
+    fn frame(&self, raster: &mut Raster) {
+        let y = &self.chart.y;
+        self.strokes.put_upright(self.axis, 1..self.foot, raster);
+        self.strokes
+            .put_level(self.axis..self.end, self.foot, raster);
+        write(raster, 0, 0, &y.title, Role::Axis);
+        for power in self.decades[1].ticks(self.foot - 1, 2) {
+            let row = cell(&self.y, f64::from(power));
+            self.strokes
+                .put_label((self.axis, row), &(y.label)(power), raster);
         }
-        for col in self.left..self.left + self.level.cells {
-            raster.put(col, base, strokes.level, Role::Axis);
-        }
-        raster.put(axis, base, strokes.corner, Role::Axis);
-        write(raster, 0, 0, &chart.y.title);
-        for (power, cell) in self.upright.ticks(2) {
-            let label = (chart.y.label)(power);
-            let row = self.foot - cell;
-            write(raster, axis - length(&label), row, &label);
-            raster.put(axis, row, strokes.tick, Role::Axis);
-        }
-        self.level_labels(chart, strokes, raster);
+        self.level_labels(raster);
     }
 
     /// Labels of the level axis, centred below their ticks, and its title at the right end or above.
-    fn level_labels(&self, chart: &Chart, strokes: &Strokes, raster: &mut Raster) {
-        let base = self.foot + 1;
-        let end = self.left + self.level.cells;
-        let powers = self.level.low..=self.level.low + self.level.decades;
-        let widest = powers.map(|power| length(&(chart.x.label)(power))).max();
-        let title = length(&chart.x.title);
+    fn level_labels(&self, raster: &mut Raster) {
+        let Chart { x, y, .. } = self.chart;
+        let (decades, end) = (self.decades[0], self.end);
+        let powers = decades.low..=decades.low + decades.count;
+        let widest = powers.map(|power| length(&(x.label)(power))).max();
+        let ticks = decades.ticks(end - self.axis - 1, widest.unwrap_or(0) + 2);
         let mut free = 0;
-        for (power, cell) in self.level.ticks(widest.unwrap_or(0) + 2) {
-            let label = (chart.x.label)(power);
-            let col = self.left + cell;
-            raster.put(col, base, strokes.tick, Role::Axis);
+        for power in ticks {
+            let label = (x.label)(power);
+            let col = cell(&self.x, f64::from(power));
+            raster.put(col, self.foot, self.strokes.tick, Role::Axis);
             let from = (col - length(&label) / 2).min(end - length(&label));
             if from >= free {
-                write(raster, from, base + 1, &label);
+                write(raster, from, self.foot + 1, &label, Role::Axis);
                 free = from + length(&label) + 2;
             }
         }
         // Where the labels leave no room, the title above names both.
-        if free <= end - title {
-            write(raster, end - title, base + 1, &chart.x.title);
+        let at_end = end - length(&x.title);
+        if free <= at_end {
+            write(raster, at_end, self.foot + 1, &x.title, Role::Axis);
         } else {
-            let over = format!(" over {}", chart.x.title);
-            let from = length(&chart.y.title);
+            let over = format!(" over {}", x.title);
+            let from = length(&y.title);
             if from + length(&over) <= end {
-                write(raster, from, 0, &over);
+                write(raster, from, 0, &over, Role::Axis);
             }
         }
     }
 
-    fn cell(&self, datum: &Datum) -> (i32, i32) {
-        let col = self.left + self.level.cell(datum.x.log10());
-        (col, self.foot - self.upright.cell(datum.y.log10()))
+    fn place(&self, datum: &Datum) -> (i32, i32) {
+        (
+            cell(&self.x, datum.x.log10()),
+            cell(&self.y, datum.y.log10()),
+        )
     }
 
     /// Steps from each point of the front to the next one: on at the same error, then down.
-    fn front(&self, data: &[Datum], strokes: &Strokes, raster: &mut Raster) {
+    fn front(&self, data: &[Datum], [along, down]: [char; 2], raster: &mut Raster) {
         let mut best: Vec<_> = data.iter().filter(|d| d.best).collect();
         best.sort_by(|a, b| a.x.total_cmp(&b.x));
-        let cells: Vec<_> = best.into_iter().map(|d| self.cell(d)).collect();
+        let cells: Vec<_> = best.into_iter().map(|d| self.place(d)).collect();
         for pair in cells.windows(2) {
             let [(col, row), (next_col, next_row)] = [pair[0], pair[1]];
             for row in row.min(next_row)..=row.max(next_row) {
-                raster.put(next_col, row, strokes.down, Role::Front);
+                raster.put(next_col, row, down, Role::Front);
             }
             for col in col..=next_col {
-                raster.put(col, row, strokes.along, Role::Front);
+                raster.put(col, row, along, Role::Front);
             }
         }
     }
@@ -251,11 +235,10 @@ impl Plot {
         const NEAR: [(i32, i32); 7] = [(0, 0), (1, 0), (-1, 0), (0, -1), (0, 1), (2, 0), (-2, 0)];
         let mut taken: Vec<(i32, i32)> = Vec::new();
         for datum in data {
-            let (col, row) = self.cell(datum);
+            let (col, row) = self.place(datum);
             let mut places = NEAR.iter().map(|(right, down)| (col + right, row + down));
             let inside = |&(col, row): &(i32, i32)| {
-                (self.left..self.left + self.level.cells).contains(&col)
-                    && (1..=self.foot).contains(&row)
+                (self.axis + 1..self.end).contains(&col) && (1..self.foot).contains(&row)
             };
             let Some(place) = places.find(|place| inside(place) && !taken.contains(place)) else {
                 continue;
@@ -267,14 +250,9 @@ impl Plot {
     }
 }
 
-fn length(text: &str) -> i32 {
-    i32::try_from(text.chars().count()).unwrap_or(i32::MAX)
-}
-
-fn write(raster: &mut Raster, col: i32, row: i32, text: &str) {
-    for (col, glyph) in (col..).zip(text.chars()) {
-        raster.put(col, row, glyph, Role::Axis);
-    }
+/// The cell of a power of ten.
+fn cell(scale: &CellScale, power: f64) -> i32 {
+    scale.place(power).floor() as i32
 }
 
 #[cfg(test)]
@@ -284,11 +262,11 @@ mod tests {
 
     fn chart(data: Vec<Datum>) -> Chart {
         Chart {
-            x: Axis {
+            x: DecadeAxis {
                 title: "time".into(),
                 label: |power| format!("{} ns", 10_u64.pow(power.clamp(0, 9).unsigned_abs())),
             },
-            y: Axis {
+            y: DecadeAxis {
                 title: "error".into(),
                 label: |power| format!("1e{power}"),
             },

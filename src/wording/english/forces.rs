@@ -4,7 +4,7 @@ use super::English;
 
 catalogue! {
     /// Tables of forces, and what is said of those that are missing.
-    trait BalanceWords for English {
+    trait ForcesWords for English {
         // Titles and columns.
         driver = "driver";
         driver_named(name: &str) = "driver {name}";

@@ -1,0 +1,73 @@
+//! What plots and charts share: the axes that frame them, and text in cells.
+
+use crate::drawing::figure::Role;
+use crate::drawing::raster::Raster;
+use crate::drawing::render::Glyphs;
+use std::ops::Range;
+
+/// The glyphs of the frame.
+pub(super) struct FrameGlyphs {
+    upright: char,
+    level: char,
+    corner: char,
+    pub(super) tick: char,
+    pub(super) nought: char,
+    pub(super) cursor: char,
+    /// What stands for a line in a legend.
+    pub(super) sample: char,
+}
+
+impl FrameGlyphs {
+    pub(super) fn of(glyphs: Glyphs) -> FrameGlyphs {
+        let [upright, level, corner, nought, cursor, sample] = match glyphs {
+            Glyphs::Ascii => ['|', '-', '+', '.', ':', '*'],
+            // Every console font has these; the half-crossings not all.
+            Glyphs::Line => [
+                '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', ':', '\u{2500}',
+            ],
+            Glyphs::Braille => [
+                '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', '\u{2506}', '\u{2500}',
+            ],
+        };
+        FrameGlyphs {
+            upright,
+            level,
+            corner,
+            tick: '+',
+            nought,
+            cursor,
+            sample,
+        }
+    }
+
+    /// The level axis in a row, from the corner in the first of the columns.
+    pub(super) fn put_level(&self, columns: Range<i32>, row: i32, raster: &mut Raster) {
+        for col in columns.clone() {
+            raster.put(col, row, self.level, Role::Axis);
+        }
+        raster.put(columns.start, row, self.corner, Role::Axis);
+    }
+
+    pub(super) fn put_upright(&self, col: i32, rows: Range<i32>, raster: &mut Raster) {
+        for row in rows {
+            raster.put(col, row, self.upright, Role::Axis);
+        }
+    }
+
+    /// A tick of the upright axis, its label before it.
+    pub(super) fn put_label(&self, (col, row): (i32, i32), label: &str, raster: &mut Raster) {
+        write(raster, col - length(label), row, label, Role::Axis);
+        raster.put(col, row, self.tick, Role::Axis);
+    }
+}
+
+/// Columns that a text takes.
+pub(super) fn length(text: &str) -> i32 {
+    i32::try_from(text.chars().count()).unwrap_or(i32::MAX)
+}
+
+pub(super) fn write(raster: &mut Raster, col: i32, row: i32, text: &str, role: Role) {
+    for (col, glyph) in (col..).zip(text.chars()) {
+        raster.put(col, row, glyph, role);
+    }
+}
