@@ -1,7 +1,7 @@
 //! Poses to plant, and what may be asked of a solver that is to recover them.
 
 use crate::support::{U, closure_error};
-use krank::solver::{Condition, Fault, Order, Solver, State};
+use krank::solver::{Condition, Fault, Order, Range, Solver, State};
 use krank::{Builder, Driver, Input, Mechanism, PointId, Vec2};
 use proptest::prelude::*;
 use std::ops::RangeInclusive;
@@ -140,6 +140,7 @@ pub(crate) fn open(
     // A misfit of the lengths by g parts a stretched dyad by the square root of 2 g or so.
     let stretched = sin_mu < (8.0 * roundings * U).sqrt();
     match Solver::new(mechanism) {
+        Ok(solver) if stretched && begins_apart(&solver) => None,
         Ok(solver) => Some(solver),
         Err(Fault::Open { gap, .. }) if stretched && gap <= 8.0 * roundings * U * scale => None,
         Err(Fault::Vague { choices, .. })
@@ -150,6 +151,17 @@ pub(crate) fn open(
         Err(Fault::ChangePoint { .. }) if stretched => None,
         Err(fault) => panic!("{fault}: {fault:?}"),
     }
+}
+
+/// Whether the motion ends at the start, which lies beyond: in the numbers as they are typed the arms of a toggle are
+/// apart by less than any of them rounds, and krank decides by those numbers.
+fn begins_apart(solver: &Solver) -> bool {
+    let start = solver.mechanism().driver().start;
+    let Range::Limited { low, high } = solver.motion().range else {
+        return false;
+    };
+    let end = (low - start).abs().min((high - start).abs());
+    end < 1e-9 && solver.solve(start, Order::Position, &mut solver.state()) == Condition::NoAssembly
 }
 
 /// Solves at the angle of the planted pose; there must be a position.
