@@ -3,6 +3,7 @@
 //! An angle is reduced exactly before any trigonometry, so that multiples of 90 degrees give exact
 //! zeros and ones, and an angle a billion turns on gives the same bits as in the first turn.
 
+use super::double::SPLITTER;
 use super::{Halves, U};
 use crate::{Double, Vec2};
 
@@ -19,9 +20,6 @@ const RADIAN: f64 = 0.017_453_292_519_943_295;
 const RADIAN_REST: f64 = 2.948_652_270_870_168_7e-19;
 const RADIAN_TOP: f64 = 0.017_453_292_384_743_69;
 const RADIAN_TAIL: f64 = RADIAN - RADIAN_TOP;
-
-/// Veltkamp's constant 2^27 + 1, which splits a double into two halves.
-const SPLITTER: f64 = 134_217_729.0;
 
 /// Radians for degrees.
 #[must_use]
@@ -113,10 +111,10 @@ fn sin_cos_closely<const FUSED: bool>(degrees: f64) -> (Double, Double, f64) {
     const SIXTH: f64 = 1.0 / 6.0;
     const SIXTH_REST: f64 = 9.251_858_538_542_97e-18;
     let (x, rest) = in_radians::<FUSED>(degrees);
-    let halves = Halves::<f64, FUSED>::of(x);
+    let halves = Halves::<FUSED>::of(x);
     let z = halves.square();
     let cube = halves.times(Halves::of(z.hi));
-    let sixth = Halves::<f64, FUSED>::of(cube.hi).times(Halves::of(SIXTH));
+    let sixth = Halves::<FUSED>::of(cube.hi).times(Halves::of(SIXTH));
     let low = SIXTH * (cube.lo + x * z.lo) + cube.hi * SIXTH_REST;
     let z1 = z.hi;
     let z2 = z1 * z1;

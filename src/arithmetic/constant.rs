@@ -17,7 +17,7 @@ const CONVERSION: f64 = 7.0;
 /// Roundings in a coordinate that a program gives: it has been computed.
 const ROUNDED: f64 = 8.0;
 /// What is lost in twice the precision, with room.
-const TWICE: f64 = 1e-31;
+pub(crate) const TWICE: f64 = 1e-31;
 /// What an operation in twice the precision loses of its result at most (Joldes, Muller and Popescu: 3 u^2
 /// for a sum, 7 for a product, 15 for a quotient),
 const LOST: f64 = 16.0 * U * U;

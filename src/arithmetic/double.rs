@@ -4,15 +4,15 @@
 //! and for whole runs of the solver to hold others against. No fused operation is needed, so that
 //! the bits are the same on every machine.
 
-use crate::{Number, Vec2};
+use crate::Vec2;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// Veltkamp's constant 2^27 + 1, which splits a double into two halves.
-const SPLITTER: f64 = 134_217_729.0;
+pub(super) const SPLITTER: f64 = 134_217_729.0;
 
 /// a + b as the rounded sum and what it left out (Knuth).
 #[inline(always)]
-pub(crate) fn two_sum<T: Number>(a: T, b: T) -> (T, T) {
+pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let back = sum - a;
     (sum, (a - (sum - back)) + (b - back))
@@ -26,8 +26,8 @@ fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 #[inline(always)]
-pub(super) fn split<T: Number>(a: T) -> (T, T) {
-    let t = T::exactly(SPLITTER) * a;
+pub(super) fn split(a: f64) -> (f64, f64) {
+    let t = SPLITTER * a;
     let top = t - (t - a);
     (top, a - top)
 }

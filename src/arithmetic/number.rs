@@ -46,13 +46,6 @@ pub trait Number:
     #[must_use]
     fn scaled(self, power_of_two: f64) -> Self;
 
-    /// self * factor + term: of doubles rounded once, at no cost only in code that is compiled for that.
-    #[inline(always)]
-    #[must_use]
-    fn fused(self, factor: Self, term: Self) -> Self {
-        self * factor + term
-    }
-
     /// The square root.
     #[must_use]
     fn sqrt(self) -> Self;
@@ -121,11 +114,6 @@ impl Number for f64 {
     #[inline]
     fn scaled(self, power_of_two: f64) -> f64 {
         self * power_of_two
-    }
-
-    #[inline(always)]
-    fn fused(self, factor: f64, term: f64) -> f64 {
-        self.mul_add(factor, term)
     }
 
     #[inline]

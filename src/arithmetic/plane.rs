@@ -4,6 +4,7 @@
 //! four. So everything that is said of a way is written once, for one arm and for two at once, and nothing has to
 //! change its place but where components meet.
 
+use super::double::SPLITTER;
 use crate::Vec2;
 use fearless_simd::prelude::*;
 pub(crate) use fearless_simd::{Fallback, Simd, f64x2, f64x4};
@@ -12,8 +13,6 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The bit of a double that is its sign.
 const SIGN: u64 = 1 << 63;
-/// Times this a double falls into two halves of its digits (Dekker).
-const SPLITTER: f64 = 134_217_729.0;
 
 /// One vector or two.
 pub(crate) trait Plane:
@@ -47,7 +46,7 @@ pub(crate) trait Plane:
 
     /// x * y - z, rounded once.
     #[must_use]
-    fn fused(self, y: Self, z: Self) -> Self;
+    fn times_less(self, y: Self, z: Self) -> Self;
 
     /// The sum of both vectors, for each; of one alone, this one.
     #[must_use]
@@ -114,7 +113,7 @@ pub(crate) trait Plane:
     fn times<const FUSED: bool>(self, other: Self) -> [Self; 2] {
         let product = self * other;
         if FUSED {
-            return [product, self.fused(other, product)];
+            return [product, self.times_less(other, product)];
         }
         let [(top, tail), (its_top, its_tail)] = [self, other].map(split);
         let rest = (top * its_top - product) + top * its_tail + tail * its_top;
@@ -157,7 +156,7 @@ macro_rules! place_by_place {
         }
 
         #[inline(always)]
-        fn fused(self, y: Self, z: Self) -> Self {
+        fn times_less(self, y: Self, z: Self) -> Self {
             self.mul_sub_precise(y, z)
         }
 

@@ -36,7 +36,7 @@ impl Solver {
         if solved {
             state.condition = Condition::Ok;
         }
-        if self.balance.is_some() {
+        if self.follows_forces(work) {
             self.balance_lanes(order, work);
         }
         solved && !work.state.withholds()

@@ -320,10 +320,16 @@ impl Solver {
         if !is_solved {
             self.solve_closely(at, order, work);
         }
-        if self.has_forces() || work.state.forces.is_some() {
+        if self.follows_forces(work) {
             self.find_forces(order, work);
         }
         work.condition
+    }
+
+    /// Whether there are forces to find, or old ones to forget.
+    #[inline(always)]
+    fn follows_forces<T>(&self, work: &Workspace<T>) -> bool {
+        self.has_forces() || work.state.forces.is_some()
     }
 
     /// Out of the way of what is solved without any.

@@ -478,6 +478,15 @@ fn coupled_six_bars_too() {
 
 /// Four-bars in series, each driven by the rocker of the one before.
 fn chain(dyads: usize, length: f64) -> Mechanism {
+    chain_of(dyads, length, |_, _, _| {})
+}
+
+/// With whatever stands on the rocker and the joint of each.
+fn chain_of(
+    dyads: usize,
+    length: f64,
+    mut stand: impl FnMut(&mut Builder, LinkId, PointId),
+) -> Mechanism {
     let mut builder = Mechanism::builder();
     let pivot = builder.ground_point(-length, length);
     let mut pin = builder.moving_point();
@@ -493,8 +502,9 @@ fn chain(dyads: usize, length: f64) -> Mechanism {
         let foot = builder.ground_point(x, 0.0);
         let joint = builder.moving_point();
         builder.link(pin, joint, length);
-        builder.link(foot, joint, length);
+        let rocker = builder.link(foot, joint, length);
         builder.start(joint, Vec2::new(x, length));
+        stand(&mut builder, rocker, joint);
         pin = joint;
     }
     builder.build().unwrap()
@@ -528,6 +538,28 @@ fn bounds_of_long_chains_of_rounded_lengths_are_of_use() {
     let bound = quantity::bound(subject, aspect, &trial.state, &trial.enclosure).unwrap();
     println!("84 dyads of 39.3: {bound:e}");
     assert!(bound < 1e-9, "{bound:e}");
+}
+
+/// A link between two points that are known turns with the way between them, and misses it along itself by what its
+/// own digits leave open: what follows of its rates is bounded behind many dyads too.
+#[test]
+fn links_between_known_points_of_long_chains_are_within_their_bounds() {
+    let mechanism = chain_of(12, 1.25, |builder, rocker, joint| {
+        let end = builder.moving_point();
+        builder.carry(rocker, end, Vec2::new(0.75, 0.0));
+        let tie = builder.free_link();
+        // 0.5 apart in decimals, and not in doubles.
+        builder.carry(tie, joint, Vec2::ZERO);
+        builder.carry(tie, end, Vec2::new(0.3, 0.4));
+        builder.decimals();
+    });
+    let mut trial = Trial::of_mechanism(&mechanism).unwrap();
+    let mut tally = Tally::default();
+    for k in 0..40 {
+        trial.check(f64::from(k) * 8.7, &mut tally);
+    }
+    tally.report("12 dyads with ties");
+    assert_eq!(tally.unproved, [0; 3]);
 }
 
 /// Bounds are local: where a scene is drawn says nothing about its motion.

@@ -41,11 +41,12 @@ impl<S: Simd> Meeting<f64x2<S>> for Towards<'_, S> {
     fn rest_by_rows(
         &self,
         order: usize,
-        _: f64x2<S>,
+        own: f64x2<S>,
         _: &PointOff<f64x2<S>>,
         _: &mut Influences,
     ) -> f64 {
-        self.end.left[order].number(0)
+        // Across the way alone the turning closes on the end: along it what the way leaves open stays.
+        (self.end.left[order] + own).number(0)
     }
 }
 

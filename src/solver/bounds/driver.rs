@@ -32,7 +32,7 @@ pub(super) fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
         return typed_radius(at);
     };
     // Both are whole and below 2^53: their quotient is what the decimal is read as.
-    let Product { hi, lo } = Halves::<f64, FUSED>::of(at).times(Halves::of(unit));
+    let Product { hi, lo } = Halves::<FUSED>::of(at).times(Halves::of(unit));
     let whole = hi.round_ties_even();
     if whole.abs() < MOST_DIGITS && whole / unit == at {
         ((whole - hi) - lo).abs() * (1.0 / unit) * (1.0 + 4.0 * U)

@@ -9,7 +9,7 @@ use super::limb::SUM;
 use super::off::{Enclosed, LinkOff, PointOff};
 use super::places::{Bodies, Places};
 use crate::arithmetic::plane::{Fallback, Simd, f64x2};
-use crate::arithmetic::{Sharp, U};
+use crate::arithmetic::{Sharp, TWICE, U};
 use crate::solver::Workspace;
 use crate::solver::elements::Step;
 use crate::solver::engine::Engine;
@@ -19,8 +19,6 @@ use crate::{Ball, Constant, Double, LinkId, PointId, Vec2};
 /// The length of a vector is at most its larger component and this part of the other one: where they are equal, and
 /// where one is zero, that is what it is, and in between it is less.
 const SQRT_2_LESS_1: f64 = 0.414_213_562_4;
-/// What is lost of a constant in twice the precision, with room.
-const TWICE: f64 = 1e-31;
 
 /// The errors of a point's position, velocity and acceleration.
 ///

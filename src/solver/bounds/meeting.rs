@@ -164,11 +164,11 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         &self,
         order: usize,
         drift: Drift<V>,
-        carried: Option<(V, V)>,
+        carried: (V, V),
         (slack, part): (V, V),
         rows: &mut Influences,
     ) -> MeetingOrder<V> {
-        let open = self.open(order, drift, carried);
+        let open = self.open(order, drift, Some(carried));
         let most = self.gains * (open.all * GROWTH);
         self.settle(order, &open, most, (slack * most, part * open.all), rows)
     }
@@ -187,13 +187,13 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         each: impl FnOnce() -> V,
         all: impl FnOnce() -> V,
         rows: &Influences,
-    ) -> Option<(V, V)> {
-        Some(if rows.matter::<FUSED>() {
+    ) -> (V, V) {
+        if rows.matter::<FUSED>() {
             let each = each();
             (each, each.total())
         } else {
             (self.gains.all(0.0), all())
-        })
+        }
     }
 }
 

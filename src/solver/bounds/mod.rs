@@ -385,17 +385,26 @@ mod tests {
     use crate::Double;
     use crate::scene::{Scene, presets};
 
-    /// On whatever machine: the same bits with its vectors and without.
+    /// On whatever machine: the same bits with its vectors and without, at every order.
     #[test]
     fn without_the_machines_vectors_bounds_are_the_same() {
+        // Written out, a number is itself alone: -0 is not 0.
+        let bits = |work: &Workspace<Ball>| {
+            let Errors { points, links, .. } = &work.errors;
+            format!("{:?} {points:?} {links:?}", work.state)
+        };
         let mut compared = 0;
         for preset in presets::all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
             let solver = Solver::new(&scene.mechanism).unwrap();
             let (mut work, mut balls) = (solver.state(), solver.enclosure());
             let mut plain = solver.enclosure();
-            let order = Order::Acceleration;
-            for k in 0..48 {
+            // Long chains know one way alone.
+            if balls.errors.influences.is_long() {
+                continue;
+            }
+            let orders = [Order::Position, Order::Velocity, Order::Acceleration];
+            for (k, order) in (0..48).flat_map(|k| orders.map(|order| (k, order))) {
                 let at = scene.mechanism.driver().start + 7.3 * f64::from(k);
                 if solver.solve(at, order, &mut work) != Condition::Ok {
                     continue;
@@ -409,11 +418,11 @@ mod tests {
                     state: &work.state,
                     work: &mut plain,
                 });
-                assert!(balls.state == plain.state, "{} at {at}", preset.name);
+                assert_eq!(bits(&balls), bits(&plain), "{} at {at}", preset.name);
                 compared += 1;
             }
         }
-        assert!(compared > 500, "{compared}");
+        assert!(compared > 1500, "{compared}");
     }
 
     /// The balls come from the residuals of whatever is in the state: where that is far off, they

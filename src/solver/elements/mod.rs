@@ -133,6 +133,9 @@ impl Backwards for Nothing {
     }
 }
 
+// Twice the size would be aligned to as much, and could lie across the end of a page again.
+const _: () = assert!(size_of::<Step>() == 512);
+
 macro_rules! elements {
     ($($name:ident),+ $(,)?) => {
         /// One element of a plan. It never lies across the end of a page of memory: some processors take as long for
