@@ -8,7 +8,7 @@
 //! Nothing here knows a terminal: a raster is printed as text, or copied cell by cell by whoever has one.
 //!
 //! ```
-//! use krank::drawing::{Glyphs, Layers, Reach, View, linkage, render};
+//! use krank::drawing::{Glyphs, Layers, Reach, WorldView, linkage, render};
 //! use krank::scene::{Scene, presets};
 //! use krank::solver::{Order, Solver};
 //!
@@ -17,7 +17,7 @@
 //! let solver = Solver::new(&scene.mechanism)?;
 //! // Once for a scene, and once for a size: the window holds the whole motion, so it never jumps.
 //! let reach = Reach::of(&scene, &solver);
-//! let view = View::fit(&reach, 80, 24, 2.0);
+//! let view = WorldView::fit(&reach, 80, 24, 2.0);
 //!
 //! let mut state = solver.state();
 //! let _ = solver.solve(60.0, Order::Position, &mut state);

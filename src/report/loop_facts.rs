@@ -78,6 +78,18 @@ impl LoopFacts {
         }
     }
 
+    /// The class alone.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match *self {
+            LoopFacts::FourBar {
+                class: (inversion, grashof),
+                ..
+            } => inversion_word(inversion, grashof, words()),
+            LoopFacts::SliderCrank { .. } => words().slider_crank_alone(),
+        }
+    }
+
     /// The class and the lengths that decide it, each on a line.
     #[must_use]
     pub fn lines(&self, unit: &str) -> [String; 2] {

@@ -28,6 +28,7 @@ mod sweep;
 mod tables;
 mod tables_data;
 mod tables_page;
+mod verdict;
 mod working;
 
 pub use accuracy::{
@@ -51,6 +52,7 @@ pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, Entry, ORDERS, PlaneVector, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
+pub use verdict::{Verdict, VerdictPart};
 pub use working::{Agreement, Worked, Working};
 #[cfg(feature = "tui")]
 pub(crate) use {forces_page::missed, number::shortest, number::upwards};

@@ -27,6 +27,7 @@ use super::Opened;
 use super::config::Config;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
+use crate::report::Verdict;
 use crate::solver::Condition;
 use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::Action;
@@ -252,6 +253,11 @@ impl App {
     /// Names of colours stand for those of this theme.
     pub(crate) fn set_theme(&mut self, theme: Theme) {
         self.shell.theme = theme;
+    }
+
+    /// What was said of the linkage before the last edit, where that says something else now.
+    pub(crate) fn verdict_before(&self) -> Option<&Verdict> {
+        self.shell.verdict_before.as_ref()
     }
 
     pub(crate) fn message(&self) -> Option<&str> {

@@ -254,7 +254,7 @@ impl Session {
             let wakes = self.tty.wait(deadline, bell)?;
             if let Some(drawn) = self.tty.drawn_at().filter(|_| !owed) {
                 let seen = drawn.saturating_duration_since(self.begun);
-                self.workbench.app().show_question(seen);
+                self.workbench.app().be_seen(seen);
             }
             owed = true;
             // What moves on by itself waits for a slow line: half of one picture and half of the next

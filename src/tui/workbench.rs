@@ -120,7 +120,7 @@ impl Workbench {
 
     /// The bytes that bring the terminal from the last frame to this one; none if nothing differs.
     pub fn paint(&mut self) -> &[u8] {
-        self.app.show_question(self.now);
+        self.app.be_seen(self.now);
         self.paint_within(usize::MAX)
     }
 
@@ -149,7 +149,7 @@ impl Workbench {
     /// The screen as text: its lines without the blanks at their ends.
     pub fn text(&mut self) -> String {
         self.app.catch_up();
-        self.app.show_question(self.now);
+        self.app.be_seen(self.now);
         self.app.focus();
         views::prepare(&self.app, &mut self.sketch);
         let mut buffer = Buffer::empty(views::area(&self.app));

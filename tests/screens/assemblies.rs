@@ -27,7 +27,7 @@ fn shows_the_other_assemblies_as_ghosts() {
         "> C - (212.6, -165.5)",
         "choose 60.00 deg Enter take",
     ];
-    let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
+    let mut tiny = four_bar(Glyphs::Ascii, 40, 13);
     assert_told(&tiny.press("a").look(), &told);
     let points = drawing(&tiny.body()).matches('.').count();
     assert!(points >= 4, "{}", tiny.body());
@@ -105,8 +105,8 @@ fn an_assembly_is_saved() {
     let line = session.press("a Enter w").last_line();
     assert!(line.contains("written to "), "{line}");
     std::fs::write(&file, text.replace("15 rad/s", "16 rad/s")).unwrap();
-    let line = session.press("a Enter w").last_line();
-    assert!(line.contains("has changed on disk"), "{line}");
+    let screen = session.press("a Enter w").look();
+    assert!(screen.contains("has changed on disk"), "{screen}");
     assert!(std::fs::read_to_string(&file).unwrap().contains("16 rad/s"));
 }
 
@@ -130,8 +130,8 @@ fn a_preset_is_saved_under_a_name_that_is_typed() {
     // Another scene does not write over it unasked.
     let mut other = Session::new(preset("press"), Glyphs::Ascii, 40, 12);
     other.press("w Ctrl-U").press(&keys.join(" "));
-    let line = other.press("Enter").last_line();
-    assert!(line.contains("write over new.toml?"), "{line}");
+    let screen = other.press("Enter").look();
+    assert!(screen.contains("write over new.toml?"), "{screen}");
     other.press("Esc");
     assert!(
         !std::fs::read_to_string(&file)

@@ -83,13 +83,14 @@ fn a_ghost_stands_beside_the_linkage() {
         }
         // Every screen of dots follows that of characters of its size.
         let ghost = places(&cells(&plain), &['.']);
-        assert!(ghost.len() >= 4, "{plain}");
+        let least = if cols == 40 { 2 } else { 4 };
+        assert!(ghost.len() >= least, "{plain}");
         if glyphs == Glyphs::Braille {
             assert_dotted(&ghost, &drawn);
         }
         if cols < 120 {
             assert!(
-                assert_only_a_ghost_is_added(&alone, &drawn) >= 4,
+                assert_only_a_ghost_is_added(&alone, &drawn) >= least,
                 "{screen}"
             );
         } else {
@@ -121,8 +122,10 @@ fn differences_stand_where_figures_stood() {
                 "r4 0.0000 -18.415* 0 -0.03147* 0 -22.103*",
                 "C 69.3147 39.9545 -117.403 219.225 -7.867 -18.415",
                 "-224.9 9765.9 -5507.3 -17.441",
-                "1706.7 5060.1 -4806.5 -5.434",
             ];
+        }
+        if cols >= 120 {
+            told.push("1706.7 5060.1 -4806.5 -5.434");
         }
         assert_told(&screen, &told);
     }
@@ -253,11 +256,24 @@ fn every_preset_stands_beside_every_other() {
         let origin = Origin::Preset(this.name.into());
         let mut session = Session::new(open(this.text, origin), Glyphs::Braille, 80, 24);
         for other in presets {
-            session.press("D").type_in(other.name).press("Enter");
+            session.press("D").type_in(other.name);
+            if other.name == this.name {
+                // Nothing is compared with itself.
+                let screen = session.look();
+                assert!(!screen.contains(&format!("> {} ", other.name)), "{screen}");
+                session.press("Esc");
+                continue;
+            }
+            session.press("Enter");
             let screen = session.look();
             if screen.lines().next().unwrap().contains(" against ") {
                 compared += 1;
-                session.press(". 2 PgDn Tab 1 , D");
+                // Either key ends it.
+                session.press(if compared % 2 == 0 {
+                    ". 2 PgDn Tab 1 , D"
+                } else {
+                    "Esc"
+                });
             } else {
                 assert!(screen.contains("is driven by"), "{screen}");
                 session.press("Esc");

@@ -41,7 +41,9 @@ fn plots_have_a_dotted_curve() {
     for (name, glyphs, cols, rows) in screens {
         let mut session = beside(&format!("plots-{name}"), glyphs, cols, rows);
         let alone = session.press("3").look();
-        let screen = session.press("D").type_in("longer").press("Enter").look();
+        session.press("D").type_in("longer").press("Enter");
+        // What was said when it began has been read.
+        let screen = session.pass(9.0).look();
         let (own, other) = if cols == 40 {
             ("r4.omega 3.0911 +1", "against longer.t..")
         } else {
@@ -54,7 +56,7 @@ fn plots_have_a_dotted_curve() {
             _ => assert_curve_is_dotted(&alone, &screen),
         }
         // Chosen anew, they are there again; ended, they are gone.
-        assert_eq!(session.press("m m").press("Esc").look(), screen);
+        assert_eq!(session.press("m m").pass(9.0).look(), screen);
         assert_eq!(session.press("1 3").look(), screen);
         assert_eq!(session.press("D Esc").look(), alone);
     }

@@ -1,5 +1,6 @@
 //! Taking things out of the workbench: to the clipboard and into files.
 
+use crate::claims::assert_told;
 use crate::screen::{SWINGING, Session, folder, four_bar, krank, open, preset};
 use crate::tables::under_cursor;
 use krank::drawing::Glyphs;
@@ -205,11 +206,8 @@ fn no_file_is_written_over_unasked() {
         " write  write to: four-bar-60.csv    Enter write  Esc cancel"
     );
     session.press("Ctrl-U").type_in(file.to_str().unwrap());
-    let line = session.press("Enter").last_line();
-    assert!(
-        line.contains("write over kept.csv?  Enter write  Esc cancel"),
-        "{line}"
-    );
+    let asked = ["write over kept.csv?", "Enter write Esc cancel"];
+    assert_told(&session.press("Enter").look(), &asked);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "kept");
     session.press("Y Ctrl-U").type_in(file.to_str().unwrap());

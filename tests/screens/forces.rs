@@ -41,7 +41,6 @@ fn forces_stand_in_blocks_of_one_width() {
     insta::assert_snapshot!("forces-press-ram-ascii-40x12", masked(&screen));
     let screen = small.press("PgDn PgDn PgDn PgDn PgDn PgDn").look();
     let told = [
-        "N m ^",
         "r6 0.000",
         "check torque fx",
         "N m N",

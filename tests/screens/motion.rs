@@ -26,7 +26,7 @@ fn shows_arrows_with_their_scale() {
     let heads = |screen: &str| places(&cells(&drawing(screen)), &['<', '>', '^', 'v']);
     let [of_characters, of_dots] = [&shown, &dotted].map(|screen| heads(screen));
     // The last row is the legend: its arrows begin elsewhere.
-    let above = |heads: &[(usize, usize)]| heads.iter().filter(|at| at.0 < 21).count();
+    let above = |heads: &[(usize, usize)]| heads.iter().filter(|at| at.0 < 20).count();
     assert_eq!(
         of_characters[..above(&of_characters)],
         of_dots[..above(&of_dots)]
@@ -37,7 +37,7 @@ fn shows_arrows_with_their_scale() {
         assert_told(screen, &["a 20000 mm/s^2 ="]);
     }
     // Where there is little room, an arrow of the drawing means more, and the accelerations are not told of.
-    let tiny = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12)
+    let tiny = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 13)
         .press("v A")
         .body();
     assert_told(
@@ -68,7 +68,7 @@ fn shows_coupler_curves() {
     assert!(curve.len() >= 40, "{shown}");
     assert_dotted(&curve, &traced(Glyphs::Braille)[1]);
     // A leg on a small screen: the curves of two points, in what room there is.
-    let mut leg = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 12);
+    let mut leg = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 13);
     let bare = leg.body();
     let shown = leg.press("T").body();
     assert_told(&shown, &["trace V,T", "m 15.0000 60.000"]);
@@ -121,7 +121,7 @@ fn every_layer_goes_as_it_came() {
 
 #[test]
 fn zooms_and_pans_and_stays_there() {
-    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
+    let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 25);
     let fitted = session.body();
     let near = session.press("z z L K").body();
     // B and C stand twice as far apart as they did, within what a cell rounds, and D has left the window;

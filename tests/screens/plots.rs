@@ -65,7 +65,7 @@ fn the_list_chooses_what_is_plotted() {
         "{plotted}"
     );
     // On a small screen the list stands alone.
-    let mut small = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
+    let mut small = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 13);
     let told = [
         "plot what? 2 of 57",
         "[ ] r3.omega rad/s ^",

@@ -41,14 +41,14 @@ fn lists_every_value() {
         "r2 com y 0 mm v",
         "scene four-bar 60.00 deg ok ? help",
     ];
-    let mut tiny = four_bar(40, 12);
+    let mut tiny = four_bar(40, 13);
     assert_told(&tiny.press("6").look(), &told);
     assert_eq!(tiny.press("PgDn PgDn PgDn").row(), "> C start y 230 mm");
 }
 
 #[test]
 fn a_value_is_typed_with_a_unit_and_everything_follows() {
-    for (cols, rows) in [(80, 24), (40, 12)] {
+    for (cols, rows) in [(80, 24), (40, 13)] {
         let mut session = four_bar(cols, rows);
         session
             .press("6")

@@ -1,5 +1,6 @@
 //! Scenes and their files: saved, read again when somebody else writes them, and recovered after a crash.
 
+use crate::claims::assert_told;
 use crate::scene::Values;
 use crate::screen::{Session, folder, four_bar, open, preset, text};
 use krank::drawing::Glyphs;
@@ -110,11 +111,13 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     let line = session.press("[").last_line();
     assert!(line.contains("has changed on disk: R reads it"), "{line}");
     assert_eq!(session.row(), edited);
-    let line = session.press("w").last_line();
-    let asked = " save  mine.toml has changed on disk: write over it?  Enter write  Esc cancel";
-    assert_eq!(line, asked);
-    let line = session.press("Esc R").last_line();
-    assert!(line.contains("read it over unsaved edits?"), "{line}");
+    let asked = [
+        "mine.toml has changed on disk: write over it?",
+        "Enter write Esc cancel",
+    ];
+    assert_told(&session.press("w").look(), &asked);
+    let asked = ["read it over unsaved edits?", "Enter read Esc keep"];
+    assert_told(&session.press("Esc R").look(), &asked);
     session.press("Esc");
     assert_eq!(session.row(), edited);
     session.press("R Enter");
@@ -132,18 +135,12 @@ fn unsaved_edits_are_asked_about() {
     let (file, opened) = file(&folder("scene-asked"), text("four-bar"));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("6").find("r2 len").press(">");
-    let line = session.press("q").last_line();
-    assert!(
-        line.contains("unsaved edits  w save  q drop, quit  Esc stay"),
-        "{line}"
-    );
+    let asked = ["unsaved edits", "w save q drop, quit Esc stay"];
+    assert_told(&session.press("q").look(), &asked);
     session.press("Esc");
     assert_eq!(session.row(), ">*r2 length 101 mm 100");
-    let line = session.press("n").last_line();
-    assert!(
-        line.contains("unsaved edits  w save  d drop, open  Esc stay"),
-        "{line}"
-    );
+    let asked = ["unsaved edits", "w save d drop, open Esc stay"];
+    assert_told(&session.press("n").look(), &asked);
     session.press("Esc n w");
     assert!(
         std::fs::read_to_string(&file)
@@ -156,8 +153,8 @@ fn unsaved_edits_are_asked_about() {
     );
     let mut other = four_bar(40, 12);
     other.press("6").find("r2 len").press(">");
-    let line = other.press("q").last_line();
-    assert!(line.contains("w save  q drop, quit"), "{line}");
+    let asked = ["w save q drop, quit Esc stay"];
+    assert_told(&other.press("q").look(), &asked);
     assert!(!other.workbench.press("q"), "left");
     let mut quick = four_bar(40, 12);
     quick.press("6 >");
@@ -275,11 +272,8 @@ fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
     let mut session = begin();
     let screen = session.look();
     assert!(screen.contains("made on another text"), "{screen}");
-    let line = session.press("t w").last_line();
-    assert!(
-        line.contains("mine.toml is newer than these edits: write over it?"),
-        "{line}"
-    );
+    let asked = ["mine.toml is newer than these edits: write over", "it?"];
+    assert_told(&session.press("t w").look(), &asked);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
     // What was typed before the question could be read is no answer to it.
@@ -298,8 +292,8 @@ fn a_read_only_file_is_asked_about() {
     let (file, opened) = file(&folder("scene-read-only"), text("four-bar"));
     std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o444)).unwrap();
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
-    let line = session.press("6").find("r2 len").press("> w").last_line();
-    assert!(line.contains("mine.toml is read-only: write it?"), "{line}");
+    let screen = session.press("6").find("r2 len").press("> w").look();
+    assert_told(&screen, &["mine.toml is read-only: write it?"]);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), text("four-bar"));
     session.press("w").pass(1.0).press("Enter");

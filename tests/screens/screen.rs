@@ -185,10 +185,10 @@ impl Session {
         rows.map(|row| row.trim_end().to_owned() + "\n").collect()
     }
 
-    /// The screen without the title and the last line.
+    /// The screen without the title, the verdict and the last line.
     pub(crate) fn body(&mut self) -> String {
         let text = self.look();
-        let inner = text.lines().count().saturating_sub(2);
+        let inner = text.lines().count().saturating_sub(3);
         let lines = text.lines().skip(1).take(inner);
         lines.map(|line| line.to_owned() + "\n").collect()
     }

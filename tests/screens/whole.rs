@@ -57,7 +57,7 @@ fn shows_a_slider_crank_above_its_tables() {
 /// On the smallest screen, too, a table is read from its heading on, and goes on in a second one below.
 #[test]
 fn shows_all_tables() {
-    let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
+    let mut tiny = four_bar(Glyphs::Ascii, 40, 13);
     let scrolled = tiny.press("Tab Down Down").body();
     let told = [
         "vector r [mm] theta [deg]",
@@ -76,7 +76,7 @@ fn shows_all_tables() {
 /// What a length that is off does to the figures: a view of its own, which follows the driver.
 #[test]
 fn shows_what_the_lengths_do() {
-    let mut session = four_bar(Glyphs::Ascii, 80, 24);
+    let mut session = four_bar(Glyphs::Ascii, 80, 25);
     let screen = session.press("e").look();
     let told = [
         "change for 1 mm in every length in one in which",

@@ -61,7 +61,7 @@ fn every_number_of_an_axis_stands_below_its_tick() {
             let mut session = Session::new(preset("jansen-leg"), Glyphs::Ascii, cols, rows);
             let screen = session.press(keys).look();
             let lines: Vec<&str> = screen.lines().collect();
-            let [ticks, labels] = [lines[lines.len() - 3], lines[lines.len() - 2]];
+            let [ticks, labels] = [lines[lines.len() - 4], lines[lines.len() - 3]];
             let ticks = format!("{ticks:121}");
             let mut end = 0;
             for label in labels.split_whitespace() {
@@ -102,8 +102,8 @@ fn a_file_that_is_gone_is_not_offered() {
         80,
         24,
     );
-    let line = session.press("6 > R").last_line();
-    assert!(line.contains("read it over unsaved edits?"), "{line}");
+    let screen = session.press("6 > R").look();
+    assert!(screen.contains("read it over unsaved edits?"), "{screen}");
     session.press("Esc");
     std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
     let line = session.press("R").last_line();

@@ -31,7 +31,7 @@ fn all(session: &mut Session) -> Vec<String> {
 
 #[test]
 fn the_key_leads_to_the_working_and_back() {
-    let mut session = session("four-bar", Glyphs::Ascii, 80, 24);
+    let mut session = session("four-bar", Glyphs::Ascii, 80, 25);
     let screen = session.look();
     assert!(
         session.last_line().starts_with(" working  four-bar"),
@@ -87,7 +87,7 @@ fn scrolling_leads_through_all_of_it() {
 /// Paused it shows this state, playing each as it comes.
 #[test]
 fn the_working_follows_the_crank() {
-    let mut session = session("four-bar", Glyphs::Ascii, 80, 40);
+    let mut session = session("four-bar", Glyphs::Ascii, 80, 41);
     assert!(session.look().contains("at 60 deg"));
     assert!(session.press(".").look().contains("at 65 deg"));
     session.press("space").pass(1.0);

@@ -13,7 +13,7 @@ use super::network::{Network, ScalarEquation};
 use super::order::{self, Ordering};
 use crate::{ElementId, PointId, Vec2};
 use std::collections::VecDeque;
-use verdict::{Verdict, Whole};
+use verdict::{RankVerdict, Whole};
 
 /// Unknowns of which a dense decomposition is made, at the most: it costs their cube, and this many
 /// take about a second. Above it the structure's answer stands.
@@ -138,7 +138,7 @@ fn opened(
     ordering: &Ordering,
     start: f64,
     near: &[(PointId, Vec2)],
-    verdict: &Verdict,
+    verdict: &RankVerdict,
     open: impl Fn(&Ordering, &[(PointId, Vec2)]) -> Result<Solver, Fault>,
 ) -> Result<Solver, Fault> {
     match open(ordering, near) {
@@ -180,7 +180,7 @@ pub(super) fn judged(network: &Network<'_>, mut solver: Solver) -> Result<Solver
     Ok(solver)
 }
 
-impl Verdict {
+impl RankVerdict {
     /// That the driver does not determine every link.
     fn free_motions(self, network: &Network<'_>) -> Fault {
         Fault::Mobility {

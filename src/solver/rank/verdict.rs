@@ -30,7 +30,7 @@ const MOST_STRIDES: f64 = 1000.0;
 
 /// What the constraints of a mechanism do together, where they could be put together.
 #[derive(Clone, Debug)]
-pub(in crate::solver) struct Verdict {
+pub(in crate::solver) struct RankVerdict {
     /// Motions that the driver leaves free.
     pub(super) free: usize,
     /// Whether the driver itself cannot move.
@@ -51,7 +51,7 @@ pub(in crate::solver) struct Verdict {
     pub(super) places: Vec<(PointId, Vec2)>,
 }
 
-impl Verdict {
+impl RankVerdict {
     /// Degrees of freedom, the driver's included.
     pub(super) fn mobility(&self) -> usize {
         (1 + self.free).saturating_sub(usize::from(self.is_held))
@@ -92,7 +92,7 @@ impl<'n> Whole<'n> {
     }
 
     /// What the rank says, the greatest of the start and of places beside it.
-    pub(super) fn verdict(&self) -> Option<Verdict> {
+    pub(super) fn verdict(&self) -> Option<RankVerdict> {
         let found = self.judged(self.at, &self.start)?;
         let beside = PLACES.iter().filter_map(|&by| {
             let at = moved(&self.rows, self.at, by);
@@ -114,7 +114,7 @@ impl<'n> Whole<'n> {
                     if other.rank > best.rank { other } else { best }
                 },
             );
-        Some(Verdict {
+        Some(RankVerdict {
             is_change_point: best.rank > least,
             places: self.places(),
             ..best.verdict(&self.rows)
@@ -232,7 +232,7 @@ impl Judged {
         })
     }
 
-    fn verdict(&self, rows: &Rows<'_>) -> Verdict {
+    fn verdict(&self, rows: &Rows<'_>) -> RankVerdict {
         let readiness = |&row: &ScalarEquation| rows.network.readiness(row);
         let readiness: Vec<u8> = rows.rows.iter().map(readiness).collect();
         let choice = spectrum::choose(&self.matrix, self.rank, &readiness);
@@ -249,7 +249,7 @@ impl Judged {
         let links = rows.network.mechanism.link_ids();
         let repeating = choice.repeating(self.noise);
         let repeating: Vec<ScalarEquation> = repeating.into_iter().map(|i| rows.rows[i]).collect();
-        Verdict {
+        RankVerdict {
             free: rows.width - self.rank,
             is_held: self.is_held,
             redundant: rows.rows.len() - self.rank,

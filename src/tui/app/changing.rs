@@ -45,7 +45,10 @@ impl App {
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
         let before = self.player.open_scene.scene();
         self.followed = self.followed.moved(before, &opened.scene);
+        let judged = self.player.open_scene.verdict().clone();
         self.player.exchange(OpenScene::new(opened), now);
+        let is_other = judged != *self.player.open_scene.verdict();
+        self.shell.verdict_before = is_other.then_some(judged);
         self.study_run.forget();
         self.look(self.shell.view);
         self.lay_out();

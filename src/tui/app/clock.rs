@@ -13,6 +13,7 @@ impl App {
             self.study_run.work();
         }
         self.now = now;
+        self.shell.forget_message(now);
         if self.next_frame().is_none_or(|next| now < next) {
             return;
         }
@@ -26,11 +27,13 @@ impl App {
         self.player.weigh(self.now);
     }
 
-    /// When to call [`App::tick`]; never while paused.
+    /// When to call [`App::tick`]: for the next frame, and when what is said has been read.
     pub(crate) fn next_frame(&self) -> Option<Duration> {
         // While another scene is looked for, this one waits.
-        let next = self.player.next_frame()?;
-        (!matches!(self.shell.mode, Mode::Pick(_))).then_some(next)
+        let is_shown = !matches!(self.shell.mode, Mode::Pick(_));
+        let frame = self.player.next_frame().filter(|_| is_shown);
+        let message = self.shell.message_ends();
+        [frame, message].into_iter().flatten().min()
     }
 
     /// The program was stopped meanwhile: playing goes on from where it was.

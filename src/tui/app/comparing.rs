@@ -48,6 +48,7 @@ impl App {
         };
         self.scroll_by(0);
         self.sample();
+        self.shell.say(words().esc_ends_comparison());
         Ok(())
     }
 

@@ -58,8 +58,9 @@ impl App {
     }
 
     /// What is asked is on the screen, if anything is.
-    pub(crate) fn show_question(&mut self, now: Duration) {
+    pub(crate) fn be_seen(&mut self, now: Duration) {
         self.shell.show_question(now);
+        self.shell.show_message(now);
     }
 
     pub(super) fn page(&self) -> isize {

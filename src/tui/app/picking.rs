@@ -25,10 +25,11 @@ impl App {
             Origin::File(path) => path.parent().map(Path::to_owned),
             Origin::Preset(_) | Origin::Stdin => None,
         };
+        let here = PickerTarget::of(self.player.open_scene.origin());
         let original = purpose == Purpose::Compare && self.is_edited();
         let folder = folder.unwrap_or_default();
         self.previews.forget();
-        self.shell.mode = Mode::Pick(Box::new(Picker::new(purpose, original)));
+        self.shell.mode = Mode::Pick(Box::new(Picker::new(purpose, original, here)));
         self.look_into(folder, at, true);
     }
 

@@ -3,6 +3,7 @@
 use super::{Mode, View};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
+use crate::report::Verdict;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
 use crate::wording::words;
@@ -13,6 +14,8 @@ use std::time::Duration;
 const USUAL_ASPECT: f64 = 2.0;
 /// Who has not seen a question for so long has typed for something else.
 const REACTION: Duration = Duration::from_millis(300);
+/// What has been said for so long has been read, or nobody is there.
+const LEGIBLE: Duration = Duration::from_secs(8);
 
 /// The workbench around the scene.
 #[derive(Debug)]
@@ -22,8 +25,12 @@ pub(super) struct Shell {
     pub view: View,
     /// Lines that each view is scrolled by.
     pub scroll: [usize; View::ALL.len()],
-    /// Said in the last line until the next key.
+    /// Said in the last line until the next key, or until it has been there for long enough.
     pub message: Option<String>,
+    /// Since when it is on the screen, and what it is.
+    told: Option<(Duration, String)>,
+    /// What was said of the linkage before the last edit has changed that; until the next key.
+    pub verdict_before: Option<Verdict>,
     /// Since when a question is on the screen.
     seen: Option<Duration>,
 
@@ -43,6 +50,8 @@ impl Shell {
             view: View::default(),
             scroll: [0; View::ALL.len()],
             message: None,
+            told: None,
+            verdict_before: None,
             seen: None,
             capability,
             theme: Theme::default(),
@@ -53,6 +62,29 @@ impl Shell {
 
     pub(super) fn say(&mut self, message: impl Into<String>) {
         self.message = Some(message.into());
+        self.told = None;
+    }
+
+    /// What is said is on the screen, if anything is.
+    pub(super) fn show_message(&mut self, now: Duration) {
+        let is_told = self.told.as_ref().map(|(_, told)| told) == self.message.as_ref();
+        if !is_told {
+            self.told = self.message.clone().map(|message| (now, message));
+        }
+    }
+
+    /// When what is said has been there for long enough: not while something is typed, chosen or asked.
+    pub(super) fn message_ends(&self) -> Option<Duration> {
+        let (since, _) = self.told.as_ref()?;
+        (self.mode == Mode::Normal).then_some(*since + LEGIBLE)
+    }
+
+    /// Time has passed.
+    pub(super) fn forget_message(&mut self, now: Duration) {
+        if self.message_ends().is_some_and(|end| now >= end) {
+            self.message = None;
+            self.told = None;
+        }
     }
 
     pub(super) fn resize(&mut self, size: Size, aspect: Option<f64>) {

@@ -9,6 +9,7 @@ use std::time::Duration;
 impl App {
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
+        self.shell.verdict_before = None;
         let effect = self.mode_key(key, now).unwrap_or_else(|| {
             let action = self.shell.keymap.action(key, self.shell.view);
             action.map_or(Effect::Show, |action| self.update(action, now))
@@ -111,6 +112,8 @@ impl App {
             self.shell.mode = Mode::Normal;
         } else if self.is_working() {
             self.study_run.stop();
+        } else if self.compared().is_some() {
+            self.compare();
         }
     }
 }

@@ -3,7 +3,7 @@
 use crate::Ball;
 use crate::drawing::Reach;
 use crate::quantity::{Catalogue, Sensitivity};
-use crate::report::{Answers, Forces, Tables};
+use crate::report::{Answers, Forces, Tables, Verdict};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, sanitized};
 use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
@@ -29,6 +29,7 @@ pub(crate) struct OpenScene {
     opened: Opened,
     driver_range: DriverRange,
     reach: Reach,
+    verdict: Verdict,
     sheet: Sheet,
     at: f64,
     state: Workspace,
@@ -66,6 +67,7 @@ impl OpenScene {
         let mut enclosure = opened.solver.enclosure();
         OpenScene {
             edition: Edition::default(),
+            verdict: Verdict::new(&opened.scene, &opened.solver),
             sheet: Sheet::new(&samples),
             tables: solved(&opened, at, Order::Acceleration, &mut state, &mut enclosure),
             answers: None,
@@ -255,6 +257,11 @@ impl OpenScene {
 
     pub(crate) fn driver_range(&self) -> &DriverRange {
         &self.driver_range
+    }
+
+    /// What there is to say of the linkage as a whole.
+    pub(crate) fn verdict(&self) -> &Verdict {
+        &self.verdict
     }
 
     pub(crate) fn reach(&self) -> &Reach {

@@ -4,6 +4,7 @@
 //! title                              step, pace   one line
 //! drawing                            | live       what is left
 //!                                    | tables
+//! range  class  transmission                       one line
 //! mode  scene  angle  state     hints             one line
 //! ```
 
@@ -20,12 +21,14 @@ mod pane;
 pub(crate) mod picker;
 pub(crate) mod plots;
 mod popup;
+mod question;
 mod scene;
 mod status;
 mod table;
 mod tables;
 mod title;
 pub(crate) mod tour;
+mod verdict;
 pub(crate) mod working;
 
 use super::app::{App, Mode, View};
@@ -91,6 +94,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
         Mode::Help(help) => help::placed(app, help, body(area)),
         Mode::Tour(number) => tour::placed(app, *number, body(area)),
         Mode::Recovery(found) => offer::placed(found, body(area)),
+        Mode::Unsaved(_) | Mode::Confirm(_) => question::placed(app, body(area)),
         _ => Rect::ZERO,
     };
     [row(area, area.height - 1), overlay]
@@ -123,8 +127,12 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         Mode::Help(help) => help::render(app, help, body(area), buffer),
         Mode::Tour(number) => tour::render(app, *number, body(area), buffer),
         Mode::Recovery(found) => offer::render(app, found, body(area), buffer),
+        Mode::Unsaved(_) | Mode::Confirm(_) => {
+            question::render(app, status::mode(app), body(area), buffer);
+        }
         _ => {}
     }
+    verdict::render(app, row(area, area.height - 2), buffer);
     status::render(app, row(area, area.height - 1), buffer);
 }
 
@@ -166,7 +174,7 @@ fn on_top(app: &App) -> (usize, usize) {
     let body = body(area);
     match app.mode() {
         Mode::Help(help) => help::extent(app, help, body),
-        Mode::Pick(picker) => picker::extent(picker, body),
+        Mode::Pick(picker) => picker::extent(picker, middle(area)),
         _ => app.view().pane().extent(app, body),
     }
 }
@@ -180,9 +188,18 @@ pub(crate) fn has_room(size: Size) -> bool {
     size.width >= SMALLEST.width && size.height >= SMALLEST.height
 }
 
-/// Between the title and the last line.
-fn body(area: Rect) -> Rect {
+/// Between the first line and the last one.
+fn middle(area: Rect) -> Rect {
     area.inner(Margin::new(0, 1))
+}
+
+/// The same without the verdict.
+fn body(area: Rect) -> Rect {
+    let middle = middle(area);
+    Rect {
+        height: middle.height.saturating_sub(1),
+        ..middle
+    }
 }
 
 /// Where tables stand in an area: a blank to their left, their margin to their right.

@@ -91,6 +91,7 @@ catalogue! {
         };
         four_bar(inversion: &str, grashof: &str) = "four-bar, {inversion}: {grashof}";
         slider_crank(what: &str) = "slider-crank, {what}";
+        slider_crank_alone = "slider-crank";
         crank_turns_fully = "the crank turns fully: rod > crank + offset";
         rod_is_crank_and_offset = "change point: rod = crank + offset";
         crank_rocks = "the crank does not turn fully: rod < crank + offset";
@@ -124,6 +125,18 @@ catalogue! {
                  {most} deg, at {at_most} {unit}"
             )
         };
+
+        // The verdict.
+        range_whole = "turns fully";
+        range_between(low: &str, high: &str, unit: &str) = "{low}..{high} {unit}";
+        some_change_points(count: usize) = { counted(count, "change point", "change points") };
+        transmission_worst(group: Option<&str>, off: &str, at: &str, unit: &str) = {
+            let group = group.map(|group| format!(" at {group}")).unwrap_or_default();
+            format!("transmission{group} {off} deg off 90 at {at} {unit}")
+        };
+        transmission_off(off: &str) = "{off} off 90";
+        nothing_of_it = "none";
+        became(old: &str, new: &str) = "{old} -> {new}";
 
         // What acts.
         count_of_forces(count: usize) = { counted(count, "force", "forces") };

@@ -29,6 +29,7 @@ catalogue! {
         redone(edit: &str) = "{edit} made again";
 
         // Beside another scene.
+        esc_ends_comparison = "Esc ends the comparison";
         no_longer_compared = "no longer compared";
         has_no_assembly_here(scene: &str) = "{scene} has no assembly here";
         this_less(scene: &str) = "this - {scene}";

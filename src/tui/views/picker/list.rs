@@ -77,6 +77,8 @@ pub(crate) struct Picker {
     purpose: Purpose,
     /// Whether the open scene was edited, so that there is an original to go beside it.
     original: bool,
+    /// The open scene, which is not compared with itself.
+    here: Option<PickerTarget>,
     folder: PathBuf,
     /// What is to be said about the folder.
     note: Option<String>,
@@ -121,10 +123,11 @@ impl Default for FolderReading {
 
 impl Picker {
     /// The presets; a folder is listed once it was read.
-    pub(crate) fn new(purpose: Purpose, original: bool) -> Picker {
+    pub(crate) fn new(purpose: Purpose, original: bool, here: Option<PickerTarget>) -> Picker {
         let mut picker = Picker {
             purpose,
             original,
+            here: here.filter(|_| purpose == Purpose::Compare),
             folder: PathBuf::new(),
             note: None,
             items: Vec::new(),
@@ -178,6 +181,8 @@ impl Picker {
         self.items.extend(
             presets.map(|(p, title)| PickerItem::new(PickerTarget::Preset(p.name), p.name, title)),
         );
+        self.items
+            .retain(|item| Some(&item.place) != self.here.as_ref());
         self.narrow();
         let known = |place: &PickerTarget| self.items.iter().position(|item| item.place == *place);
         self.cursor = at.and_then(known).unwrap_or_else(|| self.first_scene());

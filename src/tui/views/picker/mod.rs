@@ -13,7 +13,7 @@ pub(crate) mod folder;
 pub(crate) mod list;
 pub(crate) mod preview;
 
-use super::{body, columns, cut, inset, mark_more, print, print_right, row};
+use super::{columns, cut, inset, mark_more, middle, print, print_right, row};
 use crate::drawing::{self, Layers};
 use crate::page::wrapped;
 use crate::tui::app::App;
@@ -60,7 +60,7 @@ fn arrange(area: Rect) -> PickerAreas {
 }
 
 pub(super) fn render(app: &App, picker: &Picker, screen: Rect, buffer: &mut Buffer) {
-    let arrangement = arrange(body(screen));
+    let arrangement = arrange(middle(screen));
     search(app, picker, row(screen, 0), buffer);
     list(app, picker, arrangement.list, buffer);
     if let Some((rule, area)) = arrangement.preview {

@@ -15,7 +15,7 @@ use crate::wording::words;
 /// More turns than this are told with an exponent.
 const MANY_TURNS: f64 = 1e7;
 
-pub(super) fn mode(app: &App) -> &'static str {
+pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
     match app.mode() {
         Mode::Help(_) => words().help(),
         Mode::Tour(_) => words().tour(),

@@ -17,6 +17,7 @@ use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
+pub(super) use facts::mode;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use writer::Writer;

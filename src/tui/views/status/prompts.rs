@@ -2,28 +2,24 @@
 
 use super::facts::mode;
 use super::{ROOM_FOR_GAPS, Writer};
-use crate::tui::app::{App, Mode, Unsaved};
+use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
-use crate::tui::document::writing::Question;
 use crate::tui::player::open_scene::shown;
 use crate::tui::views::picker::list::{Picker, PickerTarget};
 use crate::tui::views::picker::preview::Preview;
 use crate::tui::views::{columns, cut};
 use crate::wording::words;
 
-/// The name of a file that is asked about keeps so many characters.
-const SHORTEST_FILE: u16 = 12;
-
 /// Renders what is asked for behind the name of the mode. False where nothing is typed, chosen or asked in this line.
 pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
     match app.mode() {
         Mode::GoTo(typed) => coordinate(app, typed, line),
         Mode::FileName(prompt) => file_name(app, &prompt.name, line),
-        Mode::Unsaved(asked) => unsaved(app, asked, line),
         Mode::Recovery(_) => offered(app, line),
-        Mode::Confirm(asked) => question(app, asked, line),
+        // What is asked stands in the middle of the screen.
+        Mode::Unsaved(_) | Mode::Confirm(_) => line.gap(1),
         Mode::Pick(picker) => picking(app, picker, line),
         Mode::Search(search) => sought(app, &search.name, line),
         Mode::Value(_) => value(app, line),
@@ -152,70 +148,12 @@ fn how_much(line: &mut Writer<'_>) {
     line.hint(&Key::Escape.to_string(), words().back());
 }
 
-/// What is to become of unsaved edits.
-fn unsaved(app: &App, asked: &Unsaved, line: &mut Writer<'_>) {
-    let edits = match asked {
-        Unsaved::Quit | Unsaved::Open => words().unsaved_edits(),
-        Unsaved::Reload => words().read_over_edits(),
-    };
-    let keys = match asked {
-        Unsaved::Quit => [
-            ("w", words().save()),
-            ("q", words().drop_and_quit()),
-            ("Esc", words().stay()),
-        ],
-        Unsaved::Open => [
-            ("w", words().save()),
-            ("d", words().drop_and_open()),
-            ("Esc", words().stay()),
-        ],
-        Unsaved::Reload => [("Enter", words().read()), ("Esc", words().keep()), ("", "")],
-    };
-    let keys = || keys.iter().filter(|(key, _)| !key.is_empty());
-    let needed = |(key, name): &(&str, &str)| columns(key) + 1 + columns(name) + 2;
-    // The keys are what a question is good for.
-    let room = line
-        .room()
-        .saturating_sub(keys().map(needed).sum::<u16>() + 1);
-    line.gap(1);
-    let edits = if columns(edits) > room { "" } else { edits };
-    line.say(&shown(edits, app.glyphs()), ScreenPart::Text);
-    line.gap(if edits.is_empty() { 0 } else { 2 });
-    for (key, name) in keys() {
-        line.hint(key, name);
-    }
-}
-
 /// What was said to the offer in the middle of the screen.
 fn offered(app: &App, line: &mut Writer<'_>) {
     line.gap(1);
     match app.message() {
         Some(message) => line.tell(message, app),
         None => line.say(words().edits_by_others(), ScreenPart::Quiet),
-    }
-}
-
-/// Whether to write over a file.
-fn question(app: &App, asked: &Question, line: &mut Writer<'_>) {
-    let to = &asked.to;
-    let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
-    let name = shown(&name, app.glyphs());
-    // The keys are what a question is good for.
-    let keys = [
-        (Key::Enter.to_string(), words().writing()),
-        (Key::Escape.to_string(), words().cancel()),
-    ];
-    let needed = keys
-        .iter()
-        .map(|(key, name)| columns(key) + columns(name) + 3);
-    let rest = columns(&asked.doubt.question("")) + needed.sum::<u16>() + 1;
-    let room = line.room().saturating_sub(rest);
-    let name = cut(&name, usize::from(room.max(SHORTEST_FILE)));
-    line.gap(1);
-    line.say(&asked.doubt.question(&name), ScreenPart::Text);
-    line.gap(2);
-    for (key, name) in &keys {
-        line.hint(key, name);
     }
 }
 

@@ -1,0 +1,97 @@
+//! What a designer watches while a linkage takes shape: how far it turns, of what class it is, and where its forces pass
+//! worst.
+
+use super::loop_facts::LoopFacts;
+use super::number::concise;
+use crate::quantity::Catalogue;
+use crate::scene::Scene;
+use crate::solver::{Range, Solver, Transmission};
+use crate::wording::words;
+
+/// Significant digits of an end of the range, and of where the transmission is worst.
+const PLACES: usize = 5;
+/// An end smaller than this part of the other one is 0.
+const NOUGHT: f64 = 1e-9;
+/// Of more groups than this the whole motion is not looked at after every edit.
+const MOST_GROUPS: usize = 200;
+
+/// A linkage judged as a whole, whatever the driver's place.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Verdict {
+    /// Its parts, the most telling first; a part that does not apply keeps its place.
+    pub parts: [Option<VerdictPart>; 4],
+}
+
+/// A part of a verdict in words, and in fewer where there is little room.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VerdictPart {
+    /// All that there is to say.
+    pub long: String,
+    /// What matters of it.
+    pub short: String,
+}
+
+impl VerdictPart {
+    fn of(text: impl Into<String>) -> VerdictPart {
+        let long = text.into();
+        VerdictPart {
+            short: long.clone(),
+            long,
+        }
+    }
+}
+
+impl Verdict {
+    /// Of a scene as it was assembled: the driver's range, the class of its first loop, change points on the way, and the
+    /// transmission angle that is furthest from 90 degrees.
+    #[must_use]
+    pub fn new(scene: &Scene, solver: &Solver) -> Verdict {
+        let catalogue = Catalogue::new(scene);
+        let unit = &catalogue.driver().unit;
+        let range = match solver.motion().range {
+            Range::Full { .. } => VerdictPart::of(words().range_whole()),
+            Range::Limited { low, high } => {
+                // What is left of an end at 0 by rounding is no digit to read.
+                let least = NOUGHT * low.abs().max(high.abs());
+                let end = |end: f64| if end.abs() < least { 0.0 } else { end };
+                let [low, high] = [low, high].map(|at| concise(end(at), PLACES));
+                VerdictPart::of(words().range_between(&low, &high, unit))
+            }
+        };
+        let class = solver.first_loop().map(LoopFacts::new);
+        let passed = solver.motion().change_points.len();
+        Verdict {
+            parts: [
+                Some(range),
+                class.map(|class| VerdictPart::of(class.name())),
+                (passed > 0).then(|| VerdictPart::of(words().some_change_points(passed))),
+                transmission(scene, solver, unit),
+            ],
+        }
+    }
+}
+
+/// The transmission angle that is furthest from 90 degrees; with its dyad's name where there are several.
+fn transmission(scene: &Scene, solver: &Solver, unit: &str) -> Option<VerdictPart> {
+    if solver.plan().groups.len() > MOST_GROUPS {
+        return None;
+    }
+    let all = solver.transmission();
+    let further = |a: &&Transmission, b: &&Transmission| a.deviation().total_cmp(&b.deviation());
+    let worst = all.iter().max_by(further)?;
+    let [least, most] = [worst.smallest, worst.largest];
+    let at = match 90.0 - least.angle < most.angle - 90.0 {
+        true => most.at,
+        false => least.at,
+    };
+    let off = format!("{:.1}", worst.deviation());
+    let group = (all.len() > 1)
+        .then(|| solver.plan().group(worst.group))
+        .flatten();
+    let group = group.and_then(|group| scene.point_name(group.point?));
+    let at = concise(at, PLACES);
+    Some(VerdictPart {
+        long: words().transmission_worst(group, &off, &at, unit),
+        short: words().transmission_off(&off),
+    })
+}

@@ -1,0 +1,135 @@
+//! A question whose answer can lose something, in the middle of the screen, where nobody overlooks it.
+//!
+//! ```text
+//! +- quit ------------------------------+
+//! | unsaved edits                       |
+//! |                                     |
+//! | w save  q drop, quit  Esc stay      |
+//! +-------------------------------------+
+//! ```
+
+use super::popup::{self, BORDER};
+use super::{columns, print};
+use crate::page::wrapped;
+use crate::tui::app::{App, Mode, Unsaved};
+use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::commands::key::Key;
+use crate::tui::document::writing::Question;
+use crate::tui::player::open_scene::shown;
+use crate::wording::words;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns of the text, where there is so much room.
+const WIDTH: u16 = 48;
+/// Blanks between two keys.
+const GAP: u16 = 2;
+
+/// What is asked, and the keys that answer it.
+struct Asked {
+    text: String,
+    keys: Vec<(String, &'static str)>,
+}
+
+impl Asked {
+    fn of(app: &App) -> Option<Asked> {
+        match app.mode() {
+            Mode::Unsaved(asked) => Some(Asked::unsaved(asked)),
+            Mode::Confirm(asked) => Some(Asked::confirm(asked, app)),
+            _ => None,
+        }
+    }
+
+    /// What is to become of unsaved edits.
+    fn unsaved(asked: &Unsaved) -> Asked {
+        let escape = Key::Escape.to_string();
+        let (text, keys) = match asked {
+            Unsaved::Quit => (
+                words().unsaved_edits(),
+                vec![
+                    ("w".to_owned(), words().save()),
+                    ("q".to_owned(), words().drop_and_quit()),
+                    (escape, words().stay()),
+                ],
+            ),
+            Unsaved::Open => (
+                words().unsaved_edits(),
+                vec![
+                    ("w".to_owned(), words().save()),
+                    ("d".to_owned(), words().drop_and_open()),
+                    (escape, words().stay()),
+                ],
+            ),
+            Unsaved::Reload => (
+                words().read_over_edits(),
+                vec![
+                    (Key::Enter.to_string(), words().read()),
+                    (escape, words().keep()),
+                ],
+            ),
+        };
+        let text = text.to_owned();
+        Asked { text, keys }
+    }
+
+    /// Whether to write over a file.
+    fn confirm(asked: &Question, app: &App) -> Asked {
+        let to = &asked.to;
+        let name = to.file_name().unwrap_or(to.as_os_str()).to_string_lossy();
+        let keys = [
+            (Key::Enter, words().writing()),
+            (Key::Escape, words().cancel()),
+        ];
+        Asked {
+            text: asked.doubt.question(&shown(&name, app.glyphs())),
+            keys: keys.map(|(key, name)| (key.to_string(), name)).into(),
+        }
+    }
+
+    /// Its lines, and where it stands.
+    fn arranged(&self, area: Rect) -> (Vec<String>, Rect) {
+        let needed = |(key, name): &(String, &str)| columns(key) + 1 + columns(name) + GAP;
+        let keys: u16 = self.keys.iter().map(needed).sum::<u16>() - GAP;
+        let room = area.width.saturating_sub(BORDER.0);
+        let width = columns(&self.text).min(WIDTH).max(keys).min(room);
+        let lines = wrapped(&self.text, width.into());
+        let height = u16::try_from(lines.len())
+            .unwrap_or(u16::MAX)
+            .saturating_add(2);
+        (lines, popup::centred(area, width, height))
+    }
+}
+
+pub(super) fn render(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
+    let Some(asked) = Asked::of(app) else {
+        return;
+    };
+    let (lines, place) = asked.arranged(area);
+    popup::frame(app.glyphs(), place, title, buffer);
+    let inner = popup::within(place);
+    let last = inner.bottom().saturating_sub(1);
+    for (y, line) in (inner.top()..last).zip(&lines) {
+        print(
+            buffer,
+            inner.x,
+            y,
+            inner.width,
+            line,
+            theme::part(ScreenPart::Text),
+        );
+    }
+    let mut x = inner.x;
+    for (key, name) in &asked.keys {
+        let mut put = |x: u16, text: &str, part| {
+            let room = inner.right().saturating_sub(x);
+            print(buffer, x, last, room, text, theme::part(part))
+        };
+        let behind = put(x, key, ScreenPart::Key) + 1;
+        x = put(behind, name, ScreenPart::Quiet) + GAP;
+    }
+}
+
+/// Where it stands; nowhere where nothing is asked.
+pub(super) fn placed(app: &App, area: Rect) -> Rect {
+    Asked::of(app).map_or(Rect::ZERO, |asked| asked.arranged(area).1)
+}

@@ -1,0 +1,122 @@
+//! The verdict on the linkage as a whole, in a line of its own: what a designer watches while lengths change. What the
+//! last edit has made of it stands there, old and new, until the next key.
+//!
+//! ```text
+//!  turns fully  crank-rocker  transmission 40.5 deg off 90 at 0 deg
+//!  turns fully -> -98.2..98.2 deg  crank-rocker -> triple rocker  40.5 off 90 -> 90.0 off 90
+//! ```
+
+use super::{columns, cut, print};
+use crate::report::{Verdict, VerdictPart};
+use crate::tui::app::App;
+use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::player::open_scene::shown;
+use crate::wording::words;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Blanks before the line, and between its parts.
+const INDENT: u16 = 1;
+const GAP: u16 = 2;
+
+/// A part of the line: in all its words, and in few.
+struct Remark {
+    texts: [String; 2],
+    is_changed: bool,
+}
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let told = told(app.open_scene().verdict(), app.verdict_before());
+    let mut x = area.x + INDENT;
+    for (text, is_changed) in fit(told, area.width.saturating_sub(2 * INDENT)) {
+        let part = match is_changed {
+            true => ScreenPart::Warning,
+            false => ScreenPart::Quiet,
+        };
+        let room = area.right().saturating_sub(x);
+        let text = shown(&text, app.glyphs());
+        x = print(buffer, x, area.y, room, &text, theme::part(part)) + GAP;
+    }
+}
+
+/// What there is to tell; of what an edit has changed what it was, too.
+fn told(now: &Verdict, before: Option<&Verdict>) -> Vec<Remark> {
+    let before = before.unwrap_or(now);
+    let pairs = now.parts.iter().zip(&before.parts);
+    let told = pairs.filter_map(|(now, before)| match (before, now) {
+        (None, None) => None,
+        (Some(old), Some(new)) if old == new => Some(Remark {
+            texts: [new.long.clone(), new.short.clone()],
+            is_changed: false,
+        }),
+        _ => {
+            let text = |part: &Option<VerdictPart>, which: fn(&VerdictPart) -> &String| {
+                let none = || words().nothing_of_it().to_owned();
+                part.as_ref().map(which).cloned().unwrap_or_else(none)
+            };
+            let became = |which| words().became(&text(before, which), &text(now, which));
+            Some(Remark {
+                texts: [became(|part| &part.long), became(|part| &part.short)],
+                is_changed: true,
+            })
+        }
+    });
+    told.collect()
+}
+
+/// As much as there is room for: all in few words before anything is left out, and what has changed last of all.
+fn fit(mut told: Vec<Remark>, room: u16) -> Vec<(String, bool)> {
+    let needed = |told: &[Remark], brevity: usize| {
+        let texts = told.iter().map(|told| columns(&told.texts[brevity]) + GAP);
+        texts.sum::<u16>().saturating_sub(GAP)
+    };
+    while told.len() > 1 && needed(&told, 1) > room {
+        let unchanged = told.iter().rposition(|told| !told.is_changed);
+        told.remove(unchanged.unwrap_or(told.len() - 1));
+    }
+    let brevity = usize::from(needed(&told, 0) > room);
+    let texts = told.into_iter().map(|told| {
+        let [long, short] = told.texts;
+        let text = if brevity == 0 { long } else { short };
+        (cut(&text, room.into()), told.is_changed)
+    });
+    texts.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn part(long: &str, short: &str) -> Option<VerdictPart> {
+        Some(VerdictPart {
+            long: long.into(),
+            short: short.into(),
+        })
+    }
+
+    fn texts(now: &Verdict, before: Option<&Verdict>, room: u16) -> Vec<String> {
+        let fitted = fit(told(now, before), room);
+        fitted.into_iter().map(|(text, _)| text).collect()
+    }
+
+    #[test]
+    fn fewer_words_come_before_fewer_parts_and_changes_stay_to_the_last() {
+        let of = |range: &str, angle: &str| Verdict {
+            parts: [
+                part(range, range),
+                part("rocker", "rocker"),
+                None,
+                part(angle, &angle[..4]),
+            ],
+        };
+        let (old, new) = (of("turns", "30.0 of mu"), of("rocks", "30.0 of mu"));
+        assert_eq!(texts(&new, None, 80), ["rocks", "rocker", "30.0 of mu"]);
+        assert_eq!(texts(&new, None, 20), ["rocks", "rocker", "30.0"]);
+        assert_eq!(texts(&new, None, 14), ["rocks", "rocker"]);
+        assert_eq!(
+            texts(&new, Some(&old), 30),
+            ["turns -> rocks", "rocker", "30.0"]
+        );
+        assert_eq!(texts(&new, Some(&old), 16), ["turns -> rocks"]);
+    }
+}
