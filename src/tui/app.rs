@@ -3,6 +3,7 @@
 mod changing;
 mod choosing;
 mod clock;
+mod commanding;
 mod comparing;
 mod driving;
 mod editing;
@@ -42,7 +43,9 @@ use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::playback::Playback;
 use crate::tui::player::steps::StepLadder;
+use crate::tui::views;
 use crate::tui::views::accuracy::study_run::StudyRun;
+use crate::tui::views::layout::Composition;
 use crate::tui::views::motion::followed::FollowedPoints;
 use crate::tui::views::motion::viewport::Viewport;
 use crate::tui::views::motor::study::MotorStudy;
@@ -140,6 +143,7 @@ impl App {
         if let Some(at) = at {
             app.jump(at, Duration::ZERO);
         }
+        app.attend_to_panes();
         app.meet();
         app.attend(Duration::ZERO);
         app
@@ -163,6 +167,8 @@ impl App {
     /// Takes what a person has configured.
     pub(crate) fn configure(&mut self, config: &Config) {
         self.shell.keymap = config.keymap.clone();
+        self.shell.composition = Composition::of(config.layout);
+        self.attend_to_panes();
     }
 
     pub(crate) fn open_scene(&self) -> &OpenScene {
@@ -221,9 +227,24 @@ impl App {
         &self.shell.mode
     }
 
-    /// Lines that the view is scrolled by.
-    pub(crate) fn scroll(&self) -> usize {
-        self.shell.scroll[self.shell.view as usize]
+    /// Lines that a view is scrolled by.
+    pub(crate) fn scroll(&self, view: View) -> usize {
+        self.shell.scroll[view as usize]
+    }
+
+    /// How the panes stand.
+    pub(crate) fn composition(&self) -> &Composition {
+        &self.shell.composition
+    }
+
+    /// The views that stand on the screen, what is looked at among them.
+    pub(crate) fn standing(&self) -> Vec<View> {
+        if !views::has_room(self.shell.size) {
+            return vec![self.shell.view];
+        }
+        self.shell
+            .composition
+            .standing(self.shell.view, self.shell.size)
     }
 
     pub(crate) fn glyphs(&self) -> Glyphs {
@@ -278,6 +299,10 @@ impl App {
             Action::LineDown => self.scroll_by(1),
             Action::PageUp => self.scroll_by(-self.page()),
             Action::PageDown => self.scroll_by(self.page()),
+            Action::HalfUp => self.scroll_by(-(self.page() / 2).max(1)),
+            Action::HalfDown => self.scroll_by((self.page() / 2).max(1)),
+            Action::Top => self.scroll_by(isize::MIN),
+            Action::End => self.scroll_by(isize::MAX),
             Action::Save if matches!(self.shell.mode, Mode::Normal | Mode::Assemblies(_)) => {
                 self.save_own()
             }
@@ -287,7 +312,11 @@ impl App {
             {
                 help.turn(false);
             }
-            Action::StepBack if let Mode::Help(help) = &mut self.shell.mode => help.turn(true),
+            Action::PreviousView | Action::StepBack
+                if let Mode::Help(help) = &mut self.shell.mode =>
+            {
+                help.turn(true);
+            }
             Action::Assemblies if matches!(self.shell.mode, Mode::Assemblies(_)) => {
                 self.shell.mode = Mode::Normal;
             }
@@ -311,6 +340,7 @@ impl App {
             Action::StepForward => self.step(self.player.steps.size(), now),
             Action::SmallerStep => self.player.steps.smaller(),
             Action::LargerStep => self.player.steps.larger(),
+            Action::Palette => self.list_commands(),
             Action::GoTo => self.shell.mode = Mode::GoTo(EditLine::for_number()),
             Action::Opening => self.player.go_to_opening(now),
             Action::NextPreset => self.open(1),
@@ -334,7 +364,13 @@ impl App {
                 self.lay_out();
             }
             Action::Colours => self.shell.next_colours(),
-            Action::NextView => self.next_view(),
+            Action::NextView => self.turn_view(1),
+            Action::PreviousView => self.turn_view(View::ALL.len() - 1),
+            Action::NextPane => self.next_pane(),
+            Action::Alone => self.toggle_alone(),
+            Action::SplitLeft => self.move_split(-1),
+            Action::SplitRight => self.move_split(1),
+            Action::NextLayout => self.next_layout(),
             Action::Look(view) => self.look_at(view),
         }
         Effect::Show

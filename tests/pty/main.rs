@@ -85,7 +85,7 @@ fn follows_the_size_of_its_window() {
     session.resize(40, 12);
     session.wait_for("60.00 deg ok");
     session.resize(20, 5);
-    session.wait_for("krank needs 40 x 12");
+    session.wait_for("krank needs 20 x 6");
     for n in 0..50 {
         session.resize(n * 5, n % 30);
     }

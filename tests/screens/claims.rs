@@ -36,6 +36,8 @@ pub(crate) fn spelled(screen: &str) -> String {
         ("┐", "+"),
         ("└", "+"),
         ("┘", "+"),
+        ("┬", "+"),
+        ("┤", "+"),
     ];
     let replace = |text: String, (fine, plain): &(&str, &str)| text.replace(fine, plain);
     plain.iter().fold(screen.to_owned(), replace)
@@ -88,23 +90,43 @@ pub(crate) fn differences(before: &str, after: &str) -> Vec<(usize, usize, char,
     found
 }
 
-/// The drawing of a motion view without its title and its last line: what stands left of the bar that
-/// parts it from the tables, or above them.
+/// The drawing of a motion view: what stands left of the bar that parts it from the tables, or above them; its title
+/// is blank.
 pub(crate) fn drawing(body: &str) -> String {
     let all = cells(body);
     let width = all.first().map_or(0, Vec::len);
-    let bar = (20..width).find(|col| all.iter().all(|row| ['|', '│'].contains(&row[*col])));
+    let bar = (20..width).find(|col| all.iter().all(|row| BARS.contains(&row[*col])));
     let left = |row: &[char]| row[..bar.unwrap_or(width)].iter().collect::<String>() + "\n";
     // A table, or a list of assemblies with their places.
     let below = |line: &String| {
-        let begins = [" vector ", " difference: ", "---", "───"];
+        let begins = [
+            " vector ",
+            " difference: ",
+            "---",
+            "───",
+            "- plots",
+            "─ plots",
+        ];
         begins.iter().any(|start| line.starts_with(start)) || line.contains('(')
     };
-    all.iter()
-        .map(|row| left(row))
+    let untitled = |(row, line): (usize, String)| match row {
+        0 if [" step ", " against "]
+            .iter()
+            .any(|said| line.contains(said)) =>
+        {
+            " ".repeat(line.len() - 1) + "\n"
+        }
+        _ => line,
+    };
+    let lines = all.iter().map(|row| left(row)).enumerate();
+    lines
+        .map(untitled)
         .take_while(|line| !below(line))
         .collect()
 }
+
+/// What parts two panes, and where titles meet it.
+const BARS: [char; 5] = ['|', '│', '┬', '┤', '+'];
 
 /// Only points have come to a drawing, where nothing was; in dots of Braille, beside those that were.
 /// A name may make room for them, and the window may have moved. How many cells have changed.

@@ -74,8 +74,9 @@ fn a_ghost_stands_beside_the_linkage() {
         if name == "ascii-80x24" {
             insta::assert_snapshot!("motion-ascii-80x24", masked(&screen));
         }
-        let title = screen.lines().next().unwrap();
-        assert!(title.contains(" against shorter"), "{screen}");
+        let title = screen.lines().nth(1).unwrap();
+        let has_title = cols > 40;
+        assert_eq!(title.contains(" against shorter"), has_title, "{screen}");
         assert_told(&screen, &["this - shorter.toml", "r3 80.0000 0.211*"]);
         let drawn = drawing(&session.body());
         if glyphs == Glyphs::Ascii {
@@ -104,7 +105,7 @@ fn a_ghost_stands_beside_the_linkage() {
 fn differences_stand_where_figures_stood() {
     for (name, glyphs, cols, rows) in SCREENS {
         let mut session = beside_shorter(&format!("tables-{name}"), glyphs, cols, rows);
-        let screen = session.press("2").look();
+        let screen = session.press(if cols > 100 { "2 O" } else { "2" }).look();
         if name == "ascii-40x12" {
             insta::assert_snapshot!("tables-ascii-40x12", screen);
         }
@@ -196,10 +197,13 @@ fn where_the_other_has_no_assembly_it_says_so() {
     let mut session = beside("nowhere", Glyphs::Ascii, 80, 24);
     session.press("g 1 8 0 Enter");
     let screen = session.press("D").type_in("shorter").press("Enter").look();
-    let title = " Four-bar crank-rocker against shorter.toml: no assembly here";
-    assert!(screen.starts_with(title), "{screen}");
-    assert!(screen.contains("| shorter.toml has no asse.."), "{screen}");
-    assert!(screen.contains("| r3       80.0000        -"), "{screen}");
+    let title = "\n Four-bar crank-rocker against shorter.toml.. ";
+    assert!(screen.contains(title), "{screen}");
+    assert!(
+        screen.contains("| shorter.toml has no assembly.."),
+        "{screen}"
+    );
+    assert_told(&screen, &["| r3 80.0000 -"]);
     // It comes back where it can be.
     let screen = session.press("Home").look();
     assert!(!screen.contains("no assembly"), "{screen}");
@@ -266,7 +270,7 @@ fn every_preset_stands_beside_every_other() {
             }
             session.press("Enter");
             let screen = session.look();
-            if screen.lines().next().unwrap().contains(" against ") {
+            if screen.lines().nth(1).unwrap().contains(" against ") {
                 compared += 1;
                 // Either key ends it.
                 session.press(if compared % 2 == 0 {
@@ -295,7 +299,7 @@ fn an_edited_scene_stands_beside_what_was_opened() {
         "{list}"
     );
     let screen = session.press("Enter").look();
-    assert!(screen.contains("against as opened"), "{screen}");
+    assert!(screen.contains("this - as opened"), "{screen}");
     assert_eq!(row(&screen, "r2")[1..3], ["1.00000", "0.000"]);
     assert_eq!(row(&screen, "B")[1], "0.50000");
     // A further edit: the difference is to what was opened, not to the step before.
@@ -304,5 +308,5 @@ fn an_edited_scene_stands_beside_what_was_opened() {
     // Taken back, nothing differs, and the comparison goes on.
     let screen = session.press("u u").look();
     assert_eq!(row(&screen, "r2")[1].parse::<f64>().unwrap(), 0.0);
-    assert!(screen.contains("against as opened"), "{screen}");
+    assert!(screen.contains("this - as opened"), "{screen}");
 }

@@ -40,12 +40,12 @@ fn plots_have_a_dotted_curve() {
     ];
     for (name, glyphs, cols, rows) in screens {
         let mut session = beside(&format!("plots-{name}"), glyphs, cols, rows);
-        let alone = session.press("3").look();
+        let alone = session.press(if cols > 100 { "3 O" } else { "3" }).look();
         session.press("D").type_in("longer").press("Enter");
         // What was said when it began has been read.
         let screen = session.pass(9.0).look();
         let (own, other) = if cols == 40 {
-            ("r4.omega 3.0911 +1", "against longer.t..")
+            ("r4.omega 3.0911 +1", "plots mine.toml 60.00 deg ok ? help")
         } else {
             ("r4.alpha 95.50", "r4.omega longer.toml")
         };
@@ -58,7 +58,7 @@ fn plots_have_a_dotted_curve() {
         // Chosen anew, they are there again; ended, they are gone.
         assert_eq!(session.press("m m").pass(9.0).look(), screen);
         assert_eq!(session.press("1 3").look(), screen);
-        assert_eq!(session.press("D Esc").look(), alone);
+        assert_eq!(session.press("D , .").look(), alone);
     }
     // The same in inches lies on it: the axis and its ticks are the same.
     let mut session = beside("plots-units", Glyphs::Ascii, 80, 24);

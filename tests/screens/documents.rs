@@ -21,10 +21,7 @@ fn the_first_screen_is_printed() {
     ];
     assert_eq!(krank(&args), (tables.text(), Some(0)));
     let (tiny, code) = krank(&["press", "--print", "--size", "20x3"]);
-    assert_eq!(
-        (tiny.as_str(), code),
-        ("krank needs 40 x 12\n\n\n", Some(0))
-    );
+    assert_eq!((tiny.as_str(), code), ("krank needs 20 x 6\n\n\n", Some(0)));
     for args in [
         &["--print", "--size", "80"][..],
         &["--print", "--size", "0x24"],

@@ -119,9 +119,18 @@ fn the_question_how_much_is_copied_is_given_up_without_harm() {
     // In the scene it is the value under the cursor; views without one say so.
     let sent = session.press("6 y").workbench.take_sent();
     assert_eq!(on_clipboard(&sent).trim().parse(), Ok(0.0), "A x");
-    let line = session.press("e y").last_line();
+    let line = session.press("5 y").last_line();
     assert!(line.contains("nothing to copy here"), "{line}");
     assert_eq!(session.workbench.take_sent(), b"");
+    // What is read is copied line by line.
+    for (key, said) in [
+        ("e", "r2.com.x"),
+        ("7", "Vector polygons"),
+        ("4", "closed form"),
+    ] {
+        let sent = session.press(key).press("y").workbench.take_sent();
+        assert!(on_clipboard(&sent).contains(said), "{key}");
+    }
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn masked(screen: &str) -> String {
 #[test]
 fn forces_stand_in_blocks_of_one_width() {
     let mut large = Session::new(preset("press-ram"), Glyphs::Braille, 120, 40);
-    let screen = large.press("5").look();
+    let screen = large.press("5 O").look();
     insta::assert_snapshot!("forces-press-ram-braille-120x40", masked(&screen));
     let mut small = session("press-ram", 40, 12);
     let screen = small.press("5").look();
@@ -132,7 +132,7 @@ fn the_figures_are_those_of_the_state() {
     let _ = opened.solver.solve(20.0, Order::Force, &mut state);
     let forces = Forces::new(&opened.scene, &opened.solver, &state, None).unwrap();
     let mut session = session("press-ram", 120, 40);
-    session.press("5 g").type_in("20").press("Enter");
+    session.press("5 O g").type_in("20").press("Enter");
     let screen = session.look();
     let near = |shown: f64, value: Option<f64>| {
         let value = value.unwrap();

@@ -28,6 +28,8 @@ mod motion;
 #[cfg(feature = "tui")]
 mod motor;
 #[cfg(feature = "tui")]
+mod panes;
+#[cfg(feature = "tui")]
 mod picker;
 #[cfg(feature = "tui")]
 mod player;

@@ -88,12 +88,7 @@ fn what_cannot_be_opened_says_why_and_where() {
         // Asked for, it is said again, and the list stays.
         let line = session.press("Enter").last_line();
         assert!(line.starts_with(" open "), "{line}");
-        assert!(
-            session
-                .press("Esc")
-                .look()
-                .contains("Four-bar crank-rocker")
-        );
+        assert!(session.press("Esc").last_line().contains("mine.toml"));
     }
 }
 
@@ -147,7 +142,7 @@ fn nothing_is_opened_before_enter_and_nothing_changes_by_looking() {
         .type_in("leg");
     assert_eq!(session.press("Esc").look(), before);
     let opened = session.press("o").type_in("jansen").press("Enter").look();
-    assert!(opened.starts_with(" Jansen's walking leg"), "{opened}");
+    assert!(session.last_line().contains("jansen-leg"), "{opened}");
 }
 
 #[test]
@@ -171,7 +166,7 @@ fn a_file_opens_and_folders_are_walked() {
     let outside = session.press("Home Enter").look();
     assert!(outside.contains("> old/"), "{outside}");
     let opened = session.press("Right Enter").look();
-    assert!(opened.starts_with(" Scissor lift"), "{opened}");
+    assert!(opened.contains("\n Scissor lift "), "{opened}");
     assert!(opened.contains("lift.toml"), "{opened}");
     // It is listed from its own folder now.
     assert!(session.press("o").look().contains("> lift.toml"));
@@ -331,7 +326,7 @@ fn no_key_does_harm() {
     }
     session.press("F1 F2 Tab Shift-Tab Ctrl-L Ctrl-A Ctrl-R Ctrl-W");
     assert!(session.look().starts_with(" Open a scene"));
-    session.workbench.resize(39, 11);
+    session.workbench.resize(19, 5);
     assert!(session.look().contains("krank needs"));
     session.workbench.resize(40, 12);
     assert!(session.press("Ctrl-U").look().contains("30 of 30"));

@@ -21,7 +21,8 @@ fn reversed(session: &mut Session) -> String {
         let cell = session.terminal.screen().cell(row, col).unwrap();
         cell.inverse().then(|| cell.contents().to_owned())
     };
-    let rows = 0..screen.lines().count() - 1;
+    // The tab of the view is marked so, too.
+    let rows = 1..screen.lines().count() - 1;
     let cells = rows.flat_map(|row| (0..80).filter_map(move |col| cell(row, col)));
     cells.collect()
 }
@@ -86,7 +87,7 @@ fn the_view_scrolls_after_the_cursor_and_keeps_the_names_of_columns() {
     session.press("PgDn PgDn PgDn");
     let figure = |row: &str| row.split(['[', ']']).nth(1).unwrap().to_owned();
     let before = figure(&under_cursor(&mut session));
-    for (cols, rows) in [(20, 5), (120, 40), (40, 12)] {
+    for (cols, rows) in [(20, 5), (100, 40), (40, 12)] {
         session.workbench.resize(cols, rows);
         session = Session::on(session.workbench, cols, rows);
         session.workbench.forget();

@@ -13,7 +13,12 @@ fn tour_box(screen: &str) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
         .lines()
         .position(|line| line.contains("+- Tour"))
         .unwrap();
-    let corners = places(&rows[top..=top], &['+']);
+    let begin = screen
+        .lines()
+        .nth(top)
+        .and_then(|line| line.find("+- Tour"));
+    let mut corners = places(&rows[top..=top], &['+']);
+    corners.retain(|(_, col)| Some(*col) >= begin);
     let (left, right) = (corners[0].1, corners[1].1);
     let height = rows[top + 1..]
         .iter()

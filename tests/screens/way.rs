@@ -264,8 +264,13 @@ fn keys_that_are_configured_are_the_ones_that_are_told() {
     assert!(line.contains("F9 help  F5 play  q quit"), "{line}");
     assert!(session.press("F5").last_line().contains("F5 pause"));
     session.press("F5");
-    let before = session.look();
-    assert_eq!(session.press("space ? n , Left h").look(), before);
+    let before = session.body();
+    assert_eq!(session.press("space ? n , Left h").body(), before);
+    let line = session.last_line();
+    assert!(
+        line.contains("h means nothing here; F9 tells the keys"),
+        "{line}"
+    );
     let line = session.press("a Enter").last_line();
     assert!(line.contains("C=- now; F6 saves it"), "{line}");
     let help = session.press("F9 /").type_in("preset").look();

@@ -59,7 +59,7 @@ fn a_small_screen_wraps_and_a_large_one_has_room() {
     insta::assert_snapshot!(
         "working-120x40",
         session("four-bar", Glyphs::Braille, 120, 40)
-            .press("PgDn PgDn")
+            .press("O PgDn PgDn")
             .body()
     );
 }

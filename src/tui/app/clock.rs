@@ -41,9 +41,9 @@ impl App {
         self.player.rebase(now);
     }
 
-    /// Whether there is work to do between two frames, whoever waits: only in its view.
+    /// Whether there is work to do between two frames, whoever waits: only while it stands.
     pub(crate) fn is_working(&self) -> bool {
-        self.shell.view.pane().needs() == Need::Study && self.study_run.phase() == Phase::Running
+        self.study_run.phase() == Phase::Running && self.is_needed(Need::Study)
     }
 
     /// Takes the time of studies from another clock.

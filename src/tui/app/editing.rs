@@ -166,7 +166,7 @@ impl App {
 
     /// Lists the values again, while they are looked at.
     pub(super) fn relist(&mut self) {
-        if self.shell.view.pane().needs() == Need::Values {
+        if self.is_needed(Need::Values) {
             self.document.editor.list(self.player.open_scene.scene());
         }
     }

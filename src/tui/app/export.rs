@@ -1,6 +1,6 @@
 //! Taking figures and pictures out of the workbench.
 
-use super::super::views::Copied;
+use super::super::views::{self, Copied};
 use super::{App, Effect, Mode};
 use crate::quantity::Catalogue;
 use crate::report::{Columns, RowFormat, Steps, Sweep, WrittenDecimal};
@@ -32,6 +32,10 @@ impl App {
         }
         match self.shell.view.pane().copy(self) {
             Copied::Text(text) => return self.send(&text),
+            Copied::Lines => {
+                let lines = views::lines_looked_at(self);
+                return self.send(&lines.join("\n"));
+            }
             Copied::Asked => self.shell.mode = Mode::Copy,
             Copied::Nothing => {
                 self.shell.say(words().nothing_to_copy());

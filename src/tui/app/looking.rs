@@ -1,43 +1,111 @@
-//! What is seen: the view, how far it is scrolled.
+//! What is seen: the view, the panes beside it, how far each is scrolled.
 
 use super::super::views::{self, Listing, Need};
 use super::{App, Mode, View};
 use crate::tui::views::accuracy::study_run::Phase;
+use crate::wording::words;
 use ratatui::layout::Size;
 use std::time::Duration;
 
 impl App {
-    pub(super) fn next_view(&mut self) {
-        let views = View::ALL.iter().cycle();
-        let next = views.skip_while(|view| **view != self.shell.view).nth(1);
-        self.look(next.copied().unwrap_or_default());
+    /// Looks at the view that is so many places on, in the order of the tabs and round.
+    pub(super) fn turn_view(&mut self, places: usize) {
+        let here = View::ALL.iter().position(|view| *view == self.shell.view);
+        let there = (here.unwrap_or(0) + places) % View::ALL.len();
+        self.look_from_tabs(View::ALL[there]);
     }
 
     /// Its key was pressed: a study goes on, or is repeated.
     pub(super) fn look_at(&mut self, view: View) {
-        self.look(view);
+        self.look_from_tabs(view);
         if view.pane().needs() == Need::Study {
             self.study();
         }
     }
 
-    /// Looks at a view. What it needs is found while it is looked at, and only then; a study begins when it is
-    /// looked at for the first time.
-    pub(crate) fn look(&mut self, view: View) {
-        self.shell.view = view;
-        self.player.open_scene.answer(false);
-        self.player.open_scene.balance_forces(false);
-        self.player.open_scene.explain(false);
-        match view.pane().needs() {
-            Need::Nothing => {}
-            Need::Lengths => self.player.open_scene.answer(true),
-            Need::Forces => self.player.open_scene.balance_forces(true),
-            Need::Working => self.player.open_scene.explain(true),
-            Need::Values => self.relist(),
-            Need::Study if self.study_run.phase() == Phase::Idle => self.study(),
-            Need::Study => {}
-            Need::Curves | Need::Motor => self.sample(),
+    /// Looks at a view, and says so where it has nothing to show.
+    fn look_from_tabs(&mut self, view: View) {
+        self.look(view);
+        if let Some(why) = view.pane().nothing(self) {
+            self.shell.say(why);
         }
+    }
+
+    /// Looks at a view: in its pane, or in one that it is given.
+    pub(crate) fn look(&mut self, view: View) {
+        let (before, size) = (self.shell.view, self.shell.size);
+        self.shell.composition.look(view, before, size);
+        self.shell.view = view;
+        self.attend_to_panes();
+    }
+
+    /// What the views that stand need is found while they do, and only then; a study begins when it is looked at for
+    /// the first time.
+    pub(super) fn attend_to_panes(&mut self) {
+        let needs: Vec<Need> = self
+            .standing()
+            .iter()
+            .map(|view| view.pane().needs())
+            .collect();
+        let open_scene = &mut self.player.open_scene;
+        open_scene.answer(needs.contains(&Need::Lengths));
+        open_scene.balance_forces(needs.contains(&Need::Forces));
+        open_scene.explain(needs.contains(&Need::Working));
+        if needs.contains(&Need::Values) {
+            self.relist();
+        }
+        if needs.contains(&Need::Study) && self.study_run.phase() == Phase::Idle {
+            self.study();
+        }
+        self.sample();
+    }
+
+    /// Whether anything that stands needs this.
+    pub(super) fn is_needed(&self, need: Need) -> bool {
+        self.standing()
+            .iter()
+            .any(|view| view.pane().needs() == need)
+    }
+
+    // ---- panes
+
+    /// Looks at the next pane.
+    pub(super) fn next_pane(&mut self) {
+        let (view, size) = (self.shell.view, self.shell.size);
+        match self.shell.composition.next_pane(view, size) {
+            Some(next) => self.look(next),
+            None => self.shell.say(words().no_other_pane()),
+        }
+    }
+
+    /// Gives the pane that is looked at the whole screen, or shows the others again.
+    pub(super) fn toggle_alone(&mut self) {
+        if !self.shell.composition.toggle_alone(self.shell.size) {
+            self.shell.say(words().no_other_pane());
+        }
+        self.rearrange();
+    }
+
+    /// Moves the line beside the drawing by so many steps.
+    pub(super) fn move_split(&mut self, steps: i8) {
+        let is_split = self.standing().contains(&View::Motion);
+        if !(is_split && self.shell.composition.move_split(steps)) {
+            self.shell.say(words().no_split_here());
+        }
+        self.rearrange();
+    }
+
+    /// Goes on to the next layout.
+    pub(super) fn next_layout(&mut self) {
+        let name = self.shell.composition.next_layout().name();
+        self.shell.say(words().layout_is(name));
+        self.rearrange();
+    }
+
+    /// Panes stand elsewhere, or others do.
+    pub(super) fn rearrange(&mut self) {
+        self.attend_to_panes();
+        self.lay_out();
     }
 
     /// Begins a study, goes on with it or repeats it.
@@ -48,7 +116,7 @@ impl App {
     /// The screen has another size.
     pub(crate) fn resize(&mut self, size: Size, aspect: Option<f64>) {
         self.shell.resize(size, aspect);
-        self.lay_out();
+        self.rearrange();
     }
 
     /// What is shown takes another room: the cursor and what is scrolled stay within it.
@@ -71,11 +139,10 @@ impl App {
     pub(super) fn scroll_by(&mut self, lines: isize) {
         self.lay_out_help();
         let most = match self.shell.mode {
-            Mode::Assemblies(_) => self
-                .player
-                .open_scene
-                .assembly_list()
-                .map_or(0, |p| p.rows().len() - 1),
+            Mode::Assemblies(_) => {
+                let list = self.player.open_scene.assembly_list();
+                list.map_or(0, |list| list.rows().len() - 1)
+            }
             _ => views::most_scroll(self),
         };
         let scroll = match &mut self.shell.mode {

@@ -6,6 +6,7 @@ use crate::tui::document::writing::{Prompt, Question};
 use crate::tui::figures::search::NameSearch;
 use crate::tui::views::help::text::Help;
 use crate::tui::views::offer::list::Offer;
+use crate::tui::views::palette::list::CommandList;
 use crate::tui::views::picker::list::Picker;
 use crate::tui::views::plots::list::PlotList;
 
@@ -20,6 +21,8 @@ pub(crate) enum Mode {
     Tour(usize),
     /// The line in which a coordinate is typed.
     GoTo(EditLine),
+    /// The list of all commands.
+    Palette(CommandList),
     /// The list of assemblies, with the cursor on this one.
     Assemblies(usize),
     /// The list in which is chosen what is plotted.
@@ -47,6 +50,7 @@ impl Mode {
     pub(super) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
             Mode::GoTo(line) => Some(line),
+            Mode::Palette(palette) => Some(palette.line()),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
             Mode::PlotList(list) => list.typed(),

@@ -44,13 +44,12 @@ impl App {
 
     /// Samples what is plotted, and studies the motor, while it is looked at; what is up to date costs nothing.
     pub(super) fn sample(&mut self) {
-        let needs = self.shell.view.pane().needs();
-        if needs == Need::Curves {
+        if self.is_needed(Need::Curves) {
             self.follow();
             let compared = self.comparison.compared();
             self.plots.sample(&self.player.open_scene, compared);
         }
-        if needs == Need::Motor {
+        if self.is_needed(Need::Motor) {
             self.motor.study(&self.player.open_scene);
         }
     }

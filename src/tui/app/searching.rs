@@ -18,10 +18,11 @@ impl App {
         let from = match self.shell.view.pane().list() {
             Listing::Figures => Whence::Tables(self.cursor),
             Listing::Values => Whence::Scene(self.document.editor.cursor()),
-            Listing::Lines => {
+            Listing::Lines if views::lines_looked_at(self).is_empty() => {
                 self.shell.say(words().nothing_to_search());
                 return;
             }
+            Listing::Lines => Whence::Lines(self.scroll(self.shell.view)),
         };
         let name = EditLine::for_search();
         self.shell.mode = Mode::Search(NameSearch { name, from });
@@ -52,7 +53,14 @@ impl App {
         match from {
             Whence::Tables(cursor) => self.place_cursor(|_, _| cursor),
             Whence::Scene(row) => self.document.editor.go_to(row),
+            Whence::Lines(line) => self.scroll_to(line),
         }
+    }
+
+    /// Scrolls what is looked at to a line.
+    fn scroll_to(&mut self, line: usize) {
+        let most = views::most_scroll(self);
+        self.shell.scroll[self.shell.view as usize] = line.min(most);
     }
 
     /// Moves to the row that is meant by what is typed so far; says so where there is none.
@@ -82,6 +90,11 @@ impl App {
             Whence::Scene(row) => {
                 self.document.editor.go_to(row);
                 self.document.editor.seek(typed, false)
+            }
+            Whence::Lines(from) => {
+                let found = search::line_with(&views::lines_looked_at(self), typed, from);
+                self.scroll_to(found.unwrap_or(from));
+                found.is_some()
             }
         }
     }
@@ -115,6 +128,11 @@ impl App {
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
             Whence::Scene(_) => self.document.editor.seek(&self.sought, true),
+            Whence::Lines(here) => {
+                let lines = views::lines_looked_at(self);
+                let next = search::line_with(&lines, &self.sought, here + 1);
+                next.map(|next| self.scroll_to(next)).is_some()
+            }
         };
         if !found {
             self.shell.say(nameless(&self.sought));
@@ -124,6 +142,8 @@ impl App {
     pub(super) fn browse(&mut self, action: TablesAction) {
         match action {
             TablesAction::Choose => self.choose(),
+            // Of all lists the tables alone have something at the side.
+            _ if self.shell.view != View::Tables => {}
             TablesAction::Left => self.place_cursor(|cursor, lines| cursor.aside(lines, -1)),
             TablesAction::Right => self.place_cursor(|cursor, lines| cursor.aside(lines, 1)),
         }

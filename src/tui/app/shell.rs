@@ -6,6 +6,7 @@ use crate::drawing::Glyphs;
 use crate::report::Verdict;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
+use crate::tui::views::layout::Composition;
 use crate::wording::words;
 use ratatui::layout::Size;
 use std::time::Duration;
@@ -23,6 +24,8 @@ pub(super) struct Shell {
     pub mode: Mode,
     pub keymap: Keymap,
     pub view: View,
+    /// Which panes stand beside it, and where.
+    pub composition: Composition,
     /// Lines that each view is scrolled by.
     pub scroll: [usize; View::ALL.len()],
     /// Said in the last line until the next key, or until it has been there for long enough.
@@ -48,6 +51,7 @@ impl Shell {
             mode: Mode::Normal,
             keymap: Keymap::default(),
             view: View::default(),
+            composition: Composition::default(),
             scroll: [0; View::ALL.len()],
             message: None,
             told: None,

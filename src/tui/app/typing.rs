@@ -1,19 +1,22 @@
 //! A key, or a text that is pasted: what it means in the present mode.
 
-use super::{App, Effect, Mode};
+use super::{App, Effect, Mode, View};
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
 use crate::tui::views::tour::screens;
+use crate::wording::words;
 use std::time::Duration;
 
 impl App {
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
         self.shell.verdict_before = None;
-        let effect = self.mode_key(key, now).unwrap_or_else(|| {
-            let action = self.shell.keymap.action(key, self.shell.view);
-            action.map_or(Effect::Show, |action| self.update(action, now))
-        });
+        let effect = self
+            .mode_key(key, now)
+            .unwrap_or_else(|| match self.meant(key) {
+                Some(action) => self.update(action, now),
+                None => self.nothing_meant(key),
+            });
         self.look_at_file(now, false);
         let effect = match self.attend(now) {
             Effect::Show => effect,
@@ -23,6 +26,24 @@ impl App {
         // Another view, scene or list may have fewer lines than what was scrolled before.
         self.scroll_by(0);
         effect
+    }
+
+    /// What a key asks for: of the pane that is looked at, or of the workbench; and where neither takes it, of the
+    /// drawing beside them.
+    fn meant(&self, key: Key) -> Option<Action> {
+        let keymap = &self.shell.keymap;
+        let own = keymap.action(key, self.shell.view);
+        let has_drawing = || self.standing().contains(&View::Motion);
+        own.or_else(|| keymap.action(key, View::Motion).filter(|_| has_drawing()))
+    }
+
+    /// A key that means nothing says so, where it could have meant something.
+    fn nothing_meant(&mut self, key: Key) -> Effect {
+        if self.shell.mode == Mode::Normal {
+            let help = self.shell.keymap.told(Action::Help);
+            self.shell.say(words().means_nothing_here(&key, &help));
+        }
+        Effect::Show
     }
 
     /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
@@ -35,6 +56,7 @@ impl App {
         }
         match &mut self.shell.mode {
             Mode::PlotList(list) => list.narrow(),
+            Mode::Palette(palette) => palette.narrow(),
             Mode::Help(help) if help.is_typing() => {
                 help.seek(false, self.shell.size.width, &self.shell.keymap);
             }
@@ -56,6 +78,7 @@ impl App {
                 Effect::Show
             }),
             Mode::PlotList(_) => self.list_key(key),
+            Mode::Palette(_) => self.palette_key(key, now),
             Mode::Confirm(_) => self.confirm_key(key, now),
             Mode::Pick(_) => self.pick_key(key, now),
             Mode::Search(_) => self.search_key(key),
@@ -67,6 +90,7 @@ impl App {
 
     /// Keys of a line that is typed to its end before anything follows from it.
     fn line_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        let is_going = matches!(self.shell.mode, Mode::GoTo(_));
         let line = self.shell.mode.line()?;
         match key {
             Key::Enter => {
@@ -75,6 +99,11 @@ impl App {
                 return Some(Effect::Show);
             }
             Key::Escape => self.shell.mode = Mode::Normal,
+            // Whoever asks for a place twice asks for the first.
+            Key::Char('g') if is_going && line.text().is_empty() => {
+                self.shell.mode = Mode::Normal;
+                self.scroll_by(isize::MIN);
+            }
             _ if line.edit(key) => {}
             Key::Ctrl(_) => return None,
             _ => {}
@@ -112,6 +141,8 @@ impl App {
             self.shell.mode = Mode::Normal;
         } else if self.is_working() {
             self.study_run.stop();
+        } else if self.shell.composition.leave_alone() {
+            self.rearrange();
         } else if self.compared().is_some() {
             self.compare();
         }

@@ -64,6 +64,8 @@ pub(crate) enum Action {
     Colours,
     /// The next view.
     NextView,
+    /// The view before.
+    PreviousView,
     /// This view.
     Look(View),
     /// A line up.
@@ -74,6 +76,24 @@ pub(crate) enum Action {
     PageUp,
     /// A screen down.
     PageDown,
+    /// Half a screen up.
+    HalfUp,
+    /// Half a screen down.
+    HalfDown,
+    /// To the first line.
+    Top,
+    /// To the last line.
+    End,
+    /// The next pane.
+    NextPane,
+    /// The pane alone, or with the others again.
+    Alone,
+    /// The line between the panes to the left.
+    SplitLeft,
+    /// The line between the panes to the right.
+    SplitRight,
+    /// The next layout.
+    NextLayout,
     /// Of the motion view alone.
     Motion(MotionAction),
     /// Of the tables alone.
@@ -84,6 +104,8 @@ pub(crate) enum Action {
     Scene(SceneAction),
     /// Show or hide the keys.
     Help,
+    /// List all commands.
+    Palette,
     /// The tour.
     Tour,
     /// One level back.
@@ -178,6 +200,9 @@ pub(crate) enum SceneAction {
 pub(crate) enum KeyContext {
     /// In every view.
     Everywhere,
+    /// In every view but the drawing: there it stands before what the key does elsewhere, so that no arrow moves the
+    /// crank.
+    Lists,
     /// In this one.
     In(View),
 }
@@ -213,6 +238,14 @@ const fn entry(
     }
 }
 
+/// The same entry, in lists alone.
+const fn listed_in(entry: ActionRow) -> ActionRow {
+    ActionRow {
+        place: KeyContext::Lists,
+        ..entry
+    }
+}
+
 /// The same entry, in one view alone.
 const fn within(view: View, entry: ActionRow) -> ActionRow {
     ActionRow {
@@ -231,7 +264,7 @@ pub(crate) struct ActionSection {
 /// All actions with their keys, by what they are for, in the order in which the help shows them.
 // One row, one line.
 #[rustfmt::skip]
-pub(crate) static SECTIONS: [ActionSection; 7] = {
+pub(crate) static SECTIONS: [ActionSection; 8] = {
     use Action as A;
     use Key::{Char, Ctrl, Function};
     use MotionAction as M;
@@ -256,6 +289,7 @@ pub(crate) static SECTIONS: [ActionSection; 7] = {
         ] },
         ActionSection { title: W::the_views, entries: &[
         entry(A::NextView, "view", W::view, W::the_next_view, &[Key::Tab]),
+        entry(A::PreviousView, "previous-view", W::previous_view, W::the_view_before, &[Key::BackTab]),
         entry(A::Look(View::Motion), "motion", W::motion, W::motion_and_live_tables, &[Char('1')]),
         entry(A::Look(View::Tables), "tables", W::tables, W::all_tables, &[Char('2')]),
         entry(A::Look(View::Plots), "plots", W::plots, W::figures_over_the_motion, &[Char('3')]),
@@ -264,7 +298,14 @@ pub(crate) static SECTIONS: [ActionSection; 7] = {
         entry(A::Look(View::Scene), "scene", W::scene, W::edit_the_scene, &[Char('6')]),
         entry(A::Look(View::Working), "working", W::working, W::the_working_shown, &[Char('7')]),
         entry(A::Look(View::Motor), "motor", W::motor, W::the_motor_over_a_cycle, &[Char('8')]),
-        entry(A::Look(View::Lengths), "lengths", W::lengths, W::what_each_length_does, &[Char('e')]),
+        entry(A::Look(View::Lengths), "lengths", W::lengths, W::what_each_length_does, &[Char('9'), Char('e')]),
+        ] },
+        ActionSection { title: W::the_panes, entries: &[
+        entry(A::NextPane, "pane", W::pane, W::the_next_pane, &[Char(';')]),
+        entry(A::Alone, "alone", W::alone, W::the_pane_alone_or_not, &[Char('O')]),
+        entry(A::SplitLeft, "split-left", W::split_left, W::the_split_to_the_left, &[Char('(')]),
+        entry(A::SplitRight, "split-right", W::split_right, W::the_split_to_the_right, &[Char(')')]),
+        entry(A::NextLayout, "layout", W::layout, W::the_next_layout, &[Char('|')]),
         ] },
         ActionSection { title: W::what_the_motion_view_shows, entries: &[
         within(Motion, entry(A::Motion(M::Names), "names", W::names, W::names_of_points_links, &[Char('i')])),
@@ -287,10 +328,14 @@ pub(crate) static SECTIONS: [ActionSection; 7] = {
         entry(A::LineDown, "scroll", W::scroll, W::down_a_line, &[Key::Down, Char('j')]),
         entry(A::PageUp, "page-up", W::page_up, W::up_a_screen, &[Key::PageUp]),
         entry(A::PageDown, "page-down", W::page_down, W::down_a_screen, &[Key::PageDown]),
+        listed_in(entry(A::HalfUp, "half-up", W::half_up, W::half_a_screen_up, &[Ctrl('u')])),
+        listed_in(entry(A::HalfDown, "half-down", W::half_down, W::half_a_screen_down, &[Ctrl('d')])),
+        listed_in(entry(A::Top, "top", W::first_line, W::the_first_line, &[Key::Home])),
+        listed_in(entry(A::End, "end", W::last_line, W::the_last_line, &[Key::End, Char('G')])),
         entry(A::Search, "search", W::search, W::find_by_name, &[Char('/')]),
         within(Tables, entry(A::Tables(T::Choose), "choose", W::choose, W::show_it_in_the_motion, &[Char('x')])),
-        within(Tables, entry(A::Tables(T::Left), "left", W::left, W::the_figure_to_the_left, &[Char('H')])),
-        within(Tables, entry(A::Tables(T::Right), "right", W::right, W::the_figure_to_the_right, &[Char('L')])),
+        listed_in(entry(A::Tables(T::Left), "left", W::left, W::the_figure_to_the_left, &[Key::Left, Char('h'), Char('H')])),
+        listed_in(entry(A::Tables(T::Right), "right", W::right, W::the_figure_to_the_right, &[Key::Right, Char('l'), Char('L')])),
         within(Plots, entry(A::Plots(P::Choose), "choose-plots", W::choose_plots, W::choose_what_is_plotted, &[Char('x'), Key::Enter])),
         within(Plots, entry(A::Plots(P::Abscissa), "abscissa", W::abscissa, W::what_stands_along_x, &[Char('X')])),
         within(Plots, entry(A::Plots(P::Extrema), "extrema", W::extrema, W::mark_the_extrema, &[Char('m')])),
@@ -321,6 +366,7 @@ pub(crate) static SECTIONS: [ActionSection; 7] = {
         entry(A::Glyphs, "glyphs", W::glyphs, W::ascii_lines_braille, &[Char('t')]),
         entry(A::Colours, "colours", W::colours, W::how_many_colours, &[Char('C')]),
         entry(A::Help, "help", W::help, W::show_or_hide_this_help, &[Char('?'), Function(1)]),
+        entry(A::Palette, "commands", W::commands, W::all_commands, &[Char(':')]),
         entry(A::Tour, "tour", W::tour, W::the_tour, &[Char('I'), Function(2)]),
         entry(A::Back, "back", W::back, W::one_level_back, &[Key::Escape]),
         entry(A::Redraw, "redraw", W::redraw, W::draw_everything_again, &[Ctrl('l')]),
@@ -348,6 +394,7 @@ impl KeyContext {
     pub(crate) fn covers(self, view: View) -> bool {
         match self {
             KeyContext::Everywhere => true,
+            KeyContext::Lists => view != View::Motion,
             KeyContext::In(only) => only == view,
         }
     }

@@ -40,11 +40,21 @@ impl Keymap {
         }
     }
 
-    /// The action of a key in a view.
+    /// The action of a key in a view: what it means in lists stands before what it means everywhere.
     pub(crate) fn action(&self, key: Key, view: View) -> Option<Action> {
-        self.rows()
-            .find(|(entry, keys)| entry.place.covers(view) && keys.contains(&key))
-            .map(|(entry, _)| entry.action)
+        let places = [
+            KeyContext::In(view),
+            KeyContext::Lists,
+            KeyContext::Everywhere,
+        ];
+        let covering = places.into_iter().filter(|place| place.covers(view));
+        let claims = |place| {
+            let claim =
+                |row: &(&'static ActionRow, &[Key])| row.0.place == place && row.1.contains(&key);
+            self.rows().find(claim)
+        };
+        let claimed = covering.filter_map(claims).next();
+        claimed.map(|(entry, _)| entry.action)
     }
 
     /// The keys of an action; none where a person took them away.
@@ -79,16 +89,22 @@ impl Keymap {
         let claims: Vec<(Key, &'static ActionRow)> = rows.iter().flat_map(claims).collect();
         let mut found = Vec::new();
         for (n, &(key, second)) in claims.iter().enumerate() {
-            let meets = |place: KeyContext| place.meets(second.place);
-            let earlier = claims[..n]
-                .iter()
-                .find(|(k, e)| *k == key && meets(e.place));
+            let earlier = claims[..n].iter().find(|(k, first)| {
+                *k == key && first.place.meets(second.place) && !stands_before(first, second, key)
+            });
             if let Some(&(key, first)) = earlier {
                 found.push(Clash { key, first, second });
             }
         }
         found.into_iter()
     }
+}
+
+/// Whether a list takes a key for itself that does something else everywhere: as it is built in, not by what a person
+/// has chosen.
+fn stands_before(one: &ActionRow, other: &ActionRow, key: Key) -> bool {
+    let is_built_in = [one, other].iter().all(|row| row.keys.contains(&key));
+    is_built_in && (one.place == KeyContext::Lists) != (other.place == KeyContext::Lists)
 }
 
 #[cfg(test)]
@@ -102,6 +118,7 @@ mod tests {
         for entry in action::entries() {
             let view = match entry.place {
                 KeyContext::Everywhere => View::Motion,
+                KeyContext::Lists => View::Forces,
                 KeyContext::In(view) => view,
             };
             let meant = keymap.action(entry.keys[0], view);
@@ -117,6 +134,35 @@ mod tests {
         assert_eq!(meant(Key::Function(5)), Some(Action::Play));
         assert_eq!(meant(Key::Char(' ')), None);
         assert_eq!(keymap.key(Action::Play), Some(Key::Function(5)));
+    }
+
+    /// Arrows and Home used to turn the crank inside lists.
+    #[test]
+    fn no_arrow_moves_the_crank_in_a_list() {
+        let keymap = Keymap::default();
+        let crank = [Action::StepBack, Action::StepForward, Action::Opening];
+        for view in View::ALL.into_iter().filter(|view| *view != View::Motion) {
+            for key in [
+                Key::Left,
+                Key::Right,
+                Key::Home,
+                Key::Char('h'),
+                Key::Char('l'),
+            ] {
+                let meant = keymap.action(key, view).unwrap();
+                assert!(!crank.contains(&meant), "{key} in {view:?}");
+            }
+            assert_eq!(
+                keymap.action(Key::Char('.'), view),
+                Some(Action::StepForward)
+            );
+        }
+        let meant = keymap.action(Key::Left, View::Motion);
+        assert_eq!(meant, Some(Action::StepBack));
+        // What a person has chosen clashes as it does elsewhere.
+        let mut keymap = Keymap::default();
+        keymap.set(Action::Play, vec![Key::End]);
+        assert_eq!(keymap.clashes().count(), 1);
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::files::places;
 use crate::nearest::did_you_mean;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
+use crate::tui::views::layout::LayoutName;
 use crate::wording::words;
 use serde::Deserialize;
 use std::path::PathBuf;
@@ -28,6 +29,7 @@ pub struct Config {
     pub theme: Theme,
     /// Whether the tour is shown on the first start.
     pub tour: bool,
+    pub(crate) layout: LayoutName,
     pub(crate) keymap: Keymap,
 }
 
@@ -39,6 +41,7 @@ impl Default for Config {
             colours: None,
             theme: Theme::default(),
             tour: true,
+            layout: LayoutName::default(),
             keymap: Keymap::default(),
         }
     }
@@ -50,6 +53,7 @@ struct ConfigFile {
     glyphs: Option<Lenient<String>>,
     colour: Option<Lenient<String>>,
     theme: Option<Lenient<String>>,
+    layout: Option<Lenient<String>>,
     tour: Option<Lenient<bool>>,
     keys: Option<keys::KeysSection>,
 }
@@ -78,6 +82,11 @@ const THEMES: [Named<Theme>; 4] = [
     ("dark", Theme::Dark),
     ("plain", Theme::Plain),
 ];
+
+/// Layouts by their names.
+fn layouts() -> [Named<LayoutName>; 6] {
+    LayoutName::ALL.map(|layout| (layout.name(), layout))
+}
 
 impl Config {
     /// Where the configuration is, if anywhere: `env` tells XDG_CONFIG_HOME and HOME.
@@ -127,6 +136,8 @@ impl Config {
         self.colours = colours.unwrap_or_default();
         let theme = choice(reader, "theme", &THEMES, file.theme.as_ref());
         self.theme = theme.unwrap_or_default();
+        let layout = choice(reader, "layout", &layouts(), file.layout.as_ref());
+        self.layout = layout.unwrap_or_default();
         let tour = file.tour.as_ref();
         let tour = tour.and_then(|value| reader.boolean("`tour`", value));
         self.tour = tour.unwrap_or(self.tour);

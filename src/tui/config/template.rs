@@ -1,6 +1,6 @@
 //! The configuration as a text to begin with: everything that is built in, commented out.
 
-use super::{COLOURS, GLYPHS, Named, THEMES, keys};
+use super::{COLOURS, GLYPHS, Named, THEMES, keys, layouts};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::keys::groups;
 use crate::wording::words;
@@ -22,6 +22,11 @@ pub fn template() -> String {
     );
     set("colour", "\"auto\"", &values(&COLOURS));
     set("theme", "\"auto\"", &words().for_a_ground(&values(&THEMES)));
+    set(
+        "layout",
+        "\"auto\"",
+        &words().panes_stand_as(&values(&layouts())),
+    );
     set("tour", "true", words().tour_on_first_start());
     text.push_str(words().template_keys());
     for (title, entries) in groups(None) {

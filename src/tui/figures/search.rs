@@ -19,6 +19,8 @@ pub(crate) enum Whence {
     Tables(Cursor),
     /// In this row of the scene view.
     Scene(usize),
+    /// At this line of a view that is read.
+    Lines(usize),
 }
 
 /// How well a name fits what is typed, the best last.
@@ -38,6 +40,15 @@ impl NameMatch {
             _ => Some(NameMatch::Within),
         }
     }
+}
+
+/// The first line from a place on, and then round, that has in it what is typed; large letters and small ones are the
+/// same.
+pub(crate) fn line_with(lines: &[String], typed: &str, from: usize) -> Option<usize> {
+    let typed = typed.to_ascii_lowercase();
+    let count = lines.len();
+    let mut round = (0..count).map(|by| (from + by) % count);
+    round.find(|at| lines[*at].to_ascii_lowercase().contains(&typed))
 }
 
 /// The row whose name fits best what is typed, of several the first from a place on; large letters

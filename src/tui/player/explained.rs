@@ -3,6 +3,7 @@
 use crate::Ball;
 use crate::page::Page;
 use crate::report::Working;
+use crate::scene::Scene;
 use crate::solver::{Order, Workspace};
 use crate::tui::Opened;
 
@@ -21,10 +22,15 @@ pub(crate) struct Explained {
 }
 
 impl Explained {
+    /// Whether a scene has few enough links for it.
+    pub(crate) fn is_possible(scene: &Scene) -> bool {
+        scene.mechanism.links().len() <= MOST_LINKS
+    }
+
     /// The working at a coordinate; `None` where the scene has too many links for it.
     pub(crate) fn new(opened: &Opened, at: f64) -> Option<Explained> {
         let Opened { scene, solver, .. } = opened;
-        if scene.mechanism.links().len() > MOST_LINKS {
+        if !Explained::is_possible(scene) {
             return None;
         }
         let mut explained = Explained {

@@ -165,6 +165,9 @@ impl OpenScene {
 
     /// Need the forces, here and from now on, or ceases to.
     pub(crate) fn balance_forces(&mut self, wanted: bool) {
+        if wanted && self.force_figures.is_some() {
+            return;
+        }
         self.force_figures = None;
         if !(wanted && self.opened.solver.has_forces()) {
             return;
@@ -190,6 +193,9 @@ impl OpenScene {
 
     /// Shows the working, here and from now on, or ceases to.
     pub(crate) fn explain(&mut self, wanted: bool) {
+        if wanted && self.explained.is_some() {
+            return;
+        }
         self.explained = wanted
             .then(|| Explained::new(&self.opened, self.at))
             .flatten();
@@ -224,9 +230,12 @@ impl OpenScene {
 
     /// Need what the given lengths do, here and from now on, or ceases to.
     pub(crate) fn answer(&mut self, wanted: bool) {
-        let Opened { scene, solver, .. } = &self.opened;
+        if wanted && self.answers.is_some() {
+            return;
+        }
         self.answers = None;
-        if wanted && scene.mechanism.lengths().len() <= MOST_LENGTHS {
+        if wanted && !self.has_too_many_lengths() {
+            let Opened { scene, solver, .. } = &self.opened;
             let figures = Catalogue::new(scene).figures();
             let mut sensitivity = Sensitivity::new(scene, solver, &figures);
             let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at);
@@ -236,6 +245,11 @@ impl OpenScene {
                 answers,
             });
         }
+    }
+
+    /// Whether what the lengths do takes too long to be found here.
+    pub(crate) fn has_too_many_lengths(&self) -> bool {
+        self.opened.scene.mechanism.lengths().len() > MOST_LENGTHS
     }
 
     /// What the given lengths do, if that was asked and there are not too many.

@@ -359,9 +359,9 @@ fn check(app: &App) {
     if *app.mode() == Mode::Normal && scrolls {
         let most = views::most_scroll(app);
         assert!(
-            app.scroll() <= most,
+            app.scroll(app.view()) <= most,
             "scrolled by {} of {most}",
-            app.scroll()
+            app.scroll(app.view())
         );
     }
     if app.view() == View::Scene {

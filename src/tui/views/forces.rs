@@ -16,7 +16,7 @@ use super::pane::{Copied, Need, Pane};
 use crate::page::{Cell, Head, Line, Page, Row, Setting, Table, Units};
 use crate::quantity::Aspect;
 use crate::report::{Entry, Existence, Forces, GuideRow, Least, PlaneVector, missed, upwards};
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::tui::figures::copying;
 use crate::tui::figures::force_figures::{ForceFigures, Formats};
 use crate::tui::figures::format::Format;
@@ -32,12 +32,21 @@ impl Pane for ForcesView {
         "forces"
     }
 
+    fn view(&self) -> View {
+        View::Forces
+    }
+
     fn about(&self) -> &'static str {
         words().forces_everywhere()
     }
 
     fn help_title(&self) -> &'static str {
         words().in_the_forces_view()
+    }
+
+    fn nothing(&self, app: &App) -> Option<&'static str> {
+        let acts = app.open_scene().solver().has_forces();
+        (!acts).then(|| words().nothing_acts_in_short())
     }
 
     fn needs(&self) -> Need {

@@ -6,11 +6,11 @@
 //!  r3.angle [deg]                          0.843      0.193  r4.length
 //! ```
 
-use super::pane::{Need, Pane};
+use super::pane::{Copied, Need, Pane};
 use super::{Sketch, inset, page};
 use crate::page::{Content, Line, Page, Row, cut};
 use crate::report::Answers;
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -28,12 +28,21 @@ impl Pane for LengthsView {
         "lengths"
     }
 
+    fn view(&self) -> View {
+        View::Lengths
+    }
+
     fn about(&self) -> &'static str {
         words().lengths_and_figures()
     }
 
     fn help_title(&self) -> &'static str {
         words().in_the_lengths_view()
+    }
+
+    fn nothing(&self, app: &App) -> Option<&'static str> {
+        let too_many = app.open_scene().has_too_many_lengths();
+        too_many.then(|| words().too_many_lengths())
     }
 
     fn needs(&self) -> Need {
@@ -46,13 +55,17 @@ impl Pane for LengthsView {
         if let Some(head) = &head {
             page::render_line((app.glyphs(), app.colours()), head, area, buffer);
         }
-        page::render(app, &rows, below(head.as_ref(), area), buffer);
+        page::render(app, self.view(), &rows, below(head.as_ref(), area), buffer);
     }
 
-    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+    fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
         let area = inset(body);
         let (head, rows) = lines(app, area);
-        (rows.len(), below(head.as_ref(), area).height.into())
+        (rows, below(head.as_ref(), area))
+    }
+
+    fn copy(&self, _app: &App) -> Copied {
+        Copied::Lines
     }
 }
 

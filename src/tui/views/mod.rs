@@ -1,22 +1,26 @@
 //! The screen: views read the workbench and fill a buffer; they change nothing.
 //!
 //! ```text
-//! title                              step, pace   one line
-//! drawing                            | live       what is left
-//!                                    | tables
-//! range  class  transmission                       one line
-//! mode  scene  angle  state     hints             one line
+//! 1 Motion  2 Tables  3 Plots  ..      one line: the views
+//! drawing              | tables        what is left: panes, as many as have room
+//! ---------------------|
+//! plot                 |
+//! range  class  transmission            one line
+//! mode  scene  angle  state     hints  one line
 //! ```
 
 pub(crate) mod accuracy;
 mod assemblies;
+mod compact;
 pub(crate) mod forces;
 pub(crate) mod help;
+pub(crate) mod layout;
 mod lengths;
 pub(crate) mod motion;
 pub(crate) mod motor;
 pub(crate) mod offer;
 mod page;
+pub(crate) mod palette;
 mod pane;
 pub(crate) mod picker;
 pub(crate) mod plots;
@@ -26,6 +30,7 @@ mod scene;
 mod status;
 mod table;
 mod tables;
+mod tabs;
 mod title;
 pub(crate) mod tour;
 mod verdict;
@@ -33,10 +38,10 @@ pub(crate) mod working;
 
 use super::app::{App, Mode, View};
 use crate::drawing::Raster;
-use crate::page::cut;
+use crate::page::{Line, cut};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::sheet::TableLine;
-use crate::wording::words;
+use layout::PlacedView;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Position, Rect, Size};
 use ratatui::style::Style;
@@ -45,8 +50,10 @@ use ratatui::style::Style;
 /// there is more to see.
 const MARGIN: u16 = 2;
 
-/// Below this nothing sensible can be shown.
+/// On smaller screens no view has room: state and angle alone are told.
 const SMALLEST: Size = Size::new(40, 12);
+/// And below this nothing.
+const LEAST: Size = Size::new(20, 6);
 
 pub(crate) use motion::Sketch;
 pub(crate) use pane::{Copied, Listing, Need, Pane};
@@ -73,9 +80,10 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
     if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_)) {
         return;
     }
-    app.view()
-        .pane()
-        .prepare(app, sketch, body(whole(app.size())));
+    for PlacedView { view, title, area } in placed(app) {
+        let pane = pane_of(view, title.is_some());
+        pane.prepare(app, sketch, area);
+    }
 }
 
 /// Where the screen is.
@@ -95,6 +103,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
         Mode::Tour(number) => tour::placed(app, *number, body(area)),
         Mode::Recovery(found) => offer::placed(found, body(area)),
         Mode::Unsaved(_) | Mode::Confirm(_) => question::placed(app, body(area)),
+        Mode::Palette(_) => palette::placed(body(area)),
         _ => Rect::ZERO,
     };
     [row(area, area.height - 1), overlay]
@@ -104,16 +113,7 @@ pub(crate) fn urgent(app: &App) -> [Rect; 2] {
 pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     let area = whole(app.size());
     if !has_room(app.size()) {
-        let Size { width, height } = SMALLEST;
-        let text = words().screen_too_small(width, height);
-        print(
-            buffer,
-            0,
-            0,
-            area.width,
-            &text,
-            theme::part(ScreenPart::Text),
-        );
+        compact::render(app, area, buffer);
         return;
     }
     if let Mode::Pick(picker) = app.mode() {
@@ -121,8 +121,8 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         status::render(app, row(area, area.height - 1), buffer);
         return;
     }
-    title::render(app, row(area, 0), buffer);
-    app.view().pane().render(app, sketch, body(area), buffer);
+    tabs::render(app, row(area, 0), buffer);
+    render_panes(app, sketch, buffer);
     match app.mode() {
         Mode::Help(help) => help::render(app, help, body(area), buffer),
         Mode::Tour(number) => tour::render(app, *number, body(area), buffer),
@@ -130,10 +130,54 @@ pub(crate) fn render(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         Mode::Unsaved(_) | Mode::Confirm(_) => {
             question::render(app, status::mode(app), body(area), buffer);
         }
+        Mode::Palette(palette) => palette::render(app, palette, body(area), buffer),
         _ => {}
     }
     verdict::render(app, row(area, area.height - 2), buffer);
     status::render(app, row(area, area.height - 1), buffer);
+}
+
+/// The panes, with their titles and the lines between them.
+fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
+    let placed = placed(app);
+    for (n, &PlacedView { view, title, area }) in placed.iter().enumerate() {
+        let pane = pane_of(view, title.is_some());
+        match app.mode() {
+            // The list of assemblies stands where tables do, beside the drawing.
+            Mode::Assemblies(cursor) if n == 1 => {
+                assemblies::render(app, *cursor, inset(area), buffer);
+            }
+            _ => pane.render(app, sketch, area, buffer),
+        }
+        if let Some(title) = title {
+            title::over_pane(app, (view, pane), title, buffer);
+        }
+    }
+    title::lines_between(app.glyphs(), &placed, buffer);
+}
+
+/// How a view is drawn: among others, the drawing has its tables in a pane of their own.
+fn pane_of(view: View, is_among_others: bool) -> &'static dyn Pane {
+    match view {
+        View::Motion if is_among_others => &motion::DrawingPane,
+        _ => view.pane(),
+    }
+}
+
+/// The views that stand, with their places.
+fn placed(app: &App) -> Vec<PlacedView> {
+    let size = app.size();
+    app.composition()
+        .placed(app.view(), size, body(whole(size)))
+}
+
+/// What is looked at, and where it stands.
+fn looked_at(app: &App) -> (&'static dyn Pane, Rect) {
+    let placed = placed(app);
+    let own = placed.iter().find(|pane| pane.view == app.view());
+    own.map_or((app.view().pane(), Rect::ZERO), |own| {
+        (pane_of(own.view, own.title.is_some()), own.area)
+    })
 }
 
 /// How far what is on top can be scrolled, in lines.
@@ -147,7 +191,19 @@ pub(crate) fn table_lines(app: &App) -> (Vec<TableLine>, usize) {
     if !has_room(app.size()) {
         return (Vec::new(), 0);
     }
-    tables::lines(app, body(whole(app.size())))
+    let placed = placed(app);
+    let own = placed.iter().find(|pane| pane.view == View::Tables);
+    tables::lines(app, own.map_or(body(whole(app.size())), |own| own.area))
+}
+
+/// The lines of what is looked at, as texts.
+pub(crate) fn lines_looked_at(app: &App) -> Vec<String> {
+    if !has_room(app.size()) {
+        return Vec::new();
+    }
+    let (pane, area) = looked_at(app);
+    let (lines, _) = pane.listed(app, area);
+    lines.iter().map(Line::text).collect()
 }
 
 /// A screen as text: its lines without the blanks at their ends.
@@ -175,7 +231,11 @@ fn on_top(app: &App) -> (usize, usize) {
     match app.mode() {
         Mode::Help(help) => help::extent(app, help, body),
         Mode::Pick(picker) => picker::extent(picker, middle(area)),
-        _ => app.view().pane().extent(app, body),
+        Mode::Palette(palette) => palette::extent(palette, body),
+        _ => {
+            let (pane, area) = looked_at(app);
+            pane.extent(app, area)
+        }
     }
 }
 
@@ -223,10 +283,10 @@ fn mark_more(area: Rect, above: bool, below: bool, buffer: &mut Buffer) {
     }
 }
 
-/// The first of so many lines that is seen in an area; marks where there are more.
-fn first_seen(app: &App, lines: usize, area: Rect, buffer: &mut Buffer) -> usize {
+/// The first of so many lines that is seen in an area that is scrolled; marks where there are more.
+fn first_seen(scroll: usize, lines: usize, area: Rect, buffer: &mut Buffer) -> usize {
     let most = lines.saturating_sub(area.height.into());
-    let first = app.scroll().min(most);
+    let first = scroll.min(most);
     mark_more(area, first > 0, first < most, buffer);
     first
 }

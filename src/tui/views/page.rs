@@ -5,7 +5,7 @@ use super::{columns, first_seen, print};
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
 use crate::page::{Line, Page, TextRole, TextStyle, Unsure, wrapped};
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
 use ratatui::buffer::Buffer;
@@ -30,8 +30,8 @@ pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
 }
 
 /// Lines, scrolled as the view is.
-pub(super) fn render(app: &App, lines: &[Line], area: Rect, buffer: &mut Buffer) {
-    let first = first_seen(app, lines.len(), area, buffer);
+pub(super) fn render(app: &App, view: View, lines: &[Line], area: Rect, buffer: &mut Buffer) {
+    let first = first_seen(app.scroll(view), lines.len(), area, buffer);
     for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(first)) {
         render_line(
             (app.glyphs(), app.colours()),

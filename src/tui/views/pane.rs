@@ -1,12 +1,13 @@
 //! What every view says of itself: all that the rest of the workbench knows of one.
 //!
 //! A view reads the workbench and changes nothing. What it needs to have found is told by [`Need`], and what
-//! its lines are by [`Listing`]; the workbench does the rest. A new view is a file with an `impl Pane`, a row in
+//! its lines are by [`Listing`]; the workbench does the rest. It is drawn where it is put and knows the size of that
+//! place alone: which others stand beside it, and where, is the affair of [`super::layout`]. A new view is a file with an `impl Pane`, a row in
 //! `View::pane`, its name in `View`, and its key in the table of actions.
 
 use super::{Sketch, inset, page};
 use crate::page::Line;
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -23,7 +24,20 @@ pub(crate) trait Pane {
     /// Above the keys in the help that it alone has.
     fn help_title(&self) -> &'static str;
 
-    /// What is to be found while it is looked at, and only then.
+    /// Itself: what is scrolled is kept by view.
+    fn view(&self) -> View;
+
+    /// Why it has nothing to show of this scene.
+    fn nothing(&self, _app: &App) -> Option<&'static str> {
+        None
+    }
+
+    /// What stands above it among other panes, in so many columns: at the left, and at the right.
+    fn heading(&self, _app: &App, _room: u16) -> (String, String) {
+        (self.name().into(), String::new())
+    }
+
+    /// What is to be found while it stands, and only then.
     fn needs(&self) -> Need {
         Need::Nothing
     }
@@ -41,16 +55,22 @@ pub(crate) trait Pane {
         Vec::new()
     }
 
+    /// The lines that are scrolled and searched, and where they stand.
+    fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
+        let area = inset(body);
+        (self.lines(app, area), area)
+    }
+
     /// What stands between the title and the last line.
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let area = inset(body);
-        page::render(app, &self.lines(app, area), area, buffer);
+        let (lines, area) = self.listed(app, body);
+        page::render(app, self.view(), &lines, area, buffer);
     }
 
     /// How many lines it has, and how many of them are seen.
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
-        let area = inset(body);
-        (self.lines(app, area).len(), area.height.into())
+        let (lines, area) = self.listed(app, body);
+        (lines.len(), area.height.into())
     }
 
     /// The keys to offer, the most important first: the last ones are dropped where there is no room.
@@ -138,6 +158,8 @@ pub(crate) enum Listing {
 pub(crate) enum Copied {
     /// This text.
     Text(String),
+    /// Its lines, as they stand there.
+    Lines,
     /// As much of the tables as a person answers.
     Asked,
     Nothing,

@@ -11,7 +11,7 @@ use super::motion::rule;
 use super::pane::{Copied, Listing, Need, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::scene::Value;
-use crate::tui::app::{App, Mode};
+use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::document::editor::Editor;
@@ -44,7 +44,8 @@ struct SceneAreas {
 
 fn arrange(app: &App, body: Rect) -> SceneAreas {
     let list = ColumnWidths::of(app.editor()).width() + 1 + super::MARGIN;
-    match body.width.checked_sub(list + 1) {
+    let has_drawing = app.standing().contains(&View::Motion);
+    match body.width.checked_sub(list + 1).filter(|_| !has_drawing) {
         Some(width) if width >= NARROWEST_DRAWING => {
             let part = |x, width| Rect {
                 x: body.x + x,
@@ -77,6 +78,10 @@ pub(super) struct SceneView;
 impl Pane for SceneView {
     fn name(&self) -> &'static str {
         "scene"
+    }
+
+    fn view(&self) -> View {
+        View::Scene
     }
 
     fn about(&self) -> &'static str {

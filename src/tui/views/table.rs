@@ -3,7 +3,7 @@
 use super::{cut, mark_more, page, print};
 use crate::capability::Colours;
 use crate::page::{Line, Span, Unsure};
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::sheet::{self, Placed, TableLine};
 use crate::tui::player::open_scene::shown;
@@ -18,7 +18,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let placed = placed(app, area);
     let lines = placed.lines();
     let most = lines.len().saturating_sub(area.height.into());
-    let scroll = app.scroll().min(most);
+    let scroll = app.scroll(View::Motion).min(most);
     mark_more(area, scroll > 0, scroll < most, buffer);
     for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
         render_line(app, &placed, line, Rect { y, ..area }, buffer);

@@ -13,7 +13,7 @@ use super::table::{self, columns_of, render_line};
 use super::{MARGIN, Sketch, columns, first_seen, print};
 use crate::page::Line;
 use crate::report::upwards;
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::figures::cursor::seen;
@@ -29,6 +29,10 @@ pub(super) struct TablesView;
 impl Pane for TablesView {
     fn name(&self) -> &'static str {
         "tables"
+    }
+
+    fn view(&self) -> View {
+        View::Tables
     }
 
     fn about(&self) -> &'static str {
@@ -48,7 +52,7 @@ impl Pane for TablesView {
         let body = table::below_title(app, place(body));
         let placed = table::placed(app, body);
         let lines = placed.lines();
-        let first = first_seen(app, lines.len(), body, buffer);
+        let first = first_seen(app.scroll(self.view()), lines.len(), body, buffer);
         let seen = seen(&lines, first, body.height.into());
         for (y, at) in (body.top()..body.bottom()).zip(seen) {
             let body = Rect { y, ..body };
@@ -127,7 +131,9 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     if chosen {
         print(buffer, area.x - 1, area.y, 1, CHOSEN, key);
     }
-    let Some(cell) = app.cursor().cell_of(line) else {
+    // Where keys go elsewhere, nothing is under the cursor.
+    let cursor = (app.view() == View::Tables).then(|| app.cursor());
+    let Some(cell) = cursor.and_then(|cursor| cursor.cell_of(line)) else {
         return;
     };
     print(buffer, area.x - MARKS, area.y, 1, ROW, key);

@@ -1,12 +1,15 @@
-//! The first line: what is open, and how it is stepped and played.
+//! Titles of panes: above the drawing what is open, and how it is stepped and played.
 //!
 //! ```text
-//!  Four-bar crank-rocker          step 5 deg   1 turn in 4 s   1/9.5 of real time
-//!  Four-bar crank-rocker against mine.toml           step 5 deg   1 turn in 4 s
+//!  Four-bar crank-rocker     step 5 deg   1 turn in 4 s         alone
+//! -[Four-bar crank-rocker]-- step 5 deg --+- tables ---------   among others
 //! ```
 
-use super::{columns, cut, print, print_right};
-use crate::tui::app::App;
+use super::layout::PlacedView;
+use super::motion::rule;
+use super::{Pane, columns, cut, print, print_right};
+use crate::drawing::Glyphs;
+use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::open_scene::shown;
@@ -15,12 +18,26 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 const GAP: &str = "   ";
+/// Columns of a title that are kept for its ends.
+const SIDES: u16 = 6;
 /// The title keeps so many columns before the settings beside it are dropped one by one.
-const TITLE: u16 = 16;
+const TITLE: u16 = 32;
 /// Longer names of what it is held against are cut.
 const LONGEST_NAME: usize = 20;
 
+/// The drawing's title in an area of its own.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let room = area.width.saturating_sub(2);
+    let (title, settings) = heading(app, room);
+    let style = theme::part(ScreenPart::Title);
+    print(buffer, area.x + 1, area.y, room, &title, style);
+    let style = theme::part(ScreenPart::Quiet);
+    let right = area.right().saturating_sub(1);
+    print_right(buffer, right, area.y, &settings, style);
+}
+
+/// The scene with what it is held against, and as much of how it is stepped and played as there is room for.
+pub(super) fn heading(app: &App, room: u16) -> (String, String) {
     let title = shown(&app.open_scene().scene().name, app.glyphs());
     let title = if app.is_changed() {
         title + " *"
@@ -28,7 +45,6 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         title
     };
     let against = shown(&against(app), app.glyphs());
-    let room = area.width.saturating_sub(2);
     let wanted = columns(&title).min(TITLE) + columns(&against) + columns(GAP);
     let mut settings = settings(app);
     let joined = loop {
@@ -37,26 +53,71 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
             break joined;
         }
     };
-    let left = room.saturating_sub(columns(&joined) + columns(GAP));
+    let beside = match joined.is_empty() {
+        true => 0,
+        false => columns(&joined) + columns(GAP),
+    };
+    let left = room.saturating_sub(beside);
     let most = left.saturating_sub(columns(&against)).max(TITLE.min(left));
     let title = cut(&title, most.into()) + &against;
-    let style = theme::part(ScreenPart::Title);
-    print(
-        buffer,
-        area.x + 1,
-        area.y,
-        left,
-        &cut(&title, left.into()),
-        style,
-    );
-    let style = theme::part(ScreenPart::Quiet);
-    print_right(
-        buffer,
-        area.right().saturating_sub(1),
-        area.y,
-        &joined,
-        style,
-    );
+    (cut(&title, left.into()), joined)
+}
+
+/// The title of a pane among others: a line in which its heading stands, in brackets while it is looked at.
+pub(super) fn over_pane(
+    app: &App,
+    (view, pane): (View, &dyn Pane),
+    area: Rect,
+    buffer: &mut Buffer,
+) {
+    rule(app.glyphs(), area, buffer);
+    let is_looked_at = view == app.view();
+    let (left, right) = pane.heading(app, area.width.saturating_sub(SIDES));
+    let (style, ends) = match is_looked_at {
+        true => (theme::part(ScreenPart::Title), ('[', ']')),
+        false => (theme::part(ScreenPart::Quiet), (' ', ' ')),
+    };
+    let left = format!("{}{left}{}", ends.0, ends.1);
+    print(buffer, area.x + 1, area.y, area.width - 1, &left, style);
+    if !right.is_empty() {
+        let style = theme::part(ScreenPart::Quiet);
+        let text = format!(" {right} ");
+        let right = area.right().saturating_sub(1);
+        print_right(buffer, right, area.y, &text, style);
+    }
+}
+
+/// The lines between panes that stand side by side, joined with the lines above panes.
+pub(super) fn lines_between(glyphs: Glyphs, placed: &[PlacedView], buffer: &mut Buffer) {
+    let titles = || placed.iter().filter_map(|pane| pane.title);
+    let [top, bottom] = [
+        titles().map(|title| title.y).min(),
+        placed.iter().map(|pane| pane.area.bottom()).max(),
+    ];
+    let (Some(top), Some(bottom)) = (top, bottom) else {
+        return;
+    };
+    let first = titles().map(|title| title.x).min();
+    for x in titles().map(|title| title.x).filter(|x| Some(*x) > first) {
+        let line = Rect::new(x - 1, top, 1, bottom - top);
+        rule(glyphs, line, buffer);
+        for title in titles() {
+            let joint = match (title.right() == line.x, title.y == top) {
+                (_, true) => joints(glyphs).0,
+                (true, false) => joints(glyphs).1,
+                (false, false) => continue,
+            };
+            buffer[(line.x, title.y)].set_char(joint);
+        }
+    }
+}
+
+/// Where a line begins below a title, and where a title ends at a line.
+fn joints(glyphs: Glyphs) -> (char, char) {
+    match glyphs {
+        Glyphs::Ascii => ('+', '+'),
+        Glyphs::Line | Glyphs::Braille => ('\u{252c}', '\u{2524}'),
+    }
 }
 
 /// What the scene is held against, behind its title.

@@ -7,9 +7,10 @@
 //! ```
 
 use super::page;
-use super::pane::{Need, Pane};
+use super::pane::{Copied, Need, Pane};
 use crate::page::Line;
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
+use crate::tui::player::explained::Explained;
 use crate::wording::words;
 use ratatui::layout::Rect;
 
@@ -21,12 +22,21 @@ impl Pane for WorkingView {
         "working"
     }
 
+    fn view(&self) -> View {
+        View::Working
+    }
+
     fn about(&self) -> &'static str {
         words().working_line_by_line()
     }
 
     fn help_title(&self) -> &'static str {
         words().in_the_working()
+    }
+
+    fn nothing(&self, app: &App) -> Option<&'static str> {
+        let too_many = !Explained::is_possible(app.open_scene().scene());
+        too_many.then(|| words().too_many_links())
     }
 
     fn needs(&self) -> Need {
@@ -38,5 +48,9 @@ impl Pane for WorkingView {
             Some(explained) => page::lines(app, explained.page(), area),
             None => page::words(words().too_many_links(), area),
         }
+    }
+
+    fn copy(&self, _app: &App) -> Copied {
+        Copied::Lines
     }
 }

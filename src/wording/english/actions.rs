@@ -32,6 +32,8 @@ catalogue! {
         the_views = "The views";
         view = "view";
         the_next_view = "the next view";
+        previous_view = "view before";
+        the_view_before = "the view before";
         motion = "motion";
         motion_and_live_tables = "motion and live tables";
         tables = "tables";
@@ -49,6 +51,18 @@ catalogue! {
         the_motor_over_a_cycle = "the motor over a cycle";
         lengths = "lengths";
         what_each_length_does = "what each length does";
+
+        the_panes = "The panes";
+        pane = "pane";
+        the_next_pane = "the next pane";
+        alone = "alone";
+        the_pane_alone_or_not = "the pane alone, or not";
+        split_left = "split left";
+        the_split_to_the_left = "the split to the left";
+        split_right = "split right";
+        the_split_to_the_right = "the split to the right";
+        layout = "layout";
+        the_next_layout = "the next layout";
 
         what_the_motion_view_shows = "What the motion view shows";
         names = "names";
@@ -87,6 +101,14 @@ catalogue! {
         up_a_screen = "up a screen";
         page_down = "page down";
         down_a_screen = "down a screen";
+        half_up = "half up";
+        half_a_screen_up = "half a screen up";
+        half_down = "half down";
+        half_a_screen_down = "half a screen down";
+        first_line = "top";
+        the_first_line = "the first line";
+        last_line = "end";
+        the_last_line = "the last line";
         search = "search";
         find_by_name = "find by name";
         choose = "choose";
@@ -149,6 +171,8 @@ catalogue! {
         how_many_colours = "how many colours";
         help = "help";
         show_or_hide_this_help = "show or hide this help";
+        commands = "commands";
+        all_commands = "all commands";
         tour = "tour";
         the_tour = "the tour";
         back = "back";

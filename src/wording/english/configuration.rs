@@ -61,6 +61,7 @@ catalogue! {
 ";
         to_draw_with(values: &str) = "to draw with: {values}";
         for_a_ground(values: &str) = "for a ground: {values}";
+        panes_stand_as(values: &str) = "panes: {values}";
         tour_on_first_start = "the tour is shown on the first start: true or false";
         template_keys = "
 [keys]

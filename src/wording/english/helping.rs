@@ -12,6 +12,7 @@ catalogue! {
         esc_shows_all_keys = "Esc shows all keys";
         turns_to_manual(key: &dyn Display) = "{key} manual";
         shows_more(key: &dyn Display) = "{key} for more";
+        no_command_is_that = "no command is called that";
         nowhere = "nowhere";
         marks_of_figures(found: char) = "{found} found, rest given";
         marks_of_figures_and_digits(found: char, unsure: char) =

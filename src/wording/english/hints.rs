@@ -16,6 +16,7 @@ catalogue! {
         all_keys = "all keys";
         along_x = "along x";
         cancel = "cancel";
+        do_it = "do it";
         done = "done";
         drop_and_open = "drop, open";
         drop_and_quit = "drop, quit";

@@ -6,7 +6,16 @@ use std::fmt::Display;
 catalogue! {
     /// The views.
     trait ViewsWords for English {
-        screen_too_small(width: u16, height: u16) = "krank needs {width} x {height} characters";
+        screen_too_small(width: u16, height: u16) = "krank needs {width} x {height}";
+
+        // The line of tabs, and panes.
+        short_accuracy = "error";
+        means_nothing_here(key: &dyn Display, help: &str) = "{key} means nothing here; {help} tells the keys";
+        nothing_acts_in_short = "nothing acts here: no loads, no springs, no masses";
+        layout_is(name: &str) = "layout: {name}";
+        no_other_pane = "there is no other pane";
+        no_split_here = "there is no split to move";
+        more_is_shown(width: u16, height: u16) = "{width} x {height} show more";
 
         drawing_with_live_tables = "The drawing, with live tables";
         tables_all = "All tables";

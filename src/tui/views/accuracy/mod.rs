@@ -9,7 +9,7 @@
 
 pub(crate) mod study_run;
 
-use super::pane::{Need, Pane};
+use super::pane::{Copied, Need, Pane};
 use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::trade_off;
 use crate::page::{Line, Page};
@@ -74,6 +74,10 @@ impl Pane for AccuracyView {
         "accuracy"
     }
 
+    fn view(&self) -> View {
+        View::Accuracy
+    }
+
     fn about(&self) -> &'static str {
         words().accuracy_of_methods()
     }
@@ -90,16 +94,20 @@ impl Pane for AccuracyView {
         let Some(findings) = app.study_run().findings() else {
             return;
         };
-        let AccuracyAreas { chart, list } = arrange(body);
-        render_chart(app, findings, chart, buffer);
-        page::render(app, &lines(app, findings, list), list, buffer);
+        render_chart(app, findings, arrange(body).chart, buffer);
+        let (lines, list) = self.listed(app, body);
+        page::render(app, self.view(), &lines, list, buffer);
     }
 
-    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+    fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
         let list = arrange(body).list;
         let findings = app.study_run().findings();
-        let lines = findings.map_or(0, |findings| lines(app, findings, list).len());
-        (lines, list.height.into())
+        let lines = findings.map_or_else(Vec::new, |findings| lines(app, findings, list));
+        (lines, list)
+    }
+
+    fn copy(&self, _app: &App) -> Copied {
+        Copied::Lines
     }
 
     fn hints(&self, app: &App) -> &'static [Action] {

@@ -16,8 +16,8 @@ pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Act
         )
     };
     let common = action::SECTIONS.iter().map(|section| {
-        let everywhere = |entry: &&ActionRow| entry.place == KeyContext::Everywhere;
-        let entries: Vec<_> = section.entries.iter().filter(everywhere).collect();
+        let common = |entry: &&ActionRow| !matches!(entry.place, KeyContext::In(_));
+        let entries: Vec<_> = section.entries.iter().filter(common).collect();
         ((section.title)(words()), entries)
     });
     let others = View::ALL.into_iter().filter(|view| Some(*view) != first);

@@ -14,7 +14,7 @@ use super::pane::{Copied, Need, Pane};
 use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::page::Line;
-use crate::tui::app::App;
+use crate::tui::app::{App, View};
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -80,6 +80,10 @@ impl Pane for MotorView {
         "motor"
     }
 
+    fn view(&self) -> View {
+        View::Motor
+    }
+
     fn about(&self) -> &'static str {
         words().motor_over_a_cycle()
     }
@@ -88,21 +92,26 @@ impl Pane for MotorView {
         words().in_the_motor_view()
     }
 
+    fn nothing(&self, app: &App) -> Option<&'static str> {
+        let acts = app.open_scene().solver().has_forces();
+        (!acts).then(|| words().nothing_acts_in_short())
+    }
+
     fn needs(&self) -> Need {
         Need::Motor
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let MotorAreas { curve, list } = arrange(app, body);
         if let Some(plot) = app.motor().plot() {
-            render_curve(app, plot, curve, buffer);
+            render_curve(app, plot, arrange(app, body).curve, buffer);
         }
-        page::render(app, &lines(app, list), list, buffer);
+        let (lines, list) = self.listed(app, body);
+        page::render(app, self.view(), &lines, list, buffer);
     }
 
-    fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
+    fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
         let list = arrange(app, body).list;
-        (lines(app, list).len(), list.height.into())
+        (lines(app, list), list)
     }
 
     fn copy(&self, app: &App) -> Copied {

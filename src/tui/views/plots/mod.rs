@@ -12,7 +12,7 @@ pub(crate) mod list;
 use super::pane::{Copied, Need, Pane};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::drawing::plot::{Plot, PlotStyle};
-use crate::tui::app::{App, Mode};
+use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, PlotsAction};
 use crate::tui::figures::copying;
@@ -71,6 +71,10 @@ pub(super) struct PlotsView;
 impl Pane for PlotsView {
     fn name(&self) -> &'static str {
         "plots"
+    }
+
+    fn view(&self) -> View {
+        View::Plots
     }
 
     fn about(&self) -> &'static str {
@@ -156,7 +160,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
         glyphs: app.glyphs(),
         aspect: app.aspect(),
         extrema: app.plots().extrema(),
-        first: app.scroll(),
+        first: app.scroll(View::Plots),
     };
     let here = app.plots().here(app.open_scene().state());
     let raster = plot.render(&look, here.as_ref());

@@ -45,6 +45,16 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// Scene, driver and state, as a screen tells them that has room for nothing else.
+pub(super) fn in_short(app: &App) -> [String; 3] {
+    let state = facts::state(app.condition(), true).0;
+    [
+        facts::scene(app),
+        facts::driver(app.open_scene()),
+        state.into(),
+    ]
+}
+
 /// What matters most of the state, then what was said.
 fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) {
     line.gap(1);

@@ -24,6 +24,11 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::Search(search) => sought(app, &search.name, line),
         Mode::Value(_) => value(app, line),
         Mode::Copy => how_much(line),
+        Mode::Palette(_) => {
+            line.gap(1);
+            line.hint(&Key::Enter.to_string(), words().do_it());
+            line.hint(&Key::Escape.to_string(), words().back());
+        }
         Mode::Normal | Mode::Help(_) | Mode::Tour(_) | Mode::Assemblies(_) | Mode::PlotList(_) => {
             return false;
         }

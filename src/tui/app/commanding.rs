@@ -1,0 +1,54 @@
+//! The list of all commands: narrowing it, and doing one.
+
+use super::{App, Effect, Mode};
+use crate::tui::commands::action::KeyContext;
+use crate::tui::commands::key::Key;
+use crate::tui::views::palette::list::CommandList;
+use std::time::Duration;
+
+impl App {
+    /// Lists the commands.
+    pub(super) fn list_commands(&mut self) {
+        self.shell.mode = Mode::Palette(CommandList::new());
+    }
+
+    /// Keys of the list; `None` for those that mean the same everywhere.
+    pub(super) fn palette_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+        let page = self.page();
+        let Mode::Palette(palette) = &mut self.shell.mode else {
+            return None;
+        };
+        match key {
+            Key::Enter => return Some(self.command(now)),
+            Key::Backspace if palette.typed().is_empty() => self.shell.mode = Mode::Normal,
+            Key::Escape => self.shell.mode = Mode::Normal,
+            Key::Up => palette.move_by(-1),
+            Key::Down => palette.move_by(1),
+            Key::PageUp => palette.move_by(-page),
+            Key::PageDown => palette.move_by(page),
+            Key::Home => palette.move_by(isize::MIN),
+            Key::End => palette.move_by(isize::MAX),
+            _ if palette.line().edit(key) => palette.narrow(),
+            Key::Ctrl(_) => return None,
+            _ => {}
+        }
+        self.shell.message = None;
+        Some(Effect::Show)
+    }
+
+    /// Does what the cursor is on, in the view that it belongs to.
+    fn command(&mut self, now: Duration) -> Effect {
+        let Mode::Palette(palette) = &self.shell.mode else {
+            return Effect::Show;
+        };
+        let chosen = palette.chosen();
+        self.shell.mode = Mode::Normal;
+        let Some(row) = chosen else {
+            return Effect::Show;
+        };
+        if let KeyContext::In(view) = row.place {
+            self.look(view);
+        }
+        self.update(row.action, now)
+    }
+}

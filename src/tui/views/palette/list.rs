@@ -1,0 +1,161 @@
+//! The commands that are listed: all of the table of actions, narrowed by what is typed, the best first.
+
+use crate::tui::commands::action::{self, Action, ActionRow};
+use crate::tui::commands::line::EditLine;
+use crate::wording::words;
+
+/// All commands, narrowed by what is searched for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct CommandList {
+    line: EditLine,
+    /// By their places in the table, the best first.
+    found: Vec<usize>,
+    cursor: usize,
+}
+
+impl CommandList {
+    pub(crate) fn new() -> CommandList {
+        let mut palette = CommandList {
+            line: EditLine::for_words(),
+            found: Vec::new(),
+            cursor: 0,
+        };
+        palette.narrow();
+        palette
+    }
+
+    pub(crate) fn typed(&self) -> &str {
+        self.line.text()
+    }
+
+    /// The line that is typed into; [`CommandList::narrow`] has to follow.
+    pub(crate) fn line(&mut self) -> &mut EditLine {
+        &mut self.line
+    }
+
+    /// Lists what is meant by what is typed: the best first, of these the shortest, and otherwise as in the table.
+    pub(crate) fn narrow(&mut self) {
+        let typed = self.line.text().to_ascii_lowercase();
+        let costs = rows().enumerate().filter_map(|(at, row)| {
+            let texts = [row.name, (row.help)(words())];
+            let costs = texts
+                .iter()
+                .filter_map(|text| Some((cost(&typed, text)?, text.len())));
+            Some((costs.min()?, at))
+        });
+        let mut costs: Vec<((usize, usize), usize)> = costs.collect();
+        if !typed.trim().is_empty() {
+            costs.sort_unstable();
+        }
+        self.found = costs.into_iter().map(|(_, at)| at).collect();
+        self.cursor = 0;
+    }
+
+    /// What is listed.
+    pub(crate) fn found(&self) -> impl Iterator<Item = &'static ActionRow> {
+        self.found.iter().filter_map(|at| rows().nth(*at))
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.found.len()
+    }
+
+    pub(crate) fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// What is under the cursor.
+    pub(crate) fn chosen(&self) -> Option<&'static ActionRow> {
+        self.found().nth(self.cursor)
+    }
+
+    /// Moves the cursor, within the list.
+    pub(crate) fn move_by(&mut self, rows: isize) {
+        let most = self.found.len().saturating_sub(1);
+        self.cursor = self.cursor.saturating_add_signed(rows).min(most);
+    }
+}
+
+/// Every command but the list of commands itself.
+fn rows() -> impl Iterator<Item = &'static ActionRow> {
+    action::entries().filter(|row| row.action != Action::Palette)
+}
+
+/// How far a text is from what is typed, blanks left out: the letters must stand in it in their order, and each gap
+/// between them costs, least where a word begins behind it. `None` where they do not.
+fn cost(typed: &str, text: &str) -> Option<usize> {
+    let text: Vec<char> = text.to_ascii_lowercase().chars().collect();
+    let begins = |at: usize| at == 0 || !text[at - 1].is_alphanumeric();
+    // What the letters so far cost, by where the last of them stands.
+    let mut before: Option<Vec<Option<usize>>> = None;
+    for letter in typed.chars().filter(|c| *c != ' ') {
+        let step = |at: usize| {
+            if text[at] != letter {
+                return None;
+            }
+            let jump = if begins(at) { 1 } else { 3 };
+            let Some(before) = &before else {
+                return Some(if at == 0 { 0 } else { jump + 1 });
+            };
+            let from = (0..at).filter_map(|last| {
+                let gap = if last + 1 == at { 0 } else { jump + at - last };
+                Some(before[last]? + gap)
+            });
+            from.min()
+        };
+        before = Some((0..text.len()).map(step).collect());
+    }
+    match before {
+        None => Some(0),
+        Some(costs) => costs.into_iter().flatten().min(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn found(typed: &str) -> Vec<&'static str> {
+        let mut palette = CommandList::new();
+        typed.chars().for_each(|c| palette.line().push(c));
+        palette.narrow();
+        palette.found().map(|row| row.name).collect()
+    }
+
+    #[test]
+    fn everything_is_listed_before_anything_is_typed() {
+        assert_eq!(found("").len(), action::entries().count() - 1);
+        assert_eq!(found("")[0], "play");
+    }
+
+    #[test]
+    fn letters_in_their_order_are_enough_and_the_nearest_comes_first() {
+        for (typed, name) in [
+            ("zoom in", "zoom-in"),
+            ("zi", "zoom-in"),
+            ("forces", "forces"),
+            ("PLAY", "play"),
+            ("svg", "svg"),
+            ("extrema", "extrema"),
+            ("wscene", "opening"),
+        ] {
+            assert_eq!(found(typed).first(), Some(&name), "{typed}");
+        }
+        assert!(found("qzx").is_empty());
+    }
+
+    /// Each command is found by its own name, and none stands before it but what is told by that very word.
+    #[test]
+    fn every_command_is_first_by_its_name() {
+        for row in rows() {
+            let first = rows().find(|other| Some(&other.name) == found(row.name).first());
+            let first = first.unwrap();
+            let told = (first.help)(words());
+            assert!(
+                first.name == row.name || told == row.name,
+                "{}: {told}",
+                row.name
+            );
+        }
+    }
+}

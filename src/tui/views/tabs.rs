@@ -1,0 +1,135 @@
+//! The first line: the views by their keys. The one that is looked at stands in brackets; those that have nothing to
+//! show of the scene are dim.
+//!
+//! ```text
+//! [1 Motion] 2 Tables  3 Plots  4 Accuracy  5 Forces  ..        ? help  : commands    where there is room
+//!  1 Motion [2 Tables] 3 Plots  4 Error  ..                                           80 columns
+//!  1 [2 Tables] 3 4 5 6 7 8 9                                                         40 columns
+//! ```
+
+use super::{columns, print, print_right};
+use crate::tui::app::{App, View};
+use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::commands::action::{Action, entry_of};
+use crate::wording::words;
+use ratatui::buffer::Buffer;
+use ratatui::layout::Rect;
+
+/// Columns between the tabs and the hints at the right.
+const GAP: u16 = 3;
+
+/// A tab: its view, its key, and what it is called in as much room as there is.
+struct Tab {
+    view: View,
+    key: String,
+    name: String,
+}
+
+pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
+    let (tabs, gap) = fitted(app, area.width);
+    let mut x = area.x;
+    for tab in &tabs {
+        x = render_tab(app, tab, (x, area.y), buffer) + gap;
+    }
+    let hints = hints(app);
+    if x + GAP + columns(&hints) < area.right() {
+        let style = theme::part(ScreenPart::Quiet);
+        print_right(buffer, area.right() - 1, area.y, &hints, style);
+    }
+}
+
+/// A tab with a blank or a bracket at either side, the second of which the next one has too; where it ends.
+fn render_tab(app: &App, tab: &Tab, (x, y): (u16, u16), buffer: &mut Buffer) -> u16 {
+    let is_looked_at = tab.view == app.view();
+    let part = |usual| match is_looked_at {
+        true => ScreenPart::Mode,
+        false if tab.view.pane().nothing(app).is_some() => ScreenPart::Quiet,
+        false => usual,
+    };
+    let blank = if tab.name.is_empty() { "" } else { " " };
+    let text = format!("{}{blank}{}", tab.key, tab.name);
+    let end = x + 1 + columns(&text);
+    if is_looked_at {
+        print(buffer, x, y, 1, "[", theme::part(ScreenPart::Title));
+        print(buffer, end, y, 1, "]", theme::part(ScreenPart::Title));
+    }
+    let style = theme::part(part(ScreenPart::Text));
+    print(buffer, x + 1, y, columns(&text), &text, style);
+    let style = theme::part(part(ScreenPart::Key));
+    print(buffer, x + 1, y, columns(&tab.key), &tab.key, style);
+    end
+}
+
+/// The tabs as they fit so many columns, and the blanks that they have between them beyond one.
+fn fitted(app: &App, width: u16) -> (Vec<Tab>, u16) {
+    let all = || View::ALL.into_iter();
+    let whole = || all().map(|view| tab(app, view, named(view)));
+    let brief = || all().map(|view| tab(app, view, in_short(view)));
+    let own = |view: View| {
+        if view == app.view() {
+            named(view)
+        } else {
+            String::new()
+        }
+    };
+    let keys = || all().map(|view| tab(app, view, own(view)));
+    let candidates: [(Vec<Tab>, u16); 4] = [
+        (whole().collect(), 1),
+        (whole().collect(), 0),
+        (brief().collect(), 0),
+        (keys().collect(), 0),
+    ];
+    let fits = |(tabs, gap): &(Vec<Tab>, u16)| needed(tabs, *gap) <= width;
+    let mut fitting = candidates.into_iter().skip_while(|tabs| !fits(tabs));
+    fitting.next().unwrap_or_else(|| (keys().collect(), 0))
+}
+
+/// The columns of tabs, from the blank before the first to the last letter.
+fn needed(tabs: &[Tab], gap: u16) -> u16 {
+    let width = |tab: &Tab| {
+        let blank = u16::from(!tab.name.is_empty());
+        1 + columns(&tab.key) + blank + columns(&tab.name) + gap
+    };
+    tabs.iter().map(width).sum::<u16>().saturating_sub(gap)
+}
+
+fn tab(app: &App, view: View, name: String) -> Tab {
+    let key = app.keymap().key(Action::Look(view));
+    Tab {
+        view,
+        key: key.map_or_else(|| "-".into(), |key| key.to_string()),
+        name,
+    }
+}
+
+/// What a view is called above all others: `Tables`.
+fn named(view: View) -> String {
+    capitalised((entry_of(Action::Look(view)).hint)(words()))
+}
+
+/// The same on a line of 80 columns.
+fn in_short(view: View) -> String {
+    match view {
+        View::Accuracy => capitalised(words().short_accuracy()),
+        _ => named(view),
+    }
+}
+
+fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    let first = letters.next().map(|first| first.to_ascii_uppercase());
+    first.into_iter().chain(letters).collect()
+}
+
+/// What leads to everything else.
+fn hints(app: &App) -> String {
+    let hint = |action| {
+        let key = app.keymap().key(action)?;
+        Some(format!("{key} {}", (entry_of(action).hint)(words())))
+    };
+    let hints: Vec<String> = [Action::Help, Action::Palette]
+        .into_iter()
+        .filter_map(hint)
+        .collect();
+    hints.join("  ")
+}

@@ -1,0 +1,337 @@
+//! The screen as a whole: the line of tabs, panes side by side, which of them a key belongs to, and the list of
+//! commands.
+
+use crate::claims::{assert_told, figures, said};
+use crate::screen::{Session, four_bar, open, preset};
+use krank::drawing::Glyphs;
+use krank::scene::presets;
+use krank::tui::{Colours, Config, Origin, Workbench};
+use std::time::Duration;
+
+/// Six scenes of six kinds.
+const SIX: [&str; 6] = [
+    "four-bar",
+    "slider-crank",
+    "jansen-leg",
+    "press-ram",
+    "scissor-lift",
+    "excavator-boom",
+];
+
+fn tabs(session: &mut Session) -> String {
+    session.look().lines().next().unwrap().to_owned()
+}
+
+/// A workbench with a configuration.
+fn configured(text: &str, cols: u16, rows: u16) -> Session {
+    let config = Config::parse(text, "config.toml").unwrap();
+    let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, cols, rows);
+    Session::on(workbench.configured(&config), cols, rows)
+}
+
+#[test]
+fn tabs_name_the_views_and_mark_the_one_that_is_looked_at() {
+    let mut wide = four_bar(120, 40);
+    let line = "[1 Motion] 2 Tables  3 Plots  4 Accuracy  5 Forces  6 Scene  7 Working  8 Motor  9 Lengths";
+    assert!(tabs(&mut wide).starts_with(line));
+    assert!(tabs(&mut wide).ends_with("? help  : commands"));
+    let mut usual = four_bar(80, 24);
+    let line = " 1 Motion 2 Tables[3 Plots]4 Error 5 Forces 6 Scene 7 Working 8 Motor 9 Lengths";
+    assert_eq!(tabs(usual.press("3")), line);
+    let mut small = four_bar(40, 12);
+    assert_eq!(tabs(small.press("3")), " 1 2[3 Plots]4 5 6 7 8 9");
+    assert_eq!(tabs(small.press("9")), " 1 2 3 4 5 6 7 8[9 Lengths]");
+    assert_eq!(tabs(small.press("1 e")), " 1 2 3 4 5 6 7 8[9 Lengths]");
+}
+
+#[test]
+fn tab_goes_through_all_views_and_shift_tab_back() {
+    for (cols, rows) in [(80, 24), (120, 40), (200, 60)] {
+        let mut session = four_bar(cols, rows);
+        let mut seen = Vec::new();
+        for _ in 0..9 {
+            seen.push(tabs(&mut session));
+            session.press("Tab");
+        }
+        assert_eq!(tabs(&mut session), seen[0]);
+        for before in seen.iter().rev() {
+            assert_eq!(&tabs(session.press("Shift-Tab")), before);
+        }
+    }
+}
+
+#[test]
+fn a_view_with_nothing_to_show_is_dim_and_says_why() {
+    let mut session = four_bar(80, 24);
+    session.look();
+    let dims = |session: &Session| -> String {
+        let cells = (0..80).map(|col| session.terminal.screen().cell(0, col).unwrap());
+        let dim = cells.filter(|cell| cell.dim());
+        dim.map(|cell| cell.contents().to_owned()).collect()
+    };
+    assert_eq!(said(&dims(&session)), "5 Forces 8 Motor");
+    for key in ["5", "8"] {
+        let line = session.press(key).last_line();
+        assert!(line.contains("nothing acts here: no loads"), "{line}");
+        assert!(session.press("Esc").last_line().contains("? help"));
+    }
+    let mut loaded = Session::new(preset("four-bar-load"), Glyphs::Ascii, 80, 24);
+    loaded.look();
+    assert_eq!(dims(&loaded), "");
+}
+
+/// Drawing, tables and a plot together; in a third column the scene; on smaller screens what there is room for.
+#[test]
+fn panes_stand_together_where_there_is_room() {
+    for name in SIX {
+        let opened = || {
+            open(
+                presets::find(name).unwrap().text,
+                Origin::Preset(name.into()),
+            )
+        };
+        let shown = |cols, rows| Session::new(opened(), Glyphs::Ascii, cols, rows).look();
+        let screen = shown(120, 40);
+        let titles = screen.lines().nth(1).unwrap();
+        assert!(titles.contains("+- tables --"), "{screen}");
+        assert!(screen.contains("\n- plots ---"), "{screen}");
+        assert!(
+            screen.contains("| vector ") || screen.contains("|  vector "),
+            "{screen}"
+        );
+        let screen = shown(200, 60);
+        let titles = screen.lines().nth(1).unwrap();
+        assert!(
+            titles.contains("+- tables --") && titles.contains("+- scene --"),
+            "{screen}"
+        );
+        assert!(screen.contains("driver speed"), "{screen}");
+        for (cols, rows) in [(80, 24), (40, 12)] {
+            let screen = shown(cols, rows);
+            assert!(!screen.contains("- plots"), "{screen}");
+            assert!(
+                screen.contains("vector") && screen.contains('o'),
+                "{screen}"
+            );
+        }
+        // The same orientation at every size between.
+        for (cols, rows) in [(110, 34), (140, 50), (160, 60), (189, 90)] {
+            let screen = shown(cols, rows);
+            assert!(
+                screen.lines().nth(1).unwrap().contains("+- tables --"),
+                "{screen}"
+            );
+        }
+    }
+}
+
+/// What is said of the motion is seen wherever there are panes: no fewer figures than on a smaller screen.
+#[test]
+fn a_larger_screen_shows_no_fewer_figures() {
+    for name in SIX {
+        let mut before = 0;
+        for (cols, rows) in [(40, 12), (80, 24), (120, 40), (200, 60)] {
+            let screen = Session::new(preset(name), Glyphs::Ascii, cols, rows).look();
+            let count = figures(&screen).len();
+            assert!(
+                count >= before,
+                "{name} at {cols} x {rows}: {count}, {before}\n{screen}"
+            );
+            before = count;
+        }
+    }
+}
+
+#[test]
+fn a_view_that_stands_nowhere_gets_the_place_beside_the_drawing() {
+    let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
+    let screen = session.press("5").look();
+    assert!(
+        screen.contains("+-[forces]--") && screen.contains("- plots ---"),
+        "{screen}"
+    );
+    assert!(screen.contains("force on"), "{screen}");
+    // It stays while another pane is looked at, and its figures follow.
+    let screen = session.press(";").look();
+    assert!(
+        screen.contains("+- forces --") && screen.contains("-[plots]--"),
+        "{screen}"
+    );
+    let moved = session.press(".").look();
+    let torque = |screen: &str| -> String {
+        let row = screen.lines().find(|line| line.contains("| r2  ")).unwrap();
+        row.split('|').nth(1).unwrap().to_owned()
+    };
+    assert_ne!(torque(&moved), torque(&screen));
+    assert!(session.press("2").look().contains("+-[tables]--"));
+    // Back where it was, with nothing left to find.
+    assert!(!session.look().contains("force on"));
+}
+
+#[test]
+fn the_pane_that_is_looked_at_takes_the_screen_and_gives_it_back() {
+    let mut session = four_bar(120, 40);
+    let all = session.press("2").look();
+    let alone = session.press("O").look();
+    assert!(
+        !alone.contains("plots ---") && alone.contains("15.0000                 0"),
+        "{alone}"
+    );
+    assert_eq!(session.press("O").look(), all);
+    assert_eq!(session.press("O Esc").look(), all);
+    let line = four_bar(80, 24).press("O").last_line();
+    assert!(line.contains("there is no other pane"), "{line}");
+    let line = four_bar(80, 24).press(";").last_line();
+    assert!(line.contains("there is no other pane"), "{line}");
+}
+
+#[test]
+fn the_line_between_the_panes_is_moved() {
+    let bar = |session: &mut Session| {
+        let screen = session.look();
+        screen.lines().nth(1).unwrap().find(['|', '+']).unwrap()
+    };
+    for (cols, rows) in [(80, 24), (120, 40), (200, 60)] {
+        let mut session = four_bar(cols, rows);
+        let before = bar(&mut session);
+        assert_eq!(bar(session.press("(")), before - 4);
+        assert_eq!(bar(session.press(") )")), before + 4);
+        assert_eq!(bar(session.press("(")), before);
+        let line = session.press(&"( ".repeat(30)).last_line();
+        assert!(line.contains("there is no split to move"), "{line}");
+    }
+}
+
+#[test]
+fn layouts_have_names_and_a_key() {
+    let mut session = configured("layout = \"lecture\"", 120, 40);
+    let screen = session.look();
+    assert!(
+        screen.contains("+- working --") && screen.contains("\n- tables --"),
+        "{screen}"
+    );
+    assert!(screen.contains("Vector polygons"), "{screen}");
+    let line = session.press("|").last_line();
+    assert!(line.contains("layout: design"), "{line}");
+    assert!(session.look().contains("+- scene --"));
+    assert!(session.press("|").last_line().contains("layout: auto"));
+    assert!(session.look().contains("+- tables --"));
+    let alone = configured("layout = \"one\"", 120, 40).press("2").look();
+    assert!(!alone.contains("plots ---"), "{alone}");
+    let two = configured("layout = \"two\"", 80, 24).press("7").look();
+    assert!(
+        two.contains("+-[working]--") && two.contains(" o "),
+        "{two}"
+    );
+    let wrong = Config::parse("layout = \"thre\"", "config.toml");
+    assert!(wrong.unwrap_err().to_string().contains("three"));
+}
+
+/// Left and Right, h, l and Home used to turn the crank inside lists.
+#[test]
+fn in_lists_keys_belong_to_the_list_and_the_crank_stands() {
+    for (cols, rows) in [(80, 24), (120, 40)] {
+        for view in ["2", "3", "4", "5", "6", "7", "8", "9"] {
+            let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, cols, rows);
+            session.press(view);
+            for key in [
+                "Left", "Right", "h", "l", "Home", "End", "Ctrl-D", "Ctrl-U", "G", "g g", "k", "j",
+            ] {
+                session.press(key);
+                // Where a study runs, its progress stands in the place of the angle.
+                let line = session.press("1").last_line();
+                assert!(line.contains(" 60.00 deg"), "{view} {key}: {line}");
+                session.press(view);
+            }
+            assert!(
+                session.press(". 1").last_line().contains("65.00 deg"),
+                "{view}"
+            );
+        }
+    }
+    let mut drawing = four_bar(80, 24);
+    assert!(drawing.press("Right l").last_line().contains("70.00 deg"));
+    assert!(drawing.press("Home").last_line().contains("60.00 deg"));
+}
+
+#[test]
+fn lists_go_to_their_ends_and_are_searched() {
+    for view in ["2", "6", "7", "9"] {
+        let mut session = four_bar(80, 24);
+        let top = session.press(view).body();
+        let end = session.press("End").body();
+        assert_ne!(end, top, "{view}");
+        assert_eq!(session.press("Home").body(), top, "{view}");
+        assert_eq!(session.press("G").body(), end, "{view}");
+        assert_eq!(session.press("g g").body(), top, "{view}");
+        let half = session.press("Ctrl-D").body();
+        assert!(half != top && half != end, "{view}");
+        assert_eq!(session.press("Ctrl-U").body(), top, "{view}");
+    }
+    let mut working = four_bar(80, 24);
+    let found = working.press("7 /").type_in("check").press("Enter").body();
+    assert!(found.contains("Check"), "{found}");
+    let line = working.press("/").type_in("nowhere").last_line();
+    assert!(line.contains("no row is named nowhere"), "{line}");
+}
+
+#[test]
+fn what_a_pane_does_not_take_goes_to_the_drawing_beside_it() {
+    let mut session = four_bar(120, 40);
+    let line = session.press("2 v").last_line();
+    assert!(line.contains("arrows of velocity on"), "{line}");
+    // Alone, there is nothing that could take it, and that is said.
+    let line = session.press("O v").last_line();
+    assert!(
+        line.contains("v means nothing here; ? tells the keys"),
+        "{line}"
+    );
+}
+
+#[test]
+fn commands_are_listed_and_searched_loosely() {
+    for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
+        let mut session = four_bar(cols, rows);
+        let before = session.body();
+        assert_told(&session.press(":").look(), &["> play or pause space"]);
+        let screen = session.type_in("zmin").look();
+        assert_told(&screen, &["> zoom in z"]);
+        assert_eq!(session.press("Esc").body(), before);
+        session.press(":").type_in("velocit").press("Enter");
+        let line = session.last_line();
+        assert!(line.contains("arrows of velocity on"), "{line}");
+        // What belongs to another view leads there.
+        session.press(":").type_in("choose plots").press("Enter");
+        assert!(session.look().contains("plot what?"));
+        session.press("Esc :").type_in("zzzz");
+        assert!(session.look().contains("no command is called that"));
+        assert!(
+            !session
+                .press("Esc")
+                .press(":")
+                .type_in("quit")
+                .workbench
+                .press("Enter")
+        );
+    }
+}
+
+/// What a frame costs while it plays: true colours, one view at 80 x 24, and panes.
+#[test]
+fn panes_cost_few_bytes() {
+    for (cols, rows, most) in [(80, 24, 500), (120, 40, 2000), (200, 60, 4000)] {
+        let opened = preset("four-bar");
+        let mut workbench = Workbench::new(opened, Glyphs::Braille, Colours::True, cols, rows);
+        workbench.paint();
+        assert!(workbench.paint().is_empty());
+        workbench.press("space");
+        let mut costs: Vec<usize> = (0..120)
+            .map(|_| {
+                workbench.pass(Duration::from_secs_f64(4.0 / 120.0));
+                workbench.paint().len()
+            })
+            .collect();
+        costs.sort_unstable();
+        assert!(costs[60] <= most, "{cols} x {rows}: median {}", costs[60]);
+    }
+}
