@@ -178,7 +178,8 @@ impl WorldView {
     }
 
     /// The world point that lies at a place in cell coordinates.
-    fn world(&self, cell: Vec2) -> Vec2 {
+    #[must_use]
+    pub fn world(&self, cell: Vec2) -> Vec2 {
         let offset = cell - self.pin;
         self.centre + Vec2::new(offset.x / self.scale.x, -offset.y / self.scale.y)
     }

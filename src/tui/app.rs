@@ -15,6 +15,7 @@ mod looking;
 mod mode;
 mod picking;
 mod plotting;
+mod pointing;
 mod recovering;
 mod searching;
 mod shell;
@@ -167,6 +168,7 @@ impl App {
     /// Takes what a person has configured.
     pub(crate) fn configure(&mut self, config: &Config) {
         self.shell.keymap = config.keymap.clone();
+        self.shell.has_mouse = config.mouse;
         self.shell.composition = Composition::of(config.layout);
         self.attend_to_panes();
     }
@@ -364,6 +366,7 @@ impl App {
                 self.lay_out();
             }
             Action::Colours => self.shell.next_colours(),
+            Action::Mouse => self.toggle_mouse(),
             Action::NextView => self.turn_view(1),
             Action::PreviousView => self.turn_view(View::ALL.len() - 1),
             Action::NextPane => self.next_pane(),

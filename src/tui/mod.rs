@@ -244,6 +244,8 @@ impl Session {
                 #[cfg(debug_assertions)]
                 fault_on_demand();
             }
+            let wanted = self.workbench.app().has_mouse();
+            self.tty.take_mouse(wanted)?;
             let deadline = self.deadline(owed);
             if self.tty.follow(self.workbench.app().watched()) {
                 // It may have been written between the first look and now.
@@ -337,6 +339,7 @@ impl Session {
                 return Ok(self.attend(self.begun.elapsed()));
             }
             Wake::Paste(text) => self.workbench.app().paste(&text),
+            Wake::Mouse(mouse) => self.workbench.point(mouse),
             Wake::Key(key) => match self.workbench.key(key) {
                 Effect::Show | Effect::Picture => {}
                 Effect::Send(bytes) => self.tty.say(&bytes)?,

@@ -8,6 +8,7 @@ use super::{Frames, Opened, Theme};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::tui::commands::key::Key;
+use crate::tui::commands::mouse::Mouse;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Size;
 use std::path::Path;
@@ -189,6 +190,17 @@ impl Workbench {
             return Effect::Show;
         }
         effect
+    }
+
+    pub(super) fn point(&mut self, mouse: Mouse) {
+        let under = views::under(&self.app, &self.sketch, mouse.at);
+        self.app.point(mouse, under, self.now);
+    }
+
+    /// What a cell of the drawing shows.
+    #[cfg(test)]
+    pub(super) fn place(&self, at: ratatui::layout::Position) -> Option<(crate::Vec2, f64)> {
+        self.sketch.place(at)
     }
 
     pub(super) fn app(&mut self) -> &mut App {

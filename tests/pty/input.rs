@@ -47,3 +47,26 @@ fn a_paste_is_no_key_in_any_mode() {
         assert!(session.ended_as_found().success(), "{keys}");
     }
 }
+
+/// The mouse is taken by a key alone, tells of its buttons and of nothing else, and is the terminal's again on every way
+/// out.
+#[test]
+fn the_mouse_is_taken_by_a_key_and_given_back() {
+    const TAKEN: &[u8] = b"\x1b[?1002h\x1b[?1006h";
+    const GIVEN: &[u8] = b"\x1b[?1006l\x1b[?1002l";
+    let count = |session: &Session, sequence: &[u8]| session.seen.lock().unwrap().count(sequence);
+    for keys in ["q", "\x03"] {
+        let mut session = Session::krank(&["four-bar"]);
+        session.wait_for("60.00 deg").settle();
+        assert_eq!(count(&session, TAKEN), 0, "not asked for");
+        session.send("M");
+        session.wait_until("the mouse", |seen| seen.count(TAKEN) == 1);
+        // The tab of the tables, pressed and let go.
+        session.send("\x1b[<0;15;1M\x1b[<0;15;1m");
+        session.wait_for(" tables ");
+        session.send(keys);
+        assert!(session.ended_as_found().success() || keys != "q");
+        assert_eq!(count(&session, GIVEN), 1);
+        assert_eq!(count(&session, b"\x1b[?1003h"), 0);
+    }
+}

@@ -101,6 +101,12 @@ impl CellScale {
         self.start + (value - self.low) / (self.high - self.low) * self.length
     }
 
+    /// The value at a place in cell coordinates; nothing beyond the ends.
+    fn value(&self, place: f64) -> Option<f64> {
+        let value = self.low + (place - self.start) / self.length * (self.high - self.low);
+        Some(value).filter(|value| self.holds(*value))
+    }
+
     pub(super) fn holds(&self, value: f64) -> bool {
         (self.low..=self.high).contains(&value)
     }
@@ -143,6 +149,12 @@ impl Plot {
     #[must_use]
     pub fn fits(&self, look: &PlotStyle) -> bool {
         self.layout(look).is_some()
+    }
+
+    /// What stands along x in the middle of a column; nothing beside the curves.
+    #[must_use]
+    pub fn along(&self, look: &PlotStyle, column: u16) -> Option<f64> {
+        self.layout(look)?.x.value(f64::from(column) + 0.5)
     }
 
     /// `None` where there is no room.

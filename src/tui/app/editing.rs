@@ -21,6 +21,8 @@ impl App {
             SceneAction::NudgeUp => self.nudge(1.0, now),
             SceneAction::FinerNudge => self.document.editor.finer(),
             SceneAction::CoarserNudge => self.document.editor.coarser(),
+            SceneAction::NextPart => self.document.editor.go_to_part(true),
+            SceneAction::PreviousPart => self.document.editor.go_to_part(false),
         }
     }
 
@@ -58,13 +60,13 @@ impl App {
     }
 
     /// Puts another text in the place of a value; false, and said why, where the scene cannot be so.
-    fn put(&mut self, value: &Value, text: String, deed: Deed, now: Duration) -> bool {
+    pub(super) fn put(&mut self, value: &Value, text: String, deed: Deed, now: Duration) -> bool {
         let text = self.document.editor.as_filed(value, text);
         if text == value.text() {
             return true;
         }
         self.say_what_is_shown();
-        let Some(value) = self.document.editor.value().cloned() else {
+        let Some(value) = self.document.editor.named(&value.name).cloned() else {
             return false;
         };
         let whole = self.player.open_scene.scene().with_value(&value, &text);

@@ -1,5 +1,6 @@
 //! What keys go to, what is looked at, and on what screen.
 
+use super::pointing::Gripped;
 use super::{Mode, View};
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
@@ -37,6 +38,10 @@ pub(super) struct Shell {
     /// Since when a question is on the screen.
     seen: Option<Duration>,
 
+    /// Whether the mouse is ours, and what its button holds.
+    pub has_mouse: bool,
+    pub grip: Gripped,
+
     // The terminal.
     pub capability: Capability,
     pub theme: Theme,
@@ -57,6 +62,8 @@ impl Shell {
             told: None,
             verdict_before: None,
             seen: None,
+            has_mouse: false,
+            grip: Gripped::default(),
             capability,
             theme: Theme::default(),
             size,

@@ -1,6 +1,7 @@
 //! What the motion view shows, and how large.
 
 use super::App;
+use crate::Vec2;
 use crate::tui::commands::action::MotionAction;
 use crate::tui::views::motion::viewport::Layer;
 use crate::wording::words;
@@ -35,6 +36,16 @@ impl App {
 
     fn zoom(&mut self, steps: i8) {
         if !self.viewport.enlarge(steps) {
+            self.shell.say(words().no_more_to_zoom());
+        }
+    }
+
+    /// Makes the drawing larger or smaller about a place in the scene's frame.
+    pub(super) fn zoom_at(&mut self, place: Vec2, larger: bool) {
+        if !self
+            .viewport
+            .enlarge_at(&self.player.open_scene, place, if larger { 1 } else { -1 })
+        {
             self.shell.say(words().no_more_to_zoom());
         }
     }

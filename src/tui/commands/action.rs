@@ -62,6 +62,8 @@ pub(crate) enum Action {
     Glyphs,
     /// The next number of colours.
     Colours,
+    /// Take the mouse, or give it back.
+    Mouse,
     /// The next view.
     NextView,
     /// The view before.
@@ -193,6 +195,10 @@ pub(crate) enum SceneAction {
     FinerNudge,
     /// Nudge by more.
     CoarserNudge,
+    /// The values of the part before.
+    PreviousPart,
+    /// The values of the next part.
+    NextPart,
 }
 
 /// Where a key has its meaning.
@@ -346,6 +352,8 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Scene, entry(A::Scene(S::NudgeUp), "nudge-up", W::nudge_up, W::a_little_more, &[Char('>')])),
         within(Scene, entry(A::Scene(S::FinerNudge), "finer", W::finer, W::nudge_by_less, &[Char('{')])),
         within(Scene, entry(A::Scene(S::CoarserNudge), "coarser", W::coarser, W::nudge_by_more, &[Char('}')])),
+        within(Scene, entry(A::Scene(S::NextPart), "next-part", W::next_part, W::to_the_next_part, &[Char('J')])),
+        within(Scene, entry(A::Scene(S::PreviousPart), "previous-part", W::previous_part, W::to_the_part_before, &[Char('K')])),
         entry(A::Undo, "undo", W::undo, W::take_an_edit_back, &[Char('u')]),
         entry(A::Redo, "redo", W::redo, W::make_it_again, &[Ctrl('r')]),
         entry(A::Save, "save", W::save, W::write_to_the_file, &[Char('w')]),
@@ -365,6 +373,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         ActionSection { title: W::the_program, entries: &[
         entry(A::Glyphs, "glyphs", W::glyphs, W::ascii_lines_braille, &[Char('t')]),
         entry(A::Colours, "colours", W::colours, W::how_many_colours, &[Char('C')]),
+        entry(A::Mouse, "mouse", W::mouse, W::take_the_mouse_or_not, &[Char('M')]),
         entry(A::Help, "help", W::help, W::show_or_hide_this_help, &[Char('?'), Function(1)]),
         entry(A::Palette, "commands", W::commands, W::all_commands, &[Char(':')]),
         entry(A::Tour, "tour", W::tour, W::the_tour, &[Char('I'), Function(2)]),

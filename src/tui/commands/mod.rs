@@ -4,4 +4,5 @@ pub(crate) mod action;
 pub(crate) mod key;
 pub(crate) mod keymap;
 pub(crate) mod line;
+pub(crate) mod mouse;
 pub(crate) mod view;

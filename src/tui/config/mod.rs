@@ -29,6 +29,8 @@ pub struct Config {
     pub theme: Theme,
     /// Whether the tour is shown on the first start.
     pub tour: bool,
+    /// Whether the mouse is ours from the start.
+    pub mouse: bool,
     pub(crate) layout: LayoutName,
     pub(crate) keymap: Keymap,
 }
@@ -41,6 +43,7 @@ impl Default for Config {
             colours: None,
             theme: Theme::default(),
             tour: true,
+            mouse: false,
             layout: LayoutName::default(),
             keymap: Keymap::default(),
         }
@@ -55,6 +58,7 @@ struct ConfigFile {
     theme: Option<Lenient<String>>,
     layout: Option<Lenient<String>>,
     tour: Option<Lenient<bool>>,
+    mouse: Option<Lenient<bool>>,
     keys: Option<keys::KeysSection>,
 }
 
@@ -141,6 +145,9 @@ impl Config {
         let tour = file.tour.as_ref();
         let tour = tour.and_then(|value| reader.boolean("`tour`", value));
         self.tour = tour.unwrap_or(self.tour);
+        let mouse = file.mouse.as_ref();
+        let mouse = mouse.and_then(|value| reader.boolean("`mouse`", value));
+        self.mouse = mouse.unwrap_or(self.mouse);
         if let Some(section) = &file.keys {
             keys::read(reader, section, &mut self.keymap);
         }

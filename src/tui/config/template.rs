@@ -28,6 +28,7 @@ pub fn template() -> String {
         &words().panes_stand_as(&values(&layouts())),
     );
     set("tour", "true", words().tour_on_first_start());
+    set("mouse", "false", words().mouse_from_the_start());
     text.push_str(words().template_keys());
     for (title, entries) in groups(None) {
         text.push_str(&format!("\n# {title}\n"));

@@ -84,6 +84,11 @@ impl std::fmt::Display for Notch {
     }
 }
 
+/// The part of the scene that a value belongs to: `r2` of `r2 com x`.
+pub(crate) fn part_of(value: &Value) -> &str {
+    value.name.split(' ').next().unwrap_or_default()
+}
+
 /// The scene as the file has it, what was changed, and where in the list of values the person is.
 #[derive(Debug)]
 pub(crate) struct Editor {
@@ -156,6 +161,16 @@ impl Editor {
         &self.values
     }
 
+    /// The value of a name, and its row.
+    pub(crate) fn row(&self, name: &str) -> Option<usize> {
+        self.values.iter().position(|value| value.name == name)
+    }
+
+    /// The value of a name.
+    pub(crate) fn named(&self, name: &str) -> Option<&Value> {
+        self.values.get(self.row(name)?)
+    }
+
     pub(crate) fn cursor(&self) -> usize {
         self.cursor
     }
@@ -212,6 +227,21 @@ impl Editor {
         let last = self.values.len().saturating_sub(1);
         if row.min(last) != self.cursor {
             self.go(row.min(last));
+        }
+    }
+
+    /// Puts the cursor on the first value of the next part of the scene, or of this one or the one before; it stays where
+    /// there is none.
+    pub(crate) fn go_to_part(&mut self, next: bool) {
+        let begins = |row: &usize| {
+            *row == 0 || part_of(&self.values[*row]) != part_of(&self.values[*row - 1])
+        };
+        let found = match next {
+            true => (self.cursor + 1..self.values.len()).find(begins),
+            false => (0..self.cursor.min(self.values.len())).rfind(begins),
+        };
+        if let Some(row) = found {
+            self.go_to(row);
         }
     }
 

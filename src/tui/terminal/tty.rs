@@ -9,6 +9,7 @@ use super::watch::Watch;
 use crate::capability::Capability;
 use crate::tui::Error;
 use crate::tui::commands::key::Key;
+use crate::tui::commands::mouse::Mouse;
 use crossterm::cursor::{Hide, MoveTo, Show};
 use crossterm::style::ResetColor;
 use crossterm::terminal::{
@@ -27,6 +28,9 @@ use std::time::{Duration, Instant};
 /// Text that is pasted comes marked as such.
 const PASTE_ON: &[u8] = b"\x1b[?2004h";
 const PASTE_OFF: &[u8] = b"\x1b[?2004l";
+/// The mouse tells of its buttons, and of its way while one is held down (1002), in numbers of any size (1006).
+const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
+const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1002l";
 /// Ends a frame that was cut short: CAN aborts half a sequence, and the frame is shown as it is.
 const CUT: &[u8] = b"\x18";
 
@@ -47,6 +51,8 @@ pub(crate) enum Wake {
     Key(Key),
     /// Text was pasted.
     Paste(String),
+    /// Something was done with the mouse.
+    Mouse(Mouse),
     /// A signal came.
     Notice(Notice),
     /// The line has taken the last frame.
@@ -67,6 +73,8 @@ pub(crate) struct Tty {
     /// The modes as they were found, and as they are set while it is held.
     found: Termios,
     modern: bool,
+    /// Whether the mouse is ours.
+    mouse: bool,
     entered: bool,
     hung_up: bool,
     /// Whether the last frame was not written to its end.
@@ -96,6 +104,7 @@ impl Tty {
             keys,
             screen,
             modern: capability.modern,
+            mouse: false,
             entered: false,
             hung_up: false,
             cut: false,
@@ -123,6 +132,9 @@ impl Tty {
         if self.modern {
             bytes.extend_from_slice(PASTE_ON);
         }
+        if self.mouse {
+            bytes.extend_from_slice(MOUSE_ON);
+        }
         self.write_all(&bytes)
     }
 
@@ -138,6 +150,9 @@ impl Tty {
         }
         if self.cut && self.modern {
             queue(&mut bytes, EndSynchronizedUpdate);
+        }
+        if self.mouse {
+            bytes.extend_from_slice(MOUSE_OFF);
         }
         if self.modern {
             bytes.extend_from_slice(PASTE_OFF);
@@ -215,6 +230,15 @@ impl Tty {
         let ask = self.rate_limit.send(frame.len(), Instant::now());
         let question = if ask { QUESTION } else { &[] };
         self.write_all(&[frame, question].concat())
+    }
+
+    /// Takes the mouse, or leaves it to the terminal, as it is on every way out.
+    pub(crate) fn take_mouse(&mut self, wanted: bool) -> io::Result<()> {
+        if self.mouse == wanted {
+            return Ok(());
+        }
+        self.mouse = wanted;
+        self.say(if wanted { MOUSE_ON } else { MOUSE_OFF })
     }
 
     /// Writes what is no part of a frame and is never dropped for one: whole, once, behind what was
@@ -326,6 +350,7 @@ impl Tty {
             self.wakes.push(match input {
                 TerminalInput::Key(key) => Wake::Key(key),
                 TerminalInput::Paste(text) => Wake::Paste(text),
+                TerminalInput::Mouse(mouse) => Wake::Mouse(mouse),
                 TerminalInput::Answer => {
                     self.rate_limit.answered(now);
                     Wake::Room

@@ -1,6 +1,7 @@
 //! Tests of the workbench as a whole that see inside.
 
 mod monkey;
+mod mouse;
 
 use super::app::{App, View};
 use crate::capability::{Capability, Colours};
@@ -42,4 +43,37 @@ fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
         assert_eq!(found(&app), [false; 3], "after {view:?}");
         app.update(Action::Assemblies, Duration::ZERO);
     }
+}
+
+#[test]
+fn parts_of_the_scene_are_jumped_between() {
+    let capability = Capability {
+        glyphs: Glyphs::Ascii,
+        colours: Colours::None,
+        modern: false,
+    };
+    let opened = opening::preset(presets::find("four-bar").unwrap()).unwrap();
+    let mut app = App::new(opened, None, capability, Size::new(80, 24));
+    let mut press = |keys: &str| {
+        for key in keys.split(' ') {
+            app.key(key.parse().unwrap(), Duration::ZERO);
+        }
+        app.editor().value().unwrap().name.clone()
+    };
+    let parts = [
+        "A x",
+        "D x",
+        "driver angle",
+        "r2 length",
+        "r3 length",
+        "r4 length",
+        "C start x",
+    ];
+    assert_eq!(press("6"), parts[0]);
+    for part in &parts[1..] {
+        assert_eq!(press("J"), *part);
+    }
+    assert_eq!(press("J"), "C start x", "the last");
+    assert_eq!(press("j K"), "C start x", "its own beginning");
+    assert_eq!(press("K K"), "r3 length");
 }

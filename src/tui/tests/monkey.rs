@@ -186,6 +186,7 @@ fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> boo
                 TerminalInput::Paste(text) => {
                     workbench.app().paste(&text.replace(['/', '~', '.'], ""))
                 }
+                TerminalInput::Mouse(mouse) => workbench.point(mouse),
                 TerminalInput::Key(_) | TerminalInput::Answer => {}
             }
             check(workbench.app());

@@ -11,6 +11,7 @@
 use super::{LEAST, SMALLEST, cut, print, status};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
+use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -23,7 +24,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         return;
     }
     let [scene, driver, state] = status::in_short(app);
-    let message = app.message().unwrap_or_default().to_owned();
+    let message = shown(app.message().unwrap_or_default(), app.glyphs());
     let more = words().more_is_shown(SMALLEST.width, SMALLEST.height);
     let lines = [
         (0, scene),

@@ -37,6 +37,7 @@ mod verdict;
 pub(crate) mod working;
 
 use super::app::{App, Mode, View};
+use crate::Vec2;
 use crate::drawing::Raster;
 use crate::page::{Line, cut};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -56,7 +57,7 @@ const SMALLEST: Size = Size::new(40, 12);
 const LEAST: Size = Size::new(20, 6);
 
 pub(crate) use motion::Sketch;
-pub(crate) use pane::{Copied, Listing, Need, Pane};
+pub(crate) use pane::{Copied, Listing, Need, Pane, PaneSpot};
 
 impl View {
     /// What is looked at in this view.
@@ -80,6 +81,7 @@ pub(crate) fn prepare(app: &App, sketch: &mut Sketch) {
     if !has_room(app.size()) || matches!(app.mode(), Mode::Pick(_)) {
         return;
     }
+    sketch.begin();
     for PlacedView { view, title, area } in placed(app) {
         let pane = pane_of(view, title.is_some());
         pane.prepare(app, sketch, area);
@@ -178,6 +180,48 @@ fn looked_at(app: &App) -> (&'static dyn Pane, Rect) {
     own.map_or((app.view().pane(), Rect::ZERO), |own| {
         (pane_of(own.view, own.title.is_some()), own.area)
     })
+}
+
+/// What stands at a cell of the screen.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Under {
+    Nothing,
+    /// The tab of a view.
+    Tab(View),
+    /// The drawing, in the pane of a view: the place in the scene's frame, and how long a column is there.
+    Drawing {
+        view: View,
+        place: Vec2,
+        column: f64,
+    },
+    /// The pane of a view, and what of it.
+    Pane(View, Option<PaneSpot>),
+}
+
+/// What stands at a cell of the screen as it was drawn last.
+pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> Under {
+    if !has_room(app.size()) {
+        return Under::Nothing;
+    }
+    if at.y == 0 {
+        return tabs::at(app, area(app), at.x).map_or(Under::Nothing, Under::Tab);
+    }
+    let placed = placed(app);
+    let own = placed.iter().find(|pane| {
+        let frame = pane.title.map_or(pane.area, |title| title.union(pane.area));
+        frame.contains(at)
+    });
+    let Some(&PlacedView { view, title, area }) = own else {
+        return Under::Nothing;
+    };
+    if let Some((place, column)) = sketch.place(at) {
+        return Under::Drawing {
+            view,
+            place,
+            column,
+        };
+    }
+    Under::Pane(view, pane_of(view, title.is_some()).under(app, area, at))
 }
 
 /// How far what is on top can be scrolled, in lines.

@@ -9,9 +9,10 @@ use super::{Sketch, inset, page};
 use crate::page::Line;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
+use crate::tui::figures::sheet::SheetPart;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// A view.
 pub(crate) trait Pane {
@@ -71,6 +72,11 @@ pub(crate) trait Pane {
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let (lines, area) = self.listed(app, body);
         (lines.len(), area.height.into())
+    }
+
+    /// What of it stands at a cell, where that can be pointed at; the drawing itself is told by its sketch.
+    fn under(&self, _app: &App, _body: Rect, _at: Position) -> Option<PaneSpot> {
+        None
     }
 
     /// The keys to offer, the most important first: the last ones are dropped where there is no room.
@@ -151,6 +157,17 @@ pub(crate) enum Listing {
     Figures,
     /// Values of the scene, with the editor's cursor on one of them.
     Values,
+}
+
+/// What can be pointed at in a pane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum PaneSpot {
+    /// A row of the tables.
+    Figure(SheetPart, usize),
+    /// A value of the scene.
+    Value(usize),
+    /// A coordinate of the driver along a plot.
+    Along(f64),
 }
 
 /// What there is to copy.

@@ -8,17 +8,18 @@
 //! ```
 
 use super::motion::rule;
-use super::pane::{Copied, Listing, Need, Pane};
+use super::pane::{Copied, Listing, Need, Pane, PaneSpot};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::scene::Value;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, SceneAction};
-use crate::tui::document::editor::Editor;
+use crate::tui::document::editor::{Editor, part_of};
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
+use ratatui::style::Modifier;
 
 /// Columns of a name: longer ones are cut.
 const SHORTEST_NAME: u16 = 12;
@@ -62,6 +63,20 @@ fn arrange(app: &App, body: Rect) -> SceneAreas {
             beside: None,
         },
     }
+}
+
+/// Where the values stand below their head, the first that is seen, and the last that can be the first: the cursor is
+/// seen, with rows above and below it where there are some.
+fn rows(editor: &Editor, list: Rect) -> (Rect, usize, usize) {
+    let rows = Rect {
+        y: list.y + HEAD,
+        height: list.height.saturating_sub(HEAD),
+        ..list
+    };
+    let height = usize::from(rows.height);
+    let most = editor.values().len().saturating_sub(height);
+    let first = editor.cursor().saturating_sub(height / 2).min(most);
+    (rows, first, most)
 }
 
 /// Widths of the columns: those of the longest entries, so that nothing moves while values do.
@@ -115,15 +130,7 @@ impl Pane for SceneView {
         let editor = app.editor();
         let columns = ColumnWidths::of(editor);
         columns.head(editor, list, buffer);
-        let rows = Rect {
-            y: list.y + HEAD,
-            height: list.height.saturating_sub(HEAD),
-            ..list
-        };
-        let (count, height) = (editor.values().len(), usize::from(rows.height));
-        // The cursor is seen, with rows above and below it where there are some.
-        let most = count.saturating_sub(height);
-        let first = editor.cursor().saturating_sub(height / 2).min(most);
+        let (rows, first, most) = rows(editor, list);
         mark_more(rows, first > 0, first < most, buffer);
         let seen = editor.values().iter().enumerate().skip(first);
         for (y, (number, value)) in (rows.top()..rows.bottom()).zip(seen) {
@@ -132,8 +139,31 @@ impl Pane for SceneView {
                 height: 1,
                 ..rows
             };
+            // The name of a part stands out where its values begin.
+            let before = number.checked_sub(1).filter(|_| y > rows.top());
+            let before = before.and_then(|before| editor.values().get(before));
+            let goes_on = before.is_some_and(|before| part_of(before) == part_of(value));
             columns.row(app, value, number == editor.cursor(), row, buffer);
+            if goes_on && number != editor.cursor() {
+                let part = columns_of_part(value).min(columns.name);
+                let area = Rect {
+                    x: row.x + CURSOR,
+                    width: part,
+                    ..row
+                };
+                buffer.set_style(
+                    area,
+                    theme::part(ScreenPart::Quiet).remove_modifier(Modifier::BOLD),
+                );
+            }
         }
+    }
+
+    fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
+        let (rows, first, _) = rows(app.editor(), arrange(app, body).list);
+        let row = first + usize::from(at.y.checked_sub(rows.y)?);
+        let is_there = rows.contains(at) && row < app.editor().values().len();
+        is_there.then_some(PaneSpot::Value(row))
     }
 
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
@@ -288,6 +318,11 @@ impl ColumnWidths {
         print_right(buffer, point, y, whole, style);
         print(buffer, point, y, self.fraction, fraction, style);
     }
+}
+
+/// Columns of the part's name before that of a value.
+fn columns_of_part(value: &Value) -> u16 {
+    columns(part_of(value))
 }
 
 /// What stands before the decimal point, and the rest with it.

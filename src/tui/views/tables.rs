@@ -8,7 +8,7 @@
 //! >+ C           318.197    [236.202]
 //! ```
 
-use super::pane::{Copied, Listing, Pane};
+use super::pane::{Copied, Listing, Pane, PaneSpot};
 use super::table::{self, columns_of, render_line};
 use super::{MARGIN, Sketch, columns, first_seen, print};
 use crate::page::Line;
@@ -21,7 +21,7 @@ use crate::tui::figures::sheet::{FOUND, SheetPart, TableLine};
 use crate::tui::views::motion::followed;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// All figures in columns.
 pub(super) struct TablesView;
@@ -64,6 +64,19 @@ impl Pane for TablesView {
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let (lines, height) = lines(app, body);
         (lines.len(), height)
+    }
+
+    fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
+        let area = table::below_title(app, place(body));
+        let lines = table::placed(app, area).lines();
+        let most = lines.len().saturating_sub(area.height.into());
+        let first = app.scroll(self.view()).min(most);
+        let seen = seen(&lines, first, area.height.into());
+        let line = seen.get(usize::from(at.y.checked_sub(area.y)?))?;
+        match lines.get(*line)? {
+            TableLine::Row(part, row, _) => Some(PaneSpot::Figure(*part, *row)),
+            TableLine::Names(..) | TableLine::Units(..) | TableLine::Blank => None,
+        }
     }
 
     fn hints(&self, _app: &App) -> &'static [Action] {

@@ -38,6 +38,20 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// The view whose tab stands in a column.
+pub(super) fn at(app: &App, area: Rect, x: u16) -> Option<View> {
+    let (tabs, gap) = fitted(app, area.width);
+    let mut begin = area.x;
+    for tab in &tabs {
+        let end = begin + needed(std::slice::from_ref(tab), 0) + 1;
+        if (begin..end).contains(&x) {
+            return Some(tab.view);
+        }
+        begin = end - 1 + gap;
+    }
+    None
+}
+
 /// A tab with a blank or a bracket at either side, the second of which the next one has too; where it ends.
 fn render_tab(app: &App, tab: &Tab, (x, y): (u16, u16), buffer: &mut Buffer) -> u16 {
     let is_looked_at = tab.view == app.view();

@@ -134,6 +134,10 @@ catalogue! {
         finer = "finer";
         nudge_by_less = "nudge by less";
         coarser = "coarser";
+        next_part = "next part";
+        to_the_next_part = "to the next part";
+        previous_part = "previous part";
+        to_the_part_before = "to the part before";
         nudge_by_more = "nudge by more";
         undo = "undo";
         take_an_edit_back = "take an edit back";
@@ -169,6 +173,10 @@ catalogue! {
         ascii_lines_braille = "ASCII, lines, Braille";
         colours = "colours";
         how_many_colours = "how many colours";
+        mouse = "mouse";
+        take_the_mouse_or_not = "the mouse, or not";
+        mouse_on = "the mouse turns the crank and points; with Shift it selects";
+        mouse_off = "the mouse is the terminal's again";
         help = "help";
         show_or_hide_this_help = "show or hide this help";
         commands = "commands";

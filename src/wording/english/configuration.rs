@@ -62,6 +62,7 @@ catalogue! {
         to_draw_with(values: &str) = "to draw with: {values}";
         for_a_ground(values: &str) = "for a ground: {values}";
         panes_stand_as(values: &str) = "panes: {values}";
+        mouse_from_the_start = "the mouse is krank's from the start: true or false";
         tour_on_first_start = "the tour is shown on the first start: true or false";
         template_keys = "
 [keys]

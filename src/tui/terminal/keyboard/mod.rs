@@ -10,7 +10,8 @@ mod sequence;
 
 use super::rate_limit::ANSWER;
 use crate::tui::commands::key::Key;
-use sequence::{control, csi, ss3};
+use crate::tui::commands::mouse::Mouse;
+use sequence::{control, csi, mouse, ss3};
 use std::time::{Duration, Instant};
 
 /// After a lone ESC. The tail of an arrow key comes within a millisecond, also at 9,600 baud.
@@ -50,6 +51,8 @@ pub(crate) enum TerminalInput {
     Key(Key),
     /// Text was pasted; it must never be taken for keys.
     Paste(String),
+    /// Something was done with the mouse.
+    Mouse(Mouse),
     /// The terminal answered our question: all that was sent before has been drawn.
     Answer,
 }
@@ -278,6 +281,10 @@ impl Keyboard {
             b'n' if self.held == b"0" => {
                 self.begin(Unfinished::Ground);
                 inputs.push(TerminalInput::Answer);
+            }
+            b'M' | b'm' if let Some(report) = self.held.strip_prefix(b"<") => {
+                inputs.extend(mouse(report, byte).map(TerminalInput::Mouse));
+                self.begin(Unfinished::Ground);
             }
             0x40..0x7f => {
                 if self.held.len() < LONGEST_SEQUENCE {

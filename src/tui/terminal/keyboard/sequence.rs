@@ -1,6 +1,8 @@
 //! What the sequences of keys mean.
 
 use crate::tui::commands::key::Key;
+use crate::tui::commands::mouse::{Mouse, MouseDeed};
+use ratatui::layout::Position;
 
 /// Bits of the modifiers, after one is taken off: Shift, Alt, Ctrl, then others that no terminal is set to
 /// send for a plain key.
@@ -9,6 +11,33 @@ const CONTROL: u32 = 4;
 const OTHERS: u32 = 2 | 8 | 16 | 32;
 /// The kind of an event that tells that a key was let go.
 const RELEASE: u32 = 3;
+
+/// Numbers of the buttons in a report of the mouse, and the bit that tells that it moved. Shift belongs to the terminal,
+/// which selects with it.
+const FIRST_BUTTON: u32 = 0;
+const MOVED: u32 = 32;
+const WHEEL_UP: u32 = 64;
+const WHEEL_DOWN: u32 = 65;
+
+/// A report of the mouse (mode 1006): `button;column;row`, counted from 1, and at its end `M`, or `m` where the button was
+/// let go.
+pub(super) fn mouse(parameters: &[u8], last: u8) -> Option<Mouse> {
+    let parameters = std::str::from_utf8(parameters).ok()?;
+    let mut numbers = parameters.split(';').map(|part| part.parse::<u32>().ok());
+    let mut number = || numbers.next().flatten();
+    let (button, column, row) = (number()?, number()?, number()?);
+    let deed = match (button, last) {
+        (FIRST_BUTTON, b'm') => MouseDeed::Release,
+        (FIRST_BUTTON, _) => MouseDeed::Press,
+        (MOVED, b'M') => MouseDeed::Drag,
+        (WHEEL_UP, b'M') => MouseDeed::WheelUp,
+        (WHEEL_DOWN, b'M') => MouseDeed::WheelDown,
+        _ => return None,
+    };
+    let cell = |number: u32| u16::try_from(number.checked_sub(1)?).ok();
+    let at = Position::new(cell(column)?, cell(row)?);
+    Some(Mouse { deed, at })
+}
 
 /// A control character.
 pub(super) fn control(byte: u8) -> Option<Key> {

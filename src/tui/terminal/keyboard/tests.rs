@@ -25,6 +25,38 @@ fn key(key: Key) -> Vec<TerminalInput> {
 }
 
 #[test]
+fn the_mouse_is_told_by_its_first_button_and_its_wheel() {
+    let told = |bytes: &[u8]| match keys_of(&[bytes])[..] {
+        [TerminalInput::Mouse(mouse)] => Some((mouse.deed, mouse.at.x, mouse.at.y)),
+        [] => None,
+        ref other => panic!("{other:?}"),
+    };
+    use crate::tui::commands::mouse::MouseDeed as D;
+    assert_eq!(told(b"\x1b[<0;1;1M"), Some((D::Press, 0, 0)));
+    assert_eq!(told(b"\x1b[<32;80;24M"), Some((D::Drag, 79, 23)));
+    assert_eq!(told(b"\x1b[<0;300;200m"), Some((D::Release, 299, 199)));
+    assert_eq!(told(b"\x1b[<64;5;6M"), Some((D::WheelUp, 4, 5)));
+    assert_eq!(told(b"\x1b[<65;5;6M"), Some((D::WheelDown, 4, 5)));
+    // Other buttons, moving without one, and what no mouse says are nothing, and no keys either.
+    for bytes in [
+        "<2;5;6M",
+        "<35;5;6M",
+        "<0;0;1M",
+        "<0;5M",
+        "<0;99999;1M",
+        "<;;M",
+        "<0;1;1;M",
+    ] {
+        let told = told(format!("\x1b[{bytes}").as_bytes());
+        assert!(told.is_none() || bytes == "<0;1;1;M", "{bytes}: {told:?}");
+    }
+    // In two pieces.
+    let pieces = keys_of(&[b"\x1b[<0;1", b"2;3Mq"]);
+    assert_eq!(pieces.len(), 2, "{pieces:?}");
+    assert_eq!(pieces[1], TerminalInput::Key(Key::Char('q')));
+}
+
+#[test]
 fn keys_are_told_apart() {
     for (bytes, expected) in [
         (&b" "[..], Key::Char(' ')),
@@ -70,7 +102,7 @@ fn keys_are_told_apart() {
         b"\x1b[12;40R",
         b"\x1b[3~",
         b"\x1b[?62;1c",
-        b"\x1b[<0;1;1M",
+        b"\x1b[<2;1;1M",
         b"\x1b[I",
         b"\x1bq",
         "\x1b\u{e4}".as_bytes(),

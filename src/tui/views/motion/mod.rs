@@ -6,6 +6,7 @@ pub(crate) mod viewport;
 
 use super::pane::{Copied, Pane};
 use super::{assemblies, columns, print, show, table, title};
+use crate::Vec2;
 use crate::drawing::{self, Glyphs, Labels, LegendPiece, Raster, Role};
 use crate::report::upwards;
 use crate::tui::app::{App, Mode, View};
@@ -16,7 +17,7 @@ use crate::tui::views::motion::viewport::ViewportSetting;
 use crate::wording::words;
 use arrangement::arrange;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// Offered where only a part of the motion is seen.
 pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
@@ -28,12 +29,27 @@ pub(crate) struct Sketch {
     raster: Raster,
     /// Which scene the labels belong to, in which form, and what of it was shown.
     drawn: Option<(Edition, ViewportSetting)>,
+    /// Where on the screen it stands, and what of the world is seen there.
+    window: Option<(Rect, drawing::WorldView)>,
 }
 
 impl Sketch {
     /// The drawing.
     pub(super) fn raster(&self) -> &Raster {
         &self.raster
+    }
+
+    /// Nothing is drawn yet in the frame that begins.
+    pub(super) fn begin(&mut self) {
+        self.window = None;
+    }
+
+    /// The place in the scene's frame that a cell of the drawing shows, and how long one of its columns is.
+    pub(crate) fn place(&self, at: Position) -> Option<(Vec2, f64)> {
+        let (area, view) = self.window.filter(|(area, _)| area.contains(at))?;
+        let cell = Vec2::new(f64::from(at.x - area.x), f64::from(at.y - area.y));
+        let column = 1.0 / view.cells_along(1.0);
+        Some((view.world(cell + Vec2::new(0.5, 0.5)), column))
     }
 
     /// Draws the linkage as it is now, for a drawing of this size.
@@ -56,6 +72,7 @@ impl Sketch {
             compared.add_ghost(&mut figure);
         }
         let view = arrangement::window(app, area);
+        self.window = Some((area, view));
         let Sketch { labels, raster, .. } = self;
         drawing::render_into(&figure, &view, app.glyphs(), labels, raster);
     }

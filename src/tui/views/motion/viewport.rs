@@ -172,11 +172,31 @@ impl Viewport {
         possible
     }
 
+    /// The same about a place in the scene's frame, which all but stays where it is on the screen.
+    pub(crate) fn enlarge_at(&mut self, open_scene: &OpenScene, place: Vec2, steps: i8) -> bool {
+        let before = self.zoom();
+        let possible = self.enlarge(steps);
+        if possible {
+            let middle = open_scene.reach().bounds().centre() + self.setting.window.shift;
+            let shift = (place - middle) * (1.0 - before / self.zoom());
+            self.shift_to(open_scene, self.setting.window.shift + shift);
+        }
+        possible
+    }
+
     /// Moves the window by a step to the right and upwards, as far as there is something to see.
     pub(crate) fn pan(&mut self, open_scene: &OpenScene, right: f64, up: f64) -> bool {
         let size = open_scene.reach().bounds().size();
         let step = PAN * size.norm() / self.zoom();
-        let wanted = self.setting.window.shift + Vec2::new(right, up) * step;
+        self.shift_to(
+            open_scene,
+            self.setting.window.shift + Vec2::new(right, up) * step,
+        )
+    }
+
+    /// Moves the window, as far as there is something to see; whether it moves.
+    fn shift_to(&mut self, open_scene: &OpenScene, wanted: Vec2) -> bool {
+        let size = open_scene.reach().bounds().size();
         let within = |wanted: f64, size: f64| wanted.clamp(-size / 2.0, size / 2.0);
         let shift = Vec2::new(within(wanted.x, size.x), within(wanted.y, size.y));
         let moved = shift.is_finite() && shift != self.setting.window.shift;

@@ -9,9 +9,10 @@
 pub(crate) mod curves;
 pub(crate) mod list;
 
-use super::pane::{Copied, Need, Pane};
+use super::pane::{Copied, Need, Pane, PaneSpot};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::drawing::plot::{Plot, PlotStyle};
+use crate::quantity::Abscissa;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, PlotsAction};
@@ -20,7 +21,7 @@ use crate::tui::player::open_scene::shown;
 use crate::tui::views::plots::list::PlotList;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 
 /// Columns of the list beside a plot; on a screen narrower than this it stands alone.
 const LIST: u16 = 30;
@@ -99,6 +100,14 @@ impl Pane for PlotsView {
         }
     }
 
+    fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
+        let area = arrange(app, body).plot.filter(|area| area.contains(at))?;
+        let is_over_driver = app.plots().curves()?.abscissa == Abscissa::Driver;
+        let plot = app.plots().plot().ok().filter(|_| is_over_driver)?;
+        let along = plot.along(&style(app, area), at.x - area.x);
+        along.map(PaneSpot::Along)
+    }
+
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         match (arrange(app, body).list, app.mode(), app.plots().plot()) {
             (Some(body), Mode::PlotList(list), _) => {
@@ -154,18 +163,23 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
         }
     };
     let area = tell_what_is_hidden(app, area, buffer);
-    let look = PlotStyle {
+    let look = style(app, area);
+    let here = app.plots().here(app.open_scene().state());
+    let raster = plot.render(&look, here.as_ref());
+    show(&raster, area, buffer);
+    mark_panels(plot, &look, area, buffer);
+}
+
+/// How the plot is drawn in an area.
+fn style(app: &App, area: Rect) -> PlotStyle {
+    PlotStyle {
         cols: area.width,
         rows: area.height,
         glyphs: app.glyphs(),
         aspect: app.aspect(),
         extrema: app.plots().extrema(),
         first: app.scroll(View::Plots),
-    };
-    let here = app.plots().here(app.open_scene().state());
-    let raster = plot.render(&look, here.as_ref());
-    show(&raster, area, buffer);
-    mark_panels(plot, &look, area, buffer);
+    }
 }
 
 /// Above the plot, why a part of it is not shown; gives the room that is left.
