@@ -164,6 +164,7 @@ fn a_view_that_stands_nowhere_gets_the_place_beside_the_drawing() {
     };
     assert_ne!(torque(&moved), torque(&screen));
     assert!(session.press("2").look().contains("+-[tables]--"));
+    assert!(session.last_line().contains("; pane  O alone"));
     // Back where it was, with nothing left to find.
     assert!(!session.look().contains("force on"));
 }

@@ -12,24 +12,55 @@ use crate::tui::document::opening;
 use ratatui::layout::Size;
 use std::time::Duration;
 
-/// The working of a leg is some thousand lines: whoever has left it is not to wait for them.
-#[test]
-fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
+/// A workbench with a scene on which something acts.
+fn loaded(size: Size) -> App {
     let capability = Capability {
         glyphs: Glyphs::Ascii,
         colours: Colours::None,
         modern: false,
     };
     let opened = opening::preset(presets::find("four-bar-load").unwrap()).unwrap();
-    let mut app = App::new(opened, None, capability, Size::new(80, 24));
-    let found = |app: &App| {
-        let open_scene = app.open_scene();
-        let [lengths, forces] = [
-            open_scene.answers().is_some(),
-            open_scene.force_figures().is_some(),
-        ];
-        [lengths, forces, open_scene.explained().is_some()]
-    };
+    App::new(opened, None, capability, size)
+}
+
+/// Whether what lengths do, forces and the working are found.
+fn found(app: &App) -> [bool; 3] {
+    let open_scene = app.open_scene();
+    let [lengths, forces] = [
+        open_scene.answers().is_some(),
+        open_scene.force_figures().is_some(),
+    ];
+    [lengths, forces, open_scene.explained().is_some()]
+}
+
+/// What stands is found, whichever pane is looked at, and what stands no longer is not.
+#[test]
+fn what_every_pane_needs_is_found_and_only_that() {
+    let press = |app: &mut App, action| app.update(action, Duration::ZERO);
+    let mut app = loaded(Size::new(120, 40));
+    assert!(app.plots().plot().is_ok(), "a plot stands from the start");
+    assert_eq!(found(&app), [false; 3]);
+    press(&mut app, Action::Look(View::Forces));
+    for _ in 0..3 {
+        press(&mut app, Action::NextPane);
+        assert_eq!(found(&app), [false, true, false], "{:?}", app.view());
+    }
+    press(&mut app, Action::Look(View::Plots));
+    press(&mut app, Action::Alone);
+    assert_eq!(found(&app), [false; 3], "a plot alone");
+    press(&mut app, Action::Alone);
+    press(&mut app, Action::Look(View::Working));
+    assert_eq!(found(&app), [false, false, true]);
+    // A screen that has no room for panes has what is looked at.
+    app.resize(Size::new(80, 24), None);
+    press(&mut app, Action::Look(View::Motion));
+    assert_eq!(found(&app), [false; 3]);
+}
+
+/// The working of a leg is some thousand lines: whoever has left it is not to wait for them.
+#[test]
+fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
+    let mut app = loaded(Size::new(80, 24));
     for (view, expected) in [
         (View::Working, [false, false, true]),
         (View::Forces, [false, true, false]),

@@ -51,7 +51,24 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         {
             line.hint(&mark.to_string(), meaning);
         }
+        if action == Action::Help {
+            for (key, name) in pane_actions(app) {
+                line.hint(&key, name);
+            }
+        }
     }
+}
+
+/// What leads from pane to pane, where there are several.
+fn pane_actions(app: &App) -> Vec<(String, &'static str)> {
+    if *app.mode() != Mode::Normal || app.standing().len() < 2 {
+        return Vec::new();
+    }
+    let actions = [Action::NextPane, Action::Alone];
+    let hints = actions
+        .into_iter()
+        .filter_map(|action| hint_of(app, action));
+    hints.collect()
 }
 
 /// What to offer now, the most important first: the last ones are dropped where there is no room.
