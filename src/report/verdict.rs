@@ -10,7 +10,7 @@ use crate::wording::words;
 
 /// Significant digits of an end of the range, and of where the transmission is worst.
 const PLACES: usize = 5;
-/// An end smaller than this part of the other one is 0.
+/// A place smaller than this part of the range is 0.
 const NOUGHT: f64 = 1e-9;
 /// Of more groups than this the whole motion is not looked at after every edit.
 const MOST_GROUPS: usize = 200;
@@ -51,10 +51,8 @@ impl Verdict {
         let range = match solver.motion().range {
             Range::Full { .. } => VerdictPart::of(words().range_whole()),
             Range::Limited { low, high } => {
-                // What is left of an end at 0 by rounding is no digit to read.
-                let least = NOUGHT * low.abs().max(high.abs());
-                let end = |end: f64| if end.abs() < least { 0.0 } else { end };
-                let [low, high] = [low, high].map(|at| concise(end(at), PLACES));
+                let size = low.abs().max(high.abs());
+                let [low, high] = [low, high].map(|at| concise(without_rounding(at, size), PLACES));
                 VerdictPart::of(words().range_between(&low, &high, unit))
             }
         };
@@ -69,6 +67,11 @@ impl Verdict {
             ],
         }
     }
+}
+
+/// What rounding has left of a place at 0, in a range of this size, is no digit to read.
+fn without_rounding(at: f64, size: f64) -> f64 {
+    if at.abs() < NOUGHT * size { 0.0 } else { at }
 }
 
 /// The transmission angle that is furthest from 90 degrees; with its dyad's name where there are several.
@@ -89,7 +92,11 @@ fn transmission(scene: &Scene, solver: &Solver, unit: &str) -> Option<VerdictPar
         .then(|| solver.plan().group(worst.group))
         .flatten();
     let group = group.and_then(|group| scene.point_name(group.point?));
-    let at = concise(at, PLACES);
+    let size = match solver.motion().range {
+        Range::Full { period } => period,
+        Range::Limited { low, high } => low.abs().max(high.abs()),
+    };
+    let at = concise(without_rounding(at, size), PLACES);
     Some(VerdictPart {
         long: words().transmission_worst(group, &off, &at, unit),
         short: words().transmission_off(&off),

@@ -47,9 +47,15 @@ impl App {
 
     /// Something was done with the mouse, over what stands there.
     pub(crate) fn point(&mut self, mouse: Mouse, under: Under, now: Duration) {
-        if !self.shell.has_mouse {
-            return;
+        if self.shell.has_mouse {
+            self.act(mouse, under, now);
+            self.focus();
+            // Another view may have fewer lines than what was scrolled before.
+            self.scroll_by(0);
         }
+    }
+
+    fn act(&mut self, mouse: Mouse, under: Under, now: Duration) {
         let wheel = match mouse.deed {
             MouseDeed::WheelUp => Some(Key::Up),
             MouseDeed::WheelDown => Some(Key::Down),
