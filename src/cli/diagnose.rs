@@ -7,7 +7,7 @@ use super::output::write_text;
 use super::screen::judgement;
 use super::workbench::options;
 use crate::capability::{Colours, Detected, Judgement};
-use crate::drawing::Glyphs;
+use crate::drawing::{Blocks, Glyphs};
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
 use crate::wording::words;
@@ -125,6 +125,9 @@ fn glyphs_name(glyphs: Glyphs) -> &'static str {
         Glyphs::Ascii => "ascii",
         Glyphs::Line => "line",
         Glyphs::Braille => "braille",
+        Glyphs::Blocks(Blocks::Quadrants) => "quadrants",
+        Glyphs::Blocks(Blocks::Sextants) => "sextants",
+        Glyphs::Blocks(Blocks::Octants) => "octants",
     }
 }
 

@@ -51,6 +51,10 @@ struct DrawnScene<'a> {
     figure: drawing::Figure,
     overlay: Overlay,
     reach: Reach,
+    /// Where the driver is.
+    at: f64,
+    /// Whether something is shown that belongs to the whole motion.
+    whole: bool,
 }
 
 impl<'a> DrawnScene<'a> {
@@ -70,11 +74,22 @@ impl<'a> DrawnScene<'a> {
             figure,
             reach: overlay.reach(&reach).unwrap_or(reach),
             overlay,
+            at: state.at(),
+            whole: wanted.ghosts > 0 || !wanted.traces.is_empty(),
+        }
+    }
+
+    /// The window in which the linkage is large, and what else is shown is seen.
+    fn view(&self, cols: u16, rows: u16) -> WorldView {
+        if self.whole {
+            WorldView::fit(&self.reach, cols, rows, ASPECT)
+        } else {
+            WorldView::along(&self.reach, self.at, cols, rows, ASPECT)
         }
     }
 
     fn text(&self, glyphs: drawing::Glyphs, Size { cols, rows }: Size) -> String {
-        let view = |rows| WorldView::fit(&self.reach, cols, rows, ASPECT);
+        let view = |rows| self.view(cols, rows);
         let legend = |view: &WorldView| {
             let entries = self.overlay.legend(view, 1.0);
             drawing::legend_lines(&entries, glyphs, usize::from(cols), MOST_LEGEND)
@@ -92,8 +107,11 @@ impl<'a> DrawnScene<'a> {
 
     fn svg(&self, size: Option<Size>, at: f64) -> String {
         let view = match size {
-            Some(Size { cols, rows }) => WorldView::fit(&self.reach, cols, rows, ASPECT),
-            None => WorldView::snug(&self.reach, SVG_COLUMNS, SVG_ROWS, ASPECT),
+            Some(Size { cols, rows }) => self.view(cols, rows),
+            None => {
+                let snug = WorldView::snug(&self.reach, SVG_COLUMNS, SVG_ROWS, ASPECT);
+                self.view(snug.cols(), snug.rows())
+            }
         };
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;

@@ -14,12 +14,8 @@ pub(super) const ASPECT: f64 = 2.0;
 
 /// The characters that were asked for, or that the locale and the terminal allow.
 pub(super) fn glyphs(wish: GlyphChoice) -> drawing::Glyphs {
-    match wish {
-        GlyphChoice::Auto => screen::judgement().glyphs().value,
-        GlyphChoice::Braille => drawing::Glyphs::Braille,
-        GlyphChoice::Ascii => drawing::Glyphs::Ascii,
-        GlyphChoice::Line => drawing::Glyphs::Line,
-    }
+    wish.asked()
+        .unwrap_or_else(|| screen::judgement().glyphs().value)
 }
 
 /// As asked, or as large as the terminal that it goes to, the prompt's line left free.

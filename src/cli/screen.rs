@@ -1,7 +1,6 @@
 //! What a terminal can show: the one behind standard error, or behind standard output.
 
 use crate::capability::{Colours, Judgement, TerminalKind};
-use crate::drawing::Glyphs;
 use std::io::{IsTerminal, stderr, stdout};
 
 /// What messages and texts to be read may use.
@@ -30,7 +29,7 @@ impl TextScreen {
         let kind = judgement.kind();
         TextScreen {
             // The Linux console speaks UTF-8, but its fonts lack most of it.
-            ascii: judgement.glyphs().value != Glyphs::Braille,
+            ascii: !judgement.glyphs().value.is_dotted(),
             colour: terminal && judgement.colours().value != Colours::None,
             redraws: terminal && !matches!(kind, TerminalKind::Unknown | TerminalKind::Dumb),
         }

@@ -1,12 +1,11 @@
 //! Opening the workbench.
 
-use super::args::{Colour, GlyphChoice, Size, ThemeChoice, USUAL_SCENE, WorkbenchArgs};
+use super::args::{Colour, Size, ThemeChoice, USUAL_SCENE, WorkbenchArgs};
 use super::config;
 use super::failure::Failure;
 use super::output::write_text;
 use super::picture;
 use super::source::{SceneSource, SolvableScene, find, load};
-use crate::drawing;
 use crate::tui::{self, Colours, Options, Origin};
 use std::path::Path;
 
@@ -47,7 +46,7 @@ pub(super) fn options(args: &WorkbenchArgs) -> Result<Options, Failure> {
     let config = config::load(args.config.as_deref())?;
     Ok(Options {
         at: args.at.map(|at| at.value()),
-        glyphs: glyphs(args.glyphs).or(config.glyphs),
+        glyphs: args.glyphs.asked().or(config.glyphs),
         colours: colours(args.colour).or(config.colours),
         theme: args.theme.map_or(config.theme, theme),
         view: args.view,
@@ -62,15 +61,6 @@ fn theme(wish: ThemeChoice) -> tui::Theme {
         ThemeChoice::Light => tui::Theme::Light,
         ThemeChoice::Dark => tui::Theme::Dark,
         ThemeChoice::Plain => tui::Theme::Plain,
-    }
-}
-
-fn glyphs(wish: GlyphChoice) -> Option<drawing::Glyphs> {
-    match wish {
-        GlyphChoice::Auto => None,
-        GlyphChoice::Ascii => Some(drawing::Glyphs::Ascii),
-        GlyphChoice::Line => Some(drawing::Glyphs::Line),
-        GlyphChoice::Braille => Some(drawing::Glyphs::Braille),
     }
 }
 

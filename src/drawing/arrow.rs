@@ -97,6 +97,7 @@ pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
         Glyphs::Ascii => '-',
         Glyphs::Line => '\u{2500}',
         Glyphs::Braille => '\u{2824}',
+        Glyphs::Blocks(_) => '\u{2500}',
     };
     let heads = if role == Role::Acceleration { 2 } else { 1 };
     let of_cell = |cell| match cell {

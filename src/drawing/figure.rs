@@ -14,8 +14,10 @@ pub enum Role {
     Ground,
     /// A guide on the ground.
     Guide,
-    /// A moving link.
-    Link,
+    /// A moving link, with the number of its hue: below [`LINK_HUES`].
+    Link(u8),
+    /// The plate of a link of three or more joints, inside its edges.
+    Plate(u8),
     /// The driven link, or the cylinder that drives.
     Driver,
     /// A joint between moving links.
@@ -34,6 +36,8 @@ pub enum Role {
     Echo,
     /// Where a point comes by over the whole motion.
     Trace,
+    /// A spring.
+    Spring,
     /// An arrow of velocity.
     Velocity,
     /// An arrow of acceleration.
@@ -50,6 +54,30 @@ pub enum Role {
     Third,
     /// A point of a chart's best front, and the steps that join them.
     Front,
+}
+
+/// As many hues as can be told apart at a glance, and from the driver's.
+pub const LINK_HUES: u8 = 5;
+
+impl Role {
+    /// Whether it is a moving part of the linkage, which is drawn as wide as the window allows.
+    pub(super) fn is_body(self) -> bool {
+        matches!(self, Role::Link(_) | Role::Driver)
+    }
+
+    /// Whether it lies behind the linkage.
+    pub(super) fn is_behind(self) -> bool {
+        matches!(
+            self,
+            Role::Ground
+                | Role::Guide
+                | Role::Plate(_)
+                | Role::Ghost
+                | Role::Echo
+                | Role::Trace
+                | Role::Spring
+        )
+    }
 }
 
 /// A primitive in world units, y upwards.
@@ -71,6 +99,20 @@ pub enum Shape {
         corners: Vec<Vec2>,
         /// What it stands for.
         role: Role,
+    },
+    /// What lies inside an outline: the plate of a link.
+    Plate {
+        /// The corners in order.
+        corners: Vec<Vec2>,
+        /// What it stands for.
+        role: Role,
+    },
+    /// A spring.
+    Spring {
+        /// Its one end.
+        from: Vec2,
+        /// Its other end.
+        to: Vec2,
     },
     /// A body wider than a line: the barrel of a cylinder.
     Barrel {
@@ -142,10 +184,13 @@ impl Shape {
             Shape::Line { from, to, .. }
             | Shape::Barrel { from, to, .. }
             | Shape::Hatching { from, to }
+            | Shape::Spring { from, to }
             | Shape::Arrow { from, to, .. } => from.is_finite() && to.is_finite(),
             // Gaps are a part of it.
             Shape::Trace { .. } => true,
-            Shape::Outline { corners, .. } => corners.iter().all(|c| c.is_finite()),
+            Shape::Outline { corners, .. } | Shape::Plate { corners, .. } => {
+                corners.iter().all(|c| c.is_finite())
+            }
             Shape::Mark { at, .. } | Shape::Support { at } | Shape::Label { at, .. } => {
                 at.is_finite()
             }
@@ -157,7 +202,7 @@ impl Shape {
 /// Shapes in world units, every one finite but for the gaps of traces.
 ///
 /// Of two shapes of the same kind the later one lies on top; kinds are ordered by the painter:
-/// ghosts and traces below, then the ground, guides, links, arrows, marks, and names.
+/// ghosts and traces below, then the ground, guides, plates, links, the driver, arrows, marks, and names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     shapes: Vec<Shape>,

@@ -51,8 +51,12 @@ const fn seat(col: i32, row: i32, align: Align, cost: i32) -> LabelSeat {
     }
 }
 
+/// The seats next to a point and one column farther. Beyond them only names stand: they are known by their
+/// points, and no bar may be covered.
+const NEAR: usize = 14;
+
 /// Above right is where readers look first; sides next, then below; the outer ring if the inner is full.
-const SEATS: [LabelSeat; 14] = [
+const SEATS: [LabelSeat; 22] = [
     seat(1, -1, Align::Start, 0),
     seat(-1, -1, Align::End, 1),
     seat(2, 0, Align::Start, 1),
@@ -67,16 +71,22 @@ const SEATS: [LabelSeat; 14] = [
     seat(-3, 1, Align::End, 6),
     seat(3, 0, Align::Start, 5),
     seat(-3, 0, Align::End, 5),
+    seat(1, -2, Align::Start, 6),
+    seat(-1, -2, Align::End, 7),
+    seat(0, -2, Align::Middle, 6),
+    seat(1, 2, Align::Start, 7),
+    seat(-1, 2, Align::End, 7),
+    seat(0, 2, Align::Middle, 7),
+    seat(5, 0, Align::Start, 8),
+    seat(-5, 0, Align::End, 8),
 ];
 
-/// For each character that hides a piece of a line.
-const OVER_LINE: i32 = 7;
 /// For each character that hides a piece of an arrow, which moves more than lines do.
 const OVER_ARROW: i32 = 5;
 /// For each character that hides a piece of the ground or of a guide.
 const OVER_GROUND: i32 = 3;
 /// For a mark right before or behind.
-const TOUCHING: i32 = 4;
+const TOUCHING: i32 = 5;
 /// For a line right before or behind.
 const BESIDE_LINE: i32 = 3;
 /// A label that would cost more is left out: it would hide more than it tells.
@@ -91,7 +101,7 @@ impl Labels {
     pub(super) fn place(&mut self, figure: &Figure, view: &WorldView, raster: &mut Raster) {
         let labels = names(figure);
         let length: usize = labels.clone().map(|(_, text, _)| text.len()).sum();
-        let is_line = |cell: &&CharCell| matches!(cell.role, Role::Link | Role::Driver);
+        let is_line = |cell: &&CharCell| cell.role.is_body();
         let lines = raster.lines().flatten().filter(is_line).count();
         let limit = if length > lines {
             TOO_MUCH_IN_A_CROWD
@@ -193,7 +203,7 @@ pub(super) fn free_places(raster: &Raster, point: (i32, i32), text: &str) -> Vec
         let (col, row) = origin(seat, point, text);
         cover(raster, col, row, text) == Some(0)
     };
-    let mut seats: Vec<&LabelSeat> = SEATS.iter().filter(free).collect();
+    let mut seats: Vec<&LabelSeat> = SEATS[..NEAR].iter().filter(free).collect();
     seats.sort_by_key(|seat| seat.cost);
     seats.iter().map(|seat| origin(seat, point, text)).collect()
 }
@@ -213,7 +223,8 @@ fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
     (point.0 + seat.col - back, point.1 + seat.row)
 }
 
-/// What a label hides at a place; `None` where it cannot stand: outside, on a mark, on another name.
+/// What a label hides at a place; `None` where it cannot stand: outside, on a bar, on a mark, on another
+/// name.
 fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     let end = col + width(text);
     let mut sum = 0;
@@ -221,10 +232,12 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
         sum += match raster.cell(c, row)?.role {
             // Names stay where they are when ghosts and traces come and go.
             Role::Empty | Role::Ghost | Role::Echo | Role::Trace => 0,
-            Role::Ground | Role::Guide => OVER_GROUND,
+            Role::Ground | Role::Guide | Role::Plate(_) => OVER_GROUND,
             Role::Velocity | Role::Acceleration => OVER_ARROW,
-            Role::Link | Role::Driver => OVER_LINE,
-            Role::Joint
+            Role::Link(_)
+            | Role::Driver
+            | Role::Spring
+            | Role::Joint
             | Role::GroundPin
             | Role::Slider
             | Role::Rider
@@ -240,8 +253,16 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
     for c in [col - 1, end] {
         let role = raster.cell(c, row).map_or(Role::Empty, |cell| cell.role);
         sum += match role {
-            Role::Empty | Role::Ground | Role::Guide | Role::Ghost | Role::Echo | Role::Trace => 0,
-            Role::Link | Role::Driver | Role::Velocity | Role::Acceleration => BESIDE_LINE,
+            Role::Empty
+            | Role::Ground
+            | Role::Guide
+            | Role::Plate(_)
+            | Role::Ghost
+            | Role::Echo
+            | Role::Trace => 0,
+            Role::Link(_) | Role::Driver | Role::Spring | Role::Velocity | Role::Acceleration => {
+                BESIDE_LINE
+            }
             Role::Joint | Role::GroundPin | Role::Slider | Role::Rider | Role::CentreOfMass => {
                 TOUCHING
             }
@@ -331,20 +352,20 @@ mod tests {
     #[test]
     fn a_name_stands_beside_its_line_rather_than_on_it() {
         let mut figure = Figure::new();
-        let (from, to, role) = (Vec2::new(15.0, 5.0), Vec2::new(30.0, 10.0), Role::Link);
+        let (from, to, role) = (Vec2::new(15.0, 5.0), Vec2::new(30.0, 10.0), Role::Link(0));
         figure.add(Shape::Line { from, to, role });
         figure.add(mark(from));
-        let bare = count(&render(&figure, &view(), Glyphs::Ascii), Role::Link);
+        let bare = count(&render(&figure, &view(), Glyphs::Ascii), Role::Link(0));
         figure.add(label(from, "name"));
         let raster = render(&figure, &view(), Glyphs::Ascii);
-        assert_eq!(count(&raster, Role::Link), bare);
+        assert_eq!(count(&raster, Role::Link(0)), bare);
         assert_eq!(count(&raster, Role::Label), 4);
     }
 
     /// Sides changed in each frame while a line turned through a name's place.
     #[test]
     fn a_name_keeps_its_side_while_the_other_is_hardly_better() {
-        let (from, role) = (Vec2::new(15.0, 5.0), Role::Link);
+        let (from, role) = (Vec2::new(15.0, 5.0), Role::Link(0));
         let seats = |labels: &mut Labels| {
             let mut seats = Vec::new();
             let mut raster = Raster::new();

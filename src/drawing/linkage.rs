@@ -1,11 +1,11 @@
 //! The figure of a scene in a state.
 
-use super::figure::{Figure, Role, Shape};
+use super::figure::{Figure, LINK_HUES, Role, Shape};
 use super::outline::{self, Corner};
 use super::reach::Reach;
-use crate::scene::Scene;
+use crate::scene::{Scene, VectorKind};
 use crate::solver::{Condition, Known, State};
-use crate::{Body, Input, LinkId, Mechanism, Member, Point, SlideId, Slider, Vec2};
+use crate::{Body, Input, LinkId, Load, Mechanism, Member, Point, SlideId, Slider, Vec2};
 
 /// What of a linkage is shown beside its links and joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +37,7 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     let assembled = state.condition() != Condition::NoAssembly;
     let mut sketch = LinkageSketch {
         roles: roles(&scene.mechanism),
+        links: link_roles(&scene.mechanism),
         scene,
         mechanism: &scene.mechanism,
         reach,
@@ -46,6 +47,7 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     };
     sketch.ground();
     if assembled {
+        sketch.springs();
         sketch.links();
         sketch.slides();
         sketch.marks();
@@ -134,8 +136,60 @@ fn roles(mechanism: &Mechanism) -> Vec<Role> {
     roles
 }
 
+/// What each link is drawn as: the driven one, and each of the others in a hue that no link before it
+/// has that it is joined to, as far as there are so many. The order of the links alone decides, so that
+/// a link keeps its hue whatever its lengths become.
+#[must_use]
+pub fn link_roles(mechanism: &Mechanism) -> Vec<Role> {
+    let mut roles: Vec<Role> = Vec::with_capacity(mechanism.links().len());
+    let mut next = 0;
+    for (id, link) in mechanism.link_ids().zip(mechanism.links()) {
+        if mechanism.driver().input == Input::Turn(id) {
+            roles.push(Role::Driver);
+            continue;
+        }
+        let joined = link
+            .members
+            .iter()
+            .flat_map(|m| &mechanism.point(m.point).links);
+        let met: Vec<Role> = joined
+            .filter_map(|other| roles.get(other.index()).copied())
+            .collect();
+        let hues = (0..LINK_HUES).map(|k| (next + k) % LINK_HUES);
+        let hue = hues.clone().find(|&hue| !met.contains(&Role::Link(hue)));
+        let hue = hue.unwrap_or(next);
+        roles.push(Role::Link(hue));
+        next = (hue + 1) % LINK_HUES;
+    }
+    roles
+}
+
+/// What the link is drawn as that a vector of the tables belongs to, in their order: the link itself, or one
+/// that has both ends of the vector. None for vectors from link to link.
+#[must_use]
+pub fn vector_roles(scene: &Scene) -> Vec<Option<Role>> {
+    let mechanism = &scene.mechanism;
+    let links = link_roles(mechanism);
+    let role = |kind: VectorKind| match kind {
+        VectorKind::Link(link) => Some(links[link.index()]),
+        VectorKind::Slide(slide) => match mechanism.slide(slide).on {
+            Body::Link(link) => Some(links[link.index()]),
+            Body::Ground => None,
+        },
+        VectorKind::Between(from, to) => {
+            let mut of_both = mechanism.point(from).links.iter();
+            let link = of_both.find(|link| mechanism.point(to).links.contains(link));
+            link.map(|link| links[link.index()])
+        }
+    };
+    scene.vectors.iter().map(|v| role(v.kind)).collect()
+}
+
 struct LinkageSketch<'a> {
+    /// By point.
     roles: Vec<Role>,
+    /// By link.
+    links: Vec<Role>,
     scene: &'a Scene,
     mechanism: &'a Mechanism,
     reach: &'a Reach,
@@ -186,12 +240,17 @@ impl LinkageSketch<'_> {
 
     fn links(&mut self) {
         for id in self.mechanism.link_ids() {
-            let role = match self.mechanism.driver().input {
-                Input::Turn(driven) if driven == id => Role::Driver,
-                Input::Turn(_) | Input::Push(_) => Role::Link,
-            };
             let body = self.body(id);
-            outline::draw(&mut self.figure, &body, role);
+            outline::draw(&mut self.figure, &body, self.links[id.index()]);
+        }
+    }
+
+    fn springs(&mut self) {
+        for load in self.mechanism.loads() {
+            if let Load::Spring { from, to, .. } = *load {
+                let [from, to] = [from, to].map(|point| self.state.position(point));
+                self.figure.add(Shape::Spring { from, to });
+            }
         }
     }
 
@@ -237,7 +296,7 @@ impl LinkageSketch<'_> {
     fn slot(&mut self, id: SlideId, on: LinkId) {
         if let Some((low, high)) = self.reach.travel(id) {
             let (from, to) = (self.on_guide(id, low), self.on_guide(id, high));
-            let role = Role::Link;
+            let role = self.links[on.index()];
             let bare = outline::beyond(&self.body(on), from, to);
             let stands_apart = bare == [(from, to)];
             for (from, to) in bare {
@@ -270,7 +329,7 @@ impl LinkageSketch<'_> {
     fn cylinder(&mut self, id: SlideId, on: LinkId, mouth: f64) {
         let (foot, rim) = (self.on_guide(id, 0.0), self.on_guide(id, mouth));
         let eye = self.state.position(self.mechanism.slide(id).slider.point());
-        let (from, to, role) = (rim, eye, Role::Link);
+        let (from, to, role) = (rim, eye, Role::Driver);
         self.figure.add(Shape::Line { from, to, role });
         let (from, to, role) = (foot, rim, Role::Driver);
         self.figure.add(Shape::Barrel { from, to, role });
@@ -292,7 +351,7 @@ impl LinkageSketch<'_> {
         if let Some((from, to)) = nearest
             && (to - from).norm() > 1e-6 * along.norm()
         {
-            let role = Role::Link;
+            let role = self.links[on.index()];
             self.figure.add(Shape::Line { from, to, role });
         }
     }
@@ -323,7 +382,7 @@ impl LinkageSketch<'_> {
                 if role != Role::CentreOfMass
                     && let Some(name) = self.scene.point_name(id)
                 {
-                    add_name(&mut self.figure, at, name);
+                    add_name(&mut self.figure, at, name, Role::Label);
                 }
             }
         }
@@ -332,13 +391,14 @@ impl LinkageSketch<'_> {
                 let body = self.body(id);
                 let sum = body.iter().fold(Vec2::ZERO, |sum, c| sum + c.at);
                 let middle = sum / body.len() as f64;
-                add_name(&mut self.figure, middle, self.scene.link_name(id));
+                let role = self.links[id.index()];
+                add_name(&mut self.figure, middle, self.scene.link_name(id), role);
             }
         }
     }
 }
 
-fn add_name(figure: &mut Figure, at: Vec2, name: &str) {
-    let (text, role) = (name.to_owned(), Role::Label);
+fn add_name(figure: &mut Figure, at: Vec2, name: &str, role: Role) {
+    let text = name.to_owned();
     figure.add(Shape::Label { at, text, role });
 }

@@ -28,6 +28,7 @@
 //! ```
 
 mod arrow;
+mod blocks;
 mod effort;
 mod figure;
 mod labels;
@@ -35,9 +36,11 @@ mod legend;
 mod linkage;
 mod outline;
 mod overlay;
+mod pattern;
 mod picture;
 pub mod plot;
 mod points;
+mod poses;
 mod raster;
 mod reach;
 mod render;
@@ -50,11 +53,12 @@ mod trace;
 mod trade_off;
 mod view;
 
+pub use blocks::Blocks;
 pub use effort::effort;
-pub use figure::{Figure, Role, Shape};
+pub use figure::{Figure, LINK_HUES, Role, Shape};
 pub use labels::Labels;
 pub use legend::{LegendEntry, LegendPiece, legend_lines};
-pub use linkage::{Layers, add_ghost, add_other, linkage};
+pub use linkage::{Layers, add_ghost, add_other, link_roles, linkage, vector_roles};
 pub use overlay::{Overlay, Wanted};
 pub use picture::svg;
 pub use plot::{Chart, Datum, DecadeAxis};

@@ -26,6 +26,15 @@ pub(super) fn draw(figure: &mut Figure, points: &[Corner], role: Role) {
         figure.add(Shape::Line { from, to, role });
     }
     if corners.len() > 2 && !has_arms {
+        let plate = match role {
+            Role::Link(hue) => Some(Role::Plate(hue)),
+            Role::Driver => Some(Role::Driver),
+            _ => None,
+        };
+        if let Some(role) = plate {
+            let corners = corners.clone();
+            figure.add(Shape::Plate { corners, role });
+        }
         figure.add(Shape::Outline { corners, role });
     }
 }
@@ -187,7 +196,7 @@ mod tests {
                 block: i == block,
             })
             .collect();
-        draw(&mut figure, &corners, Role::Link);
+        draw(&mut figure, &corners, Role::Link(0));
         figure.shapes().to_vec()
     }
 
@@ -203,7 +212,7 @@ mod tests {
     fn points_on_a_line_are_joined_one_after_another() {
         let line = shapes(&[(1.0, 1.0), (3.0, 3.0), (0.1 + 0.2, 0.3), (2.0, 2.0)], 9);
         let stops = points(&[(0.1 + 0.2, 0.3), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]);
-        let role = Role::Link;
+        let role = Role::Link(0);
         let joined = stops.windows(2).map(|w| (w[0], w[1]));
         let expected: Vec<_> = joined
             .map(|(from, to)| Shape::Line { from, to, role })
@@ -214,11 +223,18 @@ mod tests {
     #[test]
     fn three_pins_make_a_triangle_and_a_fourth_inside_a_strut() {
         let triangle = shapes(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)], 9);
-        assert!(matches!(&triangle[..], [Shape::Outline { corners, .. }] if corners.len() == 3));
+        let [
+            Shape::Plate { corners: plate, .. },
+            Shape::Outline { corners, .. },
+        ] = &triangle[..]
+        else {
+            panic!("{triangle:?}");
+        };
+        assert!(corners.len() == 3 && corners == plate);
         let plate = shapes(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (1.0, 0.5)], 9);
-        let (from, to, role) = (Vec2::new(1.0, 0.5), Vec2::ZERO, Role::Link);
+        let (from, to, role) = (Vec2::new(1.0, 0.5), Vec2::ZERO, Role::Link(0));
         assert_eq!(plate[0], Shape::Line { from, to, role });
-        assert_eq!(plate.len(), 2);
+        assert_eq!(plate.len(), 3);
     }
 
     #[test]

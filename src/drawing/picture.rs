@@ -6,11 +6,13 @@ use super::arrow;
 use super::figure::{Figure, Role, Shape};
 use super::labels::Labels;
 use super::legend::LegendEntry;
+use super::pattern;
 use super::raster::Raster;
 use super::render::{Glyphs, draw_order, render_into};
 use super::svg::{Svg, SvgStyle, TextAnchor};
 use super::view::WorldView;
 use crate::Vec2;
+use std::borrow::Cow;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Width of a column in user units.
@@ -25,21 +27,34 @@ const TOOTH: f64 = 7.0;
 const BLOCK: Vec2 = Vec2 { x: 14.0, y: 8.0 };
 const BARREL: f64 = 6.0;
 const HEAD: f64 = 9.0;
+const SPRING: f64 = 7.0;
 
-/// Paper, ink, and two colours that hold on both grounds; roles are told by dashes, weights and heads
-/// too.
+/// Paper, ink, and the hues of the workbench's palettes for a light and a dark ground; roles are told by
+/// dashes, weights and heads too.
 const STYLE: SvgStyle = SvgStyle {
     light: "\
-.link,.plate,.driver{stroke-width:3}
-.plate{fill:#222;fill-opacity:.06}
-.driver,.barrel{stroke:#b3261e}
+.link,.driver{stroke-width:6}
+.plate{stroke:none;fill-opacity:.14}
+.hue0{stroke:#0067df;fill:none}
+.hue1{stroke:#048233;fill:none}
+.hue2{stroke:#7040d6;fill:none}
+.hue3{stroke:#ac5701;fill:none}
+.hue4{stroke:#057a6d;fill:none}
+.plate.hue0{stroke:none;fill:#0067df}
+.plate.hue1{stroke:none;fill:#048233}
+.plate.hue2{stroke:none;fill:#7040d6}
+.plate.hue3{stroke:none;fill:#ac5701}
+.plate.hue4{stroke:none;fill:#057a6d}
+.driver,.barrel{stroke:#c81e24}
+.barrel{stroke-width:2}
+.spring{stroke:#826901}
 .barrel{fill:#fff}
 .guide,.ground{stroke-width:1.2;stroke:#666}
 .ghost{stroke-width:1.5;stroke:#888;stroke-dasharray:2 5}
 .echo{stroke-width:1;stroke:#888;stroke-opacity:.6}
-.trace{stroke-width:1.2;stroke:#1b5fab}
-.velocity{stroke:#1b5fab}
-.acceleration{stroke:#b3261e;stroke-dasharray:7 4}
+.trace{stroke-width:1.2;stroke:#607602}
+.velocity{stroke:#007590}
+.acceleration{stroke:#b81ea6;stroke-dasharray:7 4}
 .head{stroke-dasharray:none}
 .pin,.block{fill:#fff}
 circle{stroke:#222;stroke-width:2}
@@ -49,11 +64,23 @@ circle{stroke:#222;stroke-width:2}
 .halo{stroke:#fff;stroke-width:4;stroke-linejoin:round;fill:none}
 ",
     dark: "\
-.plate{fill:#ddd}
-.driver,.barrel,.acceleration{stroke:#ff8a80}
+.hue0{stroke:#609cff}
+.hue1{stroke:#54cc74}
+.hue2{stroke:#ae8cff}
+.hue3{stroke:#f5963c}
+.hue4{stroke:#3ac8b6}
+.plate.hue0{fill:#609cff}
+.plate.hue1{fill:#54cc74}
+.plate.hue2{fill:#ae8cff}
+.plate.hue3{fill:#f5963c}
+.plate.hue4{fill:#3ac8b6}
+.driver,.barrel{stroke:#ff6961}
+.spring{stroke:#ebcb50}
 .barrel,.pin,.block{fill:#181818}
 .guide,.ground{stroke:#999}
-.trace,.velocity{stroke:#82b1ff}
+.trace{stroke:#b0d048}
+.velocity{stroke:#56c4fa}
+.acceleration{stroke:#f472dc}
 circle{stroke:#ddd}
 .rider{fill:#ddd}
 .halo{stroke:#181818}
@@ -100,16 +127,19 @@ impl Picture<'_> {
         match *shape {
             Shape::Line { from, to, role } => {
                 let ends = [from, to].map(|p| self.place(p));
-                self.svg.polyline(ends, class(role));
+                self.svg.polyline(ends, &class(role));
             }
             Shape::Outline { ref corners, role } => {
                 let corners: Vec<Vec2> = corners.iter().map(|&c| self.place(c)).collect();
-                let class = match role {
-                    Role::Ghost | Role::Echo => self::class(role),
-                    Role::Driver => "plate driver",
-                    _ => "plate",
-                };
-                self.svg.polygon(corners, class);
+                self.svg.polygon(corners, &class(role));
+            }
+            Shape::Plate { ref corners, role } => {
+                let corners: Vec<Vec2> = corners.iter().map(|&c| self.place(c)).collect();
+                self.svg.polygon(corners, &class(role));
+            }
+            Shape::Spring { from, to } => {
+                let [a, b] = [from, to].map(|p| self.place(p));
+                self.svg.polyline(pattern::zigzag(a, b, SPRING), "spring");
             }
             Shape::Barrel { from, to, .. } => {
                 let [a, b] = [from, to].map(|p| self.place(p));
@@ -203,7 +233,7 @@ impl Picture<'_> {
         let class = class(role);
         for &(begin, end) in arrow::pieces(cut) {
             self.svg
-                .polyline([from + step * begin, from + step * end], class);
+                .polyline([from + step * begin, from + step * end], &class);
         }
         let back = unit(step) * HEAD;
         let side = back.perp() * 0.4;
@@ -291,18 +321,20 @@ fn unit(v: Vec2) -> Vec2 {
     v / v.norm()
 }
 
-fn class(role: Role) -> &'static str {
-    match role {
+fn class(role: Role) -> Cow<'static, str> {
+    let class = match role {
+        Role::Link(hue) => return Cow::Owned(format!("link hue{hue}")),
+        Role::Plate(hue) => return Cow::Owned(format!("plate hue{hue}")),
         Role::Ground => "ground",
         Role::Guide => "guide",
         Role::Driver => "driver",
+        Role::Spring => "spring",
         Role::Ghost => "ghost",
         Role::Echo => "echo",
         Role::Trace => "trace",
         Role::Velocity => "velocity",
         Role::Acceleration => "acceleration",
         Role::Empty
-        | Role::Link
         | Role::Joint
         | Role::GroundPin
         | Role::Slider
@@ -314,7 +346,8 @@ fn class(role: Role) -> &'static str {
         | Role::Second
         | Role::Third
         | Role::Front => "link",
-    }
+    };
+    Cow::Borrowed(class)
 }
 
 #[cfg(test)]
@@ -350,7 +383,7 @@ mod tests {
         };
         let mut figure = linkage(&scene, &reach, &state, layers);
         overlay.add_to(&mut figure, &scene, &state, zoom);
-        let view = WorldView::snug(&reach, 100, 50, 2.0).zoomed(&reach, zoom, Vec2::ZERO);
+        let view = WorldView::snug(&reach, 100, 50, 2.0).zoomed(zoom, Vec2::ZERO);
         svg(&figure, &view, title, &overlay.legend(&view, zoom))
     }
 
@@ -413,7 +446,8 @@ mod tests {
         let document = document(text, "A & B", 1.0);
         assert!(document.contains("<title>A &amp; B</title>"));
         let classes = [
-            "link",
+            "link hue0",
+            "plate hue1",
             "driver",
             "guide",
             "ground",

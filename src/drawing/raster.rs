@@ -79,6 +79,11 @@ impl Raster {
             .then(|| usize::from(row) * usize::from(self.cols) + usize::from(col))
     }
 
+    /// All cells.
+    pub(super) fn cells_mut(&mut self) -> impl Iterator<Item = &mut CharCell> {
+        self.cells.iter_mut()
+    }
+
     /// The glyphs as lines of text, without the blanks at their ends.
     #[must_use]
     pub fn text(&self) -> String {

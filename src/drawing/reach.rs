@@ -1,11 +1,12 @@
 //! Where a linkage gets to over its whole motion, sampled once.
 
+use super::poses::Poses;
 use super::view::Bounds;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{Body, SlideId, Vec2};
 
-/// How many steps the motion is followed in. In a motion of two turns they are at most 5 degrees;
+/// How many steps the motion is followed in. In a motion of two turns they are 3 degrees;
 /// between two states a crank's pin then rises above both by less than 1e-3 of its radius, far less
 /// than a cell.
 const SAMPLES: u16 = 240;
@@ -22,6 +23,8 @@ pub struct Reach {
     guides: Bounds,
     /// The tips of arrows.
     arrows: Bounds,
+    /// Where the linkage stands along its motion.
+    poses: Poses,
     /// How far each slide travels along its guide, in the scene's length unit.
     travel: Vec<Option<(f64, f64)>>,
     anchor: Vec2,
@@ -47,12 +50,15 @@ impl Reach {
     pub fn of(scene: &Scene, solver: &Solver) -> Reach {
         let mut reach = Reach::at_rest(scene);
         let mut state = solver.state();
-        for at in samples(scene, solver) {
+        let mut met = Vec::new();
+        let (low, high, closed) = ends(scene, solver);
+        for at in samples(low, high, closed) {
             if solver.solve(at, Order::Position, &mut state) != Condition::NoAssembly {
-                reach.include(scene, &state);
+                met.push((at, reach.include(scene, &state)));
             }
         }
         reach.include_guides(scene);
+        reach.poses = Poses::new([low, high - low], closed, &met);
         reach
     }
 
@@ -60,6 +66,7 @@ impl Reach {
     #[must_use]
     pub fn with<'s>(&self, scene: &Scene, states: impl IntoIterator<Item = &'s State>) -> Reach {
         let mut reach = self.clone();
+        reach.poses = Poses::default();
         for state in states {
             for point in scene.mechanism.point_ids() {
                 reach.moving.include(state.known().position(point));
@@ -81,6 +88,7 @@ impl Reach {
     #[must_use]
     pub fn beside(&self, other: &Reach, scale: f64) -> Reach {
         let mut reach = self.clone();
+        reach.poses = Poses::default();
         let bounds = other.bounds();
         reach.moving.include(bounds.low * scale);
         reach.moving.include(bounds.high * scale);
@@ -101,16 +109,20 @@ impl Reach {
             ground,
             guides: Bounds::default(),
             arrows: Bounds::default(),
+            poses: Poses::default(),
             travel: vec![None; mechanism.slides().len()],
             anchor: anchor.unwrap_or(Vec2::ZERO),
             name: (longest as f64).min(LONGEST_NAME),
         }
     }
 
-    fn include(&mut self, scene: &Scene, state: &State) {
+    /// Makes room for a state, and says what room that is.
+    fn include(&mut self, scene: &Scene, state: &State) -> Bounds {
+        let mut pose = Bounds::default();
         for point in scene.mechanism.point_ids() {
-            self.moving.include(state.known().position(point));
+            pose.include(state.known().position(point));
         }
+        self.moving = self.moving.with(pose);
         for slide in scene.mechanism.slide_ids() {
             let at = state.known().travel(slide).position;
             if at.is_finite() {
@@ -118,6 +130,7 @@ impl Reach {
                 self.travel[slide.index()] = Some((low.min(at), high.max(at)));
             }
         }
+        pose
     }
 
     fn include_guides(&mut self, scene: &Scene) {
@@ -133,14 +146,7 @@ impl Reach {
     /// The box around all points in all states.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        let mut all = self.moving;
-        for part in [self.ground, self.guides] {
-            if !part.is_empty() {
-                all.include(part.low);
-                all.include(part.high);
-            }
-        }
-        all
+        self.moving.with(self.ground).with(self.guides)
     }
 
     /// How far a slide travels along its guide: the least and the largest position.
@@ -156,32 +162,64 @@ impl Reach {
 
     /// The parts that must be seen, with the cells that their names and symbols take.
     pub(super) fn parts(&self) -> [(Bounds, Margin); 4] {
-        let side = self.name + 2.0;
+        // Half a cell more than names and supports need: the window is moved by so much to rest on its anchor.
+        self.parts_in([self.moving, self.guides, self.arrows], 0.5)
+    }
+
+    /// The same of a window that goes along, for the part of the motion in this room. Guides may end
+    /// outside, and arrows have as much room beside the linkage as they have over the whole motion.
+    pub(super) fn parts_near(&self, room: Bounds) -> [(Bounds, Margin); 4] {
+        let arrows = if self.arrows.is_empty() {
+            self.arrows
+        } else {
+            Bounds {
+                low: room.low - (self.moving.low - self.arrows.low).map(|v| v.max(0.0)),
+                high: room.high + (self.arrows.high - self.moving.high).map(|v| v.max(0.0)),
+            }
+        };
+        self.parts_in([room, self.guides.within(room), arrows], 0.0)
+    }
+
+    fn parts_in(&self, [moving, guides, arrows]: [Bounds; 3], spare: f64) -> [(Bounds, Margin); 4] {
         let margin = |side, above, below| Margin {
             left: side,
             right: side,
-            above,
-            below,
+            above: above + spare,
+            below: below + spare,
         };
         [
-            (self.moving, margin(side, 2.0, 2.0)),
-            (self.ground, margin(3.5, 2.0, 3.5)),
-            (self.guides, margin(4.0, 2.0, 2.5)),
-            (self.arrows, margin(1.0, 1.0, 1.0)),
+            (moving, margin(self.name + 2.0, 1.5, 1.5)),
+            (self.ground, margin(3.5, 1.5, 3.0)),
+            (guides, margin(4.0, 1.5, 2.0)),
+            (arrows, margin(1.0, 0.5, 0.5)),
         ]
+    }
+
+    /// Where the linkage stands along its motion.
+    pub(super) fn poses(&self) -> &Poses {
+        &self.poses
+    }
+}
+
+/// Where the motion begins and ends, and whether its end is its beginning.
+fn ends(scene: &Scene, solver: &Solver) -> (f64, f64, bool) {
+    let start = scene.mechanism.driver().start;
+    match solver.motion().range {
+        Range::Full { period } => (start, start + period, true),
+        Range::Limited { low, high } => (low, high, false),
     }
 }
 
 /// The coordinates of the driver to look at.
-fn samples(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> {
-    let start = scene.mechanism.driver().start;
-    let (low, high) = match solver.motion().range {
-        Range::Full { period } => (start, start + period),
-        Range::Limited { low, high } => (low, high),
-    };
+fn samples(low: f64, high: f64, closed: bool) -> impl Iterator<Item = f64> {
     (0..=SAMPLES).map(move |k| {
+        let share = f64::from(k) / f64::from(SAMPLES);
         // Closer towards the ends, where a motion between dead points changes fastest.
-        let share = (1.0 - (std::f64::consts::PI * f64::from(k) / f64::from(SAMPLES)).cos()) / 2.0;
+        let share = if closed {
+            share
+        } else {
+            (1.0 - (std::f64::consts::PI * share).cos()) / 2.0
+        };
         low + (high - low) * share
     })
 }
@@ -200,6 +238,7 @@ impl Reach {
             ground: around(ground),
             guides: Bounds::default(),
             arrows: Bounds::default(),
+            poses: Poses::default(),
             travel: Vec::new(),
             anchor: ground.first().copied().unwrap_or(Vec2::ZERO),
             name: 1.0,

@@ -1,10 +1,10 @@
 //! From a figure to cells.
 
 use super::arrow;
+use super::blocks::{self, Blocks};
 use super::figure::{Figure, Role, Shape};
 use super::labels::Labels;
 use super::raster::Raster;
-use super::stroke;
 use super::symbol::Symbols;
 use super::trace;
 use super::view::WorldView;
@@ -20,6 +20,15 @@ pub enum Glyphs {
     Line,
     /// Dots, 2 x 4 to a cell, with characters for the joints.
     Braille,
+    /// The same in pieces of a cell that leave no gaps, where the font has them: nothing tells whether it has.
+    Blocks(Blocks),
+}
+
+impl Glyphs {
+    /// Whether lines are made of dots, finer than cells.
+    pub(crate) fn is_dotted(self) -> bool {
+        matches!(self, Glyphs::Braille | Glyphs::Blocks(_))
+    }
 }
 
 /// Layers from the lowest to the highest.
@@ -29,19 +38,25 @@ enum PaintLayer {
     Traces,
     Ground,
     Guides,
+    Plates,
+    Springs,
     Links,
+    Driver,
     Blocks,
     Arrows,
     Marks,
     Labels,
 }
 
-const LAYERS: [PaintLayer; 8] = [
+const LAYERS: [PaintLayer; 11] = [
     PaintLayer::Ghosts,
     PaintLayer::Traces,
     PaintLayer::Ground,
     PaintLayer::Guides,
+    PaintLayer::Plates,
+    PaintLayer::Springs,
     PaintLayer::Links,
+    PaintLayer::Driver,
     PaintLayer::Blocks,
     PaintLayer::Arrows,
     PaintLayer::Marks,
@@ -53,9 +68,12 @@ fn layer(shape: &Shape) -> PaintLayer {
         Shape::Line { role, .. } | Shape::Outline { role, .. } => match role {
             Role::Guide => PaintLayer::Guides,
             Role::Ghost | Role::Echo => PaintLayer::Ghosts,
+            Role::Driver => PaintLayer::Driver,
             _ => PaintLayer::Links,
         },
-        Shape::Barrel { .. } => PaintLayer::Links,
+        Shape::Barrel { .. } => PaintLayer::Driver,
+        Shape::Plate { .. } => PaintLayer::Plates,
+        Shape::Spring { .. } => PaintLayer::Springs,
         Shape::Block { .. } => PaintLayer::Blocks,
         Shape::Trace { .. } => PaintLayer::Traces,
         Shape::Arrow { .. } => PaintLayer::Arrows,
@@ -84,6 +102,7 @@ pub fn render_into(
     for shape in draw_order(figure) {
         draw(&mut symbols, shape);
     }
+    blocks::settle(raster, glyphs);
     labels.place(figure, view, raster);
 }
 
@@ -107,17 +126,22 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
     match *shape {
         Shape::Line { from, to, role } => {
             let (a, b) = (symbols.view.cell(from), symbols.view.cell(to));
-            stroke::line(symbols.raster, symbols.glyphs, a, b, role);
+            symbols.bar(a, b, role);
         }
         Shape::Outline { ref corners, role } => {
             let corners: Vec<Vec2> = corners.iter().map(|&c| symbols.view.cell(c)).collect();
             symbols.outline(&corners, role);
         }
+        Shape::Plate { ref corners, role } => {
+            let corners: Vec<Vec2> = corners.iter().map(|&c| symbols.view.cell(c)).collect();
+            symbols.plate(&corners, role);
+        }
+        Shape::Spring { from, to } => symbols.spring(from, to),
         Shape::Barrel { from, to, role } => symbols.barrel(from, to, role),
         Shape::Mark { at, role } => symbols.mark(at, role),
         Shape::Support { at } => symbols.support(at),
         Shape::Hatching { from, to } => symbols.hatching(from, to),
-        Shape::Block { at, pin, .. } => symbols.block(at, pin),
+        Shape::Block { at, along, pin } => symbols.block(at, along, pin),
         Shape::Trace { ref course } => {
             trace::draw(symbols.raster, symbols.glyphs, symbols.view, course);
         }
@@ -164,7 +188,7 @@ mod tests {
             prop::sample::select(vec![
                 Role::Ground,
                 Role::Guide,
-                Role::Link,
+                Role::Link(2),
                 Role::Driver,
                 Role::Joint,
                 Role::Slider,
@@ -180,6 +204,9 @@ mod tests {
                 to,
                 role
             }),
+            (prop::collection::vec(place(), 0..5), role())
+                .prop_map(|(corners, role)| Shape::Plate { corners, role }),
+            (place(), place()).prop_map(|(from, to)| Shape::Spring { from, to }),
             (place(), role()).prop_map(|(at, role)| Shape::Mark { at, role }),
             place().prop_map(|at| Shape::Support { at }),
             (place(), place()).prop_map(|(from, to)| Shape::Hatching { from, to }),
@@ -255,11 +282,18 @@ mod tests {
         };
         let mut figure = Figure::new();
         let (at, role) = (middle, Role::Joint);
-        figure.add(line(low, high, Role::Driver));
-        figure.add(line(left, right, Role::Link));
-        assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link);
+        figure.add(line(low, high, Role::Link(1)));
+        figure.add(line(left, right, Role::Link(0)));
+        assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link(0));
         figure.add(line(low, high, Role::Guide));
-        assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link);
+        assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link(0));
+        // The driver lies on top of all links, whenever it was added.
+        let mut driven = Figure::new();
+        driven.add(line(low, high, Role::Driver));
+        driven.add(line(left, right, Role::Link(0)));
+        for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            assert_eq!(at_middle(&driven, glyphs).role, Role::Driver);
+        }
         let mut marked = Figure::new();
         marked.add(Shape::Mark { at, role });
         figure.shapes().iter().for_each(|s| marked.add(s.clone()));
@@ -273,7 +307,7 @@ mod tests {
         let dots = |lines: &[(f64, f64, f64, f64)]| {
             let mut figure = Figure::new();
             for &(ax, ay, bx, by) in lines {
-                figure.add(line(Vec2::new(ax, ay), Vec2::new(bx, by), Role::Link));
+                figure.add(line(Vec2::new(ax, ay), Vec2::new(bx, by), Role::Link(0)));
             }
             let raster = render(&figure, &view(), Glyphs::Braille);
             raster

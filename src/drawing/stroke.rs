@@ -23,7 +23,7 @@ pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: 
         Glyphs::Line if is_dotted(role) => points(raster, a, b, '\u{b7}', role),
         Glyphs::Ascii => strokes(raster, a, b, role, ('-', '|')),
         Glyphs::Line => strokes(raster, a, b, role, ('─', '│')),
-        Glyphs::Braille => dots(raster, a, b, role),
+        Glyphs::Braille | Glyphs::Blocks(_) => dots(raster, a, b, role),
     }
 }
 
@@ -222,8 +222,7 @@ pub(super) fn is_gap(role: Role, place: i32, parts: i32) -> bool {
 
 /// A line of points, which no colour needs to tell from one of strokes.
 fn points(raster: &mut Raster, a: Vec2, b: Vec2, glyph: char, role: Role) {
-    let spacing = if role == Role::Echo { 2 } else { 1 };
-    for (col, row) in cells(raster, a, b).step_by(spacing) {
+    for (col, row) in cells(raster, a, b) {
         raster.put(col, row, glyph, role);
     }
 }
@@ -232,9 +231,9 @@ fn is_dotted(role: Role) -> bool {
     matches!(role, Role::Ghost | Role::Echo)
 }
 
-/// One dot of so many is set in the line of a ghost, and of an echo, of which there are more.
-const SPARSE: usize = 3;
-const SPARSER: usize = 4;
+/// Dots and gaps of the line of an echo: it can be traced by eye, and is no trace.
+const ECHO_DASH: i32 = 4;
+const ECHO_GAP: i32 = 2;
 
 /// The Braille pattern without a dot; the next 255 follow.
 const BLANK: u32 = 0x2800;
@@ -246,15 +245,32 @@ const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x
 pub(super) const FINE: Vec2 = Vec2 { x: 2.0, y: 4.0 };
 
 fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
-    let spacing = match role {
-        Role::Ghost => SPARSE,
-        Role::Echo => SPARSER,
-        _ => 1,
-    };
     let steep = (b.y - a.y).abs() * FINE.y > (b.x - a.x).abs() * FINE.x;
-    for (x, y) in parts(raster, a, b, FINE).step_by(spacing) {
+    for (x, y) in parts(raster, a, b, FINE) {
         let (place, count) = if steep { (y, 4) } else { (x, 2) };
-        if !is_gap(role, place, count) {
+        let is_echo = role == Role::Echo;
+        if !(is_gap(role, place, count)
+            || is_echo && place.rem_euclid(ECHO_DASH + ECHO_GAP) >= ECHO_DASH)
+        {
+            dot(raster, x, y, role);
+        }
+    }
+}
+
+/// A line so many dots wide.
+pub(super) fn bar(raster: &mut Raster, a: Vec2, b: Vec2, width: u8, role: Role) {
+    let finer = |p: Vec2| Vec2::new(p.x * FINE.x, p.y * FINE.y);
+    let Some((a, b)) = clip(a, b, raster) else {
+        return;
+    };
+    let course = LineFunction::new(finer(a), finer(b));
+    // Along the other axis a sloping bar is wider than across itself.
+    let half = f64::from(width) / 2.0 * (1.0 + course.rate * course.rate).sqrt();
+    for main in course.cells() {
+        let middle = course.middle(main);
+        let edge = |side: f64| (middle + side).round() as i32;
+        for side in edge(-half)..edge(half) {
+            let (x, y) = course.cell(main, side);
             dot(raster, x, y, role);
         }
     }
@@ -283,11 +299,32 @@ pub(super) fn dot(raster: &mut Raster, x: i32, y: i32, role: Role) {
         return;
     };
     let (in_row, in_col) = (y.rem_euclid(4) as usize, x.rem_euclid(2) as usize);
-    let kept = u32::from(old.glyph).checked_sub(BLANK).filter(|&k| k < 256);
+    // What is solid hides what lies behind it: its edges stay clear.
+    let hides = role.is_body() && old.role.is_behind();
+    let kept = pattern(old.glyph).filter(|_| !hides);
     let pattern = BLANK + (kept.unwrap_or(0) | DOTS[in_row][in_col]);
     if let Some(glyph) = char::from_u32(pattern) {
         raster.put(col, row, glyph, role);
     }
+}
+
+/// Takes one dot away, and gives the rest of its cell this role.
+pub(super) fn clear(raster: &mut Raster, x: i32, y: i32, role: Role) {
+    let (col, row) = (x.div_euclid(2), y.div_euclid(4));
+    let Some(kept) = raster.cell(col, row).and_then(|old| pattern(old.glyph)) else {
+        return;
+    };
+    let (in_row, in_col) = (y.rem_euclid(4) as usize, x.rem_euclid(2) as usize);
+    let left = kept & !DOTS[in_row][in_col];
+    if let Some(glyph) = char::from_u32(BLANK + left) {
+        // Nothing is a blank: fonts show the pattern without a dot in various ways.
+        raster.put(col, row, if left == 0 { ' ' } else { glyph }, role);
+    }
+}
+
+/// The dots of a character of Braille.
+fn pattern(glyph: char) -> Option<u32> {
+    u32::from(glyph).checked_sub(BLANK).filter(|&k| k < 256)
 }
 
 #[cfg(test)]
@@ -300,7 +337,7 @@ mod tests {
     fn drawn(a: Vec2, b: Vec2, glyphs: Glyphs) -> Vec<(i32, i32, char)> {
         let mut raster = Raster::new();
         raster.reset(SIZE, SIZE);
-        line(&mut raster, glyphs, a, b, Role::Link);
+        line(&mut raster, glyphs, a, b, Role::Link(0));
         let mut cells = Vec::new();
         for (row, line) in (0..).zip(raster.lines()) {
             for (col, cell) in (0..).zip(line) {

@@ -2,6 +2,7 @@
 //! cells, so they stay readable at any scale.
 
 use super::figure::Role;
+use super::pattern;
 use super::raster::Raster;
 use super::render::Glyphs;
 use super::stroke;
@@ -13,6 +14,12 @@ const ROOMY_ROWS: u16 = 16;
 
 /// Cells from one stroke of hatching to the next.
 const HATCHING: usize = 2;
+
+/// Half the width of a barrel, in widths of a cell, for each dot that a bar is wide, and one more.
+const BARREL: f64 = 0.25;
+
+/// How far the teeth of a spring reach, in widths of a cell.
+const SPRING: f64 = 1.0;
 
 /// What the symbols are drawn with.
 pub(super) struct Symbols<'a> {
@@ -37,7 +44,7 @@ impl Symbols<'_> {
         let middle = self.view.cell(at);
         let (col, row) = cell_of(middle);
         let roomy = self.view.rows() >= ROOMY_ROWS;
-        if self.glyphs == Glyphs::Braille {
+        if self.glyphs.is_dotted() {
             self.dotted_support(middle, roomy);
             return;
         }
@@ -47,9 +54,10 @@ impl Symbols<'_> {
         self.stamp(col - 2, row + 1 + i32::from(roomy), "/////", Role::Ground);
     }
 
-    /// The same from lines, centred under the cell that shows the pin.
+    /// The same from lines, centred under what shows the pin.
     fn dotted_support(&mut self, middle: Vec2, roomy: bool) {
-        let apex = Vec2::new(middle.x.floor() + 0.5, middle.y.floor() + 0.9);
+        let pin = self.pin_place(middle);
+        let apex = Vec2::new(pin.x, pin.y + 0.4);
         let base = if roomy { apex.y + 1.1 } else { apex.y + 0.2 };
         let at = |x: f64, y: f64| Vec2::new(apex.x + x, base + y);
         if roomy {
@@ -60,6 +68,30 @@ impl Symbols<'_> {
         self.line(at(-2.5, 0.0), at(2.5, 0.0), Role::Ground);
         for x in [-2.0, -1.0, 0.0, 1.0, 2.0] {
             self.line(at(x, 0.0), at(x - 1.0, 0.5), Role::Ground);
+        }
+    }
+
+    /// Where a pin is shown: in the middle of its cell if it is a character, else between four dots.
+    fn pin_place(&self, at: Vec2) -> Vec2 {
+        if self.has_large_marks() {
+            let (x, y) = pattern::corner(at);
+            Vec2::new(f64::from(x) / stroke::FINE.x, f64::from(y) / stroke::FINE.y)
+        } else {
+            Vec2::new(at.x.floor() + 0.5, at.y.floor() + 0.5)
+        }
+    }
+
+    /// Whether marks are made of dots: beside wide bars a character would be lost.
+    fn has_large_marks(&self) -> bool {
+        self.glyphs.is_dotted() && self.view.weight() > 2
+    }
+
+    /// A straight piece of a link, as wide as there is room for it.
+    pub(super) fn bar(&mut self, a: Vec2, b: Vec2, role: Role) {
+        if self.glyphs.is_dotted() && role.is_body() {
+            stroke::bar(self.raster, a, b, self.view.weight(), role);
+        } else {
+            self.line(a, b, role);
         }
     }
 
@@ -76,7 +108,7 @@ impl Symbols<'_> {
     /// Short strokes beside a guide, on the right of its direction.
     pub(super) fn hatching(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
-        if self.glyphs == Glyphs::Braille {
+        if self.glyphs.is_dotted() {
             self.dotted_hatching(a, b);
             return;
         }
@@ -120,19 +152,62 @@ impl Symbols<'_> {
         }
     }
 
-    /// A block on its guide. It is upright whatever its guide: brackets read as a block at any angle,
-    /// a turned box of so few cells does not.
-    pub(super) fn block(&mut self, at: Vec2, pin: bool) {
-        let (col, row) = cell_of(self.view.cell(at));
+    /// A block on its guide. Of characters it is upright whatever its guide: brackets read as a block at
+    /// any angle, a turned box of so few cells does not.
+    pub(super) fn block(&mut self, at: Vec2, along: Vec2, pin: bool) {
+        let place = self.view.cell(at);
+        if self.has_large_marks() {
+            let along = Vec2::new(along.x, -along.y);
+            let along = along / along.norm();
+            if along.is_finite() {
+                pattern::block(self.raster, place, along, Role::Slider);
+            }
+            if pin {
+                pattern::ring(self.raster, place, Role::Slider);
+            }
+            return;
+        }
+        let (col, row) = cell_of(place);
         let glyphs = if pin { "[o]" } else { "[ ]" };
         self.stamp(col - 1, row, glyphs, Role::Slider);
+    }
+
+    /// The plate of a link, its corners in cell coordinates. Of characters its edges are enough.
+    pub(super) fn plate(&mut self, corners: &[Vec2], role: Role) {
+        if self.glyphs.is_dotted() {
+            pattern::plate(self.raster, corners, role);
+        }
+    }
+
+    /// A spring: a zigzag between two straight ends.
+    pub(super) fn spring(&mut self, from: Vec2, to: Vec2) {
+        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if self.glyphs.is_dotted() {
+            let aspect = self.view.aspect();
+            let on_screen = |v: Vec2| Vec2::new(v.x, v.y * aspect);
+            let corners = pattern::zigzag(on_screen(a), on_screen(b), SPRING);
+            let mut corners = corners.map(|v| Vec2::new(v.x, v.y / aspect));
+            let Some(mut last) = corners.next() else {
+                return;
+            };
+            for corner in corners {
+                self.line(last, corner, Role::Spring);
+                last = corner;
+            }
+            return;
+        }
+        for ((col, row), glyph) in
+            stroke::cells(self.raster, a, b).zip(['/', '\\'].into_iter().cycle())
+        {
+            self.raster.put(col, row, glyph, Role::Spring);
+        }
     }
 
     /// A closed line through places in cell coordinates.
     pub(super) fn outline(&mut self, corners: &[Vec2], role: Role) {
         let ends = corners.iter().cycle().skip(1);
         for (&a, &b) in corners.iter().zip(ends) {
-            stroke::line(self.raster, self.glyphs, a, b, role);
+            self.bar(a, b, role);
         }
     }
 
@@ -142,13 +217,18 @@ impl Symbols<'_> {
         let glyph = match self.glyphs {
             Glyphs::Ascii => '#',
             Glyphs::Line => '▒',
-            Glyphs::Braille => {
+            Glyphs::Braille | Glyphs::Blocks(_) => {
                 let aspect = self.view.aspect();
                 let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
-                let across = along.perp() / along.norm() * 0.75;
+                let wide = f64::from(self.view.weight() + 1) * BARREL;
+                let across = along.perp() / along.norm() * wide;
                 if across.is_finite() {
                     let across = Vec2::new(across.x, across.y / aspect);
-                    self.outline(&[a + across, b + across, b - across, a - across], role);
+                    let corners = [a + across, b + across, b - across, a - across];
+                    pattern::plate(self.raster, &corners, role);
+                    for k in 0..4 {
+                        self.line(corners[k], corners[(k + 1) % 4], role);
+                    }
                 }
                 return;
             }
@@ -160,7 +240,17 @@ impl Symbols<'_> {
 
     /// A mark of one cell.
     pub(super) fn mark(&mut self, at: Vec2, role: Role) {
-        let (col, row) = cell_of(self.view.cell(at));
+        let place = self.view.cell(at);
+        if self.has_large_marks() {
+            match role {
+                Role::Joint | Role::GroundPin | Role::Slider => {
+                    return pattern::ring(self.raster, place, role);
+                }
+                Role::Rider => return pattern::disc(self.raster, place, role),
+                _ => {}
+            }
+        }
+        let (col, row) = cell_of(place);
         self.raster.put(col, row, glyph_of(role), role);
     }
 }
@@ -172,9 +262,11 @@ fn glyph_of(role: Role) -> char {
         Role::Rider => '*',
         Role::CentreOfMass => 'x',
         Role::Ghost | Role::Echo => '.',
-        Role::Ground | Role::Guide | Role::Link | Role::Driver | Role::Label | Role::Empty => '+',
+        Role::Ground | Role::Guide | Role::Link(_) | Role::Driver | Role::Label | Role::Empty => {
+            '+'
+        }
         // These are drawn by others.
-        Role::Trace | Role::Velocity | Role::Acceleration => '+',
+        Role::Plate(_) | Role::Spring | Role::Trace | Role::Velocity | Role::Acceleration => '+',
         Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => '+',
     }
 }

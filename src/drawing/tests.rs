@@ -230,11 +230,11 @@ fn size_and_place_do_not_show() {
 }
 
 /// The corners of what is drawn in a role.
-fn corners(figure: &Figure, wanted: Role) -> Vec<Vec2> {
+fn corners(figure: &Figure, wanted: impl Fn(Role) -> bool) -> Vec<Vec2> {
     let shapes = figure.shapes().iter();
     let corners = shapes.flat_map(|shape| match shape {
-        Shape::Line { from, to, role } if *role == wanted => vec![*from, *to],
-        Shape::Outline { corners, role } if *role == wanted => corners.clone(),
+        Shape::Line { from, to, role } if wanted(*role) => vec![*from, *to],
+        Shape::Outline { corners, role } if wanted(*role) => corners.clone(),
         _ => Vec::new(),
     });
     corners.collect()
@@ -251,11 +251,9 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
     let _ = stage.solver.solve(100.0, Order::Position, &mut state);
     let mut figure = Figure::new();
     add_other(&mut figure, &stage.scene, &state, 25.4);
-    let ghost = corners(&figure, Role::Ghost);
+    let ghost = corners(&figure, |role| role == Role::Ghost);
     let own = linkage(&stage.scene, &stage.reach, &state, Layers::default());
-    let links = [Role::Driver, Role::Link]
-        .map(|role| corners(&own, role))
-        .concat();
+    let links = corners(&own, Role::is_body);
     assert_eq!(ghost.len(), links.len());
     for corner in links {
         let there = |g: &Vec2| (*g - corner * 25.4).norm() < 1e-9 * corner.norm().max(1.0);
@@ -272,4 +270,173 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
     let unsolved = stage.solver.state();
     add_other(&mut nothing, &stage.scene, &unsolved, 1.0);
     assert!(nothing.shapes().is_empty());
+}
+
+/// The part of a window's width and height that the linkage takes as it stands: its bars, pins and
+/// sliders, and no more.
+fn fill(raster: &Raster) -> f64 {
+    let is_linkage = |role: Role| {
+        role.is_body()
+            || matches!(
+                role,
+                Role::Joint | Role::GroundPin | Role::Slider | Role::Rider
+            )
+    };
+    let mut cells = Vec::new();
+    for (row, line) in raster.lines().enumerate() {
+        for (col, _) in line.iter().enumerate().filter(|(_, c)| is_linkage(c.role)) {
+            cells.push((col, row));
+        }
+    }
+    let span = |of: fn(&(usize, usize)) -> usize| {
+        let (low, high) = (cells.iter().map(of).min(), cells.iter().map(of).max());
+        low.zip(high).map_or(0, |(low, high)| high - low + 1)
+    };
+    let across = span(|c| c.0) as f64 / f64::from(raster.cols());
+    across.max(span(|c| c.1) as f64 / f64::from(raster.rows()))
+}
+
+/// The linkage used to take 7 % of the screen where its motion needs much more room than it takes itself.
+#[test]
+fn every_linkage_is_large_wherever_it_stands() {
+    let mut small = Vec::new();
+    for stage in PresetStage::presets() {
+        for (cols, rows) in [(80, 24), (120, 40), (200, 60), (44, 21)] {
+            let mut least = 1.0_f64;
+            for state in stage.motion().step_by(10) {
+                let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+                let view = WorldView::along(&stage.reach, state.at(), cols, rows, 2.0);
+                least = least.min(fill(&render(&figure, &view, Glyphs::Braille)));
+            }
+            if least < 0.6 {
+                small.push(format!("{} in {cols} x {rows}: {least:.2}", stage.name));
+            }
+        }
+    }
+    assert!(small.is_empty(), "{small:#?}");
+}
+
+/// While the driver goes through its motion as playing takes it, the window goes along without a jump: in a frame
+/// by less than a tenth of itself beyond what the linkage moves in it.
+#[test]
+fn a_window_goes_along_calmly() {
+    /// Frames of a turn in four seconds.
+    const FRAMES: u32 = 80;
+    const MOST: f64 = 0.1;
+    let mut shaken = Vec::new();
+    for stage in PresetStage::presets() {
+        let (low, high) = match stage.solver.motion().range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        for (cols, rows) in [(80, 24), (200, 60)] {
+            let share = |v: Vec2| {
+                (v.x / f64::from(cols))
+                    .abs()
+                    .max((v.y / f64::from(rows)).abs())
+            };
+            let mut state = stage.solver.state();
+            let mut at = |k: u32| {
+                let share = f64::from(k) / f64::from(FRAMES);
+                // Towards a limit the linkage itself goes ever faster.
+                let share = match stage.solver.motion().range {
+                    Range::Full { .. } => share,
+                    Range::Limited { .. } => (1.0 - (std::f64::consts::PI * share).cos()) / 2.0,
+                };
+                let at = (low + (high - low) * share).min(high);
+                let _ = stage.solver.solve(at, Order::Position, &mut state);
+                let points = stage.scene.mechanism.point_ids();
+                let points: Vec<Vec2> = points.map(|p| state.known().position(p)).collect();
+                (WorldView::along(&stage.reach, at, cols, rows, 2.0), points)
+            };
+            let mut before = at(0);
+            for k in 1..=FRAMES {
+                let after = at(k);
+                let pairs = before.1.iter().zip(&after.1);
+                let own = pairs.map(|(a, b)| share(before.0.cell(*b) - before.0.cell(*a)));
+                let most = MOST + own.fold(0.0, f64::max);
+                for corner in [Vec2::ZERO, Vec2::new(f64::from(cols), f64::from(rows))] {
+                    let moved = share(after.0.cell(before.0.world(corner)) - corner);
+                    if moved > most {
+                        let name = &stage.name;
+                        shaken.push(format!(
+                            "{name} in {cols} x {rows}, {k}: {moved:.3}, {most:.3}"
+                        ));
+                    }
+                }
+                before = after;
+            }
+        }
+    }
+    assert!(shaken.is_empty(), "{shaken:#?}");
+}
+
+/// Links that meet differ, and a row of the tables has the hue of its link.
+#[test]
+fn links_that_meet_have_hues_of_their_own() {
+    for stage in PresetStage::presets() {
+        let mechanism = &stage.scene.mechanism;
+        let roles = link_roles(mechanism);
+        assert_eq!(roles.len(), mechanism.links().len());
+        for point in mechanism.points() {
+            for (k, one) in point.links.iter().enumerate() {
+                for other in &point.links[k + 1..] {
+                    let [one, other] = [one, other].map(|link| roles[link.index()]);
+                    assert_ne!(one, other, "{}", stage.name);
+                }
+            }
+        }
+    }
+    let text = crate::scene::presets::find("four-bar")
+        .expect("it is there")
+        .text;
+    let stage = PresetStage::of("four-bar", text);
+    let rows = vector_roles(&stage.scene);
+    let [crank, coupler, rocker] = [Role::Driver, Role::Link(0), Role::Link(1)].map(Some);
+    assert_eq!(rows, [crank, coupler, rocker, None]);
+}
+
+/// In dots a link is as wide as the window allows, and a plate is filled.
+#[test]
+fn links_are_bodies() {
+    let dots = |raster: &Raster, wanted: fn(Role) -> bool| -> u32 {
+        let cells = raster.lines().flatten().filter(|cell| wanted(cell.role));
+        cells
+            .map(|cell| (u32::from(cell.glyph) & 0xff).count_ones())
+            .sum()
+    };
+    let text = crate::scene::presets::find("press")
+        .expect("it is there")
+        .text;
+    let stage = PresetStage::of("press", text);
+    let mut state = stage.solver.state();
+    let _ = stage.solver.solve(60.0, Order::Position, &mut state);
+    let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+    for (cols, rows, width) in [(20, 9, 1), (80, 24, 2), (200, 60, 3)] {
+        let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
+        let raster = render(&figure, &view, Glyphs::Braille);
+        let thin = {
+            let mut thin = Figure::new();
+            for shape in figure.shapes() {
+                match *shape {
+                    Shape::Line { from, to, role } if role.is_body() => {
+                        let role = Role::Guide;
+                        thin.add(Shape::Line { from, to, role });
+                    }
+                    ref other => thin.add(other.clone()),
+                }
+            }
+            render(&thin, &view, Glyphs::Braille)
+        };
+        let [bars, lines] = [&raster, &thin]
+            .map(|raster| dots(raster, |role| role.is_body() || role == Role::Guide));
+        assert_eq!(view.weight(), width);
+        if width == 1 {
+            assert!(bars >= lines, "{bars} {lines}");
+        } else {
+            assert!(bars > lines * 13 / 10, "{cols} x {rows}: {bars} {lines}");
+        }
+        let plates = dots(&raster, |role| matches!(role, Role::Plate(_)));
+        assert!(plates > 0 || rows < 10, "{cols} x {rows}");
+    }
 }

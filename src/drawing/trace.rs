@@ -22,7 +22,7 @@ pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &WorldView, course
     for place in places {
         // A line from or to nowhere has no parts.
         match glyphs {
-            Glyphs::Braille => {
+            Glyphs::Braille | Glyphs::Blocks(_) => {
                 for (x, y) in stroke::parts(raster, last, place, stroke::FINE) {
                     stroke::dot(raster, x, y, Role::Trace);
                 }

@@ -1,6 +1,6 @@
 //! The window: which cell a world point falls into.
 
-use super::reach::Reach;
+use super::reach::{Margin, Reach};
 use crate::Vec2;
 
 /// A box in world units; empty until something is included.
@@ -27,6 +27,40 @@ impl Bounds {
         if point.is_finite() {
             self.low = Vec2::new(self.low.x.min(point.x), self.low.y.min(point.y));
             self.high = Vec2::new(self.high.x.max(point.x), self.high.y.max(point.y));
+        }
+    }
+
+    /// Both boxes' box.
+    pub(super) fn with(mut self, other: Bounds) -> Bounds {
+        if !other.is_empty() {
+            self.include(other.low);
+            self.include(other.high);
+        }
+        self
+    }
+
+    /// The part inside another box: where both lie apart, the nearest edge of that.
+    pub(super) fn within(self, other: Bounds) -> Bounds {
+        if self.is_empty() || other.is_empty() {
+            return self;
+        }
+        let inside = |p: Vec2| {
+            Vec2::new(
+                p.x.clamp(other.low.x, other.high.x),
+                p.y.clamp(other.low.y, other.high.y),
+            )
+        };
+        Bounds {
+            low: inside(self.low),
+            high: inside(self.high),
+        }
+    }
+
+    /// From this box a share of the way to another.
+    pub(super) fn towards(self, other: Bounds, share: f64) -> Bounds {
+        Bounds {
+            low: self.low * (1.0 - share) + other.low * share,
+            high: self.high * (1.0 - share) + other.high * share,
         }
     }
 
@@ -71,6 +105,9 @@ pub struct WorldView {
     centre: Vec2,
     /// Where `centre` lies, in cell coordinates.
     pin: Vec2,
+    /// A world point that stands in the middle of a cell; none in a window that goes along with the
+    /// linkage: it would go from cell to cell instead of calmly.
+    anchor: Option<Vec2>,
 }
 
 /// How high a cell is for its width in most fonts.
@@ -82,6 +119,16 @@ const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
 /// Rows that a drawing of its own has at least.
 const LOWEST: u16 = 8;
 
+/// A linkage takes at least so much of the width or of the height of a window that goes along.
+const LEAST_FILL: f64 = 0.6;
+
+/// A window that goes along is enlarged in so many steps to twice its size, and moved in so many across it.
+const STEPS_OF_TWO: f64 = 24.0;
+const STEPS_ACROSS: u16 = 40;
+
+/// How much nearer than the whole motion such a window may be; the least that will do.
+const NEARER: [f64; 8] = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
+
 impl WorldView {
     /// The largest window of true aspect that holds the whole `reach` with its labels and supports.
     ///
@@ -89,6 +136,103 @@ impl WorldView {
     /// for anything that is not a positive number.
     #[must_use]
     pub fn fit(reach: &Reach, cols: u16, rows: u16, aspect: f64) -> WorldView {
+        let mut view = WorldView::around(
+            &reach.parts(),
+            reach.bounds().centre(),
+            (cols, rows),
+            aspect,
+        );
+        view.anchor = Some(reach.anchor());
+        view.rest();
+        view
+    }
+
+    /// A window in which the linkage is large wherever it stands: the whole motion where that leaves it
+    /// [`LEAST_FILL`] of the width or the height everywhere, else so much nearer to the linkage at this
+    /// coordinate of its driver, and going along with it, as that needs.
+    #[must_use]
+    pub fn along(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
+        let whole = WorldView::fit(reach, cols, rows, aspect);
+        let mut poses = reach.poses().some();
+        if poses.all(|(pose, _)| whole.fill(pose) >= LEAST_FILL) {
+            return whole;
+        }
+        let near = |room, nearer| WorldView::near(reach, room, nearer, (cols, rows), aspect);
+        let is_large = |nearer: &f64| {
+            let mut poses = reach.poses().some();
+            poses.all(|(pose, room)| near(room, *nearer).fill(pose) >= LEAST_FILL)
+        };
+        let nearer = NEARER.into_iter().find(is_large).unwrap_or(1.0);
+        match reach.poses().room(at) {
+            Some(room) => near(room, nearer),
+            None => whole,
+        }
+    }
+
+    /// The window on the linkage as it stands at a coordinate of its driver, going along with it.
+    #[must_use]
+    pub fn pose(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
+        match reach.poses().room(at) {
+            Some(room) => WorldView::near(reach, room, 1.0, (cols, rows), aspect),
+            None => WorldView::fit(reach, cols, rows, aspect),
+        }
+    }
+
+    /// The window on a room that lies a share of the way from the whole motion to this one.
+    ///
+    /// It goes along in small steps, each a part of its size: between two of them what is fixed stands
+    /// still, for the eye and for the line.
+    fn near(reach: &Reach, room: Bounds, nearer: f64, cells: (u16, u16), aspect: f64) -> WorldView {
+        let whole = reach.bounds();
+        let room = whole.towards(room, nearer);
+        let mut view = WorldView::around(&reach.parts_near(room), room.centre(), cells, aspect);
+        let steps = (view.scale.x * whole.size().norm()).log2() * STEPS_OF_TWO;
+        let smaller = ((steps.floor() - steps) / STEPS_OF_TWO).exp2();
+        if smaller.is_finite() {
+            let middle = view.middle();
+            view.centre = view.world(middle);
+            view.pin = middle;
+            view.scale = view.scale * smaller;
+        }
+        let at = view.cell(reach.anchor());
+        let step = |cells: u16| f64::from((cells / STEPS_ACROSS).max(1));
+        let stood = |at: f64, step: f64| ((at - 0.5) / step).round() * step + 0.5;
+        let stood = Vec2::new(stood(at.x, step(view.cols)), stood(at.y, step(view.rows)));
+        if stood.is_finite() && at.is_finite() {
+            view.pin += stood - at;
+        }
+        view
+    }
+
+    /// The larger of the shares of width and height that a linkage takes whose points fill a box: half of
+    /// a pin is beyond it on every side.
+    fn fill(&self, room: Bounds) -> f64 {
+        let size = room.size();
+        let across = (size.x * self.scale.x + 1.0) / f64::from(self.cols);
+        across.max((size.y * self.scale.y + 1.0) / f64::from(self.rows))
+    }
+
+    /// The same window with a point in its middle.
+    #[must_use]
+    pub fn centred_on(&self, point: Vec2) -> WorldView {
+        if !point.is_finite() {
+            return *self;
+        }
+        WorldView {
+            centre: point,
+            pin: self.middle(),
+            anchor: None,
+            ..*self
+        }
+    }
+
+    /// The largest window of true aspect that holds these parts with the cells around them.
+    fn around(
+        parts: &[(Bounds, Margin); 4],
+        centre: Vec2,
+        (cols, rows): (u16, u16),
+        aspect: f64,
+    ) -> WorldView {
         let aspect = if aspect > 0.0 && aspect.is_finite() {
             aspect
         } else {
@@ -99,8 +243,6 @@ impl WorldView {
             (cells.x / FULL_MARGIN.x).min(1.0),
             (cells.y / FULL_MARGIN.y).min(1.0),
         );
-        let parts = reach.parts();
-        let centre = reach.bounds().centre();
         let horizontal = parts.map(|(b, m)| AxisSpan {
             low: b.low.x - centre.x,
             high: b.high.x - centre.x,
@@ -123,7 +265,7 @@ impl WorldView {
             1.0
         };
         let scale = Vec2::new(scale, scale / aspect);
-        let mut view = WorldView {
+        WorldView {
             cols,
             rows,
             scale,
@@ -132,9 +274,8 @@ impl WorldView {
                 middle(&horizontal, cells.x, scale.x),
                 middle(&vertical, cells.y, scale.y),
             ),
-        };
-        view.rest_on(reach.anchor());
-        view
+            anchor: None,
+        }
     }
 
     /// The lowest window of so many columns in which the drawing is as large as in one of `most` rows.
@@ -153,7 +294,7 @@ impl WorldView {
     /// Without a zoom and a shift it is the window as it is. Factors that are not positive and finite, and
     /// shifts that are not finite, stand for none.
     #[must_use]
-    pub fn zoomed(&self, reach: &Reach, zoom: f64, shift: Vec2) -> WorldView {
+    pub fn zoomed(&self, zoom: f64, shift: Vec2) -> WorldView {
         let zoom = if zoom > 0.0 && zoom.is_finite() {
             zoom
         } else {
@@ -164,17 +305,20 @@ impl WorldView {
         if (zoom == 1.0 && shift == Vec2::ZERO) || !(scale.is_finite() && scale.x > 0.0) {
             return *self;
         }
-        let middle = Vec2::new(f64::from(self.cols), f64::from(self.rows)) * 0.5;
-        let centre = self.world(middle) + shift;
-        let (pin, view) = (middle, *self);
+        let middle = self.middle();
         let mut zoomed = WorldView {
             scale,
-            centre,
-            pin,
-            ..view
+            centre: self.world(middle) + shift,
+            pin: middle,
+            ..*self
         };
-        zoomed.rest_on(reach.anchor());
+        zoomed.rest();
         zoomed
+    }
+
+    /// The middle of the window, in cell coordinates.
+    fn middle(&self) -> Vec2 {
+        Vec2::new(f64::from(self.cols), f64::from(self.rows)) * 0.5
     }
 
     /// The world point that lies at a place in cell coordinates.
@@ -184,9 +328,10 @@ impl WorldView {
         self.centre + Vec2::new(offset.x / self.scale.x, -offset.y / self.scale.y)
     }
 
-    /// Moves the window by less than a cell so that `anchor` lies in the middle of one: ground pins
+    /// Moves the window by less than a cell so that its anchor lies in the middle of one: ground pins
     /// and guides through it are then drawn along the middle of their row.
-    fn rest_on(&mut self, anchor: Vec2) {
+    fn rest(&mut self) {
+        let Some(anchor) = self.anchor else { return };
         let at = self.cell(anchor);
         let centred = Vec2::new(at.x.floor() + 0.5, at.y.floor() + 0.5);
         if centred.is_finite() && at.is_finite() {
@@ -210,6 +355,15 @@ impl WorldView {
     #[must_use]
     pub fn aspect(&self) -> f64 {
         self.scale.x / self.scale.y
+    }
+
+    /// How many dots wide a link is drawn: a line of dots in a small window, a bar in a large one.
+    pub(super) fn weight(&self) -> u8 {
+        match self.rows.min(self.cols / 2) {
+            ..=9 => 1,
+            10..=31 => 2,
+            _ => 3,
+        }
     }
 
     /// How many columns a length in the world takes that lies level.
@@ -316,7 +470,7 @@ mod tests {
             let reach = reach(&points, &points[..1]);
             let view = WorldView::fit(&reach, cols, rows, 2.0);
             let shift = Vec2::new(x, y);
-            let zoomed = view.zoomed(&reach, zoom, shift);
+            let zoomed = view.zoomed(zoom, shift);
             prop_assert_eq!((zoomed.cols(), zoomed.rows()), (cols, rows));
             prop_assert!((zoomed.aspect() / view.aspect() - 1.0).abs() < 1e-12);
             prop_assert!((zoomed.cells_along(1.0) / view.cells_along(zoom) - 1.0).abs() < 1e-12);
@@ -324,7 +478,7 @@ mod tests {
             let off = zoomed.cell(view.world(middle) + shift) - middle;
             prop_assert!(off.x.abs() <= 0.5 + 1e-6 && off.y.abs() <= 0.5 + 1e-6, "{off:?}");
             for odd in [f64::NAN, 0.0, -1.0, f64::INFINITY] {
-                prop_assert_eq!(view.zoomed(&reach, odd, Vec2::new(odd * 0.0, 0.0)), view);
+                prop_assert_eq!(view.zoomed(odd, Vec2::new(odd * 0.0, 0.0)), view);
             }
         }
     }

@@ -37,8 +37,8 @@ fn the_glyphs_are_chosen_by_locale_or_by_option() {
 fn layers_are_drawn_and_explained() {
     let picture = done(&["draw", "four-bar", "--velocities", "--accelerations", "C"]);
     let legend = picture.lines().last().unwrap();
-    assert!(legend.starts_with("v 1000 mm/s = --"), "{legend}");
-    assert!(legend.contains("   a 20000 mm/s^2 = "), "{legend}");
+    assert!(legend.starts_with("v 500 mm/s = --"), "{legend}");
+    assert!(legend.contains("   a 10000 mm/s^2 = "), "{legend}");
     let bare = done(&["draw", "hoecken"]);
     let traced = done(&["draw", "hoecken", "--traces"]);
     assert_eq!(traced, done(&["draw", "hoecken", "--traces", "P"]));

@@ -43,9 +43,9 @@ fn shows_arrows_with_their_scale() {
     assert_told(
         &tiny,
         &[
-            "<_ __-<<",
-            "A o B",
-            "v 5000 mm/s = ------->",
+            "<_ __--",
+            "A o-",
+            "v 2000 mm/s = --->",
             "r4 250.000 290.753*",
         ],
     );

@@ -1,6 +1,7 @@
 //! Drawings and plots.
 
 use super::{OutputArgs, PlaceArgs, SceneArgs};
+use crate::drawing::{Blocks, Glyphs};
 use crate::report::WrittenDecimal;
 use crate::wording::words;
 use clap::{Args, ValueEnum};
@@ -18,6 +19,27 @@ pub(in crate::cli) enum GlyphChoice {
     Line,
     #[value(help = words().glyphs_of_braille())]
     Braille,
+    #[value(help = words().glyphs_of_quadrants())]
+    Quadrants,
+    #[value(help = words().glyphs_of_sextants())]
+    Sextants,
+    #[value(help = words().glyphs_of_octants())]
+    Octants,
+}
+
+impl GlyphChoice {
+    /// The characters that are asked for, if any are.
+    pub(in crate::cli) fn asked(self) -> Option<Glyphs> {
+        match self {
+            GlyphChoice::Auto => None,
+            GlyphChoice::Ascii => Some(Glyphs::Ascii),
+            GlyphChoice::Line => Some(Glyphs::Line),
+            GlyphChoice::Braille => Some(Glyphs::Braille),
+            GlyphChoice::Quadrants => Some(Glyphs::Blocks(Blocks::Quadrants)),
+            GlyphChoice::Sextants => Some(Glyphs::Blocks(Blocks::Sextants)),
+            GlyphChoice::Octants => Some(Glyphs::Blocks(Blocks::Octants)),
+        }
+    }
 }
 
 /// How a drawing is written.

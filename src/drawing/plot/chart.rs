@@ -57,6 +57,7 @@ fn steps(glyphs: Glyphs) -> [char; 2] {
         Glyphs::Ascii => ['.', ':'],
         Glyphs::Line => ['\u{b7}', '\u{b7}'],
         Glyphs::Braille => ['\u{2824}', '\u{2847}'],
+        Glyphs::Blocks(_) => ['\u{2584}', '\u{258c}'],
     }
 }
 

@@ -25,7 +25,7 @@ impl FrameGlyphs {
             Glyphs::Line => [
                 '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', ':', '\u{2500}',
             ],
-            Glyphs::Braille => [
+            Glyphs::Braille | Glyphs::Blocks(_) => [
                 '\u{2502}', '\u{2500}', '\u{2514}', '\u{b7}', '\u{2506}', '\u{2500}',
             ],
         };

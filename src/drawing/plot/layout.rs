@@ -167,7 +167,7 @@ impl Plot {
         let first = look.first.min(self.panels.len() - count);
         let inset = match look.glyphs {
             Glyphs::Ascii | Glyphs::Line => Vec2::new(0.5, 0.5),
-            Glyphs::Braille => Vec2::new(0.25, 0.125),
+            Glyphs::Braille | Glyphs::Blocks(_) => Vec2::new(0.25, 0.125),
         };
         let body = rows - FOOT;
         let shares = i32::try_from(count).unwrap_or(1);

@@ -6,6 +6,7 @@ use super::path::Pen;
 use super::ticks::TickStyle;
 use super::{CurveTurn, Panel, Plot, PlotStyle};
 use crate::Vec2;
+use crate::drawing::blocks::settle;
 use crate::drawing::figure::Role;
 use crate::drawing::labels::free_places;
 use crate::drawing::raster::Raster;
@@ -52,6 +53,7 @@ impl Plot {
             };
             painter.paint(&mut raster);
         }
+        settle(&mut raster, look.glyphs);
         raster
     }
 }

@@ -128,7 +128,7 @@ impl Pen {
                     self.strokes(&way, raster);
                 }
             }
-            Glyphs::Braille => {
+            Glyphs::Braille | Glyphs::Blocks(_) => {
                 let spacing = if self.dotted { SPARSE } else { 1 };
                 for way in ways(points, block, DOTS) {
                     for &(x, y) in way.iter().step_by(spacing) {

@@ -35,7 +35,7 @@ impl App {
         self.look(self.shell.view);
         self.shell.scroll = [0; View::ALL.len()];
         self.followed = FollowedPoints::default();
-        self.viewport.fit();
+        self.viewport.reset();
         self.cursor = Cursor::default();
         self.meet();
     }

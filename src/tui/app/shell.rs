@@ -3,7 +3,7 @@
 use super::pointing::Gripped;
 use super::{Mode, View};
 use crate::capability::{Capability, Colours};
-use crate::drawing::Glyphs;
+use crate::drawing::{Blocks, Glyphs};
 use crate::report::Verdict;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
@@ -107,7 +107,17 @@ impl Shell {
         let (glyphs, name) = match self.capability.glyphs {
             Glyphs::Ascii => (Glyphs::Line, words().glyphs_lines()),
             Glyphs::Line => (Glyphs::Braille, words().glyphs_braille()),
-            Glyphs::Braille => (Glyphs::Ascii, words().glyphs_ascii()),
+            Glyphs::Braille => (
+                Glyphs::Blocks(Blocks::Quadrants),
+                words().glyphs_quadrants(),
+            ),
+            Glyphs::Blocks(Blocks::Quadrants) => {
+                (Glyphs::Blocks(Blocks::Sextants), words().glyphs_sextants())
+            }
+            Glyphs::Blocks(Blocks::Sextants) => {
+                (Glyphs::Blocks(Blocks::Octants), words().glyphs_octants())
+            }
+            Glyphs::Blocks(Blocks::Octants) => (Glyphs::Ascii, words().glyphs_ascii()),
         };
         self.capability.glyphs = glyphs;
         self.say(words().drawn_with(name));

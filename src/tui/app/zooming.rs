@@ -19,7 +19,14 @@ impl App {
             M::Guides => self.switch(Layer::Guides, words().guides_and_supports()),
             M::ZoomIn => self.zoom(1),
             M::ZoomOut => self.zoom(-1),
-            M::Fit => self.viewport.fit(),
+            M::Fit => self.shell.say(self.viewport.fit()),
+            M::FitPose => self.shell.say(self.viewport.fit_pose()),
+            M::Follow => {
+                let told = self
+                    .viewport
+                    .follow(&self.player.open_scene, &self.followed);
+                self.shell.say(told);
+            }
             M::PanLeft => self.pan(-1.0, 0.0),
             M::PanDown => self.pan(0.0, -1.0),
             M::PanUp => self.pan(0.0, 1.0),

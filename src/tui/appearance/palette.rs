@@ -1,7 +1,8 @@
 //! From the colours that views ask for to those that a terminal gets.
 //!
-//! Views name colours as the terminal's own palette does, one name for each role. In 16 colours that
-//! is what is sent, so that everybody's own palette stays in force. With more colours each name stands
+//! Views name colours as the terminal's own palette does, one name for each role. In 16 colours names of
+//! that palette are sent, so that everybody's own stays in force: the two that are legible on any ground, or
+//! where the ground is known the better ones for it. With more colours each name stands
 //! for one that was chosen: `auto` for such as read on black as well as on white, since nobody can
 //! know the ground without asking; `light` and `dark` for better ones where it is known. Faint text,
 //! which many terminals make too faint, becomes a grey of known contrast there.
@@ -36,15 +37,19 @@ impl Theme {
     }
 }
 
-/// What a palette name stands for beyond its brightness.
+/// What a palette name stands for. The bright names are hues of their own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Hue {
     Red,
-    Green,
+    Orange,
     Yellow,
-    Blue,
-    Magenta,
+    Lime,
+    Green,
+    Teal,
     Cyan,
+    Blue,
+    Violet,
+    Magenta,
     /// What is told quietly.
     Grey,
 }
@@ -71,24 +76,32 @@ const fn shade(index: u8, r: u8, g: u8, b: u8) -> Shade {
 
 impl Hue {
     #[cfg(test)]
-    const ALL: [Hue; 7] = [
+    const ALL: [Hue; 11] = [
         Hue::Red,
-        Hue::Green,
+        Hue::Orange,
         Hue::Yellow,
-        Hue::Blue,
-        Hue::Magenta,
+        Hue::Lime,
+        Hue::Green,
+        Hue::Teal,
         Hue::Cyan,
+        Hue::Blue,
+        Hue::Violet,
+        Hue::Magenta,
         Hue::Grey,
     ];
 
     fn of(colour: Color) -> Option<Hue> {
         Some(match colour {
-            Color::Red | Color::LightRed => Hue::Red,
-            Color::Green | Color::LightGreen => Hue::Green,
+            Color::Red => Hue::Red,
+            Color::LightRed => Hue::Orange,
             Color::Yellow | Color::LightYellow => Hue::Yellow,
-            Color::Blue | Color::LightBlue => Hue::Blue,
+            Color::LightGreen => Hue::Lime,
+            Color::Green => Hue::Green,
+            Color::LightCyan => Hue::Teal,
+            Color::Cyan => Hue::Cyan,
+            Color::Blue => Hue::Blue,
+            Color::LightBlue => Hue::Violet,
             Color::Magenta | Color::LightMagenta => Hue::Magenta,
-            Color::Cyan | Color::LightCyan => Hue::Cyan,
             Color::Gray | Color::DarkGray => Hue::Grey,
             Color::Reset | Color::Black | Color::White | Color::Indexed(_) | Color::Rgb(..) => {
                 return None;
@@ -96,15 +109,36 @@ impl Hue {
         })
     }
 
-    /// Of the names of the palette, the one that reads better on a dark ground.
+    /// Of the names of the palette, one that most palettes keep legible on any ground. There are two;
+    /// what else is drawn is told by its form.
+    fn plain(self) -> Color {
+        match self {
+            Hue::Red => Color::Red,
+            Hue::Yellow | Hue::Magenta => Color::Magenta,
+            Hue::Grey => Color::DarkGray,
+            Hue::Orange
+            | Hue::Lime
+            | Hue::Green
+            | Hue::Teal
+            | Hue::Cyan
+            | Hue::Blue
+            | Hue::Violet => Color::Reset,
+        }
+    }
+
+    /// The one that reads better on a dark ground.
     fn bright(self) -> Color {
         match self {
             Hue::Red => Color::LightRed,
-            Hue::Green => Color::LightGreen,
+            Hue::Orange => Color::Yellow,
             Hue::Yellow => Color::LightYellow,
-            Hue::Blue => Color::LightBlue,
-            Hue::Magenta => Color::LightMagenta,
+            Hue::Lime => Color::Green,
+            Hue::Green => Color::LightGreen,
+            Hue::Teal => Color::Cyan,
             Hue::Cyan => Color::LightCyan,
+            Hue::Blue => Color::LightBlue,
+            Hue::Violet => Color::Magenta,
+            Hue::Magenta => Color::LightMagenta,
             Hue::Grey => Color::Gray,
         }
     }
@@ -113,41 +147,71 @@ impl Hue {
     fn deep(self) -> Color {
         match self {
             Hue::Red => Color::Red,
-            Hue::Green => Color::Green,
-            Hue::Yellow => Color::Yellow,
+            Hue::Orange | Hue::Yellow => Color::Yellow,
+            Hue::Lime | Hue::Green => Color::Green,
+            Hue::Teal | Hue::Cyan => Color::Cyan,
             Hue::Blue => Color::Blue,
-            Hue::Magenta => Color::Magenta,
-            Hue::Cyan => Color::Cyan,
+            Hue::Violet | Hue::Magenta => Color::Magenta,
             Hue::Grey => Color::DarkGray,
         }
     }
 
-    /// In more than 16 colours.
+    /// In more than 16 colours. Those of links are of the fixed palette in any case: in every row of a drawing
+    /// there are some, and an exact colour takes twice the bytes.
     fn shade(self, theme: Theme) -> Shade {
-        match (theme, self) {
-            // Of middle luminance: the contrasts against black and against white are alike. The fixed
-            // palette has few such colours, so that exact ones are worth their bytes.
-            (Theme::Auto | Theme::Plain, Hue::Red) => shade(131, 228, 36, 36),
-            (Theme::Auto | Theme::Plain, Hue::Green) => shade(28, 14, 136, 34),
-            (Theme::Auto | Theme::Plain, Hue::Yellow) => shade(130, 153, 110, 0),
-            (Theme::Auto | Theme::Plain, Hue::Blue) => shade(63, 63, 115, 209),
-            (Theme::Auto | Theme::Plain, Hue::Magenta) => shade(163, 200, 40, 200),
-            (Theme::Auto | Theme::Plain, Hue::Cyan) => shade(30, 0, 131, 131),
-            (Theme::Auto | Theme::Plain, Hue::Grey) => both(243),
-            (Theme::Light, Hue::Red) => both(160),
-            (Theme::Light, Hue::Green) => both(22),
-            (Theme::Light, Hue::Yellow) => both(94),
-            (Theme::Light, Hue::Blue) => both(26),
-            (Theme::Light, Hue::Magenta) => both(127),
-            (Theme::Light, Hue::Cyan) => both(24),
-            (Theme::Light, Hue::Grey) => both(242),
-            (Theme::Dark, Hue::Red) => both(203),
-            (Theme::Dark, Hue::Green) => both(77),
-            (Theme::Dark, Hue::Yellow) => both(179),
-            (Theme::Dark, Hue::Blue) => both(75),
-            (Theme::Dark, Hue::Magenta) => both(176),
-            (Theme::Dark, Hue::Cyan) => both(80),
-            (Theme::Dark, Hue::Grey) => both(247),
+        match theme {
+            Theme::Auto | Theme::Plain => self.shade_on_any(),
+            Theme::Light => self.shade_on_light(),
+            Theme::Dark => self.shade_on_dark(),
+        }
+    }
+
+    /// Of middle luminance: the contrasts against black and against white are alike.
+    fn shade_on_any(self) -> Shade {
+        match self {
+            Hue::Red => shade(131, 228, 36, 36),
+            Hue::Orange => both(166),
+            Hue::Yellow => shade(130, 139, 114, 21),
+            Hue::Lime => shade(64, 104, 127, 21),
+            Hue::Green => both(28),
+            Hue::Teal => both(29),
+            Hue::Cyan => shade(30, 16, 129, 158),
+            Hue::Blue => both(63),
+            Hue::Violet => both(98),
+            Hue::Magenta => shade(163, 200, 40, 200),
+            Hue::Grey => both(243),
+        }
+    }
+
+    fn shade_on_light(self) -> Shade {
+        match self {
+            Hue::Red => shade(160, 200, 30, 36),
+            Hue::Orange => both(166),
+            Hue::Yellow => shade(94, 130, 105, 1),
+            Hue::Lime => shade(64, 96, 118, 2),
+            Hue::Green => both(28),
+            Hue::Teal => both(30),
+            Hue::Cyan => shade(31, 0, 117, 144),
+            Hue::Blue => both(26),
+            Hue::Violet => both(92),
+            Hue::Magenta => shade(127, 184, 30, 166),
+            Hue::Grey => both(242),
+        }
+    }
+
+    fn shade_on_dark(self) -> Shade {
+        match self {
+            Hue::Red => shade(203, 255, 105, 97),
+            Hue::Orange => both(215),
+            Hue::Yellow => shade(221, 235, 203, 80),
+            Hue::Lime => shade(149, 176, 208, 72),
+            Hue::Green => both(77),
+            Hue::Teal => both(43),
+            Hue::Cyan => shade(81, 86, 196, 250),
+            Hue::Blue => both(69),
+            Hue::Violet => both(141),
+            Hue::Magenta => shade(206, 244, 114, 220),
+            Hue::Grey => both(247),
         }
     }
 
@@ -175,7 +239,7 @@ impl Palette {
             (Colours::None, _) => Color::Reset,
             (_, None) => named,
             (Colours::Sixteen, Some(hue)) => match self.theme {
-                Theme::Auto | Theme::Plain => named,
+                Theme::Auto | Theme::Plain => hue.plain(),
                 Theme::Light => hue.deep(),
                 Theme::Dark => hue.bright(),
             },
@@ -224,15 +288,19 @@ mod tests {
 
     /// WCAG 2.2, relative luminance.
     fn luminance(colour: Color) -> f64 {
-        let linear = exact(colour).map(|c| {
+        let linear = linear(colour);
+        0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    }
+
+    fn linear(colour: Color) -> [f64; 3] {
+        exact(colour).map(|c| {
             let c = f64::from(c) / 255.0;
             if c <= 0.04045 {
                 c / 12.92
             } else {
                 ((c + 0.055) / 1.055).powf(2.4)
             }
-        });
-        0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+        })
     }
 
     fn contrast(a: Color, b: Color) -> f64 {
@@ -240,12 +308,30 @@ mod tests {
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
-    fn worst(theme: Theme, exact: bool, grounds: &[Color]) -> f64 {
-        let colours = Hue::ALL.map(|hue| hue.colour(theme, exact));
-        let all = colours
-            .iter()
-            .flat_map(|c| grounds.iter().map(|g| contrast(*c, *g)));
+    /// Hues in which something is written; the others draw, and mark what belongs to a drawing.
+    const WRITTEN: [Hue; 4] = [Hue::Red, Hue::Yellow, Hue::Magenta, Hue::Grey];
+
+    fn worst(hues: &[Hue], theme: Theme, exact: bool, grounds: &[Color]) -> f64 {
+        let colours = hues.iter().map(|hue| hue.colour(theme, exact));
+        let all = colours.flat_map(|c| grounds.iter().map(move |g| contrast(c, *g)));
         all.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The distance of two colours in Oklab (Ottosson 2020): 0.02 is just seen side by side.
+    fn distance(a: Color, b: Color) -> f64 {
+        let [a, b] = [a, b].map(|colour| {
+            let [r, g, b] = linear(colour);
+            let l = (0.412_221_470_8 * r + 0.536_332_536_3 * g + 0.051_445_992_9 * b).cbrt();
+            let m = (0.211_903_498_2 * r + 0.680_699_545_1 * g + 0.107_396_956_6 * b).cbrt();
+            let s = (0.088_302_461_9 * r + 0.281_718_837_6 * g + 0.629_978_700_5 * b).cbrt();
+            [
+                0.210_454_255_3 * l + 0.793_617_785_0 * m - 0.004_072_046_8 * s,
+                1.977_998_495_1 * l - 2.428_592_205_0 * m + 0.450_593_709_9 * s,
+                0.025_904_037_1 * l + 0.782_771_766_2 * m - 0.808_675_766_0 * s,
+            ]
+        });
+        let squares = (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k]));
+        squares.sum::<f64>().sqrt()
     }
 
     #[test]
@@ -258,27 +344,49 @@ mod tests {
     /// it is 3.9, so that those who have one name it.
     #[test]
     fn colours_read_well_on_any_ground() {
-        assert!(worst(Theme::Auto, true, &[BLACK, WHITE]) >= 4.5);
-        assert!(worst(Theme::Auto, false, &[BLACK, WHITE]) >= 4.3);
-        assert!(worst(Theme::Auto, true, &[SOFT_BLACK, SOFT_WHITE]) >= 3.5);
-        assert!(worst(Theme::Auto, false, &[SOFT_BLACK, SOFT_WHITE]) >= 3.5);
+        let worst = |exact, grounds: &[Color]| worst(&WRITTEN, Theme::Auto, exact, grounds);
+        assert!(worst(true, &[BLACK, WHITE]) >= 4.5);
+        assert!(worst(false, &[BLACK, WHITE]) >= 4.3);
+        assert!(worst(true, &[SOFT_BLACK, SOFT_WHITE]) >= 3.5);
+        assert!(worst(false, &[SOFT_BLACK, SOFT_WHITE]) >= 3.5);
     }
 
     #[test]
     fn colours_read_better_on_a_ground_that_is_known() {
         for exact in [false, true] {
-            assert!(worst(Theme::Light, exact, &[WHITE, SOFT_WHITE]) >= 4.5);
-            assert!(worst(Theme::Dark, exact, &[BLACK, SOFT_BLACK]) >= 4.5);
+            assert!(worst(&WRITTEN, Theme::Light, exact, &[WHITE, SOFT_WHITE]) >= 4.5);
+            assert!(worst(&WRITTEN, Theme::Dark, exact, &[BLACK, SOFT_BLACK]) >= 4.5);
+        }
+    }
+
+    /// What WCAG 2.2 asks of graphics.
+    #[test]
+    fn strokes_stand_out_on_every_ground() {
+        for (theme, grounds) in [
+            (Theme::Auto, &[BLACK, WHITE, SOFT_BLACK, SOFT_WHITE][..]),
+            (Theme::Light, &[WHITE, SOFT_WHITE]),
+            (Theme::Dark, &[BLACK, SOFT_BLACK]),
+        ] {
+            for exact in [false, true] {
+                let worst = worst(&Hue::ALL, theme, exact, grounds);
+                assert!(worst >= 3.0, "{theme:?}, {exact}: {worst}");
+            }
         }
     }
 
     #[test]
-    fn hues_differ() {
+    fn hues_can_be_told_apart() {
         for theme in [Theme::Auto, Theme::Light, Theme::Dark] {
             for exact in [false, true] {
-                let mut colours = Hue::ALL.map(|hue| format!("{:?}", hue.colour(theme, exact)));
-                colours.sort();
-                assert!(colours.windows(2).all(|pair| pair[0] != pair[1]));
+                for (k, a) in Hue::ALL.iter().enumerate() {
+                    for b in &Hue::ALL[k + 1..] {
+                        let apart = distance(a.colour(theme, exact), b.colour(theme, exact));
+                        assert!(
+                            apart >= 0.06,
+                            "{a:?} and {b:?} in {theme:?}, {exact}: {apart}"
+                        );
+                    }
+                }
             }
         }
     }
@@ -290,6 +398,7 @@ mod tests {
             Palette { colours, theme }.colour(named)
         };
         assert_eq!(sent(Theme::Auto, Color::Red), Color::Red);
+        assert_eq!(sent(Theme::Auto, Color::Blue), Color::Reset);
         assert_eq!(sent(Theme::Dark, Color::Red), Color::LightRed);
         assert_eq!(sent(Theme::Light, Color::LightCyan), Color::Cyan);
         assert_eq!(sent(Theme::Dark, Color::Reset), Color::Reset);

@@ -148,8 +148,12 @@ pub(crate) enum MotionAction {
     ZoomIn,
     /// Smaller.
     ZoomOut,
-    /// The whole motion again.
+    /// The window as it was at first, and the whole motion.
     Fit,
+    /// The linkage as it stands.
+    FitPose,
+    /// A point stays in the middle.
+    Follow,
     /// The window goes left.
     PanLeft,
     /// The window goes down.
@@ -324,6 +328,8 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Motion, entry(A::Motion(M::ZoomIn), "zoom-in", W::zoom_in, W::zoom_in, &[Char('z')])),
         within(Motion, entry(A::Motion(M::ZoomOut), "zoom-out", W::zoom_out, W::zoom_out, &[Char('Z')])),
         within(Motion, entry(A::Motion(M::Fit), "fit", W::fit, W::the_whole_motion_again, &[Char('f')])),
+        within(Motion, entry(A::Motion(M::FitPose), "fit-pose", W::fit_pose, W::the_linkage_as_it_stands, &[Char('F')])),
+        within(Motion, entry(A::Motion(M::Follow), "follow", W::follow, W::stay_with_a_point, &[Char('s')])),
         within(Motion, entry(A::Motion(M::PanLeft), "pan-left", W::pan_left, W::move_the_window_left, &[Char('H')])),
         within(Motion, entry(A::Motion(M::PanDown), "pan-down", W::pan_down, W::move_it_down, &[Char('J')])),
         within(Motion, entry(A::Motion(M::PanUp), "pan-up", W::pan_up, W::move_it_up, &[Char('K')])),

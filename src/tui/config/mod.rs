@@ -8,7 +8,7 @@ pub use template::template;
 
 use crate::capability::Colours;
 use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Reader};
-use crate::drawing::Glyphs;
+use crate::drawing::{Blocks, Glyphs};
 use crate::files::places;
 use crate::nearest::did_you_mean;
 use crate::tui::appearance::palette::Theme;
@@ -65,11 +65,14 @@ struct ConfigFile {
 /// A value as it is written, and what it means.
 type Named<T> = (&'static str, T);
 
-const GLYPHS: [Named<Option<Glyphs>>; 4] = [
+const GLYPHS: [Named<Option<Glyphs>>; 7] = [
     ("auto", None),
     ("ascii", Some(Glyphs::Ascii)),
     ("line", Some(Glyphs::Line)),
     ("braille", Some(Glyphs::Braille)),
+    ("quadrants", Some(Glyphs::Blocks(Blocks::Quadrants))),
+    ("sextants", Some(Glyphs::Blocks(Blocks::Sextants))),
+    ("octants", Some(Glyphs::Blocks(Blocks::Octants))),
 ];
 
 const COLOURS: [Named<Option<Colours>>; 5] = [

@@ -15,11 +15,9 @@ const COMMENT: usize = 36;
 pub fn template() -> String {
     let mut text = words().template_head().to_owned();
     let mut set = |key: &str, value: &str, what: &str| text.push_str(&line(key, value, what));
-    set(
-        "glyphs",
-        "\"auto\"",
-        &words().to_draw_with(&values(&GLYPHS)),
-    );
+    // So many that quotation marks would make the line too long.
+    let glyphs = values(&GLYPHS).replace('"', "");
+    set("glyphs", "\"auto\"", &words().to_draw_with(&glyphs));
     set("colour", "\"auto\"", &values(&COLOURS));
     set("theme", "\"auto\"", &words().for_a_ground(&values(&THEMES)));
     set(

@@ -1,7 +1,7 @@
 //! The open scene: what is found once when it opens, and what follows from the driver's coordinate.
 
 use crate::Ball;
-use crate::drawing::Reach;
+use crate::drawing::{Reach, Role, vector_roles};
 use crate::quantity::{Catalogue, Sensitivity};
 use crate::report::{Answers, Forces, Tables, Verdict};
 use crate::scene::presets::{self, Preset};
@@ -31,6 +31,8 @@ pub(crate) struct OpenScene {
     reach: Reach,
     verdict: Verdict,
     sheet: Sheet,
+    /// What the links of the vectors are drawn as.
+    vector_roles: Vec<Option<Role>>,
     at: f64,
     state: Workspace,
     enclosure: Workspace<Ball>,
@@ -69,6 +71,7 @@ impl OpenScene {
             edition: Edition::default(),
             verdict: Verdict::new(&opened.scene, &opened.solver),
             sheet: Sheet::new(&samples),
+            vector_roles: vector_roles(&opened.scene),
             tables: solved(&opened, at, Order::Acceleration, &mut state, &mut enclosure),
             answers: None,
             force_figures: None,
@@ -286,6 +289,11 @@ impl OpenScene {
         &self.sheet
     }
 
+    /// What the link is drawn as that a row of the vectors belongs to.
+    pub(crate) fn vector_role(&self, row: usize) -> Option<Role> {
+        self.vector_roles.get(row).copied().flatten()
+    }
+
     /// The driver's coordinate, in degrees or in the scene's length unit.
     pub(crate) fn at(&self) -> f64 {
         self.at
@@ -396,8 +404,8 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
         // Console fonts have Latin-1.
         Glyphs::Line => u32::from(c) < 0x100,
         // What was harmful is `?` here as elsewhere.
-        Glyphs::Braille if c == char::REPLACEMENT_CHARACTER => false,
-        Glyphs::Braille => {
+        Glyphs::Braille | Glyphs::Blocks(_) if c == char::REPLACEMENT_CHARACTER => false,
+        Glyphs::Braille | Glyphs::Blocks(_) => {
             let mut buffer = [0; 4];
             ratatui::text::Span::raw(&*c.encode_utf8(&mut buffer)).width() == 1
         }

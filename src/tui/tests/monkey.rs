@@ -405,7 +405,7 @@ fn check_text(text: &str, glyphs: Glyphs, frame: &str) {
         _ if matches!(c, '\r' | '\n' | '\u{8}') => true,
         _ if is_harmful(c) => false,
         Glyphs::Ascii => c.is_ascii(),
-        Glyphs::Line | Glyphs::Braille => true,
+        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => true,
     };
     assert!(text.chars().all(allowed), "{text:?} in {frame:?}");
 }

@@ -15,7 +15,7 @@ use ratatui::layout::Rect;
 pub(super) fn lines(app: &App, page: &Page, area: Rect) -> Vec<Line> {
     let style = TextStyle {
         // Console fonts have no Greek letters.
-        ascii: app.glyphs() != Glyphs::Braille,
+        ascii: !app.glyphs().is_dotted(),
         width: area.width.into(),
     };
     let lines = page.lines(style).into_iter();

@@ -44,7 +44,7 @@ const ASCII: Set<'static> = Set {
 pub(super) fn frame(glyphs: Glyphs, frame: Rect, title: &str, buffer: &mut Buffer) -> u16 {
     let lines = match glyphs {
         Glyphs::Ascii => ASCII,
-        Glyphs::Line | Glyphs::Braille => border::PLAIN,
+        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => border::PLAIN,
     };
     Clear.render(frame, buffer);
     Block::bordered().border_set(lines).render(frame, buffer);

@@ -87,7 +87,24 @@ pub(super) fn render_line(
         _ => placed.show(line, app.tables()),
     };
     page::render_line((app.glyphs(), app.colours()), &shown, area, buffer);
+    tint(app, line, &shown, area, buffer);
     shown
+}
+
+/// Gives the name of a vector the hue that its link has in the drawing.
+fn tint(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buffer) {
+    let TableLine::Row(sheet::SheetPart::Vectors, row, _) = *line else {
+        return;
+    };
+    if let (Some(role), Some(name)) = (app.open_scene().vector_role(row), shown.spans.first()) {
+        let width = columns_of(name.text.chars().count()).min(area.width);
+        let name = Rect {
+            width,
+            height: 1,
+            ..area
+        };
+        buffer.set_style(name.intersection(buffer.area), theme::role(role));
+    }
 }
 
 /// Dims the digits of a figure that nothing proves. Without colours, where dim text may look like any

@@ -116,7 +116,7 @@ pub(super) fn lines_between(glyphs: Glyphs, placed: &[PlacedView], buffer: &mut 
 fn joints(glyphs: Glyphs) -> (char, char) {
     match glyphs {
         Glyphs::Ascii => ('+', '+'),
-        Glyphs::Line | Glyphs::Braille => ('\u{252c}', '\u{2524}'),
+        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => ('\u{252c}', '\u{2524}'),
     }
 }
 

@@ -83,6 +83,10 @@ catalogue! {
         zoom_out = "zoom out";
         fit = "fit";
         the_whole_motion_again = "the whole motion again";
+        fit_pose = "fit pose";
+        the_linkage_as_it_stands = "the linkage as it is";
+        follow = "follow";
+        stay_with_a_point = "stay with a point";
         pan_left = "pan left";
         move_the_window_left = "move the window left";
         pan_down = "pan down";

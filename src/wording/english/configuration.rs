@@ -59,7 +59,7 @@ catalogue! {
 # line to change it. What is wrong is told with its line when krank starts.
 
 ";
-        to_draw_with(values: &str) = "to draw with: {values}";
+        to_draw_with(values: &str) = "{values}";
         for_a_ground(values: &str) = "for a ground: {values}";
         panes_stand_as(values: &str) = "panes: {values}";
         mouse_from_the_start = "the mouse is krank's from the start: true or false";

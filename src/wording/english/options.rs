@@ -73,6 +73,9 @@ catalogue! {
         glyphs_of_seven_bits = "7-bit characters";
         glyphs_of_boxes = "Box-drawing characters, which console fonts have too";
         glyphs_of_braille = "Braille patterns";
+        glyphs_of_quadrants = "Quarters of a character, which most fonts have";
+        glyphs_of_sextants = "Sixths of a character, which some fonts have";
+        glyphs_of_octants = "Eighths of a character, which few fonts have";
         trace_points = "Trace points over the whole motion";
         draw_velocities = "Arrows of velocity";
         draw_accelerations = "Arrows of acceleration";

@@ -105,7 +105,7 @@ impl Column {
     pub(super) fn unit(&self, glyphs: Glyphs) -> String {
         match glyphs {
             Glyphs::Ascii | Glyphs::Line => self.unit.clone(),
-            Glyphs::Braille => self.unit.replace("^2", "\u{b2}"),
+            Glyphs::Braille | Glyphs::Blocks(_) => self.unit.replace("^2", "\u{b2}"),
         }
     }
 
@@ -122,7 +122,9 @@ impl Column {
         let symbol = self.figure.symbol(glyphs).chars().count();
         let unit = match glyphs {
             Glyphs::Ascii | Glyphs::Line => self.unit.len(),
-            Glyphs::Braille => self.unit.len() - self.unit.matches("^2").count(),
+            Glyphs::Braille | Glyphs::Blocks(_) => {
+                self.unit.len() - self.unit.matches("^2").count()
+            }
         };
         let title = match units {
             Units::Behind => symbol + unit + " []".len(),
@@ -158,7 +160,7 @@ impl Column {
 
 impl ColumnFigure {
     fn symbol(self, glyphs: Glyphs) -> &'static str {
-        let greek = glyphs == Glyphs::Braille;
+        let greek = glyphs.is_dotted();
         match self {
             ColumnFigure::Length(order) => ["r", "r'", "r''"][order],
             ColumnFigure::Turning(order) if greek => ["\u{3b8}", "\u{3c9}", "\u{3b1}"][order],

@@ -94,7 +94,8 @@ pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
         (_, _, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
         _ => Cow::Borrowed(own),
     };
-    viewport.view(&reach, (area.width, area.height), app.aspect())
+    let size = (area.width, area.height);
+    viewport.view(open_scene, &reach, size, app.aspect())
 }
 
 /// The drawing, the line beside it, and the tables: what these cannot use is the drawing's.

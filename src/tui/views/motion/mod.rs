@@ -218,7 +218,7 @@ fn explain(app: &App, drawing: Rect, area: Rect, buffer: &mut Buffer) {
 pub(super) fn rule(glyphs: Glyphs, area: Rect, buffer: &mut Buffer) {
     let (upright, level) = match glyphs {
         Glyphs::Ascii => ('|', '-'),
-        Glyphs::Line | Glyphs::Braille => ('\u{2502}', '\u{2500}'),
+        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => ('\u{2502}', '\u{2500}'),
     };
     let glyph = if area.width == 1 { upright } else { level };
     for position in area.positions() {

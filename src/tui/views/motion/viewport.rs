@@ -93,11 +93,26 @@ impl Window {
     }
 }
 
+/// What the window is fitted to before it is enlarged and moved.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Framing {
+    /// The whole motion, and nearer to the linkage where that would make it small.
+    #[default]
+    Along,
+    /// The whole motion.
+    Motion,
+    /// The linkage as it stands.
+    Pose,
+    /// The surroundings of a point, which stays in the middle.
+    Point(PointId),
+}
+
 /// What a person has set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ViewportSetting {
     names: ShownNames,
     on: On,
+    framing: Framing,
     window: Window,
 }
 
@@ -121,6 +136,7 @@ impl Default for Viewport {
         let setting = ViewportSetting {
             names: ShownNames::default(),
             on,
+            framing: Framing::default(),
             window: Window::default(),
         };
         Viewport {
@@ -152,13 +168,66 @@ impl Viewport {
         *on
     }
 
-    /// Shows the whole motion.
-    pub(crate) fn fit(&mut self) {
+    /// Shows the linkage as it is shown first.
+    pub(crate) fn reset(&mut self) {
+        self.frame(Framing::Along);
+    }
+
+    /// Fits the window anew, and where it is fitted already, to the whole motion and back.
+    pub(crate) fn fit(&mut self) -> &'static str {
+        if self.fits() {
+            self.frame(Framing::Motion);
+            words().the_whole_motion()
+        } else {
+            self.frame(Framing::Along);
+            words().window_goes_along()
+        }
+    }
+
+    /// Fits the window to the linkage as it stands, or no longer.
+    pub(crate) fn fit_pose(&mut self) -> &'static str {
+        if self.setting.framing == Framing::Pose && self.is_whole() {
+            self.frame(Framing::Along);
+            words().window_goes_along()
+        } else {
+            self.frame(Framing::Pose);
+            words().the_linkage_as_it_stands()
+        }
+    }
+
+    /// Keeps a point in the middle: the first that is followed, then the next; after the last none.
+    pub(crate) fn follow(&mut self, open_scene: &OpenScene, followed: &FollowedPoints) -> String {
+        let scene = open_scene.scene();
+        let points = chosen(open_scene, followed, drawing::usual_traces);
+        let next = match self.setting.framing {
+            Framing::Point(last) => points.iter().skip_while(|&&p| p != last).nth(1),
+            Framing::Along | Framing::Motion | Framing::Pose => points.first(),
+        };
+        match next {
+            Some(&point) => {
+                self.setting.framing = Framing::Point(point);
+                self.setting.window.shift = Vec2::ZERO;
+                words().window_stays_with(scene.point_name(point).unwrap_or_default())
+            }
+            None => {
+                self.frame(Framing::Along);
+                words().window_goes_along().to_owned()
+            }
+        }
+    }
+
+    fn frame(&mut self, framing: Framing) {
+        self.setting.framing = framing;
         self.setting.window = Window::default();
     }
 
-    /// Whether the whole motion is seen, as large as it can be.
+    /// Whether the window is as it is at first.
     pub(crate) fn fits(&self) -> bool {
+        self.setting.framing == Framing::Along && self.is_whole()
+    }
+
+    /// Whether it is neither enlarged nor moved.
+    fn is_whole(&self) -> bool {
         self.setting.window == Window::default()
     }
 
@@ -175,13 +244,21 @@ impl Viewport {
     /// The same about a place in the scene's frame, which all but stays where it is on the screen.
     pub(crate) fn enlarge_at(&mut self, open_scene: &OpenScene, place: Vec2, steps: i8) -> bool {
         let before = self.zoom();
+        let middle = self.middle(open_scene);
         let possible = self.enlarge(steps);
         if possible {
-            let middle = open_scene.reach().bounds().centre() + self.setting.window.shift;
             let shift = (place - middle) * (1.0 - before / self.zoom());
             self.shift_to(open_scene, self.setting.window.shift + shift);
         }
         possible
+    }
+
+    /// What lies in the middle of the window, whose size hardly matters for it.
+    fn middle(&self, open_scene: &OpenScene) -> Vec2 {
+        let (cols, rows) = PICTURE;
+        let reach = self.reach(open_scene, rows);
+        let view = self.view(open_scene, reach, (cols, rows), PICTURE_ASPECT);
+        view.world(Vec2::new(f64::from(cols), f64::from(rows)) * 0.5)
     }
 
     /// Moves the window by a step to the right and upwards, as far as there is something to see.
@@ -236,19 +313,11 @@ impl Viewport {
     }
 
     fn wanted(&self, open_scene: &OpenScene, followed: &FollowedPoints) -> Wanted {
-        let mechanism = &open_scene.scene().mechanism;
         let points = |layer, usual: fn(&crate::Mechanism) -> Vec<PointId>| {
-            if !self.setting.on.has(layer) {
-                return Vec::new();
-            }
-            // After an edit a point may be gone.
-            let count = mechanism.points().len();
-            let there = followed.points().iter().filter(|p| p.index() < count);
-            let there: Vec<PointId> = there.copied().collect();
-            if there.is_empty() {
-                usual(mechanism)
+            if self.setting.on.has(layer) {
+                chosen(open_scene, followed, usual)
             } else {
-                there
+                Vec::new()
             }
         };
         Wanted {
@@ -284,16 +353,43 @@ impl Viewport {
     }
 
     /// The window of so many cells on a drawing that needs this space.
-    pub(crate) fn view(&self, reach: &Reach, (cols, rows): (u16, u16), aspect: f64) -> WorldView {
-        let view = WorldView::fit(reach, cols, rows, aspect);
-        view.zoomed(reach, self.zoom(), self.setting.window.shift)
+    pub(crate) fn view(
+        &self,
+        open_scene: &OpenScene,
+        reach: &Reach,
+        (cols, rows): (u16, u16),
+        aspect: f64,
+    ) -> WorldView {
+        let at = open_scene.at();
+        let view = match self.setting.framing {
+            Framing::Along if !self.is_of_the_whole() => {
+                WorldView::along(reach, at, cols, rows, aspect)
+            }
+            Framing::Along | Framing::Motion => WorldView::fit(reach, cols, rows, aspect),
+            Framing::Pose => WorldView::pose(reach, at, cols, rows, aspect),
+            Framing::Point(point) => {
+                let whole = WorldView::fit(reach, cols, rows, aspect);
+                match open_scene.state().position(point) {
+                    Some(place) => whole.centred_on(place),
+                    None => whole,
+                }
+            }
+        };
+        view.zoomed(self.zoom(), self.setting.window.shift)
+    }
+
+    /// Whether something is shown that belongs to the whole motion.
+    fn is_of_the_whole(&self) -> bool {
+        [Layer::Traces, Layer::Ghosts]
+            .into_iter()
+            .any(|layer| self.setting.on.has(layer))
     }
 
     /// What is on that the drawing does not explain by itself, the most important first.
     pub(crate) fn legend(&self, view: &WorldView) -> Vec<LegendEntry> {
         let mut entries = self.overlay.legend(view, self.zoom());
         let note = |text: &str| LegendEntry::Note(text.to_owned());
-        if self.setting.window != Window::default() {
+        if !self.is_whole() {
             entries.push(LegendEntry::Note(words().zoomed(&times(self.zoom()))));
         }
         if self.setting.on.has(Layer::Traces) {
@@ -313,10 +409,29 @@ impl Viewport {
         let (cols, most) = PICTURE;
         let reach = self.reach(open_scene, most);
         let snug = WorldView::snug(reach, cols, most, PICTURE_ASPECT);
-        let view = snug.zoomed(reach, self.zoom(), self.setting.window.shift);
+        let size = (snug.cols(), snug.rows());
+        let view = self.view(open_scene, reach, size, PICTURE_ASPECT);
         let at = open_scene.driver_range().on_grid(open_scene.at());
         let title = words().drawing_of(&open_scene.scene().name, &at, open_scene.unit());
         drawing::svg(&self.figure(open_scene), &view, &title, &self.legend(&view))
+    }
+}
+
+/// The points that are followed; where there are none, the usual ones.
+fn chosen(
+    open_scene: &OpenScene,
+    followed: &FollowedPoints,
+    usual: fn(&crate::Mechanism) -> Vec<PointId>,
+) -> Vec<PointId> {
+    let mechanism = &open_scene.scene().mechanism;
+    // After an edit a point may be gone.
+    let count = mechanism.points().len();
+    let there = followed.points().iter().filter(|p| p.index() < count);
+    let there: Vec<PointId> = there.copied().collect();
+    if there.is_empty() {
+        usual(mechanism)
+    } else {
+        there
     }
 }
 

@@ -1,0 +1,203 @@
+//! Figures of dots: marks, blocks and plates where a window is large enough for them.
+
+use super::figure::Role;
+use super::raster::Raster;
+use super::stroke::{self, FINE};
+use crate::Vec2;
+
+/// Squares of the radii of a mark, in dots: inside the first it is hollow, outside the second it ends.
+const HOLLOW: f64 = 4.0;
+const ROUND: f64 = 9.0;
+/// A disc is smaller than a ring: a rider is no joint.
+const SMALL: f64 = 4.6;
+/// A mark reaches so many dots from its middle.
+const REACH: i32 = 3;
+
+/// Half of a block, in dots along and across its guide.
+const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
+
+/// Teeth of a spring.
+const TEETH: u32 = 8;
+/// The part of a spring that is straight, at each end.
+const STRAIGHT: f64 = 0.15;
+
+/// Farther than any raster reaches.
+const FAR: f64 = 1e6;
+
+/// The corner between four dots nearest to a place in cell coordinates, counted in dots; far outside for
+/// what is nowhere.
+pub(super) fn corner(at: Vec2) -> (i32, i32) {
+    let index = |v: f64| if v.is_nan() { FAR } else { v.clamp(-FAR, FAR) }.round() as i32;
+    (index(at.x * FINE.x), index(at.y * FINE.y))
+}
+
+/// The dots around a place, with the squares of their distances from it.
+fn around(at: Vec2) -> impl Iterator<Item = (i32, i32, f64)> {
+    let (x, y) = corner(at);
+    let dots = (-REACH..REACH).flat_map(|dy| (-REACH..REACH).map(move |dx| (dx, dy)));
+    dots.map(move |(dx, dy)| {
+        let from = Vec2::new(f64::from(dx) + 0.5, f64::from(dy) + 0.5);
+        (x + dx, y + dy, from.norm2())
+    })
+}
+
+/// A pin: a ring through which nothing is seen.
+pub(super) fn ring(raster: &mut Raster, at: Vec2, role: Role) {
+    for (x, y, far) in around(at) {
+        if far < HOLLOW {
+            stroke::clear(raster, x, y, role);
+        } else if far < ROUND {
+            stroke::dot(raster, x, y, role);
+        }
+    }
+}
+
+/// A point that rides on a link.
+pub(super) fn disc(raster: &mut Raster, at: Vec2, role: Role) {
+    for (x, y, _) in around(at).filter(|(_, _, far)| *far < SMALL) {
+        stroke::dot(raster, x, y, role);
+    }
+}
+
+/// A block around a place, along a direction of length one on the screen.
+pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, role: Role) {
+    let (x, y) = corner(at);
+    let reach = (BLOCK.x + BLOCK.y) as i32;
+    for (dx, dy) in (-reach..reach).flat_map(|dy| (-reach..reach).map(move |dx| (dx, dy))) {
+        let from = Vec2::new(f64::from(dx) + 0.5, f64::from(dy) + 0.5);
+        let (on, beside) = (from.dot(along).abs(), from.cross(along).abs());
+        if on < BLOCK.x && beside < BLOCK.y {
+            if on < BLOCK.x - 1.0 && beside < BLOCK.y - 1.0 {
+                stroke::clear(raster, x + dx, y + dy, role);
+            } else {
+                stroke::dot(raster, x + dx, y + dy, role);
+            }
+        }
+    }
+}
+
+/// Fills a plate lightly: one dot of eight, at the same places wherever it is, so that little changes
+/// while it moves.
+pub(super) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
+    let dots: Vec<Vec2> = corners
+        .iter()
+        .map(|c| Vec2::new(c.x * FINE.x, c.y * FINE.y))
+        .collect();
+    let rows = f64::from(raster.rows()) * FINE.y;
+    let columns = f64::from(raster.cols()) * FINE.x;
+    let heights = || dots.iter().map(|c| c.y);
+    let (top, bottom) = heights().fold((rows, 0.0), |(t, b): (f64, f64), y| (t.min(y), b.max(y)));
+    if !(bottom > top && dots.iter().all(|c| c.is_finite())) {
+        return;
+    }
+    let (first, last) = (top.max(0.0).floor() as i32, bottom.min(rows).ceil() as i32);
+    for y in (first..last).filter(|y| y % 2 == 0) {
+        let middle = f64::from(y) + 0.5;
+        let Some((from, to)) = chord(&dots, middle) else {
+            continue;
+        };
+        let (from, to) = (from.max(0.0).ceil() as i32, to.min(columns).floor() as i32);
+        let shift = y / 2 % 2 * 2;
+        for x in (from..to).filter(|x| x % 4 == shift) {
+            stroke::dot(raster, x, y, role);
+        }
+    }
+}
+
+/// Where a level line enters and leaves a convex outline.
+fn chord(corners: &[Vec2], y: f64) -> Option<(f64, f64)> {
+    let ends = corners.iter().cycle().skip(1);
+    let crossed = corners.iter().zip(ends).filter_map(|(a, b)| {
+        let share = (y - a.y) / (b.y - a.y);
+        (0.0..=1.0)
+            .contains(&share)
+            .then_some(a.x + (b.x - a.x) * share)
+    });
+    let around = crossed.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+        (low.min(x), high.max(x))
+    });
+    (around.0 <= around.1).then_some(around)
+}
+
+/// The corners of a spring from end to end, its teeth reaching so far to both sides.
+pub(super) fn zigzag(a: Vec2, b: Vec2, reach: f64) -> impl Iterator<Item = Vec2> {
+    let along = b - a;
+    let across = along.perp() * (reach / along.norm());
+    let begins = std::iter::once(a);
+    let teeth = (0..=TEETH).map(move |k| {
+        let share = STRAIGHT + (1.0 - 2.0 * STRAIGHT) * f64::from(k) / f64::from(TEETH);
+        let side = match k {
+            0 | TEETH => 0.0,
+            k if k % 2 == 0 => 1.0,
+            _ => -1.0,
+        };
+        a + along * share + across * side
+    });
+    begins.chain(teeth).chain(std::iter::once(b))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drawn(draw: impl Fn(&mut Raster)) -> String {
+        let mut raster = Raster::new();
+        raster.reset(12, 5);
+        draw(&mut raster);
+        raster.text()
+    }
+
+    fn dots(text: &str) -> u32 {
+        let patterns = text
+            .chars()
+            .filter(|c| ('\u{2800}'..'\u{2900}').contains(c));
+        patterns.map(|c| (u32::from(c) & 0xff).count_ones()).sum()
+    }
+
+    #[test]
+    fn a_pin_is_a_ring_and_a_rider_a_disc() {
+        let at = Vec2::new(5.0, 2.5);
+        let ring_alone = drawn(|raster| ring(raster, at, Role::Joint));
+        let disc_alone = drawn(|raster| disc(raster, at, Role::Rider));
+        assert_eq!((dots(&ring_alone), dots(&disc_alone)), (20, 16));
+        // Nothing is seen through the ring.
+        let barred = drawn(|raster| {
+            stroke::bar(
+                raster,
+                Vec2::new(5.0, 0.0),
+                Vec2::new(5.0, 5.0),
+                2,
+                Role::Link(0),
+            );
+            ring(raster, at, Role::Joint);
+        });
+        assert_eq!(dots(&barred), 20 + 2 * (20 - 6));
+    }
+
+    #[test]
+    fn a_plate_is_light_and_stays_where_it_is() {
+        let corners = [(0.0, 0.0), (12.0, 0.0), (12.0, 5.0), (0.0, 5.0)];
+        let corners = corners.map(|(x, y)| Vec2::new(x, y));
+        let whole = drawn(|raster| plate(raster, &corners, Role::Plate(0)));
+        assert_eq!(dots(&whole), 12 * 5);
+        let moved = corners.map(|c| c - Vec2::new(3.3, 0.0));
+        let left = drawn(|raster| plate(raster, &moved, Role::Plate(0)));
+        for (one, other) in whole.lines().zip(left.lines()) {
+            let same = one.chars().zip(other.chars()).take_while(|(a, b)| a == b);
+            assert!(same.count() >= 8, "{whole}{left}");
+        }
+    }
+
+    #[test]
+    fn a_spring_goes_from_end_to_end_and_to_both_sides() {
+        let (a, b) = (Vec2::ZERO, Vec2::new(20.0, 0.0));
+        let corners: Vec<Vec2> = zigzag(a, b, 1.5).collect();
+        assert_eq!((corners[0], corners[corners.len() - 1]), (a, b));
+        let heights = corners.iter().map(|c| c.y);
+        let sides = heights.fold((0.0, 0.0), |(low, high): (f64, f64), y| {
+            (low.min(y), high.max(y))
+        });
+        assert_eq!(sides, (-1.5, 1.5));
+        assert!(zigzag(a, a, 1.0).all(|c| c == a || !c.is_finite()));
+    }
+}

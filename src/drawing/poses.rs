@@ -1,0 +1,198 @@
+//! Where the linkage stands along its motion, for a window that goes along with it.
+//!
+//! A window that follows every pose would shake; one that stands still makes a linkage small that needs
+//! much more room over its motion than at any one place of it. Here the window is a function of the
+//! driver's coordinate alone, so that the same place always looks the same whatever way led there: the
+//! mean of the rooms of all poses nearby, which hardly changes from place to place, and beyond that no
+//! more than the pose itself needs.
+//!
+//! Places lie evenly along a turn. Between two limits they lie closer towards these, as those of a point on
+//! a circle do that is seen from the side: the linkage itself is fastest there.
+
+use super::view::Bounds;
+use crate::Vec2;
+use std::f64::consts::PI;
+
+/// Places along the motion.
+const PLACES: usize = 120;
+/// So many places on either side are taken into the mean: 18 degrees of a turn.
+const NEARBY: usize = 6;
+
+/// The poses of a motion: how large they are, and a calm room for each.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Poses {
+    /// Where the motion begins, and how far it goes, in the driver's coordinate.
+    start: f64,
+    span: f64,
+    /// Whether its end is its beginning.
+    closed: bool,
+    /// The room of the pose at each place alone.
+    alone: Vec<Bounds>,
+    /// The room that the window is fitted to there.
+    calm: Vec<Bounds>,
+}
+
+impl Poses {
+    /// Of the rooms of poses at coordinates from `start` on over `span`.
+    pub(super) fn new([start, span]: [f64; 2], closed: bool, met: &[(f64, Bounds)]) -> Poses {
+        let mut poses = Poses {
+            start,
+            span,
+            closed,
+            ..Poses::default()
+        };
+        let known = met.iter().filter(|(_, room)| !room.is_empty());
+        let met: Vec<(f64, Bounds)> = known
+            .filter_map(|&(at, room)| Some((poses.place(at)?, room)))
+            .collect();
+        if met.is_empty() {
+            return Poses::default();
+        }
+        let far = |a: f64, b: f64| {
+            let apart = (a - b).abs();
+            if closed {
+                apart.min(PLACES as f64 - apart)
+            } else {
+                apart
+            }
+        };
+        let places = || (0..=PLACES).map(|place| place as f64);
+        let alone = places().map(|place| {
+            let nearest = met
+                .iter()
+                .min_by(|a, b| far(a.0, place).total_cmp(&far(b.0, place)));
+            nearest.map_or_else(Bounds::default, |&(_, room)| room)
+        });
+        let alone: Vec<Bounds> = alone.collect();
+        // Between two places the rooms of both are mixed, and so each must hold every pose up to the other.
+        let held = places().zip(&alone).map(|(place, &here)| {
+            let near = met.iter().filter(|(at, _)| far(*at, place) <= 1.0 + 1e-9);
+            near.fold(here, |room, (_, other)| room.with(*other))
+        });
+        let held: Vec<Bounds> = held.collect();
+        poses.alone = alone;
+        poses.calm = (0..=PLACES)
+            .map(|place| mean(&poses.alone, place, closed).with(held[place]))
+            .collect();
+        poses
+    }
+
+    /// The place of a coordinate, between two of them as a rule.
+    fn place(&self, at: f64) -> Option<f64> {
+        let share = (at - self.start) / self.span;
+        let share = if self.closed {
+            share.rem_euclid(1.0)
+        } else {
+            (1.0 - 2.0 * share.clamp(0.0, 1.0)).acos() / PI
+        };
+        share.is_finite().then_some(share * PLACES as f64)
+    }
+
+    /// The room for a window at a coordinate; `None` where nothing is known of the motion.
+    pub(super) fn room(&self, at: f64) -> Option<Bounds> {
+        let last = self.calm.len().checked_sub(1)?;
+        let place = self.place(at)?;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and the last place"
+        )]
+        let before = (place as usize).min(last);
+        let (from, to) = (self.calm[before], self.calm[(before + 1).min(last)]);
+        Some(from.towards(to, place - before as f64))
+    }
+
+    /// Some poses spread over the motion: the room of each alone, and the room for a window.
+    pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, Bounds)> {
+        self.alone
+            .iter()
+            .copied()
+            .zip(self.calm.iter().copied())
+            .step_by(SOME)
+    }
+}
+
+/// One place of so many tells what a window must do: 12 degrees of a turn.
+const SOME: usize = 4;
+
+/// The mean of the rooms around a place.
+fn mean(rooms: &[Bounds], place: usize, closed: bool) -> Bounds {
+    let (mut low, mut high, mut count) = (Vec2::ZERO, Vec2::ZERO, 0.0);
+    for k in 0..=2 * NEARBY {
+        let there = if closed {
+            // The last place is the first.
+            Some((place + PLACES + k - NEARBY) % PLACES)
+        } else {
+            (place + k)
+                .checked_sub(NEARBY)
+                .filter(|&there| there < rooms.len())
+        };
+        if let Some(there) = there {
+            low += rooms[there].low;
+            high += rooms[there].high;
+            count += 1.0;
+        }
+    }
+    Bounds {
+        low: low / count,
+        high: high / count,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn point(x: f64, y: f64) -> Bounds {
+        let at = Vec2::new(x, y);
+        Bounds { low: at, high: at }
+    }
+
+    proptest! {
+        /// Every pose stands in the room that is made for it.
+        #[test]
+        fn a_room_holds_its_pose(
+            walls in prop::collection::vec((-9.0..9.0, -9.0..9.0), 2..300),
+            closed in any::<bool>(),
+        ) {
+            let span = 360.0;
+            let at = |share: f64| {
+                let share = if closed { share } else { (1.0 - (PI * share).cos()) / 2.0 };
+                30.0 + span * share
+            };
+            let count = walls.len() as f64 - 1.0;
+            let met: Vec<(f64, Bounds)> = walls
+                .iter()
+                .enumerate()
+                .map(|(k, &(x, y))| (at(k as f64 / count), point(x, y)))
+                .collect();
+            let poses = Poses::new([30.0, span], closed, &met);
+            for &(at, pose) in &met {
+                let room = poses.room(at).expect("there are poses");
+                prop_assert!(room.low.x <= pose.low.x + 1e-9 && pose.high.x <= room.high.x + 1e-9);
+                prop_assert!(room.low.y <= pose.low.y + 1e-9 && pose.high.y <= room.high.y + 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn a_closed_motion_has_no_seam_and_nothing_has_no_room() {
+        let met: Vec<(f64, Bounds)> = (0..=240)
+            .map(|k| {
+                let at = f64::from(k) * 1.5;
+                let place = crate::angle::unit(at);
+                (at, point(place.x, place.y))
+            })
+            .collect();
+        let poses = Poses::new([0.0, 360.0], true, &met);
+        let (end, start) = (poses.room(359.999_999).unwrap(), poses.room(0.0).unwrap());
+        assert!((end.low - start.low).norm() < 1e-6);
+        let (again, first) = (poses.room(725.0).unwrap(), poses.room(5.0).unwrap());
+        assert!((again.low - first.low).norm() < 1e-9 && (again.high - first.high).norm() < 1e-9);
+        for none in [Poses::default(), Poses::new([0.0, 1.0], false, &[])] {
+            assert_eq!(none.room(3.0), None);
+        }
+        assert_eq!(poses.room(f64::NAN), None);
+    }
+}
