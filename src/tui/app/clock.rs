@@ -11,6 +11,8 @@ impl App {
     pub(crate) fn tick(&mut self, now: Duration) {
         if self.is_working() {
             self.study_run.work();
+            // What has been measured may take fewer lines than what had not.
+            self.scroll_by(0);
         }
         self.now = now;
         self.shell.forget_message(now);
