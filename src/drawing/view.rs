@@ -148,7 +148,7 @@ impl WorldView {
     }
 
     /// A window in which the linkage is large wherever it stands: the whole motion where that leaves it
-    /// [`LEAST_FILL`] of the width or the height everywhere, else so much nearer to the linkage at this
+    /// three fifths of the width or the height everywhere, else so much nearer to the linkage at this
     /// coordinate of its driver, and going along with it, as that needs.
     #[must_use]
     pub fn along(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
