@@ -2,6 +2,12 @@
 //! for messages. Nothing is asked of the terminal itself: many never answer, and a slow one answers
 //! into the shell.
 
+#[cfg(feature = "tui")]
+mod still;
+
+#[cfg(feature = "tui")]
+pub use still::{PictureChoice, PictureProtocol};
+
 use crate::drawing::Glyphs;
 use crate::wording::words;
 
@@ -80,6 +86,12 @@ pub(crate) struct Judgement {
     locale: Option<(&'static str, String)>,
     no_color: Option<String>,
     colorterm: Option<String>,
+    /// What TERM_PROGRAM says.
+    program: Option<String>,
+    /// Whether the window is one of kitty's.
+    in_kitty: bool,
+    /// Whether tmux or screen stands between.
+    multiplexed: bool,
 }
 
 /// Families of terminals that are no emulators with a window of their own, by the word that their names begin
@@ -156,6 +168,9 @@ impl Judgement {
             locale: LOCALE.into_iter().find_map(locale),
             no_color: given("NO_COLOR"),
             colorterm: given("COLORTERM"),
+            program: given("TERM_PROGRAM"),
+            in_kitty: given("KITTY_WINDOW_ID").is_some(),
+            multiplexed: given("TMUX").or_else(|| given("STY")).is_some(),
         }
     }
 
@@ -235,7 +250,7 @@ impl Judgement {
     }
 
     /// What was read: each variable and what it says, or that it is not set.
-    pub(crate) fn variables(&self) -> [(&'static str, Option<&str>); 4] {
+    pub(crate) fn variables(&self) -> [(&'static str, Option<&str>); 5] {
         let (name, locale) = match &self.locale {
             Some((name, value)) => (*name, Some(value.as_str())),
             None => (words().row_locale(), None),
@@ -246,6 +261,7 @@ impl Judgement {
             (name, locale),
             ("NO_COLOR", self.no_color.as_deref()),
             ("COLORTERM", self.colorterm.as_deref()),
+            ("TERM_PROGRAM", self.program.as_deref()),
         ]
     }
 }

@@ -97,6 +97,7 @@ mod mechanism;
 mod nearest;
 mod numeric;
 pub mod page;
+mod pixels;
 pub mod quantity;
 pub mod report;
 pub mod scene;

@@ -6,6 +6,7 @@ mod catalogue;
 mod clock;
 mod curves;
 mod hidden;
+mod named;
 mod sensitivity;
 mod subject;
 mod value;
@@ -22,7 +23,7 @@ use crate::solver::{Demand, Order, State};
 use crate::{Ball, Number};
 
 /// A figure that can be shown.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
     /// The column's name: `C.vx`, `r3.omega`, `r4.length`, `r3.com.x`.
     pub name: String,

@@ -6,7 +6,7 @@ use super::failure::Failure;
 use super::output::write_text;
 use super::screen::judgement;
 use super::workbench::options;
-use crate::capability::{Colours, Detected, Judgement};
+use crate::capability::{Colours, Detected, Judgement, PictureChoice};
 use crate::drawing::{Blocks, Glyphs};
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
@@ -106,7 +106,14 @@ fn chosen(judgement: &Judgement, options: &Options) -> Vec<DiagnosisRow> {
         (words().colours(), colours),
         (words().row_theme(), options.theme.name().to_owned()),
         (words().row_frames(), frames.to_owned()),
+        (words().row_pictures(), pictures(judgement, options)),
     ]
+}
+
+fn pictures(judgement: &Judgement, options: &Options) -> String {
+    let found = judgement.pictures(options.picture);
+    let by = found.value.map_or(PictureChoice::Never, PictureChoice::By);
+    format!("{}: {}", by.name(), found.why)
 }
 
 fn wished<T: Copy + PartialEq>(

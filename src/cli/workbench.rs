@@ -49,6 +49,7 @@ pub(super) fn options(args: &WorkbenchArgs) -> Result<Options, Failure> {
         glyphs: args.glyphs.asked().or(config.glyphs),
         colours: colours(args.colour).or(config.colours),
         theme: args.theme.map_or(config.theme, theme),
+        picture: args.picture.unwrap_or(config.picture),
         view: args.view,
         config,
         idle: args.scene.is_none() && args.at.is_none() && args.assembly.wishes.is_empty(),

@@ -1,7 +1,8 @@
-//! Arrows in cells. A velocity has one head, an acceleration two and a dashed shaft, as on paper, so
+//! Arrows in cells. A velocity has one head, an acceleration two and a dashed shaft, a force a closed one, as on paper, so
 //! that no colour is needed to tell them apart; the shaft of one that is too long for its place is
 //! broken in the middle.
 
+use super::dashes;
 use super::figure::Role;
 use super::raster::Raster;
 use super::render::Glyphs;
@@ -46,7 +47,12 @@ pub(super) fn draw(
     let glyph = head(length);
     let (col, row) = cell_of(to);
     raster.put(col, row, glyph, role);
-    if role == Role::Acceleration {
+    let before = match role {
+        Role::Acceleration => Some(glyph),
+        Role::Force => Some(if matches!(glyph, '<' | '>') { '|' } else { '-' }),
+        _ => None,
+    };
+    if let Some(glyph) = before {
         // The cell before, along the longer side.
         let cells = step.x.abs().max(step.y.abs()).max(1.0);
         let (before, above) = cell_of(to - step * (1.0 / cells));
@@ -100,9 +106,11 @@ pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
         Glyphs::Blocks(_) => '\u{2500}',
     };
     let heads = if role == Role::Acceleration { 2 } else { 1 };
+    let dashes = dashes::of_cells(role);
     let of_cell = |cell| match cell {
         _ if cell > cells - heads => '>',
-        _ if stroke::is_gap(role, cell - 1, 1) => ' ',
+        _ if role == Role::Force && cell == cells - 1 => '|',
+        _ if dashes.is_some_and(|dashes| dashes.is_gap(cell - 1)) => ' ',
         _ => shaft,
     };
     (1..=cells).map(of_cell).collect()

@@ -2,6 +2,7 @@
 //! gets the block that comes nearest: octants are the same grid, sextants have three rows, quadrants two.
 
 use super::figure::Role;
+use super::pattern;
 use super::raster::Raster;
 use super::render::Glyphs;
 
@@ -24,15 +25,31 @@ pub(super) fn settle(raster: &mut Raster, glyphs: Glyphs) {
     let Glyphs::Blocks(blocks) = glyphs else {
         return;
     };
-    for cell in raster.cells_mut() {
-        let Some(dots) = dots_of(cell.glyph) else {
-            continue;
-        };
-        cell.glyph = match cell.role {
-            Role::Plate(_) => PLATE,
-            _ => blocks.glyph(dots),
-        };
+    for line in raster.lines_mut() {
+        for (col, cell) in (0..).zip(line) {
+            let Some(dots) = dots_of(cell.glyph) else {
+                continue;
+            };
+            let is_plate = matches!(cell.role, Role::Plate(_) | Role::DriverPlate);
+            // Of a plate what lies behind it is seen through, a trace or a ghost.
+            let through = if is_plate {
+                dots & !plate_dots(col)
+            } else {
+                dots
+            };
+            cell.glyph = match through {
+                0 if is_plate => PLATE,
+                through => blocks.glyph(through),
+            };
+        }
     }
+}
+
+/// The dots that a plate has in a cell of this column, in any row: one.
+fn plate_dots(col: i32) -> u8 {
+    let dots = (0..4).flat_map(|row| (0..2).map(move |side| (row, side)));
+    let set = dots.filter(|&(row, side)| pattern::is_of_plate(2 * col + side, row));
+    set.map(|(row, side)| 1 << (2 * row + side)).sum()
 }
 
 /// The dots of a character of Braille, row by row from the top, the left one first.
@@ -77,13 +94,13 @@ impl Blocks {
         match self {
             Blocks::Quadrants => quadrant(row(0) | row(1), row(2) | row(3)),
             Blocks::Sextants => sextant(row(0) | (row(1) | row(2)) << 2 | row(3) << 4),
-            Blocks::Octants => octant(dots),
+            Blocks::Octants => OCTANTS[usize::from(dots)],
         }
     }
 }
 
-fn quadrant(upper: u8, lower: u8) -> char {
-    QUADRANTS[usize::from(upper | lower << 2)]
+const fn quadrant(upper: u8, lower: u8) -> char {
+    QUADRANTS[(upper | lower << 2) as usize]
 }
 
 /// By the bits of its six parts, row by row.
@@ -103,30 +120,49 @@ fn sextant(parts: u8) -> char {
     }
 }
 
-/// The quarters that an octant is made of, if it is.
-fn as_quadrant(dots: u8) -> Option<char> {
-    let row = |row: u8| dots >> (2 * row) & 3;
-    (row(0) == row(1) && row(2) == row(3)).then(|| quadrant(row(0), row(2)))
+/// By the bits of its eight parts.
+const OCTANTS: [char; 256] = octants();
+
+const fn octants() -> [char; 256] {
+    let mut octants = [' '; 256];
+    let mut next = FIRST_OCTANT;
+    let mut dots = 0;
+    while dots < octants.len() {
+        octants[dots] = match (older(dots), char::from_u32(next)) {
+            (Some(older), _) => older,
+            (None, Some(own)) => {
+                next += 1;
+                own
+            }
+            (None, None) => panic!("they end far below the last character"),
+        };
+        dots += 1;
+    }
+    octants
 }
 
-fn octant(dots: u8) -> char {
-    let is_older = |dots: u8| {
-        OLDER
-            .iter()
-            .find(|(older, _)| *older == dots)
-            .map(|(_, c)| *c)
-    };
-    if let Some(older) = as_quadrant(dots).or_else(|| is_older(dots)) {
-        return older;
+/// The character that an octant had before: that of the quarters that it is made of, or one of the others.
+const fn older(dots: usize) -> Option<char> {
+    let rows = [dots & 3, dots >> 2 & 3, dots >> 4 & 3, dots >> 6 & 3];
+    if rows[0] == rows[1] && rows[2] == rows[3] {
+        return Some(QUADRANTS[rows[0] | rows[2] << 2]);
     }
-    let before = (0..dots).filter(|&d| as_quadrant(d).is_none() && is_older(d).is_none());
-    let number = u32::try_from(before.count()).unwrap_or(0);
-    char::from_u32(FIRST_OCTANT + number).unwrap_or(' ')
+    let mut k = 0;
+    while k < OLDER.len() {
+        let (of, character) = OLDER[k];
+        if of as usize == dots {
+            return Some(character);
+        }
+        k += 1;
+    }
+    None
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Vec2;
+    use crate::drawing::{Figure, Reach, Shape, WorldView, render};
     use std::collections::HashSet;
 
     #[test]
@@ -160,9 +196,60 @@ mod tests {
     /// Places in the chart of Unicode 16: BLOCK OCTANT-3 is the first, -2345678 the last.
     #[test]
     fn octants_stand_where_unicode_has_them() {
+        let octant = |dots| Blocks::Octants.glyph(dots);
         assert_eq!(octant(0b0000_0100), '\u{1cd00}');
         assert_eq!(octant(0b0000_0110), '\u{1cd01}');
         assert_eq!(octant(0b0001_0000), '\u{1cd09}');
         assert_eq!(octant(0b1111_1110), '\u{1cde5}');
+    }
+
+    /// Every block is the one that others wrote down for the same parts.
+    #[cfg(feature = "tui")]
+    #[test]
+    fn all_blocks_are_those_of_a_table_made_by_others() {
+        use ratatui::symbols::pixel;
+        assert_eq!(OCTANTS, pixel::OCTANTS);
+        for parts in 0..64 {
+            assert_eq!(
+                sextant(parts),
+                pixel::SEXTANTS[usize::from(parts)],
+                "{parts:06b}"
+            );
+        }
+        assert_eq!(QUADRANTS, pixel::QUADRANTS);
+    }
+
+    /// A ghost behind a plate used to be hidden in blocks, and seen in dots.
+    #[test]
+    fn what_lies_behind_a_plate_is_seen_through_it() {
+        let square = [(1.0, 1.0), (19.0, 1.0), (19.0, 9.0), (1.0, 9.0)];
+        let square = square.map(|(x, y)| Vec2::new(x, y));
+        let (from, to, role) = (square[0], square[2], Role::Ghost);
+        let plates = [Role::Plate(1), Role::DriverPlate];
+        for blocks in [Blocks::Quadrants, Blocks::Sextants, Blocks::Octants] {
+            for plate in plates {
+                let mut figure = Figure::new();
+                let (corners, role_of_plate) = (square.to_vec(), plate);
+                figure.add(Shape::Plate {
+                    corners,
+                    role: role_of_plate,
+                });
+                let raster = |figure: &Figure| {
+                    let view = WorldView::fit(&Reach::by_hand(&square, &[]), 40, 20, 2.0);
+                    render(figure, &view, Glyphs::Blocks(blocks))
+                };
+                let alone = raster(&figure);
+                let inked = |raster: &Raster| {
+                    let cells = raster.lines().flatten().filter(|cell| cell.role == plate);
+                    cells.map(|cell| cell.glyph).collect::<Vec<_>>()
+                };
+                assert!(inked(&alone).len() > 100);
+                assert!(inked(&alone).iter().all(|&glyph| glyph == PLATE));
+                figure.add(Shape::Line { from, to, role });
+                let through = inked(&raster(&figure));
+                let seen = through.iter().filter(|&&glyph| glyph != PLATE).count();
+                assert!(seen > 8 && seen < 40, "{blocks:?} {plate:?}: {seen}");
+            }
+        }
     }
 }

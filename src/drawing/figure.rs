@@ -20,6 +20,8 @@ pub enum Role {
     Plate(u8),
     /// The driven link, or the cylinder that drives.
     Driver,
+    /// The inside of these.
+    DriverPlate,
     /// A joint between moving links.
     Joint,
     /// A joint on the ground.
@@ -42,8 +44,14 @@ pub enum Role {
     Velocity,
     /// An arrow of acceleration.
     Acceleration,
+    /// A force or a moment, and its size.
+    Force,
+    /// What is pointed at somewhere else: in a list, in a table.
+    Lit,
     /// A name.
     Label,
+    /// The name of a moving link, with the number of its hue.
+    LinkName(u8),
     /// An axis of a chart and its labels.
     Axis,
     /// A point of a chart, or the first curve of a plot.
@@ -60,9 +68,18 @@ pub enum Role {
 pub const LINK_HUES: u8 = 5;
 
 impl Role {
+    /// What the name of a part is written as that is drawn as this: letters take more contrast than bars do.
+    #[must_use]
+    pub fn of_name(self) -> Role {
+        match self {
+            Role::Link(hue) => Role::LinkName(hue),
+            other => other,
+        }
+    }
+
     /// Whether it is a moving part of the linkage, which is drawn as wide as the window allows.
     pub(super) fn is_body(self) -> bool {
-        matches!(self, Role::Link(_) | Role::Driver)
+        matches!(self, Role::Link(_) | Role::Driver | Role::Lit)
     }
 
     /// Whether it lies behind the linkage.
@@ -72,11 +89,21 @@ impl Role {
             Role::Ground
                 | Role::Guide
                 | Role::Plate(_)
+                | Role::DriverPlate
                 | Role::Ghost
                 | Role::Echo
                 | Role::Trace
                 | Role::Spring
         )
+    }
+
+    /// What lies between the edges of a part that is drawn as this; nothing in what stands behind the linkage.
+    pub(super) fn of_plate(self) -> Option<Role> {
+        match self {
+            Role::Link(hue) => Some(Role::Plate(hue)),
+            Role::Driver => Some(Role::DriverPlate),
+            _ => None,
+        }
     }
 }
 
@@ -135,7 +162,17 @@ pub enum Shape {
         /// The pin.
         at: Vec2,
     },
-    /// Hatching along a guide that is fixed in the ground, to the right of its direction.
+    /// A guide that is fixed in the ground: two rails beside the way of its block where a window has room for them,
+    /// else the line of that way.
+    Guide {
+        /// Where it begins.
+        from: Vec2,
+        /// Where it ends.
+        to: Vec2,
+        /// [`Role::Guide`], or [`Role::Lit`].
+        role: Role,
+    },
+    /// Hatching along such a guide, to the right of its direction.
     Hatching {
         /// Where the guide begins.
         from: Vec2,
@@ -162,10 +199,17 @@ pub enum Shape {
         from: Vec2,
         /// The tip.
         to: Vec2,
-        /// [`Role::Velocity`], or [`Role::Acceleration`] with its two heads.
+        /// [`Role::Velocity`], [`Role::Acceleration`] with its two heads, or [`Role::Force`] with its closed one.
         role: Role,
         /// Whether it is shorter than what it stands for; its shaft is then broken.
         cut: bool,
+    },
+    /// A moment about a place: an arrow around it.
+    Moment {
+        /// The place.
+        at: Vec2,
+        /// Whether it turns counter-clockwise.
+        is_left: bool,
     },
     /// A name beside a point.
     Label {
@@ -183,6 +227,7 @@ impl Shape {
         match self {
             Shape::Line { from, to, .. }
             | Shape::Barrel { from, to, .. }
+            | Shape::Guide { from, to, .. }
             | Shape::Hatching { from, to }
             | Shape::Spring { from, to }
             | Shape::Arrow { from, to, .. } => from.is_finite() && to.is_finite(),
@@ -191,9 +236,10 @@ impl Shape {
             Shape::Outline { corners, .. } | Shape::Plate { corners, .. } => {
                 corners.iter().all(|c| c.is_finite())
             }
-            Shape::Mark { at, .. } | Shape::Support { at } | Shape::Label { at, .. } => {
-                at.is_finite()
-            }
+            Shape::Mark { at, .. }
+            | Shape::Support { at }
+            | Shape::Moment { at, .. }
+            | Shape::Label { at, .. } => at.is_finite(),
             Shape::Block { at, along, .. } => at.is_finite() && along.is_finite(),
         }
     }
@@ -202,7 +248,7 @@ impl Shape {
 /// Shapes in world units, every one finite but for the gaps of traces.
 ///
 /// Of two shapes of the same kind the later one lies on top; kinds are ordered by the painter:
-/// ghosts and traces below, then the ground, guides, plates, links, the driver, arrows, marks, and names.
+/// ghosts and traces below, then the ground, guides, plates, links, the driver, what is lit, arrows, marks, and names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figure {
     shapes: Vec<Shape>,

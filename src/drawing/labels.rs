@@ -100,7 +100,9 @@ impl Labels {
     /// Draws the labels of a figure over a raster in which everything else is drawn.
     pub(super) fn place(&mut self, figure: &Figure, view: &WorldView, raster: &mut Raster) {
         let labels = names(figure);
-        let length: usize = labels.clone().map(|(_, text, _)| text.len()).sum();
+        // Sizes of forces come last, and no name goes for them.
+        let own = labels.clone().filter(|(_, _, role)| *role != Role::Force);
+        let length: usize = own.map(|(_, text, _)| text.len()).sum();
         let is_line = |cell: &&CharCell| cell.role.is_body();
         let lines = raster.lines().flatten().filter(is_line).count();
         let limit = if length > lines {
@@ -127,17 +129,19 @@ impl Labels {
 }
 
 impl Labels {
-    /// The names of a figure that were placed, with the cell of their first character.
+    /// The names of a figure that were placed, whose they are, and how many columns and rows from that point's
+    /// cell they begin.
     pub(super) fn standing<'f>(
         &self,
         figure: &'f Figure,
         view: &WorldView,
-    ) -> impl Iterator<Item = (&'f str, i32, i32)> {
+    ) -> impl Iterator<Item = (&'f str, Vec2, i32, i32)> {
         let placed = names(figure).zip(&self.places);
         placed.filter_map(move |((at, text, _), place)| match *place {
             LabelPlace::Seat(seat) => {
-                let (col, row) = origin(&SEATS[seat], cell_of(view.cell(at)), text);
-                Some((text, col, row))
+                let point = cell_of(view.cell(at));
+                let (col, row) = origin(&SEATS[seat], point, text);
+                Some((text, at, col - point.0, row - point.1))
             }
             LabelPlace::New | LabelPlace::Hidden => None,
         })
@@ -232,10 +236,13 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
         sum += match raster.cell(c, row)?.role {
             // Names stay where they are when ghosts and traces come and go.
             Role::Empty | Role::Ghost | Role::Echo | Role::Trace => 0,
-            Role::Ground | Role::Guide | Role::Plate(_) => OVER_GROUND,
+            Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
             Role::Velocity | Role::Acceleration => OVER_ARROW,
+            // A size that hid a piece of another force would be read as that of both.
+            Role::Force => return None,
             Role::Link(_)
             | Role::Driver
+            | Role::Lit
             | Role::Spring
             | Role::Joint
             | Role::GroundPin
@@ -243,6 +250,7 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
             | Role::Rider
             | Role::CentreOfMass
             | Role::Label
+            | Role::LinkName(_)
             | Role::Axis
             | Role::Datum
             | Role::Second
@@ -257,19 +265,28 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
             | Role::Ground
             | Role::Guide
             | Role::Plate(_)
+            | Role::DriverPlate
             | Role::Ghost
             | Role::Echo
             | Role::Trace => 0,
-            Role::Link(_) | Role::Driver | Role::Spring | Role::Velocity | Role::Acceleration => {
-                BESIDE_LINE
-            }
+            Role::Link(_)
+            | Role::Driver
+            | Role::Lit
+            | Role::Spring
+            | Role::Velocity
+            | Role::Acceleration
+            | Role::Force => BESIDE_LINE,
             Role::Joint | Role::GroundPin | Role::Slider | Role::Rider | Role::CentreOfMass => {
                 TOUCHING
             }
             // `B` beside `C` would read as one name.
-            Role::Label | Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => {
-                return None;
-            }
+            Role::Label
+            | Role::LinkName(_)
+            | Role::Axis
+            | Role::Datum
+            | Role::Second
+            | Role::Third
+            | Role::Front => return None,
         };
     }
     Some(sum)

@@ -1,11 +1,14 @@
 //! The figure of a scene in a state.
 
-use super::figure::{Figure, LINK_HUES, Role, Shape};
+use super::figure::{Figure, Role, Shape};
+use super::lit;
 use super::outline::{self, Corner};
 use super::reach::Reach;
-use crate::scene::{Scene, VectorKind};
+use super::roles::{link_roles, roles};
+use crate::quantity::Subject;
+use crate::scene::{Scene, Vector, VectorKind};
 use crate::solver::{Condition, Known, State};
-use crate::{Body, Input, LinkId, Load, Mechanism, Member, Point, SlideId, Slider, Vec2};
+use crate::{Body, Input, LinkId, Load, Mechanism, Member, PointId, SlideId, Slider, Vec2};
 
 /// What of a linkage is shown beside its links and joints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +21,8 @@ pub struct Layers {
     pub links: bool,
     /// Centres of mass.
     pub centres: bool,
+    /// What is lit up, and named whatever else is.
+    pub lit: Option<Subject>,
 }
 
 impl Default for Layers {
@@ -27,6 +32,7 @@ impl Default for Layers {
             points: true,
             links: false,
             centres: false,
+            lit: None,
         }
     }
 }
@@ -35,9 +41,13 @@ impl Default for Layers {
 #[must_use]
 pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> Figure {
     let assembled = state.condition() != Condition::NoAssembly;
+    let lit = layers
+        .lit
+        .and_then(|lit| lit::shown_as(lit, &scene.mechanism));
     let mut sketch = LinkageSketch {
         roles: roles(&scene.mechanism),
         links: link_roles(&scene.mechanism),
+        lit,
         scene,
         mechanism: &scene.mechanism,
         reach,
@@ -50,6 +60,7 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
         sketch.springs();
         sketch.links();
         sketch.slides();
+        sketch.lit_line();
         sketch.marks();
     }
     sketch.ground_pins();
@@ -57,139 +68,13 @@ pub fn linkage(scene: &Scene, reach: &Reach, state: &State, layers: Layers) -> F
     sketch.figure
 }
 
-/// Adds the links that are elsewhere in another state of the same scene, to be drawn below everything.
-pub fn add_ghost(figure: &mut Figure, scene: &Scene, now: &State, other: &State) {
-    add_moved(figure, scene, now, other, Role::Ghost);
-}
-
-/// Adds the links that are elsewhere in another state, as this role.
-pub(super) fn add_moved(
-    figure: &mut Figure,
-    scene: &Scene,
-    now: &State,
-    other: &State,
-    role: Role,
-) {
-    let (now, other) = (now.known(), other.known());
-    let mechanism = &scene.mechanism;
-    let points = || mechanism.point_ids();
-    let size = points()
-        .map(|p| now.position(p).norm())
-        .fold(f64::MIN_POSITIVE, f64::max);
-    let moved = |m: &Member| (now.position(m.point) - other.position(m.point)).norm() > SEEN * size;
-    let roles = roles(mechanism);
-    for link in mechanism.links() {
-        let solid = || link.members.iter().filter(|m| link.com != Some(m.point));
-        if !solid().any(moved) {
-            continue;
-        }
-        let corner = |m: &Member| Corner {
-            at: other.position(m.point),
-            block: roles[m.point.index()] == Role::Slider,
-        };
-        outline::draw(figure, &solid().map(corner).collect::<Vec<_>>(), role);
-    }
-}
-
-/// Adds the links of another scene, to be drawn below everything. `scale` is how many units of the
-/// figure one of the other's is; where it has no assembly, nothing is added.
-pub fn add_other(figure: &mut Figure, scene: &Scene, state: &State, scale: f64) {
-    if state.condition() == Condition::NoAssembly {
-        return;
-    }
-    let state = state.known();
-    let mechanism = &scene.mechanism;
-    let roles = roles(mechanism);
-    for link in mechanism.links() {
-        let solid = link.members.iter().filter(|m| link.com != Some(m.point));
-        let corner = |m: &Member| Corner {
-            at: state.position(m.point) * scale,
-            block: roles[m.point.index()] == Role::Slider,
-        };
-        outline::draw(figure, &solid.map(corner).collect::<Vec<_>>(), Role::Ghost);
-    }
-}
-
-/// What differs by less than this part of the largest coordinate is in the same place to any eye.
-const SEEN: f64 = 1e-6;
-
-/// What each point is drawn as.
-fn roles(mechanism: &Mechanism) -> Vec<Role> {
-    let role = |point: &Point| match (point.ground, point.links.len()) {
-        (Some(_), 0) => Role::Ground,
-        (Some(_), _) => Role::GroundPin,
-        (None, 0 | 1) => Role::Rider,
-        (None, _) => Role::Joint,
-    };
-    let mut roles: Vec<Role> = mechanism.points().iter().map(role).collect();
-    for com in mechanism.links().iter().filter_map(|link| link.com) {
-        roles[com.index()] = Role::CentreOfMass;
-    }
-    for slide in mechanism.slides() {
-        let slot = &mut roles[slide.slider.point().index()];
-        // A ground point in a slot of a link is a pin like any other, and wants its support.
-        *slot = match *slot {
-            Role::Ground | Role::GroundPin => Role::GroundPin,
-            _ => Role::Slider,
-        };
-    }
-    roles
-}
-
-/// What each link is drawn as: the driven one, and each of the others in a hue that no link before it
-/// has that it is joined to, as far as there are so many. The order of the links alone decides, so that
-/// a link keeps its hue whatever its lengths become.
-#[must_use]
-pub fn link_roles(mechanism: &Mechanism) -> Vec<Role> {
-    let mut roles: Vec<Role> = Vec::with_capacity(mechanism.links().len());
-    let mut next = 0;
-    for (id, link) in mechanism.link_ids().zip(mechanism.links()) {
-        if mechanism.driver().input == Input::Turn(id) {
-            roles.push(Role::Driver);
-            continue;
-        }
-        let joined = link
-            .members
-            .iter()
-            .flat_map(|m| &mechanism.point(m.point).links);
-        let met: Vec<Role> = joined
-            .filter_map(|other| roles.get(other.index()).copied())
-            .collect();
-        let hues = (0..LINK_HUES).map(|k| (next + k) % LINK_HUES);
-        let hue = hues.clone().find(|&hue| !met.contains(&Role::Link(hue)));
-        let hue = hue.unwrap_or(next);
-        roles.push(Role::Link(hue));
-        next = (hue + 1) % LINK_HUES;
-    }
-    roles
-}
-
-/// What the link is drawn as that a vector of the tables belongs to, in their order: the link itself, or one
-/// that has both ends of the vector. None for vectors from link to link.
-#[must_use]
-pub fn vector_roles(scene: &Scene) -> Vec<Option<Role>> {
-    let mechanism = &scene.mechanism;
-    let links = link_roles(mechanism);
-    let role = |kind: VectorKind| match kind {
-        VectorKind::Link(link) => Some(links[link.index()]),
-        VectorKind::Slide(slide) => match mechanism.slide(slide).on {
-            Body::Link(link) => Some(links[link.index()]),
-            Body::Ground => None,
-        },
-        VectorKind::Between(from, to) => {
-            let mut of_both = mechanism.point(from).links.iter();
-            let link = of_both.find(|link| mechanism.point(to).links.contains(link));
-            link.map(|link| links[link.index()])
-        }
-    };
-    scene.vectors.iter().map(|v| role(v.kind)).collect()
-}
-
 struct LinkageSketch<'a> {
     /// By point.
     roles: Vec<Role>,
-    /// By link.
+    /// By link, whatever is lit.
     links: Vec<Role>,
+    /// A point, a link, a slide or the line between two points.
+    lit: Option<Subject>,
     scene: &'a Scene,
     mechanism: &'a Mechanism,
     reach: &'a Reach,
@@ -207,8 +92,8 @@ impl LinkageSketch<'_> {
             let overhang = 0.04 * self.reach.bounds().size().norm();
             let from = slide.through + slide.direction() * (low - overhang);
             let to = slide.through + slide.direction() * (high + overhang);
-            let role = Role::Guide;
-            self.figure.add(Shape::Line { from, to, role });
+            let role = self.lit_or(Role::Guide, Subject::Slide(id));
+            self.figure.add(Shape::Guide { from, to, role });
             if self.layers.ground {
                 self.figure.add(self.hatching(from, to));
             }
@@ -229,9 +114,12 @@ impl LinkageSketch<'_> {
     }
 
     fn ground_pins(&mut self) {
-        for (point, &role) in self.mechanism.points().iter().zip(&self.roles) {
-            let Some(at) = point.ground else { continue };
-            self.figure.add(Shape::Mark { at, role });
+        for id in self.mechanism.point_ids() {
+            let role = self.roles[id.index()];
+            let Some(at) = self.mechanism.point(id).ground else {
+                continue;
+            };
+            self.mark(id, at, role);
             if self.layers.ground && role == Role::GroundPin {
                 self.figure.add(Shape::Support { at });
             }
@@ -241,8 +129,14 @@ impl LinkageSketch<'_> {
     fn links(&mut self) {
         for id in self.mechanism.link_ids() {
             let body = self.body(id);
-            outline::draw(&mut self.figure, &body, self.links[id.index()]);
+            let plate = self.links[id.index()].of_plate();
+            let role = self.link_role(id);
+            outline::draw(&mut self.figure, &body, role, plate);
         }
+    }
+
+    fn link_role(&self, id: LinkId) -> Role {
+        self.lit_or(self.links[id.index()], Subject::Link(id))
     }
 
     fn springs(&mut self) {
@@ -282,6 +176,11 @@ impl LinkageSketch<'_> {
             };
             let along = self.state.travel(id).guide;
             self.figure.add(Shape::Block { at, along, pin });
+            let parts = [Subject::Slide(id), Subject::Point(slide.slider.point())];
+            if self.lit.is_some_and(|lit| parts.contains(&lit)) {
+                let role = Role::Lit;
+                self.figure.add(Shape::Mark { at, role });
+            }
         }
     }
 
@@ -296,7 +195,7 @@ impl LinkageSketch<'_> {
     fn slot(&mut self, id: SlideId, on: LinkId) {
         if let Some((low, high)) = self.reach.travel(id) {
             let (from, to) = (self.on_guide(id, low), self.on_guide(id, high));
-            let role = self.links[on.index()];
+            let role = self.link_role(on);
             let bare = outline::beyond(&self.body(on), from, to);
             let stands_apart = bare == [(from, to)];
             for (from, to) in bare {
@@ -351,7 +250,7 @@ impl LinkageSketch<'_> {
         if let Some((from, to)) = nearest
             && (to - from).norm() > 1e-6 * along.norm()
         {
-            let role = self.links[on.index()];
+            let role = self.link_role(on);
             self.figure.add(Shape::Line { from, to, role });
         }
     }
@@ -359,46 +258,101 @@ impl LinkageSketch<'_> {
     /// Centres of mass first: a joint at the same place is drawn over them.
     fn marks(&mut self) {
         for shown in [Role::CentreOfMass, Role::Rider, Role::Joint] {
-            if shown == Role::CentreOfMass && !self.layers.centres {
-                continue;
-            }
-            for (id, &role) in self.mechanism.point_ids().zip(&self.roles) {
-                if role == shown {
-                    let at = self.state.position(id);
-                    self.figure.add(Shape::Mark { at, role });
+            for id in self.mechanism.point_ids() {
+                let role = self.roles[id.index()];
+                let is_lit = self.lit == Some(Subject::Point(id));
+                let is_shown = self.layers.centres || role != Role::CentreOfMass || is_lit;
+                if role == shown && is_shown {
+                    self.mark(id, self.state.position(id), role);
                 }
             }
+        }
+    }
+
+    fn mark(&mut self, point: PointId, at: Vec2, role: Role) {
+        let role = self.lit_or(role, Subject::Point(point));
+        self.figure.add(Shape::Mark { at, role });
+    }
+
+    /// What a part is drawn as that is otherwise drawn as `role`.
+    fn lit_or(&self, role: Role, part: Subject) -> Role {
+        match self.lit {
+            Some(lit) if lit == part => Role::Lit,
+            _ => role,
+        }
+    }
+
+    /// What is lit and is no part of the drawing otherwise: a vector from point to point, or that of a slide on a moving
+    /// link.
+    fn lit_line(&mut self) {
+        let ends = match self.lit {
+            Some(Subject::Between(from, to)) => {
+                Some([from, to].map(|point| self.state.position(point)))
+            }
+            Some(Subject::Slide(id)) if self.mechanism.slide(id).on != Body::Ground => {
+                let slider = self.mechanism.slide(id).slider.point();
+                Some([self.on_guide(id, 0.0), self.state.position(slider)])
+            }
+            _ => None,
+        };
+        if let Some([from, to]) = ends {
+            let role = Role::Lit;
+            self.figure.add(Shape::Line { from, to, role });
         }
     }
 
     fn names(&mut self, assembled: bool) {
-        if self.layers.points {
-            for (id, &role) in self.mechanism.point_ids().zip(&self.roles) {
-                let at = match (self.mechanism.point(id).ground, assembled) {
-                    (Some(at), _) => at,
-                    (None, true) => self.state.position(id),
-                    (None, false) => continue,
-                };
-                if role != Role::CentreOfMass
-                    && let Some(name) = self.scene.point_name(id)
-                {
-                    add_name(&mut self.figure, at, name, Role::Label);
-                }
+        for id in self.mechanism.point_ids() {
+            let role = self.roles[id.index()];
+            let at = match (self.mechanism.point(id).ground, assembled) {
+                (Some(at), _) => at,
+                (None, true) => self.state.position(id),
+                (None, false) => continue,
+            };
+            let is_wanted = self.layers.points && role != Role::CentreOfMass;
+            if let Some(name) = self.scene.point_name(id) {
+                self.name(Subject::Point(id), is_wanted, at, name, Role::Label);
             }
         }
-        if self.layers.links && assembled {
+        if assembled {
             for id in self.mechanism.link_ids() {
                 let body = self.body(id);
                 let sum = body.iter().fold(Vec2::ZERO, |sum, c| sum + c.at);
                 let middle = sum / body.len() as f64;
-                let role = self.links[id.index()];
-                add_name(&mut self.figure, middle, self.scene.link_name(id), role);
+                let (name, role) = (self.scene.link_name(id), self.links[id.index()].of_name());
+                self.name(Subject::Link(id), self.layers.links, middle, name, role);
             }
+            self.name_of_lit_line();
         }
     }
-}
 
-fn add_name(figure: &mut Figure, at: Vec2, name: &str, role: Role) {
-    let text = name.to_owned();
-    figure.add(Shape::Label { at, text, role });
+    /// The name of a part: if it is lit, between brackets, and whether it is wanted or not.
+    fn name(&mut self, part: Subject, is_wanted: bool, at: Vec2, name: &str, role: Role) {
+        let (text, role) = match self.lit {
+            Some(lit) if lit == part => (lit::bracketed(name), Role::Lit),
+            _ if is_wanted => (name.to_owned(), role),
+            _ => return,
+        };
+        self.figure.add(Shape::Label { at, text, role });
+    }
+
+    fn name_of_lit_line(&mut self) {
+        let scene = self.scene;
+        let (at, name) = match self.lit {
+            Some(Subject::Slide(id)) => {
+                let slider = self.mechanism.slide(id).slider.point();
+                (self.state.position(slider), scene.slide_name(id))
+            }
+            Some(Subject::Between(from, to)) => {
+                let is_it = |v: &&Vector| v.kind == VectorKind::Between(from, to);
+                let [from, to] = [from, to].map(|point| self.state.position(point));
+                let vector = scene.vectors.iter().find(is_it);
+                ((from + to) / 2.0, vector.map_or("", |v| v.name.as_str()))
+            }
+            _ => return,
+        };
+        if let (Some(lit), false) = (self.lit, name.is_empty()) {
+            self.name(lit, true, at, name, Role::Label);
+        }
+    }
 }

@@ -15,10 +15,10 @@ pub(super) struct Corner {
 /// Flatter than this, in radians, a corner is none to the eye.
 const FLAT: f64 = 2e-4;
 
-/// Draws a link: the line through its points where they lie on one, else their convex hull with a
+/// Draws a link with its plate, if it has one: the line through its points where they lie on one, else their convex hull with a
 /// strut to each point inside. A link that slides on a point inside (a yoke) is drawn as arms from its
 /// block.
-pub(super) fn draw(figure: &mut Figure, points: &[Corner], role: Role) {
+pub(super) fn draw(figure: &mut Figure, points: &[Corner], role: Role, plate: Option<Role>) {
     let corners = hull(points.iter().map(|c| c.at).collect());
     let struts = struts(&corners, points);
     let has_arms = corners.len() > 2 && block_inside(&corners, points).is_some();
@@ -26,11 +26,6 @@ pub(super) fn draw(figure: &mut Figure, points: &[Corner], role: Role) {
         figure.add(Shape::Line { from, to, role });
     }
     if corners.len() > 2 && !has_arms {
-        let plate = match role {
-            Role::Link(hue) => Some(Role::Plate(hue)),
-            Role::Driver => Some(Role::Driver),
-            _ => None,
-        };
         if let Some(role) = plate {
             let corners = corners.clone();
             figure.add(Shape::Plate { corners, role });
@@ -196,7 +191,7 @@ mod tests {
                 block: i == block,
             })
             .collect();
-        draw(&mut figure, &corners, Role::Link(0));
+        draw(&mut figure, &corners, Role::Link(0), Some(Role::Plate(0)));
         figure.shapes().to_vec()
     }
 

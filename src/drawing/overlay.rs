@@ -1,11 +1,14 @@
 //! What is shown of a whole motion beside the linkage as it is: traces, other positions, and arrows to
 //! one scale. The motion is solved once; every frame then draws from what was found.
 
+use super::bounds::Bounds;
 use super::figure::{Figure, Role, Shape};
+use super::force_arrows::ForceArrows;
+use super::ghosts::add_moved;
 use super::legend::LegendEntry;
-use super::linkage::add_moved;
 use super::reach::Reach;
-use super::view::{Bounds, WorldView};
+use super::scale::{self, ArrowScale};
+use super::view::WorldView;
 use crate::scene::Scene;
 use crate::solver::{Condition, Known, Order, Range, Solver, State, Workspace};
 use crate::{PointId, Vec2};
@@ -21,6 +24,8 @@ pub struct Wanted {
     pub velocities: Vec<PointId>,
     /// The points whose accelerations are shown.
     pub accelerations: Vec<PointId>,
+    /// Whether loads and the forces at joints and guides are shown.
+    pub forces: bool,
     /// How many positions of the linkage, spread over the motion, are shown.
     pub ghosts: u16,
 }
@@ -40,8 +45,9 @@ pub struct Overlay {
     ghosts: Vec<State>,
     velocities: Arrows,
     accelerations: Arrows,
-    /// Where the tips of arrows come to.
-    tips: Bounds,
+    forces: ForceArrows,
+    /// Where the tips of arrows come to, by the driver's coordinate.
+    tips: Vec<(f64, Bounds)>,
     /// The scene's unit of length.
     unit: &'static str,
     /// Points of the mechanism: that of another one has others.
@@ -52,22 +58,13 @@ pub struct Overlay {
 #[derive(Clone, Debug, Default)]
 struct Arrows {
     points: Vec<PointId>,
-    /// What the longest arrow stands for, in the scene's unit of length per second or per second squared.
-    most: f64,
-    /// Units of length of the drawing for one of these.
-    per: f64,
+    /// Of the scene's unit of length per second or per second squared.
+    scale: ArrowScale,
 }
 
 /// Places in a turn, or in a motion between limits: half a degree, at which the chords of a circle lie
 /// within 1e-5 of its radius.
 const SAMPLES: u32 = 720;
-
-/// The longest arrow for the diagonal of all places that the linkage comes to.
-const LONGEST: f64 = 0.2;
-
-/// Close to a dead point rates grow beyond all bounds. What exceeds the upper quartile of all rates by
-/// this factor is cut, so that the rest can still be seen.
-const OUTSTANDING: f64 = 3.0;
 
 impl Overlay {
     /// Follows the motion once, to the order that is needed, for what is wanted.
@@ -83,6 +80,9 @@ impl Overlay {
             && wanted.accelerations.is_empty())
         {
             overlay.follow(scene, solver, reach, wanted);
+        }
+        if wanted.forces {
+            overlay.forces = ForceArrows::of(scene, solver, reach, &mut overlay.tips);
         }
         overlay.ghosts = ghosts(scene, solver, wanted.ghosts);
         overlay
@@ -109,43 +109,49 @@ impl Overlay {
                 let state = state.known();
                 let from = |p: &PointId| state.position(*p);
                 let velocities = wanted.velocities.iter();
-                rates[0].extend(velocities.map(|p| (from(p), state.velocity(*p))));
+                rates[0].extend(velocities.map(|p| (at, from(p), state.velocity(*p))));
                 let accelerations = wanted.accelerations.iter();
-                rates[1].extend(accelerations.map(|p| (from(p), state.acceleration(*p))));
+                rates[1].extend(accelerations.map(|p| (at, from(p), state.acceleration(*p))));
             }
         }
         self.traces = traces.into_iter().map(Arc::from).collect();
-        let longest = LONGEST * reach.bounds().size().norm();
+        let longest = scale::longest(reach);
         let [velocities, accelerations] = rates;
         self.velocities = self.arrows(&wanted.velocities, &velocities, longest);
         self.accelerations = self.arrows(&wanted.accelerations, &accelerations, longest);
     }
 
     /// Arrows to a scale at which the longest of these rates is as long as it may be.
-    fn arrows(&mut self, points: &[PointId], rates: &[(Vec2, Vec2)], longest: f64) -> Arrows {
-        let most = usual_most(rates.iter().map(|(_, rate)| rate.norm()).collect());
-        let per = if most > 0.0 { longest / most } else { 0.0 };
-        let arrows = Arrows {
-            points: points.to_vec(),
-            most,
-            per,
-        };
-        for &(from, rate) in rates {
-            self.tips.include(arrows.tip(from, rate, 1.0).0);
+    fn arrows(&mut self, points: &[PointId], rates: &[(f64, Vec2, Vec2)], longest: f64) -> Arrows {
+        let scale = ArrowScale::of(rates.iter().map(|(.., rate)| rate.norm()), longest);
+        for &(at, from, rate) in rates {
+            let mut tip = Bounds::default();
+            tip.include(scale.tip(from, rate, 1.0).0);
+            self.tips.push((at, tip));
         }
-        arrows
+        Arrows {
+            points: points.to_vec(),
+            scale,
+        }
     }
 
     /// The same reach with room for the tips of all arrows; `None` where there are none.
     #[must_use]
     pub fn reach(&self, reach: &Reach) -> Option<Reach> {
-        (!self.tips.is_empty()).then(|| reach.with_arrows(self.tips))
+        (!self.tips.is_empty()).then(|| reach.with_arrows(&self.tips))
     }
 
     /// Adds what was found to the figure of the linkage in a state. Arrows keep their size on a drawing
     /// that is shown `zoom` times as large. What was found of another scene says nothing of this one, and
     /// is left out where it cannot be meant.
-    pub fn add_to(&self, figure: &mut Figure, scene: &Scene, state: &State, zoom: f64) {
+    pub fn add_to(
+        &self,
+        figure: &mut Figure,
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+        zoom: f64,
+    ) {
         if self.count != scene.mechanism.points().len() {
             return;
         }
@@ -159,6 +165,7 @@ impl Overlay {
         if !has_rates(state.condition()) {
             return;
         }
+        self.forces.add_to(figure, scene, solver, state, zoom);
         let state = state.known();
         let accelerations = |p| state.acceleration(p);
         self.accelerations
@@ -178,22 +185,18 @@ impl Overlay {
         let shown = kinds.into_iter().filter(|(.., a)| !a.points.is_empty());
         let keys = shown.map(|(role, letter, per, arrows)| {
             let unit = format!("{}{per}", self.unit);
-            LegendEntry::arrow(role, letter, &unit, view.cells_along(arrows.per / zoom))
+            LegendEntry::arrow(
+                role,
+                letter,
+                &unit,
+                view.cells_along(arrows.scale.per(zoom)),
+            )
         });
-        keys.collect()
+        keys.chain(self.forces.legend(view, zoom)).collect()
     }
 }
 
 impl Arrows {
-    /// The tip of the arrow of a rate at a point, and whether it was cut.
-    fn tip(&self, from: Vec2, rate: Vec2, zoom: f64) -> (Vec2, bool) {
-        let size = rate.norm();
-        // What rounding adds to the longest is no reason to break it.
-        let cut = size > self.most * (1.0 + 1e-9);
-        let shown = if cut { rate * (self.most / size) } else { rate };
-        (from + shown * (self.per / zoom), cut)
-    }
-
     fn add_to(
         &self,
         figure: &mut Figure,
@@ -204,7 +207,7 @@ impl Arrows {
     ) {
         for &point in &self.points {
             let from = state.position(point);
-            let (to, cut) = self.tip(from, rate(point), zoom);
+            let (to, cut) = self.scale.tip(from, rate(point), zoom);
             figure.add(Shape::Arrow {
                 from,
                 to,
@@ -215,28 +218,15 @@ impl Arrows {
     }
 }
 
-fn has_rates(condition: Condition) -> bool {
+pub(super) fn has_rates(condition: Condition) -> bool {
     match condition {
         Condition::Ok | Condition::ChangePoint => true,
         Condition::DeadPoint | Condition::NoAssembly => false,
     }
 }
 
-/// The largest of these, or where that stands out, so much as [`OUTSTANDING`] allows.
-fn usual_most(mut sizes: Vec<f64>) -> f64 {
-    sizes.retain(|size| size.is_finite());
-    sizes.sort_by(f64::total_cmp);
-    let largest = sizes.last().copied().unwrap_or(0.0);
-    let usual = sizes.get(sizes.len() * 3 / 4).copied().unwrap_or(0.0);
-    if usual > 0.0 {
-        largest.min(OUTSTANDING * usual)
-    } else {
-        largest
-    }
-}
-
 /// The coordinates of the driver along the motion, both ends included.
-fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> {
+pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = f64> + use<> {
     let (low, high, count, closed) = ends(scene, solver);
     (0..=count).map(move |k| {
         let share = f64::from(k) / f64::from(count);
@@ -324,6 +314,7 @@ mod tests {
                 traces: usual_traces(&self.scene.mechanism),
                 velocities: points.clone(),
                 accelerations: points,
+                forces: true,
                 ghosts: 6,
             }
         }
@@ -349,7 +340,7 @@ mod tests {
         });
         let mut figure = Figure::new();
         let state = stage.solver.state();
-        overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+        overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
         let course = traces(&figure).remove(0);
         assert_eq!(course.first(), course.last(), "the curve closes");
         // The scene opens at 120 degrees, and samples are half a degree apart.
@@ -384,7 +375,7 @@ mod tests {
             let mut state = stage.solver.state();
             let _ = stage.solver.solve(start, Order::Position, &mut state);
             let mut figure = Figure::new();
-            overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+            overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
             let size = stage.reach.bounds().size().norm();
             for (course, &point) in traces(&figure).iter().zip(&points) {
                 let at = state.position(point).unwrap();
@@ -422,23 +413,23 @@ mod tests {
         for at in [0.0, 60.0, 200.0] {
             let _ = stage.solver.solve(at, Order::Velocity, &mut state);
             let mut figure = Figure::new();
-            overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+            overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
             let [Shape::Arrow { from, to, cut, .. }] = figure.shapes() else {
                 panic!("{figure:?}");
             };
             let arrow = *to - *from;
-            let longest = LONGEST * stage.reach.bounds().size().norm();
+            let longest = scale::longest(&stage.reach);
             assert!((arrow.norm() / longest - 1.0).abs() < 1e-9 && !cut);
             let crank = crate::angle::unit(at);
             assert!(arrow.dot(crank).abs() < 1e-9 * longest && crank.cross(arrow) > 0.0);
         }
         // Shown twice as large, it is as long as before.
         let mut near = Figure::new();
-        overlay.add_to(&mut near, &stage.scene, &state, 2.0);
+        overlay.add_to(&mut near, &stage.scene, &stage.solver, &state, 2.0);
         let Shape::Arrow { from, to, .. } = near.shapes()[0] else {
             panic!("{near:?}");
         };
-        let longest = LONGEST * stage.reach.bounds().size().norm();
+        let longest = scale::longest(&stage.reach);
         assert!(((to - from).norm() * 2.0 / longest - 1.0).abs() < 1e-9);
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let [LegendEntry::Arrow { text, cells, .. }] = &overlay.legend(&view, 1.0)[..] else {
@@ -470,12 +461,12 @@ mod tests {
         let Range::Limited { high, .. } = stage.solver.motion().range else {
             panic!("it swings");
         };
-        let longest = LONGEST * stage.reach.bounds().size().norm();
+        let longest = scale::longest(&stage.reach);
         let arrows = |at: f64| {
             let mut state = stage.solver.state();
             let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
             let mut figure = Figure::new();
-            overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+            overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
             let arrow = |shape: &Shape| match *shape {
                 Shape::Arrow { from, to, cut, .. } => Some(((to - from).norm(), cut)),
                 _ => None,
@@ -499,21 +490,26 @@ mod tests {
             let stage = Stage::of(preset.text);
             let overlay = stage.overlay(&stage.everything());
             let reach = overlay.reach(&stage.reach).expect("something moves");
-            let view = WorldView::fit(&reach, 80, 24, 2.0);
+            let whole = WorldView::fit(&reach, 80, 24, 2.0);
             let mut state = stage.solver.state();
             for at in course(&stage.scene, &stage.solver).step_by(31) {
                 let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
+                let along = WorldView::along(&reach, at, 80, 24, 2.0);
+                let pose = WorldView::pose(&reach, at, 80, 24, 2.0);
                 let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
-                overlay.add_to(&mut figure, &stage.scene, &state, 1.0);
+                overlay.add_to(&mut figure, &stage.scene, &stage.solver, &state, 1.0);
                 for shape in figure.shapes() {
                     if let Shape::Arrow { to, .. } = *shape {
-                        let tip = view.cell(to);
-                        let inside = (0.0..80.0).contains(&tip.x) && (0.0..24.0).contains(&tip.y);
-                        assert!(inside, "{} at {at}: {tip:?}", preset.name);
+                        for view in [whole, along, pose] {
+                            let tip = view.cell(to);
+                            let inside =
+                                (0.0..80.0).contains(&tip.x) && (0.0..24.0).contains(&tip.y);
+                            assert!(inside, "{} at {at}: {tip:?}", preset.name);
+                        }
                     }
                 }
                 for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
-                    let text = render(&figure, &view, glyphs).text();
+                    let text = render(&figure, &along, glyphs).text();
                     assert!(glyphs != Glyphs::Ascii || text.is_ascii());
                 }
             }
@@ -534,7 +530,13 @@ mod tests {
         let (press, leg) = (Stage::preset("press"), Stage::preset("jansen-leg"));
         let overlay = leg.overlay(&leg.everything());
         let mut figure = Figure::new();
-        overlay.add_to(&mut figure, &press.scene, &press.solver.state(), 1.0);
+        overlay.add_to(
+            &mut figure,
+            &press.scene,
+            &press.solver,
+            &press.solver.state(),
+            1.0,
+        );
         assert!(figure.shapes().is_empty());
     }
 

@@ -1,7 +1,7 @@
 //! Figures of dots: marks, blocks and plates where a window is large enough for them.
 
 use super::figure::Role;
-use super::raster::Raster;
+use super::raster::{CharCell, Raster};
 use super::stroke::{self, FINE};
 use crate::Vec2;
 
@@ -14,7 +14,7 @@ const SMALL: f64 = 4.6;
 const REACH: i32 = 3;
 
 /// Half of a block, in dots along and across its guide.
-const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
+pub(super) const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
 
 /// Teeth of a spring.
 const TEETH: u32 = 8;
@@ -91,17 +91,28 @@ pub(super) fn plate(raster: &mut Raster, corners: &[Vec2], role: Role) {
         return;
     }
     let (first, last) = (top.max(0.0).floor() as i32, bottom.min(rows).ceil() as i32);
-    for y in (first..last).filter(|y| y % 2 == 0) {
+    for y in first..last {
         let middle = f64::from(y) + 0.5;
         let Some((from, to)) = chord(&dots, middle) else {
             continue;
         };
         let (from, to) = (from.max(0.0).ceil() as i32, to.min(columns).floor() as i32);
-        let shift = y / 2 % 2 * 2;
-        for x in (from..to).filter(|x| x % 4 == shift) {
-            stroke::dot(raster, x, y, role);
+        for x in (from..to).filter(|&x| is_of_plate(x, y)) {
+            // That of a barrel comes after links: a cell of their bars stays theirs, and is not cleared for its edges.
+            let is_bar = |cell: CharCell| cell.role.is_body();
+            if !raster
+                .cell(x.div_euclid(2), y.div_euclid(4))
+                .is_some_and(is_bar)
+            {
+                stroke::dot(raster, x, y, role);
+            }
         }
     }
+}
+
+/// Whether a plate has a dot here, counted from the upper left.
+pub(super) fn is_of_plate(x: i32, y: i32) -> bool {
+    y % 2 == 0 && x % 4 == y % 4
 }
 
 /// Where a level line enters and leaves a convex outline.

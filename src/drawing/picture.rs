@@ -9,7 +9,7 @@ use super::legend::LegendEntry;
 use super::pattern;
 use super::raster::Raster;
 use super::render::{Glyphs, draw_order, render_into};
-use super::svg::{Svg, SvgStyle, TextAnchor};
+use super::svg::{Svg, SvgGround, SvgStyle, TextAnchor};
 use super::view::WorldView;
 use crate::Vec2;
 use std::borrow::Cow;
@@ -25,8 +25,11 @@ const PIN: f64 = 4.5;
 const SUPPORT: f64 = 14.0;
 const TOOTH: f64 = 7.0;
 const BLOCK: Vec2 = Vec2 { x: 14.0, y: 8.0 };
+/// How far the rails of a guide lie from its middle.
+const RAIL: f64 = BLOCK.y + 2.0;
 const BARREL: f64 = 6.0;
 const HEAD: f64 = 9.0;
+const MOMENT: f64 = 16.0;
 const SPRING: f64 = 7.0;
 
 /// Paper, ink, and the hues of the workbench's palettes for a light and a dark ground; roles are told by
@@ -35,16 +38,17 @@ const STYLE: SvgStyle = SvgStyle {
     light: "\
 .link,.driver{stroke-width:6}
 .plate{stroke:none;fill-opacity:.14}
-.hue0{stroke:#0067df;fill:none}
-.hue1{stroke:#048233;fill:none}
-.hue2{stroke:#7040d6;fill:none}
-.hue3{stroke:#ac5701;fill:none}
-.hue4{stroke:#057a6d;fill:none}
-.plate.hue0{stroke:none;fill:#0067df}
-.plate.hue1{stroke:none;fill:#048233}
-.plate.hue2{stroke:none;fill:#7040d6}
-.plate.hue3{stroke:none;fill:#ac5701}
-.plate.hue4{stroke:none;fill:#057a6d}
+.hue0{stroke:#005fd7;fill:none}
+.hue1{stroke:#005f00;fill:none}
+.hue2{stroke:#8700d7;fill:none}
+.hue3{stroke:#d75f00;fill:none}
+.hue4{stroke:#005f5f;fill:none}
+.plate.hue0{stroke:none;fill:#005fd7}
+.plate.hue1{stroke:none;fill:#005f00}
+.plate.hue2{stroke:none;fill:#8700d7}
+.plate.hue3{stroke:none;fill:#d75f00}
+.plate.hue4{stroke:none;fill:#005f5f}
+.plate.driven{stroke:none;fill:#c81e24}
 .driver,.barrel{stroke:#c81e24}
 .barrel{stroke-width:2}
 .spring{stroke:#826901}
@@ -54,6 +58,7 @@ const STYLE: SvgStyle = SvgStyle {
 .echo{stroke-width:1;stroke:#888;stroke-opacity:.6}
 .trace{stroke-width:1.2;stroke:#607602}
 .velocity{stroke:#007590}
+.force{stroke:#826901;fill:none}
 .acceleration{stroke:#b81ea6;stroke-dasharray:7 4}
 .head{stroke-dasharray:none}
 .pin,.block{fill:#fff}
@@ -64,22 +69,24 @@ circle{stroke:#222;stroke-width:2}
 .halo{stroke:#fff;stroke-width:4;stroke-linejoin:round;fill:none}
 ",
     dark: "\
-.hue0{stroke:#609cff}
-.hue1{stroke:#54cc74}
-.hue2{stroke:#ae8cff}
-.hue3{stroke:#f5963c}
-.hue4{stroke:#3ac8b6}
-.plate.hue0{fill:#609cff}
-.plate.hue1{fill:#54cc74}
-.plate.hue2{fill:#ae8cff}
-.plate.hue3{fill:#f5963c}
-.plate.hue4{fill:#3ac8b6}
+.hue0{stroke:#5f87ff}
+.hue1{stroke:#5fd75f}
+.hue2{stroke:#af87ff}
+.hue3{stroke:#ffaf5f}
+.hue4{stroke:#00d7af}
+.plate.hue0{fill:#5f87ff}
+.plate.hue1{fill:#5fd75f}
+.plate.hue2{fill:#af87ff}
+.plate.hue3{fill:#ffaf5f}
+.plate.hue4{fill:#00d7af}
+.plate.driven{fill:#ff6961}
 .driver,.barrel{stroke:#ff6961}
 .spring{stroke:#ebcb50}
 .barrel,.pin,.block{fill:#181818}
 .guide,.ground{stroke:#999}
 .trace{stroke:#b0d048}
 .velocity{stroke:#56c4fa}
+.force{stroke:#ebcb50}
 .acceleration{stroke:#f472dc}
 circle{stroke:#ddd}
 .rider{fill:#ddd}
@@ -90,6 +97,20 @@ circle{stroke:#ddd}
 /// The figure in this window as a document of its own, with its legend below.
 #[must_use]
 pub fn svg(figure: &Figure, view: &WorldView, title: &str, legend: &[LegendEntry]) -> String {
+    let labels = &mut Labels::default();
+    svg_on(SvgGround::Preferred, figure, view, title, legend, labels)
+}
+
+/// The same on a ground, with names that keep their sides from one picture to the next.
+#[must_use]
+pub fn svg_on(
+    ground: SvgGround,
+    figure: &Figure,
+    view: &WorldView,
+    title: &str,
+    legend: &[LegendEntry],
+    labels: &mut Labels,
+) -> String {
     let cell = Vec2::new(COLUMN, COLUMN * view.aspect());
     let size = Vec2::new(
         f64::from(view.cols()) * cell.x,
@@ -105,9 +126,9 @@ pub fn svg(figure: &Figure, view: &WorldView, title: &str, legend: &[LegendEntry
     for shape in draw_order(figure) {
         picture.shape(shape);
     }
-    picture.names(figure);
+    picture.names(figure, labels);
     picture.legend(legend, size);
-    picture.svg.finish()
+    picture.svg.finish(ground)
 }
 
 struct Picture<'a> {
@@ -149,9 +170,18 @@ impl Picture<'_> {
             }
             Shape::Mark { at, role } => self.mark(at, role),
             Shape::Support { at } => self.support(at),
+            Shape::Guide { from, to, role } => {
+                let [a, b] = [from, to].map(|p| self.place(p));
+                let rail = unit(b - a).perp() * RAIL;
+                for rail in [rail, Vec2::ZERO - rail] {
+                    self.svg.polyline([a + rail, b + rail], &class(role));
+                }
+            }
             Shape::Hatching { from, to } => {
                 let [a, b] = [from, to].map(|p| self.place(p));
-                self.teeth(a, b);
+                // User units count downwards, and so `perp` points to the right.
+                let rail = unit(b - a).perp() * RAIL;
+                self.teeth(a + rail, b + rail);
             }
             Shape::Block { at, along, pin } => self.block(at, along, pin),
             Shape::Trace { ref course } => {
@@ -167,6 +197,7 @@ impl Picture<'_> {
                 let [a, b] = [from, to].map(|p| self.place(p));
                 self.arrow(a, b, role, cut);
             }
+            Shape::Moment { at, is_left } => self.moment(at, is_left),
             Shape::Label { .. } => {}
         }
     }
@@ -246,17 +277,39 @@ impl Picture<'_> {
             let barbs = [tip - back + side, tip, tip - back - side];
             self.svg.polyline(barbs, &format!("{class} head"));
         }
+        if role == Role::Force {
+            let foot = to - back;
+            self.svg.polyline([foot + side, foot - side], &class);
+        }
     }
 
-    /// Names stand where they would stand in cells, out of the way of everything else.
-    fn names(&mut self, figure: &Figure) {
-        let (mut labels, mut raster) = (Labels::default(), Raster::new());
-        render_into(figure, self.view, Glyphs::Braille, &mut labels, &mut raster);
-        for (text, col, row) in labels.standing(figure, self.view) {
-            let at = Vec2::new(
-                f64::from(col) * self.cell.x,
-                (f64::from(row) + 0.75) * self.cell.y,
-            );
+    /// An arrow three quarters around a place.
+    fn moment(&mut self, at: Vec2, is_left: bool) {
+        let at = self.place(at);
+        let sense = if is_left { 1.0 } else { -1.0 };
+        // User units count downwards: to the left is upwards on the paper.
+        let on_ring = |degrees: f64| {
+            let v = crate::angle::unit(degrees) * MOMENT;
+            at + Vec2::new(v.x * sense, -v.y)
+        };
+        let ring = (0..=27).map(|k| on_ring(45.0 + 10.0 * f64::from(k)));
+        self.svg.polyline(ring, "force");
+        let tip = on_ring(315.0);
+        let back = unit(tip - on_ring(295.0)) * HEAD;
+        let side = back.perp() * 0.4;
+        self.svg
+            .polyline([tip - back + side, tip, tip - back - side], "force head");
+    }
+
+    /// Names stand where they would stand in cells, out of the way of everything else; but as far from their
+    /// points as there, not from the points' cells, so that they move with them and do not jump.
+    fn names(&mut self, figure: &Figure, labels: &mut Labels) {
+        let mut raster = Raster::new();
+        render_into(figure, self.view, Glyphs::Braille, labels, &mut raster);
+        for (text, point, col, row) in labels.standing(figure, self.view) {
+            let away = Vec2::new(f64::from(col) - 0.5, f64::from(row) + 0.25);
+            let away = Vec2::new(away.x * self.cell.x, away.y * self.cell.y);
+            let at = self.place(point) + away;
             self.svg.text(at, TextAnchor::Start, "halo", text);
             self.svg.text(at, TextAnchor::Start, "name", text);
         }
@@ -325,6 +378,7 @@ fn class(role: Role) -> Cow<'static, str> {
     let class = match role {
         Role::Link(hue) => return Cow::Owned(format!("link hue{hue}")),
         Role::Plate(hue) => return Cow::Owned(format!("plate hue{hue}")),
+        Role::DriverPlate => "plate driven",
         Role::Ground => "ground",
         Role::Guide => "guide",
         Role::Driver => "driver",
@@ -334,13 +388,16 @@ fn class(role: Role) -> Cow<'static, str> {
         Role::Trace => "trace",
         Role::Velocity => "velocity",
         Role::Acceleration => "acceleration",
+        Role::Force => "force",
         Role::Empty
         | Role::Joint
         | Role::GroundPin
         | Role::Slider
         | Role::Rider
         | Role::CentreOfMass
+        | Role::Lit
         | Role::Label
+        | Role::LinkName(_)
         | Role::Axis
         | Role::Datum
         | Role::Second
@@ -367,23 +424,21 @@ mod tests {
             traces: usual_traces(&scene.mechanism),
             velocities: points.clone(),
             accelerations: points,
+            forces: true,
             ghosts: 3,
         };
         let overlay = Overlay::of(&scene, &solver, &reach, &wanted);
         let mut state = solver.state();
-        let _ = solver.solve(
-            scene.mechanism.driver().start,
-            Order::Acceleration,
-            &mut state,
-        );
+        let _ = solver.solve(scene.mechanism.driver().start, Order::Force, &mut state);
         let layers = Layers {
             links: true,
             centres: true,
             ..Layers::default()
         };
         let mut figure = linkage(&scene, &reach, &state, layers);
-        overlay.add_to(&mut figure, &scene, &state, zoom);
-        let view = WorldView::snug(&reach, 100, 50, 2.0).zoomed(zoom, Vec2::ZERO);
+        overlay.add_to(&mut figure, &scene, &solver, &state, zoom);
+        let view = WorldView::snug(50, |rows| WorldView::fit(&reach, 100, rows, 2.0))
+            .zoomed(zoom, Vec2::ZERO);
         svg(&figure, &view, title, &overlay.legend(&view, zoom))
     }
 

@@ -3,13 +3,13 @@
 //! A window that follows every pose would shake; one that stands still makes a linkage small that needs
 //! much more room over its motion than at any one place of it. Here the window is a function of the
 //! driver's coordinate alone, so that the same place always looks the same whatever way led there: the
-//! mean of the rooms of all poses nearby, which hardly changes from place to place, and beyond that no
-//! more than the pose itself needs.
+//! mean of the rooms of all poses nearby, which hardly changes from place to place. What a pose needs beyond that
+//! is smoothed too: each place gets the most that any close by needs, and the mean of these is added.
 //!
 //! Places lie evenly along a turn. Between two limits they lie closer towards these, as those of a point on
 //! a circle do that is seen from the side: the linkage itself is fastest there.
 
-use super::view::Bounds;
+use super::bounds::Bounds;
 use crate::Vec2;
 use std::f64::consts::PI;
 
@@ -17,6 +17,8 @@ use std::f64::consts::PI;
 const PLACES: usize = 120;
 /// So many places on either side are taken into the mean: 18 degrees of a turn.
 const NEARBY: usize = 6;
+/// And so many into the mean of what poses need beyond that.
+const CLOSE: usize = 3;
 
 /// The poses of a motion: how large they are, and a calm room for each.
 #[derive(Clone, Debug, Default)]
@@ -30,6 +32,16 @@ pub(super) struct Poses {
     alone: Vec<Bounds>,
     /// The room that the window is fitted to there.
     calm: Vec<Bounds>,
+    /// The tips of arrows at each place, where there are any.
+    tips: Vec<Bounds>,
+}
+
+/// What a window must have room for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct PoseRoom {
+    pub(super) linkage: Bounds,
+    /// The tips of arrows; empty where there are none.
+    pub(super) tips: Bounds,
 }
 
 impl Poses {
@@ -48,33 +60,90 @@ impl Poses {
         if met.is_empty() {
             return Poses::default();
         }
-        let far = |a: f64, b: f64| {
-            let apart = (a - b).abs();
-            if closed {
-                apart.min(PLACES as f64 - apart)
-            } else {
-                apart
-            }
-        };
         let places = || (0..=PLACES).map(|place| place as f64);
         let alone = places().map(|place| {
             let nearest = met
                 .iter()
-                .min_by(|a, b| far(a.0, place).total_cmp(&far(b.0, place)));
+                .min_by(|a, b| poses.far(a.0, place).total_cmp(&poses.far(b.0, place)));
             nearest.map_or_else(Bounds::default, |&(_, room)| room)
         });
         let alone: Vec<Bounds> = alone.collect();
+        let means = poses.means(&alone, NEARBY);
         // Between two places the rooms of both are mixed, and so each must hold every pose up to the other.
-        let held = places().zip(&alone).map(|(place, &here)| {
-            let near = met.iter().filter(|(at, _)| far(*at, place) <= 1.0 + 1e-9);
-            near.fold(here, |room, (_, other)| room.with(*other))
+        let held = poses.gathered(&met, 1.0).into_iter().zip(&alone);
+        let beyond = held.zip(&means).map(|((held, alone), mean)| Bounds {
+            low: (held.with(*alone).low - mean.low).map(|by| by.min(0.0)),
+            high: (held.with(*alone).high - mean.high).map(|by| by.max(0.0)),
         });
-        let held: Vec<Bounds> = held.collect();
+        let beyond: Vec<Bounds> = beyond.collect();
+        let beyond = poses.means(&poses.most(&beyond, CLOSE), CLOSE);
+        let calm = means.iter().zip(&beyond).map(|(mean, beyond)| Bounds {
+            low: mean.low + beyond.low,
+            high: mean.high + beyond.high,
+        });
+        poses.calm = calm.collect();
         poses.alone = alone;
-        poses.calm = (0..=PLACES)
-            .map(|place| mean(&poses.alone, place, closed).with(held[place]))
-            .collect();
         poses
+    }
+
+    /// The same with room for the tips of arrows at these coordinates.
+    pub(super) fn with_tips(mut self, tips: &[(f64, Bounds)]) -> Poses {
+        if self.calm.is_empty() {
+            return self;
+        }
+        let met = tips.iter().filter(|(_, room)| !room.is_empty());
+        let met: Vec<(f64, Bounds)> = met
+            .filter_map(|&(at, room)| Some((self.place(at)?, room)))
+            .collect();
+        let held = self.gathered(&met, 1.0);
+        self.tips = self.means(&self.most(&held, CLOSE), CLOSE);
+        self
+    }
+
+    /// The same with room for something else at every place, by its coordinate.
+    pub(super) fn beside(mut self, other: impl Fn(f64) -> Bounds) -> Poses {
+        for place in 0..self.calm.len() {
+            let there = other(self.coordinate(place as f64));
+            self.alone[place] = self.alone[place].with(there);
+            self.calm[place] = self.calm[place].with(there);
+        }
+        self
+    }
+
+    /// At each place all that was met so near to it.
+    fn gathered(&self, met: &[(f64, Bounds)], near: f64) -> Vec<Bounds> {
+        let mut rooms = vec![Bounds::default(); PLACES + 1];
+        for &(at, room) in met {
+            for (place, gathered) in rooms.iter_mut().enumerate() {
+                if self.far(at, place as f64) <= near + 1e-9 {
+                    *gathered = gathered.with(room);
+                }
+            }
+        }
+        rooms
+    }
+
+    /// At each place all that lies so many places from it.
+    fn most(&self, rooms: &[Bounds], near: usize) -> Vec<Bounds> {
+        let met = rooms.iter().enumerate();
+        let met: Vec<(f64, Bounds)> = met.map(|(at, room)| (at as f64, *room)).collect();
+        self.gathered(&met, near as f64)
+    }
+
+    /// The means of rooms over so many places on either side.
+    fn means(&self, rooms: &[Bounds], near: usize) -> Vec<Bounds> {
+        let mean = |place| mean(rooms, place, near, self.closed);
+        (0..=PLACES).map(mean).collect()
+    }
+
+    /// How far two places are apart.
+    fn far(&self, a: f64, b: f64) -> f64 {
+        let apart = (a - b).abs();
+        if self.closed {
+            apart.min(PLACES as f64 - apart)
+        } else {
+            apart
+        }
     }
 
     /// The place of a coordinate, between two of them as a rule.
@@ -88,8 +157,19 @@ impl Poses {
         share.is_finite().then_some(share * PLACES as f64)
     }
 
+    /// The coordinate of a place.
+    fn coordinate(&self, place: f64) -> f64 {
+        let share = place / PLACES as f64;
+        let share = if self.closed {
+            share
+        } else {
+            (1.0 - (PI * share).cos()) / 2.0
+        };
+        self.start + self.span * share
+    }
+
     /// The room for a window at a coordinate; `None` where nothing is known of the motion.
-    pub(super) fn room(&self, at: f64) -> Option<Bounds> {
+    pub(super) fn room(&self, at: f64) -> Option<PoseRoom> {
         let last = self.calm.len().checked_sub(1)?;
         let place = self.place(at)?;
         #[expect(
@@ -98,17 +178,24 @@ impl Poses {
             reason = "between 0 and the last place"
         )]
         let before = (place as usize).min(last);
-        let (from, to) = (self.calm[before], self.calm[(before + 1).min(last)]);
-        Some(from.towards(to, place - before as f64))
+        let between = |rooms: &[Bounds]| {
+            let [from, to] = [before, (before + 1).min(last)].map(|at| rooms.get(at).copied());
+            let [from, to] = [from, to].map(Option::unwrap_or_default);
+            from.towards(to, place - before as f64)
+        };
+        Some(PoseRoom {
+            linkage: between(&self.calm),
+            tips: between(&self.tips),
+        })
     }
 
     /// Some poses spread over the motion: the room of each alone, and the room for a window.
-    pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, Bounds)> {
-        self.alone
-            .iter()
-            .copied()
-            .zip(self.calm.iter().copied())
-            .step_by(SOME)
+    pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, PoseRoom)> {
+        let rooms = self.calm.iter().enumerate().map(|(place, calm)| PoseRoom {
+            linkage: *calm,
+            tips: self.tips.get(place).copied().unwrap_or_default(),
+        });
+        self.alone.iter().copied().zip(rooms).step_by(SOME)
     }
 }
 
@@ -116,22 +203,25 @@ impl Poses {
 const SOME: usize = 4;
 
 /// The mean of the rooms around a place.
-fn mean(rooms: &[Bounds], place: usize, closed: bool) -> Bounds {
+fn mean(rooms: &[Bounds], place: usize, near: usize, closed: bool) -> Bounds {
     let (mut low, mut high, mut count) = (Vec2::ZERO, Vec2::ZERO, 0.0);
-    for k in 0..=2 * NEARBY {
+    for k in 0..=2 * near {
         let there = if closed {
             // The last place is the first.
-            Some((place + PLACES + k - NEARBY) % PLACES)
+            Some((place + PLACES + k - near) % PLACES)
         } else {
             (place + k)
-                .checked_sub(NEARBY)
+                .checked_sub(near)
                 .filter(|&there| there < rooms.len())
         };
-        if let Some(there) = there {
+        if let Some(there) = there.filter(|&there| !rooms[there].is_empty()) {
             low += rooms[there].low;
             high += rooms[there].high;
             count += 1.0;
         }
+    }
+    if count == 0.0 {
+        return Bounds::default();
     }
     Bounds {
         low: low / count,
@@ -169,7 +259,7 @@ mod tests {
                 .collect();
             let poses = Poses::new([30.0, span], closed, &met);
             for &(at, pose) in &met {
-                let room = poses.room(at).expect("there are poses");
+                let room = poses.room(at).expect("there are poses").linkage;
                 prop_assert!(room.low.x <= pose.low.x + 1e-9 && pose.high.x <= room.high.x + 1e-9);
                 prop_assert!(room.low.y <= pose.low.y + 1e-9 && pose.high.y <= room.high.y + 1e-9);
             }
@@ -187,8 +277,10 @@ mod tests {
             .collect();
         let poses = Poses::new([0.0, 360.0], true, &met);
         let (end, start) = (poses.room(359.999_999).unwrap(), poses.room(0.0).unwrap());
+        let (end, start) = (end.linkage, start.linkage);
         assert!((end.low - start.low).norm() < 1e-6);
         let (again, first) = (poses.room(725.0).unwrap(), poses.room(5.0).unwrap());
+        let (again, first) = (again.linkage, first.linkage);
         assert!((again.low - first.low).norm() < 1e-9 && (again.high - first.high).norm() < 1e-9);
         for none in [Poses::default(), Poses::new([0.0, 1.0], false, &[])] {
             assert_eq!(none.room(3.0), None);

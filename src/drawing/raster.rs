@@ -79,9 +79,9 @@ impl Raster {
             .then(|| usize::from(row) * usize::from(self.cols) + usize::from(col))
     }
 
-    /// All cells.
-    pub(super) fn cells_mut(&mut self) -> impl Iterator<Item = &mut CharCell> {
-        self.cells.iter_mut()
+    /// The rows from the top, to be written over.
+    pub(super) fn lines_mut(&mut self) -> impl Iterator<Item = &mut [CharCell]> {
+        self.cells.chunks_mut(usize::from(self.cols).max(1))
     }
 
     /// The glyphs as lines of text, without the blanks at their ends.

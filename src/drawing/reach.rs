@@ -1,10 +1,12 @@
 //! Where a linkage gets to over its whole motion, sampled once.
 
+use super::bounds::Bounds;
 use super::poses::Poses;
-use super::view::Bounds;
+use super::view::Nearness;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Range, Solver, State};
 use crate::{Body, SlideId, Vec2};
+use std::cell::RefCell;
 
 /// How many steps the motion is followed in. In a motion of two turns they are 3 degrees;
 /// between two states a crank's pin then rises above both by less than 1e-3 of its radius, far less
@@ -30,6 +32,8 @@ pub struct Reach {
     anchor: Vec2,
     /// The length of the longest name.
     name: f64,
+    /// How near windows go along, as it was found for each size.
+    near: RefCell<Vec<Nearness>>,
 }
 
 /// Cells to keep free around a part.
@@ -40,6 +44,9 @@ pub(super) struct Margin {
     pub(super) above: f64,
     pub(super) below: f64,
 }
+
+/// Of so many sizes of windows it is known how near they go.
+const MOST_SIZES: usize = 64;
 
 /// Longer names may be cut off at the edge rather than make the linkage small.
 const LONGEST_NAME: f64 = 4.0;
@@ -65,33 +72,51 @@ impl Reach {
     /// The same with room for some more states.
     #[must_use]
     pub fn with<'s>(&self, scene: &Scene, states: impl IntoIterator<Item = &'s State>) -> Reach {
-        let mut reach = self.clone();
-        reach.poses = Poses::default();
+        let mut room = Bounds::default();
         for state in states {
             for point in scene.mechanism.point_ids() {
-                reach.moving.include(state.known().position(point));
+                room.include(state.known().position(point));
             }
         }
+        let mut reach = self.anew();
+        reach.moving = reach.moving.with(room);
+        reach.poses = reach.poses.beside(|_| room);
         reach
+    }
+
+    /// The same, of which nothing is known yet.
+    fn anew(&self) -> Reach {
+        Reach {
+            near: RefCell::default(),
+            ..self.clone()
+        }
     }
 
     /// The same with room for the tips of arrows. They belong to the drawing, not to the linkage, and
     /// so are no part of [`Reach::bounds`].
-    pub(super) fn with_arrows(&self, tips: Bounds) -> Reach {
-        let mut reach = self.clone();
-        reach.arrows = tips;
+    pub(super) fn with_arrows(&self, tips: &[(f64, Bounds)]) -> Reach {
+        let mut reach = self.anew();
+        let all = tips.iter().map(|(_, tips)| *tips);
+        reach.arrows = all.fold(reach.arrows, Bounds::with);
+        reach.poses = reach.poses.with_tips(tips);
         reach
     }
 
-    /// The same with room for another scene's whole motion; `scale` is how many of this one's units one
-    /// of the other's is.
+    /// The same with room for another scene where its driver stands as this one's does; `scale` is how many of this
+    /// one's units one of the other's is, of length and, where they are pushed, of their drivers.
     #[must_use]
-    pub fn beside(&self, other: &Reach, scale: f64) -> Reach {
-        let mut reach = self.clone();
-        reach.poses = Poses::default();
-        let bounds = other.bounds();
-        reach.moving.include(bounds.low * scale);
-        reach.moving.include(bounds.high * scale);
+    pub fn beside(&self, other: &Reach, scale: f64, driver: f64) -> Reach {
+        let scaled = |room: Bounds| Bounds {
+            low: room.low * scale,
+            high: room.high * scale,
+        };
+        let whole = scaled(other.bounds());
+        let mut reach = self.anew();
+        reach.moving = reach.moving.with(whole);
+        reach.poses = reach.poses.beside(|at| {
+            let room = other.poses.room(at / driver);
+            room.map_or(whole, |room| scaled(room.linkage))
+        });
         reach
     }
 
@@ -113,6 +138,7 @@ impl Reach {
             travel: vec![None; mechanism.slides().len()],
             anchor: anchor.unwrap_or(Vec2::ZERO),
             name: (longest as f64).min(LONGEST_NAME),
+            near: RefCell::default(),
         }
     }
 
@@ -166,18 +192,10 @@ impl Reach {
         self.parts_in([self.moving, self.guides, self.arrows], 0.5)
     }
 
-    /// The same of a window that goes along, for the part of the motion in this room. Guides may end
-    /// outside, and arrows have as much room beside the linkage as they have over the whole motion.
-    pub(super) fn parts_near(&self, room: Bounds) -> [(Bounds, Margin); 4] {
-        let arrows = if self.arrows.is_empty() {
-            self.arrows
-        } else {
-            Bounds {
-                low: room.low - (self.moving.low - self.arrows.low).map(|v| v.max(0.0)),
-                high: room.high + (self.arrows.high - self.moving.high).map(|v| v.max(0.0)),
-            }
-        };
-        self.parts_in([room, self.guides.within(room), arrows], 0.0)
+    /// The same of a window that goes along, for the part of the motion in this room, with the tips of its arrows.
+    /// Guides may end outside.
+    pub(super) fn parts_near(&self, room: Bounds, tips: Bounds) -> [(Bounds, Margin); 4] {
+        self.parts_in([room, self.guides.within(room), tips], 0.0)
     }
 
     fn parts_in(&self, [moving, guides, arrows]: [Bounds; 3], spare: f64) -> [(Bounds, Margin); 4] {
@@ -198,6 +216,25 @@ impl Reach {
     /// Where the linkage stands along its motion.
     pub(super) fn poses(&self) -> &Poses {
         &self.poses
+    }
+
+    /// How near a window goes along: it depends on its size alone, and is found once for each.
+    pub(super) fn nearness(
+        &self,
+        is_it: impl Fn(&Nearness) -> bool,
+        find: impl FnOnce() -> Nearness,
+    ) -> Nearness {
+        if let Some(known) = self.near.borrow().iter().find(|known| is_it(known)) {
+            return *known;
+        }
+        let found = find();
+        let mut near = self.near.borrow_mut();
+        // A terminal that is drawn larger and smaller all day does not fill the memory.
+        if near.len() >= MOST_SIZES {
+            near.clear();
+        }
+        near.push(found);
+        found
     }
 }
 
@@ -226,22 +263,28 @@ fn samples(low: f64, high: f64, closed: bool) -> impl Iterator<Item = f64> {
 
 #[cfg(test)]
 impl Reach {
-    /// A reach made by hand, of points that move and points that do not.
+    /// A reach made by hand, of points that do not move and of one that comes by these over a turn.
     pub(super) fn by_hand(moving: &[Vec2], ground: &[Vec2]) -> Reach {
         let around = |points: &[Vec2]| {
             let mut bounds = Bounds::default();
             points.iter().for_each(|&p| bounds.include(p));
             bounds
         };
+        let poses = moving.iter().zip(0..).map(|(&at, k)| {
+            let driver = 360.0 * f64::from(k) / moving.len() as f64;
+            (driver, around(&[at]))
+        });
+        let poses: Vec<(f64, Bounds)> = poses.collect();
         Reach {
             moving: around(moving),
             ground: around(ground),
             guides: Bounds::default(),
             arrows: Bounds::default(),
-            poses: Poses::default(),
+            poses: Poses::new([0.0, 360.0], true, &poses),
             travel: Vec::new(),
             anchor: ground.first().copied().unwrap_or(Vec2::ZERO),
             name: 1.0,
+            near: RefCell::default(),
         }
     }
 }

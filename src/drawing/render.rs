@@ -42,13 +42,14 @@ enum PaintLayer {
     Springs,
     Links,
     Driver,
+    Lit,
     Blocks,
     Arrows,
     Marks,
     Labels,
 }
 
-const LAYERS: [PaintLayer; 11] = [
+const LAYERS: [PaintLayer; 12] = [
     PaintLayer::Ghosts,
     PaintLayer::Traces,
     PaintLayer::Ground,
@@ -57,6 +58,7 @@ const LAYERS: [PaintLayer; 11] = [
     PaintLayer::Springs,
     PaintLayer::Links,
     PaintLayer::Driver,
+    PaintLayer::Lit,
     PaintLayer::Blocks,
     PaintLayer::Arrows,
     PaintLayer::Marks,
@@ -69,14 +71,19 @@ fn layer(shape: &Shape) -> PaintLayer {
             Role::Guide => PaintLayer::Guides,
             Role::Ghost | Role::Echo => PaintLayer::Ghosts,
             Role::Driver => PaintLayer::Driver,
+            Role::Lit => PaintLayer::Lit,
             _ => PaintLayer::Links,
         },
+        Shape::Guide {
+            role: Role::Lit, ..
+        } => PaintLayer::Lit,
+        Shape::Guide { .. } => PaintLayer::Guides,
         Shape::Barrel { .. } => PaintLayer::Driver,
         Shape::Plate { .. } => PaintLayer::Plates,
         Shape::Spring { .. } => PaintLayer::Springs,
         Shape::Block { .. } => PaintLayer::Blocks,
         Shape::Trace { .. } => PaintLayer::Traces,
-        Shape::Arrow { .. } => PaintLayer::Arrows,
+        Shape::Arrow { .. } | Shape::Moment { .. } => PaintLayer::Arrows,
         Shape::Mark { .. } => PaintLayer::Marks,
         Shape::Label { .. } => PaintLayer::Labels,
     }
@@ -138,6 +145,7 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
         }
         Shape::Spring { from, to } => symbols.spring(from, to),
         Shape::Barrel { from, to, role } => symbols.barrel(from, to, role),
+        Shape::Guide { from, to, role } => symbols.guide(from, to, role),
         Shape::Mark { at, role } => symbols.mark(at, role),
         Shape::Support { at } => symbols.support(at),
         Shape::Hatching { from, to } => symbols.hatching(from, to),
@@ -161,6 +169,7 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
                 cut,
             );
         }
+        Shape::Moment { at, is_left } => symbols.moment(at, is_left),
         // Names come last, when all that they must avoid is in place.
         Shape::Label { .. } => {}
     }
@@ -190,6 +199,9 @@ mod tests {
                 Role::Guide,
                 Role::Link(2),
                 Role::Driver,
+                Role::Lit,
+                Role::Ghost,
+                Role::Plate(2),
                 Role::Joint,
                 Role::Slider,
                 Role::Label,
@@ -209,6 +221,7 @@ mod tests {
             (place(), place()).prop_map(|(from, to)| Shape::Spring { from, to }),
             (place(), role()).prop_map(|(at, role)| Shape::Mark { at, role }),
             place().prop_map(|at| Shape::Support { at }),
+            (place(), place(), role()).prop_map(|(from, to, role)| Shape::Guide { from, to, role }),
             (place(), place()).prop_map(|(from, to)| Shape::Hatching { from, to }),
             (place(), place(), any::<bool>()).prop_map(|(at, along, pin)| Shape::Block {
                 at,
@@ -239,18 +252,36 @@ mod tests {
         ]
     }
 
+    const GLYPHS: [Glyphs; 6] = [
+        Glyphs::Ascii,
+        Glyphs::Line,
+        Glyphs::Braille,
+        Glyphs::Blocks(Blocks::Quadrants),
+        Glyphs::Blocks(Blocks::Sextants),
+        Glyphs::Blocks(Blocks::Octants),
+    ];
+
     proptest! {
         #[test]
         fn anything_can_be_drawn_at_any_size(
             shapes in prop::collection::vec(shape(), 0..30),
             points in prop::collection::vec(place(), 0..4),
             (cols, rows) in prop_oneof![(0_u16..12, 0_u16..6), (0_u16..400, 0_u16..200)],
+            (at, centre) in (-400.0..400.0, place()),
+            glyphs in prop::sample::select(GLYPHS.to_vec()),
         ) {
             let mut figure = Figure::new();
             shapes.into_iter().for_each(|shape| figure.add(shape));
-            let view = WorldView::fit(&Reach::by_hand(&points, &points), cols, rows, 2.0);
+            let reach = Reach::by_hand(&points, &points);
+            let whole = WorldView::fit(&reach, cols, rows, 2.0);
+            let views = [
+                whole,
+                WorldView::along(&reach, at, cols, rows, 2.0),
+                WorldView::pose(&reach, at, cols, rows, 2.0),
+                whole.centred_on(centre),
+            ];
             let (mut labels, mut raster) = (Labels::default(), Raster::new());
-            for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+            for view in views {
                 render_into(&figure, &view, glyphs, &mut labels, &mut raster);
                 prop_assert_eq!((raster.cols(), raster.rows()), (cols, rows));
                 prop_assert_eq!(raster.lines().flatten().count(), usize::from(cols) * usize::from(rows));

@@ -6,6 +6,7 @@
 //! between the middles of the cells of its ends, where the glyphs of joints stand: drawn from its true
 //! ends it would miss them by up to half a cell, and shiver while they stand still.
 
+use super::dashes;
 use super::figure::Role;
 use super::raster::Raster;
 use super::render::Glyphs;
@@ -18,6 +19,8 @@ const CLIMB: f64 = 0.36;
 /// Draws the line from `a` to `b`, in cell coordinates.
 pub(super) fn line(raster: &mut Raster, glyphs: Glyphs, a: Vec2, b: Vec2, role: Role) {
     match glyphs {
+        // Without attributes strokes have no weight.
+        Glyphs::Ascii | Glyphs::Line if role == Role::Lit => points(raster, a, b, '#', role),
         Glyphs::Ascii if is_dotted(role) => points(raster, a, b, '.', role),
         // Console fonts have it: it is in Latin-1.
         Glyphs::Line if is_dotted(role) => points(raster, a, b, '\u{b7}', role),
@@ -205,35 +208,28 @@ fn strokes(raster: &mut Raster, a: Vec2, b: Vec2, role: Role, (flat, upright): (
             course.shallow(cell, flat)
         };
         let (col, row) = course.cell(cell, side);
-        if !is_gap(role, cell, 1) {
+        if !dashes::of_cells(role).is_some_and(|dashes| dashes.is_gap(cell)) {
             raster.put(col, row, glyph, role);
         }
     }
 }
 
-/// Dashes and gaps of a broken line, in cells.
-const DASH: i32 = 2;
-const GAP: i32 = 1;
-
-/// Whether a line of this role is broken at the place so many parts of a cell along its main axis.
-pub(super) fn is_gap(role: Role, place: i32, parts: i32) -> bool {
-    role == Role::Acceleration && place.rem_euclid((DASH + GAP) * parts) >= DASH * parts
-}
-
 /// A line of points, which no colour needs to tell from one of strokes.
 fn points(raster: &mut Raster, a: Vec2, b: Vec2, glyph: char, role: Role) {
+    let step = middle_of_cell(b) - middle_of_cell(a);
+    let is_steep = step.y.abs() > step.x.abs();
+    let dashes = dashes::of_cells(role);
     for (col, row) in cells(raster, a, b) {
-        raster.put(col, row, glyph, role);
+        let place = if is_steep { row } else { col };
+        if !dashes.is_some_and(|dashes| dashes.is_gap(place)) {
+            raster.put(col, row, glyph, role);
+        }
     }
 }
 
 fn is_dotted(role: Role) -> bool {
     matches!(role, Role::Ghost | Role::Echo)
 }
-
-/// Dots and gaps of the line of an echo: it can be traced by eye, and is no trace.
-const ECHO_DASH: i32 = 4;
-const ECHO_GAP: i32 = 2;
 
 /// The Braille pattern without a dot; the next 255 follow.
 const BLANK: u32 = 0x2800;
@@ -245,13 +241,11 @@ const DOTS: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x
 pub(super) const FINE: Vec2 = Vec2 { x: 2.0, y: 4.0 };
 
 fn dots(raster: &mut Raster, a: Vec2, b: Vec2, role: Role) {
-    let steep = (b.y - a.y).abs() * FINE.y > (b.x - a.x).abs() * FINE.x;
+    let is_steep = (b.y - a.y).abs() * FINE.y > (b.x - a.x).abs() * FINE.x;
+    let dashes = dashes::of_dots(role, if is_steep { 4 } else { 2 });
     for (x, y) in parts(raster, a, b, FINE) {
-        let (place, count) = if steep { (y, 4) } else { (x, 2) };
-        let is_echo = role == Role::Echo;
-        if !(is_gap(role, place, count)
-            || is_echo && place.rem_euclid(ECHO_DASH + ECHO_GAP) >= ECHO_DASH)
-        {
+        let place = if is_steep { y } else { x };
+        if !dashes.is_some_and(|dashes| dashes.is_gap(place)) {
             dot(raster, x, y, role);
         }
     }
@@ -335,9 +329,13 @@ mod tests {
     const SIZE: u16 = 40;
 
     fn drawn(a: Vec2, b: Vec2, glyphs: Glyphs) -> Vec<(i32, i32, char)> {
+        drawn_as(Role::Link(0), a, b, glyphs)
+    }
+
+    fn drawn_as(role: Role, a: Vec2, b: Vec2, glyphs: Glyphs) -> Vec<(i32, i32, char)> {
         let mut raster = Raster::new();
         raster.reset(SIZE, SIZE);
-        line(&mut raster, glyphs, a, b, Role::Link(0));
+        line(&mut raster, glyphs, a, b, role);
         let mut cells = Vec::new();
         for (row, line) in (0..).zip(raster.lines()) {
             for (col, cell) in (0..).zip(line) {
@@ -431,6 +429,33 @@ mod tests {
         let upright = drawn(v(3.5, 1.5), v(3.5, 5.5), Glyphs::Line);
         assert_eq!(upright.len(), 5);
         assert!(upright.iter().all(|&(col, _, g)| col == 3 && g == '│'));
+    }
+
+    /// Without colour a ghost used to be a line like the links of a small window, and like an echo in characters.
+    #[test]
+    fn bars_ghosts_and_echoes_differ_without_colour() {
+        for degrees in 0..360 {
+            let a = Vec2::new(20.3, 20.7);
+            let b = a + crate::angle::unit(f64::from(degrees)) * 15.0;
+            for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
+                let [bar, ghost, echo] = [Role::Link(0), Role::Ghost, Role::Echo]
+                    .map(|role| drawn_as(role, a, b, glyphs));
+                assert!(
+                    bar != ghost && bar != echo && ghost != echo,
+                    "{degrees} {glyphs:?}"
+                );
+                // It can be traced by eye: nowhere it leaves out two cells in a row.
+                let far = |a: i32, b: i32| (a - b).abs() > 2;
+                let is_torn = |p: &[(i32, i32, char)]| far(p[0].0, p[1].0) || far(p[0].1, p[1].1);
+                let mut along = ghost.clone();
+                let is_steep = (b.y - a.y).abs() > (b.x - a.x).abs();
+                along.sort_by_key(|c| if is_steep { (c.1, c.0) } else { (c.0, c.1) });
+                assert!(
+                    !along.windows(2).any(is_torn),
+                    "{degrees} {glyphs:?}: {along:?}"
+                );
+            }
+        }
     }
 
     #[test]

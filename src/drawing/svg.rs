@@ -37,6 +37,15 @@ pub(super) struct SvgStyle {
     pub(super) dark: &'static str,
 }
 
+/// The ground that a document is drawn for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SvgGround {
+    /// Light, and dark where the reader prefers that.
+    Preferred,
+    /// Dark for every reader, also for one who knows no preference.
+    Dark,
+}
+
 impl Svg {
     pub(super) fn new(size: Vec2, title: &str, style: SvgStyle) -> Self {
         Svg {
@@ -113,13 +122,17 @@ impl Svg {
     }
 
     /// The whole document.
-    pub(super) fn finish(self) -> String {
+    pub(super) fn finish(self, ground: SvgGround) -> String {
         let [w, h] = [self.size.x, self.size.y].map(number);
         let SvgStyle { light, dark } = self.style;
+        let (when_dark, end) = match ground {
+            SvgGround::Preferred => ("@media (prefers-color-scheme:dark){\n", "}\n"),
+            SvgGround::Dark => ("", ""),
+        };
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{w}\" height=\"{h}\" \
              viewBox=\"0 0 {w} {h}\">\n<title>{}</title>\n\
-             <style>\n{LIGHT}{light}@media (prefers-color-scheme:dark){{\n{DARK}{dark}}}\n</style>\n\
+             <style>\n{LIGHT}{light}{when_dark}{DARK}{dark}{end}</style>\n\
              <rect class=\"paper\" width=\"100%\" height=\"100%\"/>\n{}</svg>\n",
             self.title, self.body
         )
@@ -175,7 +188,7 @@ mod tests {
         let [a, b] = [Vec2::new(0.0, 1.0), Vec2::new(2.5, 3.0)];
         svg.polyline([a, b, gap, a, b], "trace");
         svg.text(a, TextAnchor::Middle, "label", "\"B'\" & C");
-        let text = svg.finish();
+        let text = svg.finish(SvgGround::Preferred);
         assert!(
             text.contains("<title>a &lt; b\u{fffd}[2J</title>"),
             "{text}"

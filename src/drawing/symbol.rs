@@ -18,6 +18,12 @@ const HATCHING: usize = 2;
 /// Half the width of a barrel, in widths of a cell, for each dot that a bar is wide, and one more.
 const BARREL: f64 = 0.25;
 
+/// Dots by which what is lit is wider.
+const LIT: u8 = 2;
+
+/// How far from the middle of a guide its rails lie, in widths of a cell: beside the block.
+const RAIL: f64 = (pattern::BLOCK.y + 1.5) / stroke::FINE.x;
+
 /// How far the teeth of a spring reach, in widths of a cell.
 const SPRING: f64 = 1.0;
 
@@ -89,7 +95,8 @@ impl Symbols<'_> {
     /// A straight piece of a link, as wide as there is room for it.
     pub(super) fn bar(&mut self, a: Vec2, b: Vec2, role: Role) {
         if self.glyphs.is_dotted() && role.is_body() {
-            stroke::bar(self.raster, a, b, self.view.weight(), role);
+            let more = if role == Role::Lit { LIT } else { 0 };
+            stroke::bar(self.raster, a, b, self.view.weight() + more, role);
         } else {
             self.line(a, b, role);
         }
@@ -105,12 +112,50 @@ impl Symbols<'_> {
         }
     }
 
+    /// An arrow three quarters around a place.
+    pub(super) fn moment(&mut self, at: Vec2, is_left: bool) {
+        let (col, row) = cell_of(self.view.cell(at));
+        let lines = if is_left {
+            [(-1, ".--"), (-2, "("), (-1, "'->")]
+        } else {
+            [(-1, "--."), (2, ")"), (-1, "<-'")]
+        };
+        for ((left, glyphs), below) in lines.into_iter().zip([-1, 0, 1]) {
+            self.stamp(col + left, row + below, glyphs, Role::Force);
+        }
+    }
+
+    /// A guide on the ground. Where blocks and pins are made of dots, its block slides between two rails: a line through
+    /// all three would be none of them.
+    pub(super) fn guide(&mut self, from: Vec2, to: Vec2, role: Role) {
+        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if !self.has_large_marks() {
+            return self.bar(a, b, role);
+        }
+        let beside = self.beside(a, b) * RAIL;
+        for rail in [beside, Vec2::ZERO - beside] {
+            self.line(a + rail, b + rail, role);
+        }
+    }
+
+    /// A width of a cell to the right of a direction; of none that is nowhere.
+    fn beside(&self, a: Vec2, b: Vec2) -> Vec2 {
+        let aspect = self.view.aspect();
+        let along = Vec2::new(b.x - a.x, (b.y - a.y) * aspect);
+        // Rows count downwards, and so `perp` points to the right.
+        let right = along.perp() / along.norm();
+        Vec2::new(right.x, right.y / aspect)
+    }
+
     /// Short strokes beside a guide, on the right of its direction.
     pub(super) fn hatching(&mut self, from: Vec2, to: Vec2) {
         let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if self.has_large_marks() {
+            let rail = self.beside(a, b) * RAIL;
+            return self.dotted_hatching(a + rail, b + rail);
+        }
         if self.glyphs.is_dotted() {
-            self.dotted_hatching(a, b);
-            return;
+            return self.dotted_hatching(a, b);
         }
         let along = b - a;
         let steep = along.y.abs() > along.x.abs();
@@ -225,7 +270,9 @@ impl Symbols<'_> {
                 if across.is_finite() {
                     let across = Vec2::new(across.x, across.y / aspect);
                     let corners = [a + across, b + across, b - across, a - across];
-                    pattern::plate(self.raster, &corners, role);
+                    if let Some(inside) = role.of_plate() {
+                        pattern::plate(self.raster, &corners, inside);
+                    }
                     for k in 0..4 {
                         self.line(corners[k], corners[(k + 1) % 4], role);
                     }
@@ -246,6 +293,10 @@ impl Symbols<'_> {
                 Role::Joint | Role::GroundPin | Role::Slider => {
                     return pattern::ring(self.raster, place, role);
                 }
+                Role::Lit => {
+                    pattern::ring(self.raster, place, role);
+                    return pattern::disc(self.raster, place, role);
+                }
                 Role::Rider => return pattern::disc(self.raster, place, role),
                 _ => {}
             }
@@ -260,13 +311,54 @@ fn glyph_of(role: Role) -> char {
         // A pin is a pin: what tells one on the ground is its support, as on paper.
         Role::Joint | Role::GroundPin | Role::Slider => 'o',
         Role::Rider => '*',
+        Role::Lit => '@',
         Role::CentreOfMass => 'x',
         Role::Ghost | Role::Echo => '.',
-        Role::Ground | Role::Guide | Role::Link(_) | Role::Driver | Role::Label | Role::Empty => {
-            '+'
-        }
+        Role::Ground | Role::Guide | Role::Link(_) | Role::Driver => '+',
+        Role::Label | Role::LinkName(_) | Role::Empty => '+',
         // These are drawn by others.
-        Role::Plate(_) | Role::Spring | Role::Trace | Role::Velocity | Role::Acceleration => '+',
+        Role::Plate(_) | Role::DriverPlate | Role::Spring | Role::Trace => '+',
+        Role::Velocity | Role::Acceleration | Role::Force => '+',
         Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => '+',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Blocks, Figure, Reach, Shape, render};
+    use std::collections::BTreeSet;
+
+    /// The rows of a role, counted from that of the way of a level guide with its block.
+    fn rows(size: (u16, u16), glyphs: Glyphs, wanted: Role) -> BTreeSet<i32> {
+        let (from, to) = (Vec2::ZERO, Vec2::new(30.0, 0.0));
+        let reach = Reach::by_hand(&[from, to, Vec2::new(0.0, 12.0)], &[from]);
+        let view = WorldView::fit(&reach, size.0, size.1, 2.0);
+        let mut figure = Figure::new();
+        let (at, along, role) = (to * 0.5, to, Role::Guide);
+        figure.add(Shape::Guide { from, to, role });
+        figure.add(Shape::Hatching { from, to });
+        let pin = true;
+        figure.add(Shape::Block { at, along, pin });
+        let raster = render(&figure, &view, glyphs);
+        let way = cell_of(view.cell(from)).1;
+        let lines = (0..).zip(raster.lines());
+        let inked = lines.filter(|(_, line)| line.iter().any(|cell| cell.role == wanted));
+        inked.map(|(row, _)| row - way).collect()
+    }
+
+    /// A guide used to be a line through its block and its pin in a large window too.
+    #[test]
+    fn a_guide_is_two_rails_where_there_is_room_for_a_block() {
+        for glyphs in [Glyphs::Braille, Glyphs::Blocks(Blocks::Octants)] {
+            let of = |role| rows((120, 40), glyphs, role);
+            assert_eq!(of(Role::Guide), [-1, 1].into(), "{glyphs:?}");
+            assert_eq!(of(Role::Slider), [-1, 0, 1].into(), "{glyphs:?}");
+            assert!(of(Role::Ground).iter().all(|&row| row >= 1), "{glyphs:?}");
+        }
+        for (size, glyphs) in [((40, 12), Glyphs::Braille), ((120, 40), Glyphs::Ascii)] {
+            assert_eq!(rows(size, glyphs, Role::Guide), [0].into(), "{size:?}");
+            assert!(rows(size, glyphs, Role::Ground).iter().all(|&row| row >= 0));
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! Pictures of whole motions: what must hold for every preset in every state.
 
+mod windows;
+
 use super::*;
 use crate::Vec2;
 use crate::scene::Scene;
@@ -69,56 +71,12 @@ const EVERYTHING: Layers = Layers {
     points: true,
     links: true,
     centres: true,
+    lit: None,
 };
 
 fn cell(view: &WorldView, at: Vec2) -> (i32, i32) {
     let at = view.cell(at);
     (at.x.floor() as i32, at.y.floor() as i32)
-}
-
-#[test]
-fn no_joint_ever_leaves_the_window() {
-    for stage in PresetStage::presets() {
-        for (cols, rows) in [(200, 60), (80, 24), (40, 12), (13, 7)] {
-            let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
-            let mut raster = Raster::new();
-            for state in stage.motion() {
-                let figure = stage.figure(&state);
-                render_into(
-                    &figure,
-                    &view,
-                    Glyphs::Ascii,
-                    &mut Labels::default(),
-                    &mut raster,
-                );
-                for shape in figure.shapes() {
-                    if let Shape::Mark { at, role } = *shape {
-                        let (col, row) = cell(&view, at);
-                        let shown = raster.cell(col, row).map(|cell| cell.role);
-                        assert!(
-                            shown.is_some_and(|shown| shown != Role::Empty),
-                            "{}: {role:?} at {col}, {row} in {cols} x {rows}",
-                            stage.name
-                        );
-                    }
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn supports_stay_inside_where_there_is_room() {
-    for stage in PresetStage::presets() {
-        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
-        for point in stage.scene.mechanism.points() {
-            if let Some(at) = point.ground {
-                let (col, row) = cell(&view, at);
-                assert!((2..78).contains(&col), "{}: column {col}", stage.name);
-                assert!((0..22).contains(&row), "{}: row {row}", stage.name);
-            }
-        }
-    }
 }
 
 /// Names used to change sides in every frame, nearly.
@@ -260,115 +218,16 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
         assert!(ghost.iter().any(there), "{corner:?}");
     }
     // The space of both is that of the larger.
-    let both = stage.reach.beside(&stage.reach, 25.4).bounds();
+    let both = stage.reach.beside(&stage.reach, 25.4, 1.0).bounds();
     let size = stage.reach.bounds().size() * 25.4;
     assert!((both.high - both.low).x >= size.x * (1.0 - 1e-12));
-    let same = stage.reach.beside(&stage.reach, 1.0).bounds();
+    let same = stage.reach.beside(&stage.reach, 1.0, 1.0).bounds();
     assert_eq!(same, stage.reach.bounds());
     // Where there is no assembly, there is no ghost.
     let mut nothing = Figure::new();
     let unsolved = stage.solver.state();
     add_other(&mut nothing, &stage.scene, &unsolved, 1.0);
     assert!(nothing.shapes().is_empty());
-}
-
-/// The part of a window's width and height that the linkage takes as it stands: its bars, pins and
-/// sliders, and no more.
-fn fill(raster: &Raster) -> f64 {
-    let is_linkage = |role: Role| {
-        role.is_body()
-            || matches!(
-                role,
-                Role::Joint | Role::GroundPin | Role::Slider | Role::Rider
-            )
-    };
-    let mut cells = Vec::new();
-    for (row, line) in raster.lines().enumerate() {
-        for (col, _) in line.iter().enumerate().filter(|(_, c)| is_linkage(c.role)) {
-            cells.push((col, row));
-        }
-    }
-    let span = |of: fn(&(usize, usize)) -> usize| {
-        let (low, high) = (cells.iter().map(of).min(), cells.iter().map(of).max());
-        low.zip(high).map_or(0, |(low, high)| high - low + 1)
-    };
-    let across = span(|c| c.0) as f64 / f64::from(raster.cols());
-    across.max(span(|c| c.1) as f64 / f64::from(raster.rows()))
-}
-
-/// The linkage used to take 7 % of the screen where its motion needs much more room than it takes itself.
-#[test]
-fn every_linkage_is_large_wherever_it_stands() {
-    let mut small = Vec::new();
-    for stage in PresetStage::presets() {
-        for (cols, rows) in [(80, 24), (120, 40), (200, 60), (44, 21)] {
-            let mut least = 1.0_f64;
-            for state in stage.motion().step_by(10) {
-                let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
-                let view = WorldView::along(&stage.reach, state.at(), cols, rows, 2.0);
-                least = least.min(fill(&render(&figure, &view, Glyphs::Braille)));
-            }
-            if least < 0.6 {
-                small.push(format!("{} in {cols} x {rows}: {least:.2}", stage.name));
-            }
-        }
-    }
-    assert!(small.is_empty(), "{small:#?}");
-}
-
-/// While the driver goes through its motion as playing takes it, the window goes along without a jump: in a frame
-/// by less than a tenth of itself beyond what the linkage moves in it.
-#[test]
-fn a_window_goes_along_calmly() {
-    /// Frames of a turn in four seconds.
-    const FRAMES: u32 = 80;
-    const MOST: f64 = 0.1;
-    let mut shaken = Vec::new();
-    for stage in PresetStage::presets() {
-        let (low, high) = match stage.solver.motion().range {
-            Range::Full { period } => (0.0, period),
-            Range::Limited { low, high } => (low, high),
-        };
-        for (cols, rows) in [(80, 24), (200, 60)] {
-            let share = |v: Vec2| {
-                (v.x / f64::from(cols))
-                    .abs()
-                    .max((v.y / f64::from(rows)).abs())
-            };
-            let mut state = stage.solver.state();
-            let mut at = |k: u32| {
-                let share = f64::from(k) / f64::from(FRAMES);
-                // Towards a limit the linkage itself goes ever faster.
-                let share = match stage.solver.motion().range {
-                    Range::Full { .. } => share,
-                    Range::Limited { .. } => (1.0 - (std::f64::consts::PI * share).cos()) / 2.0,
-                };
-                let at = (low + (high - low) * share).min(high);
-                let _ = stage.solver.solve(at, Order::Position, &mut state);
-                let points = stage.scene.mechanism.point_ids();
-                let points: Vec<Vec2> = points.map(|p| state.known().position(p)).collect();
-                (WorldView::along(&stage.reach, at, cols, rows, 2.0), points)
-            };
-            let mut before = at(0);
-            for k in 1..=FRAMES {
-                let after = at(k);
-                let pairs = before.1.iter().zip(&after.1);
-                let own = pairs.map(|(a, b)| share(before.0.cell(*b) - before.0.cell(*a)));
-                let most = MOST + own.fold(0.0, f64::max);
-                for corner in [Vec2::ZERO, Vec2::new(f64::from(cols), f64::from(rows))] {
-                    let moved = share(after.0.cell(before.0.world(corner)) - corner);
-                    if moved > most {
-                        let name = &stage.name;
-                        shaken.push(format!(
-                            "{name} in {cols} x {rows}, {k}: {moved:.3}, {most:.3}"
-                        ));
-                    }
-                }
-                before = after;
-            }
-        }
-    }
-    assert!(shaken.is_empty(), "{shaken:#?}");
 }
 
 /// Links that meet differ, and a row of the tables has the hue of its link.
@@ -394,6 +253,54 @@ fn links_that_meet_have_hues_of_their_own() {
     let rows = vector_roles(&stage.scene);
     let [crank, coupler, rocker] = [Role::Driver, Role::Link(0), Role::Link(1)].map(Some);
     assert_eq!(rows, [crank, coupler, rocker, None]);
+}
+
+/// A driver of three corners used to be a pattern of pieces in blocks, and hollow on paper with its edges twice.
+#[test]
+fn a_driver_of_three_corners_is_a_plate() {
+    let text = "unit = \"mm\"
+        ground = { A = [0, 0], D = [400, 0] }
+        driver = { link = \"r2\", angle = 60, speed = \"1 rad/s\" }
+        [links]
+        r2 = { points = { A = [0, 0], B = [100, 0], P = [60, 90] } }
+        r3 = { from = \"B\", to = \"C\", length = 300 }
+        r4 = { from = \"C\", to = \"D\", length = 250 }
+        [start]
+        C = [310, 230]";
+    let stage = PresetStage::of("a triangle drives", text);
+    let mut state = stage.solver.state();
+    let _ = stage.solver.solve(60.0, Order::Position, &mut state);
+    let lit = Some(crate::quantity::Subject::Driver);
+    for layers in [
+        Layers::default(),
+        Layers {
+            lit,
+            ..Layers::default()
+        },
+    ] {
+        let figure = linkage(&stage.scene, &stage.reach, &state, layers);
+        let view = WorldView::fit(&stage.reach, 120, 40, 2.0);
+        let raster = render(&figure, &view, Glyphs::Blocks(Blocks::Quadrants));
+        let cells = raster.lines().flatten();
+        let inside: Vec<char> = cells
+            .filter(|cell| cell.role == Role::DriverPlate)
+            .map(|cell| cell.glyph)
+            .collect();
+        assert!(inside.len() > 20, "{inside:?}");
+        assert!(
+            inside.iter().all(|&glyph| glyph == '\u{2591}'),
+            "{inside:?}"
+        );
+        let document = svg(&figure, &view, "a plate", &[]);
+        let closed = document.lines().filter(|line| line.contains("Z\""));
+        let classes: Vec<&str> = closed.filter_map(|line| line.split('"').nth(1)).collect();
+        let edge = if layers.lit.is_some() {
+            "link"
+        } else {
+            "driver"
+        };
+        assert_eq!(classes, ["plate driven", edge]);
+    }
 }
 
 /// In dots a link is as wide as the window allows, and a plate is filled.

@@ -1,95 +1,11 @@
 //! The window: which cell a world point falls into.
 
+mod along;
+
+use super::bounds::Bounds;
 use super::reach::{Margin, Reach};
 use crate::Vec2;
-
-/// A box in world units; empty until something is included.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// The lower left corner.
-    pub low: Vec2,
-    /// The upper right corner.
-    pub high: Vec2,
-}
-
-impl Default for Bounds {
-    fn default() -> Self {
-        Bounds {
-            low: Vec2::new(f64::INFINITY, f64::INFINITY),
-            high: Vec2::new(f64::NEG_INFINITY, f64::NEG_INFINITY),
-        }
-    }
-}
-
-impl Bounds {
-    /// Grows to hold `point`, if it is finite.
-    pub fn include(&mut self, point: Vec2) {
-        if point.is_finite() {
-            self.low = Vec2::new(self.low.x.min(point.x), self.low.y.min(point.y));
-            self.high = Vec2::new(self.high.x.max(point.x), self.high.y.max(point.y));
-        }
-    }
-
-    /// Both boxes' box.
-    pub(super) fn with(mut self, other: Bounds) -> Bounds {
-        if !other.is_empty() {
-            self.include(other.low);
-            self.include(other.high);
-        }
-        self
-    }
-
-    /// The part inside another box: where both lie apart, the nearest edge of that.
-    pub(super) fn within(self, other: Bounds) -> Bounds {
-        if self.is_empty() || other.is_empty() {
-            return self;
-        }
-        let inside = |p: Vec2| {
-            Vec2::new(
-                p.x.clamp(other.low.x, other.high.x),
-                p.y.clamp(other.low.y, other.high.y),
-            )
-        };
-        Bounds {
-            low: inside(self.low),
-            high: inside(self.high),
-        }
-    }
-
-    /// From this box a share of the way to another.
-    pub(super) fn towards(self, other: Bounds, share: f64) -> Bounds {
-        Bounds {
-            low: self.low * (1.0 - share) + other.low * share,
-            high: self.high * (1.0 - share) + other.high * share,
-        }
-    }
-
-    /// Whether nothing was included.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.low.x > self.high.x
-    }
-
-    /// Width and height; zero if empty.
-    #[must_use]
-    pub fn size(&self) -> Vec2 {
-        if self.is_empty() {
-            Vec2::ZERO
-        } else {
-            self.high - self.low
-        }
-    }
-
-    /// The middle; the origin if empty.
-    #[must_use]
-    pub fn centre(&self) -> Vec2 {
-        if self.is_empty() {
-            Vec2::ZERO
-        } else {
-            self.low + self.size() * 0.5
-        }
-    }
-}
+pub(super) use along::Nearness;
 
 /// A window of `cols` x `rows` cells on the world, of true aspect.
 ///
@@ -119,16 +35,6 @@ const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
 /// Rows that a drawing of its own has at least.
 const LOWEST: u16 = 8;
 
-/// A linkage takes at least so much of the width or of the height of a window that goes along.
-const LEAST_FILL: f64 = 0.6;
-
-/// A window that goes along is enlarged in so many steps to twice its size, and moved in so many across it.
-const STEPS_OF_TWO: f64 = 24.0;
-const STEPS_ACROSS: u16 = 40;
-
-/// How much nearer than the whole motion such a window may be; the least that will do.
-const NEARER: [f64; 8] = [0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0];
-
 impl WorldView {
     /// The largest window of true aspect that holds the whole `reach` with its labels and supports.
     ///
@@ -145,71 +51,6 @@ impl WorldView {
         view.anchor = Some(reach.anchor());
         view.rest();
         view
-    }
-
-    /// A window in which the linkage is large wherever it stands: the whole motion where that leaves it
-    /// three fifths of the width or the height everywhere, else so much nearer to the linkage at this
-    /// coordinate of its driver, and going along with it, as that needs.
-    #[must_use]
-    pub fn along(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
-        let whole = WorldView::fit(reach, cols, rows, aspect);
-        let mut poses = reach.poses().some();
-        if poses.all(|(pose, _)| whole.fill(pose) >= LEAST_FILL) {
-            return whole;
-        }
-        let near = |room, nearer| WorldView::near(reach, room, nearer, (cols, rows), aspect);
-        let is_large = |nearer: &f64| {
-            let mut poses = reach.poses().some();
-            poses.all(|(pose, room)| near(room, *nearer).fill(pose) >= LEAST_FILL)
-        };
-        let nearer = NEARER.into_iter().find(is_large).unwrap_or(1.0);
-        match reach.poses().room(at) {
-            Some(room) => near(room, nearer),
-            None => whole,
-        }
-    }
-
-    /// The window on the linkage as it stands at a coordinate of its driver, going along with it.
-    #[must_use]
-    pub fn pose(reach: &Reach, at: f64, cols: u16, rows: u16, aspect: f64) -> WorldView {
-        match reach.poses().room(at) {
-            Some(room) => WorldView::near(reach, room, 1.0, (cols, rows), aspect),
-            None => WorldView::fit(reach, cols, rows, aspect),
-        }
-    }
-
-    /// The window on a room that lies a share of the way from the whole motion to this one.
-    ///
-    /// It goes along in small steps, each a part of its size: between two of them what is fixed stands
-    /// still, for the eye and for the line.
-    fn near(reach: &Reach, room: Bounds, nearer: f64, cells: (u16, u16), aspect: f64) -> WorldView {
-        let whole = reach.bounds();
-        let room = whole.towards(room, nearer);
-        let mut view = WorldView::around(&reach.parts_near(room), room.centre(), cells, aspect);
-        let steps = (view.scale.x * whole.size().norm()).log2() * STEPS_OF_TWO;
-        let smaller = ((steps.floor() - steps) / STEPS_OF_TWO).exp2();
-        if smaller.is_finite() {
-            let middle = view.middle();
-            view.centre = view.world(middle);
-            view.pin = middle;
-            view.scale = view.scale * smaller;
-        }
-        let at = view.cell(reach.anchor());
-        let step = |cells: u16| f64::from((cells / STEPS_ACROSS).max(1));
-        let stood = |at: f64, step: f64| ((at - 0.5) / step).round() * step + 0.5;
-        let stood = Vec2::new(stood(at.x, step(view.cols)), stood(at.y, step(view.rows)));
-        if stood.is_finite() && at.is_finite() {
-            view.pin += stood - at;
-        }
-        view
-    }
-
-    /// The larger of the shares of width and height that a linkage takes whose points fill a box: half of
-    /// a pin is beyond it on every side.
-    fn fill(&self, room: Bounds) -> f64 {
-        let size = room.size();
-        let across = (size.x * self.scale.x + 1.0) / f64::from(self.cols);
-        across.max((size.y * self.scale.y + 1.0) / f64::from(self.rows))
     }
 
     /// The same window with a point in its middle.
@@ -278,15 +119,15 @@ impl WorldView {
         }
     }
 
-    /// The lowest window of so many columns in which the drawing is as large as in one of `most` rows.
+    /// The lowest window up to `most` rows in which the drawing is as large as in that one; windows of so many
+    /// rows are given.
     #[must_use]
-    pub fn snug(reach: &Reach, cols: u16, most: u16, aspect: f64) -> WorldView {
-        let highest = WorldView::fit(reach, cols, most, aspect);
+    pub fn snug(most: u16, of_rows: impl Fn(u16) -> WorldView) -> WorldView {
+        let highest = of_rows(most);
         // A rounding error makes no drawing smaller.
         let least = highest.scale.x * (1.0 - 1e-9);
-        let lower = (LOWEST..most).map(|rows| WorldView::fit(reach, cols, rows, aspect));
-        let mut fitting = lower.filter(|view| view.scale.x >= least);
-        fitting.next().unwrap_or(highest)
+        let mut lower = (LOWEST..most).map(of_rows);
+        lower.find(|view| view.scale.x >= least).unwrap_or(highest)
     }
 
     /// The same window `zoom` times as large about its middle, and then moved over the world by `shift`.
@@ -312,7 +153,10 @@ impl WorldView {
             pin: middle,
             ..*self
         };
-        zoomed.rest();
+        // What was put under a pointer stays there.
+        if shift == Vec2::ZERO {
+            zoomed.rest();
+        }
         zoomed
     }
 
@@ -486,13 +330,11 @@ mod tests {
     #[test]
     fn a_snug_window_is_low_and_its_drawing_as_large() {
         let reach = reach(&[(0.0, 0.0), (40.0, 5.0)], &[(0.0, 0.0)]);
-        let (snug, high) = (
-            WorldView::snug(&reach, 80, 40, 2.0),
-            WorldView::fit(&reach, 80, 40, 2.0),
-        );
+        let of_rows = |rows| WorldView::fit(&reach, 80, rows, 2.0);
+        let (snug, high) = (WorldView::snug(40, of_rows), of_rows(40));
         assert!(snug.rows() < 20, "{snug:?}");
         assert!((snug.cells_along(1.0) / high.cells_along(1.0) - 1.0).abs() < 1e-6);
-        assert_eq!(WorldView::snug(&reach, 80, 3, 2.0).rows(), 3);
+        assert_eq!(WorldView::snug(3, of_rows).rows(), 3);
     }
 
     #[test]

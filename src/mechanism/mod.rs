@@ -309,6 +309,30 @@ impl Mechanism {
         members.filter(move |&point| is_pin(point))
     }
 
+    /// The only other body at a pin of a link, where nothing but the two acts on the pin.
+    #[must_use]
+    pub fn partner(&self, link: LinkId, point: PointId) -> Option<Body> {
+        let acts = |load: &Load| match *load {
+            Load::Force { point: at, .. } => at == point,
+            Load::Spring { from, to, .. } => from == point || to == point,
+            // Of a link that slides it presses on the link.
+            Load::Press { slide, .. } => self.slide(slide).slider == Slider::Pin(point),
+            Load::Torque { .. } => false,
+        };
+        // A guide presses on the pin in its slot; of a link that slides it holds the link.
+        let slides = |slide: &Slide| slide.slider == Slider::Pin(point);
+        if self.loads().iter().any(acts) || self.slides().iter().any(slides) {
+            return None;
+        }
+        let given = self.point(point);
+        let mut others = given.links.iter().filter(|&&other| other != link);
+        match (others.next(), others.next(), given.ground) {
+            (None, _, Some(_)) => Some(Body::Ground),
+            (Some(&other), None, None) => Some(Body::Link(other)),
+            _ => None,
+        }
+    }
+
     /// One point.
     #[must_use]
     pub fn point(&self, id: PointId) -> &Point {

@@ -7,7 +7,7 @@ use crate::quantity::{Aspect, Catalogue, Hidden, Share, Subject, value};
 use crate::scene::Scene;
 use crate::solver::{Condition, Indeterminate, Solver, State};
 use crate::wording::words;
-use crate::{Ball, LinkId, Load, Mechanism, PointId, SlideId, Slider, Vec2};
+use crate::{Ball, Body, SlideId, Slider, Vec2};
 
 /// What the driver must do: figures in N m, or in N where a slide is driven.
 #[derive(Clone, Debug)]
@@ -315,48 +315,20 @@ fn joints(scene: &Scene, reading: &ProvedState<'_>) -> Vec<JointRow> {
             let Some(name) = scene.point_name(point) else {
                 continue;
             };
-            let partner = partner(mechanism, link, point);
+            let partner = mechanism.partner(link, point);
             rows.push(JointRow {
                 link: scene.link_name(link).to_owned(),
                 point: name.to_owned(),
                 by: partner.map(|other| match other {
-                    Some(link) => scene.link_name(link).to_owned(),
-                    None => "ground".to_owned(),
+                    Body::Link(link) => scene.link_name(link).to_owned(),
+                    Body::Ground => "ground".to_owned(),
                 }),
-                repeats: partner.flatten().is_some_and(|other| other < link),
+                repeats: matches!(partner, Some(Body::Link(other)) if other < link),
                 force: plane(Subject::Joint(link, point), reading),
             });
         }
     }
     rows
-}
-
-/// The only other body at a pin (`None`: the ground), where nothing but the two acts on the pin.
-pub(super) fn partner(
-    mechanism: &Mechanism,
-    link: LinkId,
-    point: PointId,
-) -> Option<Option<LinkId>> {
-    let given = mechanism.point(point);
-    let acts = |load: &Load| match *load {
-        Load::Force { point: at, .. } => at == point,
-        Load::Spring { from, to, .. } => from == point || to == point,
-        // Of a link that slides it presses on the link.
-        Load::Press { slide, .. } => mechanism.slide(slide).slider == Slider::Pin(point),
-        Load::Torque { .. } => false,
-    };
-    // A guide presses on the pin in its slot; of a link that slides it holds the link.
-    let slides = |slide: &crate::Slide| slide.slider == Slider::Pin(point);
-    if mechanism.loads().iter().any(acts) || mechanism.slides().iter().any(slides) {
-        return None;
-    }
-    let others = given.links.iter().copied().filter(|&other| other != link);
-    let others: Vec<LinkId> = others.collect();
-    match (&others[..], given.ground) {
-        ([], Some(_)) => Some(None),
-        ([other], None) => Some(Some(*other)),
-        _ => None,
-    }
 }
 
 fn guides(scene: &Scene, reading: &ProvedState<'_>) -> Vec<GuideRow> {

@@ -85,13 +85,21 @@ impl Scene {
     /// that is a scene is for [`Scene::parse`] to say.
     #[must_use]
     pub fn with_value(&self, value: &Value, text: &str) -> String {
-        let text = if value.quotes {
-            format!("\"{text}\"")
-        } else {
-            text.to_owned()
-        };
+        self.with_values(&[(value.clone(), text.to_owned())])
+    }
+
+    /// The same for some values of this scene at once.
+    #[must_use]
+    pub fn with_values(&self, texts: &[(Value, String)]) -> String {
         let mut edits = Edits::default();
-        edits.replace(value.place.clone(), text);
+        for (value, text) in texts {
+            let text = if value.quotes {
+                format!("\"{text}\"")
+            } else {
+                text.clone()
+            };
+            edits.replace(value.place.clone(), text);
+        }
         edits.made_in(self.text())
     }
 }

@@ -32,7 +32,7 @@ use crate::drawing::Glyphs;
 use crate::report::Verdict;
 use crate::solver::Condition;
 use crate::tui::appearance::palette::{Palette, Theme};
-use crate::tui::commands::action::Action;
+use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::EditLine;
 pub(crate) use crate::tui::commands::view::View;
@@ -68,6 +68,8 @@ pub(crate) enum Effect {
     Show,
     /// Take these bytes, which are no part of a frame; then show what has changed.
     Send(Vec<u8>),
+    /// Show the drawing in pixels.
+    Still,
     /// Keep the screen as it is, for [`App::ask_for_picture`].
     Picture,
     /// Draw everything again.
@@ -97,6 +99,8 @@ pub(crate) struct App {
     cursor: Cursor,
     /// The name that was sought last.
     sought: String,
+    /// The line in which it was found, in a view that is read.
+    found: Option<usize>,
     /// What is plotted.
     plots: Plots,
     /// What the open scene asks of its motor.
@@ -131,6 +135,7 @@ impl App {
             followed: FollowedPoints::default(),
             cursor: Cursor::default(),
             sought: String::new(),
+            found: None,
             plots: Plots::default(),
             motor: MotorStudy::default(),
             study_run: StudyRun::new(clock::wall_clock),
@@ -234,6 +239,11 @@ impl App {
         self.shell.scroll[view as usize]
     }
 
+    /// The line of what is looked at in which something was found.
+    pub(crate) fn found(&self, view: View) -> Option<usize> {
+        self.found.filter(|_| view == self.shell.view)
+    }
+
     /// How the panes stand.
     pub(crate) fn composition(&self) -> &Composition {
         &self.shell.composition
@@ -278,9 +288,15 @@ impl App {
         self.shell.theme = theme;
     }
 
+    /// The scene as it was before the last edit; until the next key.
+    pub(crate) fn scene_before(&self) -> Option<&OpenScene> {
+        self.shell.before.as_ref().map(|before| &before.open_scene)
+    }
+
     /// What was said of the linkage before the last edit, where that says something else now.
     pub(crate) fn verdict_before(&self) -> Option<&Verdict> {
-        self.shell.verdict_before.as_ref()
+        let before = self.scene_before()?.verdict();
+        (before != self.player.open_scene.verdict()).then_some(before)
     }
 
     pub(crate) fn message(&self) -> Option<&str> {
@@ -309,12 +325,12 @@ impl App {
                 self.save_own()
             }
             Action::Search if let Mode::Help(help) = &mut self.shell.mode => help.search(),
-            Action::NextView | Action::StepForward
+            Action::NextView | Action::StepForward | Action::Tables(TablesAction::Right)
                 if let Mode::Help(help) = &mut self.shell.mode =>
             {
                 help.turn(false);
             }
-            Action::PreviousView | Action::StepBack
+            Action::PreviousView | Action::StepBack | Action::Tables(TablesAction::Left)
                 if let Mode::Help(help) = &mut self.shell.mode =>
             {
                 help.turn(true);
@@ -350,7 +366,7 @@ impl App {
             Action::Compare => self.compare(),
             Action::Open => self.pick(),
             Action::Search => self.search(),
-            Action::Copy | Action::Csv | Action::Picture | Action::Svg => {
+            Action::Copy | Action::Csv | Action::Picture | Action::Still | Action::Svg => {
                 return self.take_out(action);
             }
             Action::SaveAs => self.ask_where(),

@@ -31,7 +31,7 @@ mod tests;
 mod views;
 mod workbench;
 
-pub use crate::capability::Colours;
+pub use crate::capability::{Colours, PictureChoice, PictureProtocol};
 pub use appearance::palette::Theme;
 pub use commands::view::View;
 pub use config::{Config, template};
@@ -47,6 +47,7 @@ use crate::files::places;
 use crate::scene::Scene;
 use crate::solver::Solver;
 use app::Effect;
+use commands::mouse::{Mouse, MouseDeed};
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::io;
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
@@ -91,6 +92,8 @@ pub struct Options {
     pub view: Option<View>,
     /// Which colours stand for the names of the palette.
     pub theme: Theme,
+    /// How still pictures are sent.
+    pub picture: PictureChoice,
     /// What is configured beside these.
     pub config: Config,
     /// Whether nothing was named that somebody wants to see at once: then the first start begins with the
@@ -165,6 +168,8 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
             .configured(&options.config)
             .looking_at(options.view.unwrap_or_default());
         workbench.app().work_apart();
+        let pictures = judgement.pictures(options.picture);
+        workbench.app().send_pictures(pictures);
         if options.idle && options.config.tour && views::has_room(size) {
             workbench.app().tour_on_first_start();
         }
@@ -279,7 +284,10 @@ impl Session {
             self.workbench.paint_rest(room)
         };
         self.tty.send(frame)?;
-        Ok(())
+        match self.workbench.take_still() {
+            Some(still) => Ok(self.tty.say_still(&still)?),
+            None => Ok(()),
+        }
     }
 
     /// Until when to wait, if nothing happens before.
@@ -302,7 +310,11 @@ impl Session {
         if !stopped {
             self.workbench.move_to(self.begun.elapsed());
         }
-        for wake in wakes {
+        let mut wakes = wakes.into_iter().peekable();
+        while let Some(wake) = wakes.next() {
+            if is_overtaken(&wake, wakes.peek()) {
+                continue;
+            }
             stopped |= wake == Wake::Notice(Notice::Suspend);
             if let Some(end) = self.take(wake)? {
                 return Ok(Some(end));
@@ -338,15 +350,31 @@ impl Session {
                 self.workbench.app().hush();
                 return Ok(self.attend(self.begun.elapsed()));
             }
-            Wake::Paste(text) => self.workbench.app().paste(&text),
-            Wake::Mouse(mouse) => self.workbench.point(mouse),
-            Wake::Key(key) => match self.workbench.key(key) {
-                Effect::Show | Effect::Picture => {}
-                Effect::Send(bytes) => self.tty.say(&bytes)?,
-                Effect::Redraw => self.start_over(),
-                Effect::Suspend => terminal::ask_to_suspend()?,
-                Effect::Quit => return Ok(Some(None)),
-            },
+            Wake::Paste(text) => self.workbench.paste(&text),
+            Wake::Mouse(mouse) => {
+                let effect = self.workbench.point(mouse);
+                return self.follow(effect);
+            }
+            Wake::Key(key) => {
+                let effect = self.workbench.key(key);
+                return self.follow(effect);
+            }
+        }
+        Ok(None)
+    }
+
+    /// Does what the workbench asks of its terminal; the end, if that is it.
+    fn follow(&mut self, effect: Effect) -> Result<Option<EndSignal>, Error> {
+        match effect {
+            Effect::Show | Effect::Picture => {}
+            Effect::Still => {
+                let (cell, rate) = (self.tty.cell(), self.tty.rate());
+                self.workbench.show_still(cell, rate);
+            }
+            Effect::Send(bytes) => self.tty.say(&bytes)?,
+            Effect::Redraw => self.start_over(),
+            Effect::Suspend => terminal::ask_to_suspend()?,
+            Effect::Quit => return Ok(Some(None)),
         }
         Ok(None)
     }
@@ -363,6 +391,20 @@ impl Session {
         self.workbench.app().resize(size, aspect);
         self.workbench.forget();
     }
+}
+
+/// Of a mouse that is dragged only the last place counts before a frame shows it.
+fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
+    let is_drag = |wake: &Wake| {
+        matches!(
+            wake,
+            Wake::Mouse(Mouse {
+                deed: MouseDeed::Drag,
+                ..
+            })
+        )
+    };
+    is_drag(wake) && next.is_some_and(is_drag)
 }
 
 /// `KRANK_FAULT=panic` makes the workbench panic after its first frame, for the test that the

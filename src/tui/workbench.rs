@@ -1,5 +1,7 @@
 //! The workbench without its terminal: keys, time and sizes in, frames out.
 
+mod still;
+
 use super::app::{App, Effect, View};
 use super::config::Config;
 use super::terminal::Painter;
@@ -13,6 +15,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Size;
 use std::path::Path;
 use std::time::Duration;
+use still::Still;
 
 /// A workbench that shows a scene and paints frames for a terminal that somebody else holds.
 ///
@@ -25,6 +28,7 @@ pub struct Workbench {
     now: Duration,
     /// What keys have sent to the terminal beside frames.
     sent: Vec<u8>,
+    still: Still,
 }
 
 impl Workbench {
@@ -90,6 +94,7 @@ impl Workbench {
             painter: Painter::new(capability),
             now: Duration::ZERO,
             sent: Vec::new(),
+            still: Still::default(),
         }
     }
 
@@ -101,6 +106,7 @@ impl Workbench {
             match self.key(key) {
                 Effect::Show | Effect::Suspend | Effect::Picture => {}
                 Effect::Send(bytes) => self.sent.extend(bytes),
+                Effect::Still => self.show_still(None, None),
                 Effect::Redraw => self.forget(),
                 Effect::Quit => return false,
             }
@@ -134,7 +140,8 @@ impl Workbench {
         self.painter.paint_with(app.palette());
         let canvas = self.painter.canvas(views::area(app));
         views::render(app, &self.sketch, canvas);
-        self.painter.frame(&views::urgent(app), room)
+        self.uncover();
+        self.painter.frame(&views::urgent(&self.app), room)
     }
 
     /// Goes on with a frame that was cut: the screen as it was then.
@@ -183,7 +190,9 @@ impl Workbench {
     }
 
     pub(super) fn key(&mut self, key: Key) -> Effect {
+        self.put_still_away();
         let effect = self.app.key(key, self.now);
+        self.still.asked_again(effect == Effect::Still);
         if effect == Effect::Picture {
             let text = self.text();
             self.app.ask_for_picture(text);
@@ -192,14 +201,20 @@ impl Workbench {
         effect
     }
 
-    pub(super) fn point(&mut self, mouse: Mouse) {
+    pub(super) fn paste(&mut self, text: &str) {
+        self.put_still_away();
+        self.app.paste(text);
+    }
+
+    pub(super) fn point(&mut self, mouse: Mouse) -> Effect {
+        self.put_still_away();
         let under = views::under(&self.app, &self.sketch, mouse.at);
-        self.app.point(mouse, under, self.now);
+        self.app.point(mouse, under, self.now)
     }
 
     /// What a cell of the drawing shows.
     #[cfg(test)]
-    pub(super) fn place(&self, at: ratatui::layout::Position) -> Option<(crate::Vec2, f64)> {
+    pub(super) fn place(&self, at: ratatui::layout::Position) -> Option<views::SeenPlace> {
         self.sketch.place(at)
     }
 
@@ -209,6 +224,7 @@ impl Workbench {
 
     /// The terminal shows something else: the next frame paints everything.
     pub fn forget(&mut self) {
+        self.put_still_away();
         self.painter.forget();
     }
 }

@@ -54,6 +54,11 @@ fn layers_are_drawn_and_explained() {
     let free = done(&["draw", "four-bar", "--no-guides"]);
     assert!(!free.contains("/_\\"), "{free}");
     assert!(done(&["draw", "four-bar", "--centres"]).contains('x'));
+    let loaded = done(&["draw", "four-bar-load", "--forces", "--size", "100x34"]);
+    assert!(
+        loaded.contains("500 N") && loaded.contains("F 200 N = "),
+        "{loaded}"
+    );
 }
 
 #[test]

@@ -236,10 +236,15 @@ fn what_is_shown_is_what_is_done() {
             .filter_map(|line| line.strip_prefix("    krank "))
         {
             let args: Vec<_> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
+            let in_pixels = args.contains(&"png") || args.contains(&"gif");
+            if in_pixels && !cfg!(feature = "pictures") {
+                continue;
+            }
             let heard = run(command(&args).current_dir(&here));
             assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
             ran += 1;
         }
     }
-    assert_eq!(ran, 10);
+    let in_pixels = if cfg!(feature = "pictures") { 2 } else { 0 };
+    assert_eq!(ran, 11 + in_pixels);
 }

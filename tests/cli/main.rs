@@ -12,12 +12,15 @@ mod files;
 mod forces;
 mod help;
 mod motor;
+#[cfg(feature = "pictures")]
+mod pixels;
 mod plot;
 mod readme;
 mod scenes;
 mod streams;
 mod sweep;
 mod table;
+mod turns;
 mod tutorial;
 
 use assert_cmd::Command;

@@ -45,6 +45,36 @@ fn what_is_shown_is_what_is_printed() {
     assert_eq!(run(command.current_dir(&here)).err, *fault);
 }
 
+/// Whoever reads it sees what krank draws today. The links work in a checkout, and so they lead into it.
+#[test]
+fn the_pictures_of_the_readme_are_what_is_drawn() {
+    let drawn = [
+        ("four-bar", &["four-bar", "--traces", "--size", "58x26"][..]),
+        (
+            "jansen-leg",
+            &["jansen-leg", "--traces", "T", "--size", "44x26"],
+        ),
+    ];
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (name, arguments) in drawn {
+        let link = format!("src/manual/pictures/{name}.svg");
+        assert!(README.contains(&format!("]({link})")), "{link}");
+        let kept = std::fs::read_to_string(root.join(&link)).unwrap();
+        let command = [&["draw"], arguments, &["--format", "svg"]].concat();
+        assert!(
+            kept == done(&command),
+            "another: krank {} -o {link}",
+            command.join(" ")
+        );
+        assert!(kept.contains("prefers-color-scheme:dark"), "{link}");
+    }
+    assert_eq!(
+        README.matches("![").count(),
+        drawn.len(),
+        "others are not compared"
+    );
+}
+
 /// The commands stand indented by four, each with a word about it.
 #[test]
 fn the_commands_of_the_readme_run() {
@@ -67,6 +97,6 @@ fn the_commands_of_the_readme_run() {
             ran += 1;
         }
     }
-    assert_eq!(ran, 13);
+    assert_eq!(ran, 14);
     assert!(README.len() <= 15_000, "{} bytes", README.len());
 }

@@ -13,12 +13,13 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its place on the way of the data: a module may import those of a
 /// lower place. Modules of the same place do not know each other.
-const PLACES: [(&str, u8); 22] = [
+const PLACES: [(&str, u8); 23] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
     ("arithmetic", 0),
     ("nearest", 1),
+    ("pixels", 1),
     ("files", 1),
     ("document", 2),
     ("page", 3),
@@ -56,7 +57,7 @@ const ROOMS: [(&str, u8); 11] = [
 const LEADING: u8 = 4;
 
 /// Crates, and parts of the standard library, that belong to some modules alone.
-const FOREIGN: [(&str, &[&str]); 19] = [
+const FOREIGN: [(&str, &[&str]); 23] = [
     ("ratatui", &["tui"]),
     ("crossterm", &["tui"]),
     ("rustix", &["cli", "tui", "files"]),
@@ -72,6 +73,10 @@ const FOREIGN: [(&str, &[&str]); 19] = [
     ("petgraph", &["solver"]),
     ("zmij", &["report"]),
     ("fearless_simd", &["arithmetic"]),
+    ("resvg", &["pixels"]),
+    ("gif", &["pixels"]),
+    ("icy_sixel", &["pixels"]),
+    ("dejavu", &["pixels"]),
     ("std::fs", &["cli", "tui", "files"]),
     ("std::io", &["report", "cli", "tui", "files"]),
     ("std::env", &["cli", "tui", "main", "files"]),

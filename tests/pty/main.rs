@@ -9,6 +9,7 @@ mod first_start;
 mod input;
 mod line;
 mod manual;
+mod pixels;
 mod progress;
 mod saving;
 mod scene;

@@ -273,11 +273,16 @@ impl Session {
         self.switches.cut.store(true, Ordering::SeqCst);
     }
 
+    /// From now on a slow terminal takes whatever comes at once.
+    pub(crate) fn hurry(&self) {
+        self.switches.hurry.store(true, Ordering::SeqCst);
+    }
+
     /// Stops the program, and takes what is on its way: so many bytes.
     pub(crate) fn queued(&self) -> usize {
         self.signal(Signal::STOP);
         let before = self.bytes();
-        self.switches.hurry.store(true, Ordering::SeqCst);
+        self.hurry();
         self.settle();
         let queued = self.bytes() - before;
         self.switches.hurry.store(false, Ordering::SeqCst);

@@ -271,3 +271,36 @@ fn forces_follow_what_changes() {
     let screen = session.press("n").look();
     assert!(screen.contains("Nothing acts on this linkage"), "{screen}");
 }
+
+/// The drawing tells the sizes that the view of forces tells, while its layer is on; where nothing acts it says so.
+#[test]
+fn the_drawing_shows_what_acts_with_its_size() {
+    let mut session = session("four-bar-load", 120, 40);
+    let bare = session.look();
+    assert!(!bare.contains(" N "), "{bare}");
+    let screen = session.press("N").look();
+    for told in ["500 N", "6.45 N m", "F 200 N = ", "loads and forces on"] {
+        assert!(screen.contains(told), "{told}\n{screen}");
+    }
+    let figures = session.press("5 O").look();
+    let numbers = figures
+        .split_whitespace()
+        .filter_map(|word| word.parse().ok());
+    let numbers: Vec<f64> = numbers.collect();
+    for size in [127.0, 139.0, 141.0, 455.0] {
+        let is_told = numbers.iter().any(|number| (number - size).abs() <= 0.5);
+        assert!(is_told, "{size}\n{figures}");
+        assert!(screen.contains(&format!("{size} N")), "{size}\n{screen}");
+    }
+    // It goes along with the driver, whichever view is looked at.
+    assert_ne!(session.press("O 1 .").look(), screen);
+    let off = session.press("N").look();
+    assert!(!off.contains("500 N"), "{off}");
+    let mut nothing = Session::new(preset("four-bar"), Glyphs::Ascii, 120, 40);
+    let screen = nothing.press("N").look();
+    assert_told(
+        &screen,
+        &["nothing acts here: no loads, no springs, no masses"],
+    );
+    assert!(!screen.contains("stands still"), "{screen}");
+}

@@ -22,7 +22,11 @@ mod export;
 #[cfg(feature = "tui")]
 mod forces;
 #[cfg(feature = "tui")]
+mod frames;
+#[cfg(feature = "tui")]
 mod glyphs;
+#[cfg(feature = "tui")]
+mod light;
 #[cfg(feature = "tui")]
 mod motion;
 #[cfg(feature = "tui")]

@@ -343,3 +343,43 @@ fn cost_of_a_frame() {
         );
     }
 }
+
+/// The mark of what is chosen in the list, its curve, its row in the tables and its link in the drawing are of one hue.
+#[test]
+fn a_curve_has_the_hue_of_its_link() {
+    let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Indexed, 120, 40);
+    let mut session = Session::on(workbench, 120, 40);
+    session.press("3 x / r 4 . o m e g a Enter");
+    let screen = session.look();
+    let hues_of = |session: &Session, wanted: &dyn Fn(&str) -> bool| {
+        let screen = session.terminal.screen();
+        let cells = (0..40).flat_map(|row| (0..120).filter_map(move |col| screen.cell(row, col)));
+        let wanted = cells.filter(|cell| wanted(cell.contents()));
+        wanted
+            .map(|cell| format!("{:?}", cell.fgcolor()))
+            .collect::<Vec<_>>()
+    };
+    let rows = screen.lines().enumerate();
+    let (row, at) = rows
+        .filter_map(|(row, line)| Some((row, line.find("[x]")? + 1)))
+        .next()
+        .unwrap();
+    let mark = session
+        .terminal
+        .screen()
+        .cell(row as u16, at as u16)
+        .unwrap();
+    let mark = format!("{:?}", mark.fgcolor());
+    assert!(mark.contains("Idx"), "{mark}\n{screen}");
+    let curve = hues_of(&session, &|text| text == "*");
+    assert!(
+        curve.iter().filter(|hue| **hue == mark).count() > 20,
+        "{curve:?}\n{screen}"
+    );
+    session.press("x 1");
+    let bars = hues_of(&session, &|text| ["\\", "/", "|"].contains(&text));
+    assert!(
+        bars.iter().filter(|hue| **hue == mark).count() > 5,
+        "{bars:?}"
+    );
+}

@@ -305,3 +305,27 @@ fn a_read_only_file_is_asked_about() {
     let mode = std::fs::metadata(&file).unwrap().permissions().mode();
     assert_eq!(mode & 0o777, 0o444);
 }
+
+/// Whoever follows a point and then takes it out of the file was left without a program.
+#[test]
+fn a_point_that_is_gone_is_followed_no_longer() {
+    let named = text("hoecken");
+    let (file, opened) = file(&folder("scene-point-gone"), named);
+    let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
+    let line = session.press("s").last_line();
+    assert!(line.contains("window stays with P"), "{line}");
+    let without: String = named
+        .lines()
+        .map(|line| line.replace(", points = { P = [200, 0] }", "") + "\n")
+        .collect();
+    assert_ne!(without, named);
+    std::fs::write(&file, &without).unwrap();
+    let line = session.press("R").last_line();
+    assert!(line.contains("was read again"), "{line}");
+    // It comes back with the reading that is taken back, and is not followed by that.
+    session.press("u");
+    let line = session.press("s").last_line();
+    assert!(line.contains("window stays with P"), "{line}");
+    session.press("Ctrl-R u u");
+    session.look();
+}

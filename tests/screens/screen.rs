@@ -153,6 +153,14 @@ impl Session {
         self
     }
 
+    /// Gives the terminal another size.
+    pub(crate) fn resize(&mut self, cols: u16, rows: u16) -> &mut Self {
+        self.terminal = emulator(cols, rows);
+        self.workbench.resize(cols, rows);
+        self.paint();
+        self
+    }
+
     /// Types text, character by character.
     pub(crate) fn type_in(&mut self, text: &str) -> &mut Self {
         for c in text.chars() {

@@ -1,9 +1,11 @@
 //! Drawings and plots.
 
 use super::{OutputArgs, PlaceArgs, SceneArgs};
+use crate::cli::draw::{DrawFormat, FORMATS};
 use crate::drawing::{Blocks, Glyphs};
 use crate::report::WrittenDecimal;
 use crate::wording::words;
+use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use std::str::FromStr;
 
@@ -42,7 +44,7 @@ impl GlyphChoice {
     }
 }
 
-/// How a drawing is written.
+/// How a plot is written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub(in crate::cli) enum PictureFormat {
     #[value(help = words().format_characters())]
@@ -81,6 +83,11 @@ impl FromStr for Size {
 /// More positions would hide each other.
 const MOST_GHOSTS: i64 = 360;
 
+/// No screen is wider.
+const MOST_PIXELS: i64 = 8192;
+/// Nobody watches a turn for longer.
+const MOST_SECONDS: i64 = 60;
+
 #[derive(Debug, Args)]
 pub(in crate::cli) struct DrawArgs {
     #[command(flatten)]
@@ -96,6 +103,9 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(help = words().draw_accelerations())]
     #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
     pub(in crate::cli) accelerations: Option<Vec<String>>,
+    #[arg(help = words().draw_forces())]
+    #[arg(long)]
+    pub(in crate::cli) forces: bool,
     #[arg(help = words().draw_ghosts())]
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MOST_GHOSTS))]
     pub(in crate::cli) ghosts: u16,
@@ -115,10 +125,30 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(long, value_name = "COLSxROWS")]
     pub(in crate::cli) size: Option<Size>,
     #[arg(help = words().how_to_write())]
-    #[arg(long, value_enum, default_value_t)]
-    pub(in crate::cli) format: PictureFormat,
+    #[arg(long, value_enum, default_value = "text")]
+    pub(in crate::cli) format: &'static DrawFormat,
+    #[arg(help = words().width_in_pixels())]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(16..=MOST_PIXELS))]
+    pub(in crate::cli) width: Option<u16>,
+    #[arg(help = words().on_a_dark_ground())]
+    #[arg(long)]
+    pub(in crate::cli) dark: bool,
+    #[arg(help = words().seconds_of_turn())]
+    #[arg(long, value_name = "SECONDS", default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..=MOST_SECONDS))]
+    pub(in crate::cli) seconds: u16,
     #[command(flatten)]
     pub(in crate::cli) output: OutputArgs,
+}
+
+/// How a drawing is written: the formats tell it themselves.
+impl ValueEnum for &'static DrawFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &FORMATS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name).help((self.about)(words())))
+    }
 }
 
 /// The names in a drawing.

@@ -6,7 +6,7 @@ use super::{GlyphChoice, Size};
 #[cfg(feature = "tui")]
 use crate::report::WrittenDecimal;
 #[cfg(feature = "tui")]
-use crate::tui::View;
+use crate::tui::{PictureChoice, PictureProtocol, View};
 use crate::wording::words;
 use clap::Args;
 #[cfg(feature = "tui")]
@@ -40,6 +40,10 @@ pub(in crate::cli) struct WorkbenchArgs {
     #[arg(long, value_enum)]
     pub(in crate::cli) theme: Option<ThemeChoice>,
     #[cfg(feature = "tui")]
+    #[arg(help = words().way_of_pictures())]
+    #[arg(long, value_enum)]
+    pub(in crate::cli) picture: Option<PictureChoice>,
+    #[cfg(feature = "tui")]
     #[arg(help = words().view_to_open_with())]
     #[arg(long, value_enum)]
     pub(in crate::cli) view: Option<View>,
@@ -70,6 +74,24 @@ impl ValueEnum for View {
     fn to_possible_value(&self) -> Option<PossibleValue> {
         let pane = self.pane();
         Some(PossibleValue::new(pane.name()).help(pane.about()))
+    }
+}
+
+#[cfg(feature = "tui")]
+impl ValueEnum for PictureChoice {
+    fn value_variants<'a>() -> &'a [PictureChoice] {
+        &PictureChoice::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let about = match self {
+            PictureChoice::Auto => words().pictures_as_told(),
+            PictureChoice::By(PictureProtocol::Kitty) => words().pictures_of_kitty(),
+            PictureChoice::By(PictureProtocol::Iterm) => words().pictures_of_iterm(),
+            PictureChoice::By(PictureProtocol::Sixel) => words().pictures_of_sixels(),
+            PictureChoice::Never => words().pictures_never(),
+        };
+        Some(PossibleValue::new(self.name()).help(about))
     }
 }
 

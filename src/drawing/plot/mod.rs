@@ -27,8 +27,11 @@ mod ticks;
 
 pub use chart::{Chart, Datum, DecadeAxis};
 
+use crate::Mechanism;
 use crate::Vec2;
 use crate::drawing::Glyphs;
+use crate::drawing::figure::Role;
+use crate::drawing::roles::{link_of, link_roles};
 use crate::quantity::{Abscissa, Aspect, Curves, Quantity, Subject};
 
 /// Curves against an axis, in panels.
@@ -80,6 +83,8 @@ pub struct PlotCurve {
     pub turns: Vec<CurveTurn>,
     /// Drawn by points only, as the curve of another scene is.
     pub is_dotted: bool,
+    /// What it is drawn as, if it is not one of several of its panel: a link.
+    pub link: Option<Role>,
 }
 
 /// A place where a curve turns.
@@ -164,6 +169,7 @@ impl Plot {
                         turns: Vec::new(),
                         is_dotted: true,
                         pieces: line.pieces.clone(),
+                        link: None,
                     }));
             }
         }
@@ -187,6 +193,38 @@ impl Plot {
         self
     }
 
+    /// Gives the curves of a panel the hues of their links, where each is of one and no two look alike.
+    #[must_use]
+    pub fn in_hues_of(mut self, mechanism: &Mechanism, curves: &Curves) -> Plot {
+        let links = link_roles(mechanism);
+        let role = |line: &PlotCurve| {
+            let curve = curves.curves.get(line.figure?)?;
+            let link = link_of(mechanism, curve.quantity.subject)?;
+            Some(links[link.index()])
+        };
+        for panel in &mut self.panels {
+            let roles: Option<Vec<Role>> = panel.curves.iter().map(role).collect();
+            let Some(roles) = roles else { continue };
+            let is_alone = |(k, role): (usize, &Role)| !roles[..k].contains(role);
+            if roles.iter().enumerate().all(is_alone) {
+                for (line, &role) in panel.curves.iter_mut().zip(&roles) {
+                    line.link = Some(role);
+                }
+            }
+        }
+        self
+    }
+
+    /// What the curve of this name is drawn as.
+    #[must_use]
+    pub fn role_of(&self, name: &str) -> Option<Role> {
+        let found = |panel: &Panel| {
+            let at = panel.curves.iter().position(|line| line.name == name)?;
+            Some(panel.role(at))
+        };
+        self.panels.iter().find_map(found)
+    }
+
     /// Whether any curve has a value anywhere.
     #[must_use]
     pub fn has_values(&self) -> bool {
@@ -195,7 +233,16 @@ impl Plot {
     }
 }
 
+/// What curves are drawn as that have no hue of a link, in the order in which they come in a panel.
+const ROLES: [Role; 3] = [Role::Datum, Role::Second, Role::Third];
+
 impl Panel {
+    /// What a curve is drawn as.
+    fn role(&self, curve: usize) -> Role {
+        let link = self.curves.get(curve).and_then(|line| line.link);
+        link.unwrap_or(ROLES[curve % ROLES.len()])
+    }
+
     fn of(unit: &str) -> Panel {
         Panel {
             y: Axis {
@@ -247,6 +294,7 @@ fn line(curves: &Curves, figure: usize) -> PlotCurve {
             .collect(),
         turns: turns.filter(|turn| turn.at.is_finite()).collect(),
         is_dotted: false,
+        link: None,
     }
 }
 

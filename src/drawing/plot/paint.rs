@@ -15,7 +15,6 @@ use crate::quantity::Here;
 
 /// Symbols of curves, in the order in which they come in a panel; more curves begin anew.
 const SYMBOLS: [char; 12] = ['*', 'x', '#', '+', '%', '@', '&', '=', '$', 'a', 'b', 'c'];
-const ROLES: [Role; 3] = [Role::Datum, Role::Second, Role::Third];
 /// Where the cursor meets a curve.
 const CURSOR: char = 'O';
 const PEAK: char = '^';
@@ -234,7 +233,7 @@ impl PlotPainter<'_> {
             if !fits(&text, col, row) {
                 text = self.entry(panel, frame, i, false);
             }
-            raster.put(col, row, self.symbol(panel, i), ROLES[i % ROLES.len()]);
+            raster.put(col, row, self.symbol(panel, i), panel.role(i));
             let room = usize::try_from(end(row) - col - ENTRY).unwrap_or(0);
             let text: String = text.chars().take(room).collect();
             write(raster, col + ENTRY, row, &text, Role::Label);
@@ -270,7 +269,7 @@ impl PlotPainter<'_> {
             let pen = Pen {
                 glyphs: self.look.glyphs,
                 symbol: SYMBOLS[number % SYMBOLS.len()],
-                role: ROLES[number % ROLES.len()],
+                role: panel.role(number),
                 dotted: line.is_dotted,
                 marks,
             };
@@ -300,7 +299,8 @@ impl PlotPainter<'_> {
     /// Marks where curves turn, and says what and where, as far as there is room: of the largest and the
     /// smallest first.
     fn turns(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
-        let lines = panel.curves.iter().zip(ROLES.into_iter().cycle());
+        let lines = panel.curves.iter().enumerate();
+        let lines = lines.map(|(i, line)| (line, panel.role(i)));
         let turns = lines.flat_map(|(line, role)| line.turns.iter().map(move |turn| (turn, role)));
         let cell =
             |turn: &CurveTurn| Some((self.layout.x.cell(turn.at.x)?, frame.y.cell(turn.at.y)?));

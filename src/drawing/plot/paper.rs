@@ -4,7 +4,7 @@ use super::layout::CellScale;
 use super::ticks::{TickStyle, Ticks};
 use super::{Panel, Plot, PlotCurve};
 use crate::Vec2;
-use crate::drawing::svg::{Svg, SvgStyle, TextAnchor};
+use crate::drawing::svg::{Svg, SvgGround, SvgStyle, TextAnchor};
 use crate::quantity::Here;
 
 /// Around the panels; at the left for the labels of the upright axes.
@@ -69,7 +69,7 @@ impl Plot {
             sheet.panel(panel, top, top + height);
         }
         sheet.foot(foot);
-        sheet.svg.finish()
+        sheet.svg.finish(SvgGround::Preferred)
     }
 }
 

@@ -49,6 +49,7 @@ fn line(points: &[(f64, f64)]) -> PlotCurve {
         pieces: vec![points.iter().map(|&(x, y)| Vec2::new(x, y)).collect()],
         turns: Vec::new(),
         is_dotted: false,
+        link: None,
     }
 }
 
@@ -250,4 +251,24 @@ proptest! {
         let text = plot.svg("t", Vec2::new(f64::from(cols) * 8.0, f64::from(rows) * 16.0), true, Some(&here));
         prop_assert!(!text.contains("NaN"));
     }
+}
+
+/// A curve has the hue that its link has in the drawing, where all of its panel are of different links.
+#[test]
+fn curves_are_of_the_hues_of_their_links_where_these_differ() {
+    use crate::drawing::Role;
+    let (scene, _) = opened("four-bar");
+    let roles = |names: &[&str]| {
+        let curves = curves("four-bar", names, None);
+        let plot = Plot::of(&curves).in_hues_of(&scene.mechanism, &curves);
+        let role = |name: &&str| plot.role_of(name).unwrap();
+        names.iter().map(role).collect::<Vec<_>>()
+    };
+    let links = crate::drawing::link_roles(&scene.mechanism);
+    let own = roles(&["r3.omega", "r4.omega", "r4.alpha"]);
+    assert_eq!(own, [links[1], links[2], links[2]]);
+    assert_eq!(roles(&["r4.angle", "r2.angle"]), [links[2], Role::Driver]);
+    // Two of one link, or one of a joint of two, are told as ever.
+    let usual = [Role::Datum, Role::Second];
+    assert_eq!(roles(&["C.vx", "C.vy"]), usual);
 }

@@ -80,7 +80,9 @@ fn count(low: f64, high: f64, step: f64) -> f64 {
 /// Round steps from about `least` on.
 fn steps(least: f64, is_angle: bool) -> impl Iterator<Item = f64> {
     let power = least.log10().floor().clamp(-320.0, 308.0) as i32;
-    let powers = (power - 1).max(*POWERS.start())..=*POWERS.end();
+    // Degrees have steps of their own beyond 5.
+    let end = if is_angle { 0 } else { *POWERS.end() };
+    let powers = (power - 1).max(*POWERS.start())..=end;
     let decimal = powers.flat_map(|power| [1, 2, 5].map(|n| format!("{n}e{power}")));
     let decimal = decimal.filter_map(|step| step.parse::<f64>().ok());
     let decimal = decimal.filter(move |&s| s > 0.0 && s.is_finite() && !(is_angle && s > 5.0));

@@ -4,7 +4,6 @@ use super::draft::{Context, Draft};
 use super::expression::{Expression, Function};
 use super::figures::WrittenSum;
 use super::forces::point_name;
-use crate::report::forces::partner;
 use crate::solver::Acted;
 use crate::wording::words;
 use crate::{Body, Input, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
@@ -327,11 +326,11 @@ pub(super) fn guided(context: &Context<'_>, slide: SlideId, sign: f64) -> Option
 
 /// The force on a link at a pin, by name: whose it is where one other body is there and nothing else acts.
 pub(super) fn pin_name(context: &Context<'_>, link: LinkId, point: PointId) -> String {
-    let by = partner(&context.scene.mechanism, link, point);
+    let by = context.scene.mechanism.partner(link, point);
     let (name, at) = (context.scene.link_name(link), point_name(context, point));
     match by {
-        Some(Some(other)) => words().pin_by(name, at, context.scene.link_name(other)),
-        Some(None) => words().pin_by_ground(name, at),
+        Some(Body::Link(other)) => words().pin_by(name, at, context.scene.link_name(other)),
+        Some(Body::Ground) => words().pin_by_ground(name, at),
         None => words().acts_at(name, at),
     }
 }

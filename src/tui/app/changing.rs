@@ -1,5 +1,6 @@
 //! Another scene, or the same one in another form.
 
+use super::shell::SceneBefore;
 use super::{App, View};
 use crate::tui::Opened;
 use crate::tui::document::opening;
@@ -27,8 +28,10 @@ impl App {
     /// Another scene, paused where it opens: nothing is left of the one before.
     pub(super) fn show_now(&mut self, opened: Opened) {
         self.end_comparison();
+        self.let_go();
         self.document.open(&opened.scene);
         self.player = Player::new(opened);
+        self.shell.before = None;
         self.scenes += 1;
         self.study_run.forget();
         self.plots = Plots::default();
@@ -45,10 +48,11 @@ impl App {
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
         let before = self.player.open_scene.scene();
         self.followed = self.followed.moved(before, &opened.scene);
-        let judged = self.player.open_scene.verdict().clone();
-        self.player.exchange(OpenScene::new(opened), now);
-        let is_other = judged != *self.player.open_scene.verdict();
-        self.shell.verdict_before = is_other.then_some(judged);
+        self.viewport.move_to(before, &opened.scene);
+        self.shell.before = Some(SceneBefore {
+            open_scene: self.player.exchange(OpenScene::new(opened), now),
+            is_past: false,
+        });
         self.study_run.forget();
         self.look(self.shell.view);
         self.lay_out();

@@ -2,6 +2,7 @@
 //! is shown at once, or said why it cannot be.
 
 use super::super::views::Need;
+use super::shell::SceneBefore;
 use super::{App, Mode};
 use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
@@ -61,37 +62,47 @@ impl App {
 
     /// Puts another text in the place of a value; false, and said why, where the scene cannot be so.
     pub(super) fn put(&mut self, value: &Value, text: String, deed: Deed, now: Duration) -> bool {
-        let text = self.document.editor.as_filed(value, text);
-        if text == value.text() {
+        self.put_all(vec![(value.clone(), text)], deed, now)
+    }
+
+    /// Puts other texts in the places of some values, all in one edit.
+    pub(super) fn put_all(
+        &mut self,
+        texts: Vec<(Value, String)>,
+        deed: Deed,
+        now: Duration,
+    ) -> bool {
+        let editor = &self.document.editor;
+        let filed = texts.into_iter().map(|(value, text)| {
+            let text = editor.as_filed(&value, text);
+            (value, text)
+        });
+        let changed: Vec<_> = filed
+            .filter(|(value, text)| *text != value.text())
+            .collect();
+        if changed.is_empty() {
             return true;
         }
         self.say_what_is_shown();
-        let Some(value) = self.document.editor.named(&value.name).cloned() else {
+        // That may have moved them in the text.
+        let there = |(value, text): (Value, String)| {
+            Some((self.document.editor.named(&value.name)?.clone(), text))
+        };
+        let Some(changed) = changed.into_iter().map(there).collect::<Option<Vec<_>>>() else {
             return false;
         };
-        let whole = self.player.open_scene.scene().with_value(&value, &text);
-        let edited = match value.measure {
-            // Who moves a start means another assembly.
-            Measure::Start => edited::reopened(&self.player.open_scene, &whole),
-            Measure::Length
-            | Measure::Coordinate
-            | Measure::Angle
-            | Measure::TurnSpeed
-            | Measure::TurnAcceleration
-            | Measure::PushSpeed
-            | Measure::PushAcceleration
-            | Measure::Mass
-            | Measure::Inertia
-            | Measure::Force
-            | Measure::Torque
-            | Measure::Gravity
-            | Measure::Stiffness
-            | Measure::Damping
-            | Measure::Factor => edited::keeping(&self.player.open_scene, &whole),
+        let whole = self.player.open_scene.scene().with_values(&changed);
+        // Who moves a start means another assembly.
+        let reopens = changed
+            .iter()
+            .any(|(value, _)| value.measure == Measure::Start);
+        let edited = match reopens {
+            true => edited::reopened(&self.player.open_scene, &whole),
+            false => edited::keeping(&self.player.open_scene, &whole),
         };
         match edited {
             Ok(edited) => {
-                let opens = self.is_opening(&value);
+                let opens = changed.iter().any(|(value, _)| self.is_opening(value));
                 self.change(edited, deed, now);
                 if opens {
                     self.player.go_to_opening(now);
@@ -99,7 +110,11 @@ impl App {
                 true
             }
             Err(why) => {
-                self.shell.say(format!("{} {text}: {why}", value.name));
+                let told = changed
+                    .iter()
+                    .map(|(value, text)| format!("{} {text}", value.name));
+                let told: Vec<String> = told.collect();
+                self.shell.say(format!("{}: {why}", told.join(", ")));
                 false
             }
         }
@@ -144,8 +159,16 @@ impl App {
     pub(super) fn change(&mut self, edited: Edited, deed: Deed, now: Duration) {
         let before = self.player.open_scene.scene().text();
         let after = edited.opened.scene.text();
-        self.document.editor.history.record(before, after, deed);
+        let goes_on = self.document.editor.history.record(before, after, deed);
+        let first = self.shell.before.take().filter(|_| goes_on);
         self.take_edit(edited, now);
+        // What was before the first of several steps of one edit stays.
+        if let Some(SceneBefore { open_scene, .. }) = first {
+            self.shell.before = Some(SceneBefore {
+                open_scene,
+                is_past: false,
+            });
+        }
     }
 
     /// Shows an edited scene where the driver stands, as far as it gets there.

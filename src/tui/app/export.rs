@@ -2,6 +2,7 @@
 
 use super::super::views::{self, Copied};
 use super::{App, Effect, Mode};
+use crate::capability::{Detected, PictureProtocol};
 use crate::quantity::Catalogue;
 use crate::report::{Columns, RowFormat, Steps, Sweep, WrittenDecimal};
 use crate::tui::Origin;
@@ -18,10 +19,38 @@ impl App {
         match action {
             Action::Copy => return self.copy(),
             Action::Picture => return Effect::Picture,
+            Action::Still => return self.ask_for_still(),
             Action::Svg => self.ask_for_svg(),
             _ => self.ask_for_csv(),
         }
         Effect::Show
+    }
+
+    /// What moves stands still for a picture, and the terminal must be one that shows it.
+    fn ask_for_still(&mut self) -> Effect {
+        self.player.playback.pause();
+        match &self.shell.pictures.value {
+            Some(_) => Effect::Still,
+            None => {
+                self.shell.say(self.shell.pictures.why.clone());
+                Effect::Show
+            }
+        }
+    }
+
+    /// How the terminal is sent pictures, if it is.
+    pub(crate) fn pictures(&self) -> Option<PictureProtocol> {
+        self.shell.pictures.value
+    }
+
+    /// Sends pictures in this way from now on.
+    pub(crate) fn send_pictures(&mut self, pictures: Detected<Option<PictureProtocol>>) {
+        self.shell.pictures = pictures;
+    }
+
+    /// What became of the picture that was asked for.
+    pub(crate) fn tell_of_still(&mut self, message: String) {
+        self.shell.say(message);
     }
 
     /// Copies what the view shows; of the tables it asks how much.

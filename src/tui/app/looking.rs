@@ -36,6 +36,9 @@ impl App {
         let (before, size) = (self.shell.view, self.shell.size);
         self.shell.composition.look(view, before, size);
         self.shell.view = view;
+        if view != before {
+            self.found = None;
+        }
         self.attend_to_panes();
     }
 
@@ -47,9 +50,10 @@ impl App {
             .iter()
             .map(|view| view.pane().needs())
             .collect();
+        let forces = needs.contains(&Need::Forces) || self.viewport.shows_forces();
         let open_scene = &mut self.player.open_scene;
         open_scene.answer(needs.contains(&Need::Lengths));
-        open_scene.balance_forces(needs.contains(&Need::Forces));
+        open_scene.balance_forces(forces);
         open_scene.explain(needs.contains(&Need::Working));
         if needs.contains(&Need::Values) {
             self.relist();
@@ -104,6 +108,8 @@ impl App {
 
     /// Panes stand elsewhere, or others do.
     pub(super) fn rearrange(&mut self) {
+        let (view, size) = (self.shell.view, self.shell.size);
+        self.shell.composition.keep(view, size);
         self.attend_to_panes();
         self.lay_out();
     }
@@ -127,8 +133,10 @@ impl App {
 
     /// What is asked is on the screen, if anything is.
     pub(crate) fn be_seen(&mut self, now: Duration) {
-        self.shell.show_question(now);
-        self.shell.show_message(now);
+        if views::has_words(self.shell.size) {
+            self.shell.show_question(now);
+            self.shell.show_message(now);
+        }
     }
 
     pub(super) fn page(&self) -> isize {

@@ -12,7 +12,7 @@ use crate::{Input, PointId, Vec2, angle};
 use std::time::Duration;
 
 /// A turn of the wheel goes so many lines.
-const WHEEL: usize = 3;
+const WHEEL: isize = 3;
 /// A pin is taken from so many columns away.
 const REACH: f64 = 1.5;
 
@@ -21,10 +21,11 @@ const REACH: f64 = 1.5;
 pub(super) enum Gripped {
     #[default]
     Nothing,
-    /// The driver: where the mouse was last, in the scene's frame.
-    Driver(Vec2),
-    /// A pin of the ground.
-    Pin(PointId),
+    /// The driver: how far its coordinate is ahead of that of the mouse. A window may go along with the linkage,
+    /// and so a place that was seen in an earlier one tells nothing.
+    Driver(f64),
+    /// A pin of the ground, by its name: an edit may number it anew.
+    Pin(String),
     /// The line of a plot where the driver is.
     Course,
 }
@@ -38,7 +39,7 @@ impl App {
     /// Takes the mouse, or gives it back to the terminal.
     pub(super) fn toggle_mouse(&mut self) {
         self.shell.has_mouse = !self.shell.has_mouse;
-        self.shell.grip = Gripped::Nothing;
+        self.let_go();
         self.shell.say(match self.shell.has_mouse {
             true => words().mouse_on(),
             false => words().mouse_off(),
@@ -46,66 +47,70 @@ impl App {
     }
 
     /// Something was done with the mouse, over what stands there.
-    pub(crate) fn point(&mut self, mouse: Mouse, under: Under, now: Duration) {
-        if self.shell.has_mouse {
-            self.act(mouse, under, now);
-            self.focus();
-            // Another view may have fewer lines than what was scrolled before.
-            self.scroll_by(0);
+    pub(crate) fn point(&mut self, mouse: Mouse, under: Under, now: Duration) -> Effect {
+        if !self.shell.has_mouse {
+            return Effect::Show;
         }
+        let effect = self.act(mouse, under, now);
+        self.focus();
+        // Another view may have fewer lines than what was scrolled before.
+        self.scroll_by(0);
+        effect
     }
 
-    fn act(&mut self, mouse: Mouse, under: Under, now: Duration) {
-        let wheel = match mouse.deed {
-            MouseDeed::WheelUp => Some(Key::Up),
-            MouseDeed::WheelDown => Some(Key::Down),
-            MouseDeed::Press | MouseDeed::Drag | MouseDeed::Release => None,
-        };
-        if self.shell.mode != Mode::Normal {
-            // Lists of every kind go by their keys; what is asked wants a key of its own.
-            wheel.into_iter().for_each(|key| self.roll(key, now));
-            return;
+    fn act(&mut self, mouse: Mouse, under: Under, now: Duration) -> Effect {
+        match (mouse.deed, under) {
+            (MouseDeed::WheelUp, under) => return self.roll(-WHEEL, &under, now),
+            (MouseDeed::WheelDown, under) => return self.roll(WHEEL, &under, now),
+            // What is chosen or asked is answered by its keys.
+            _ if self.shell.mode != Mode::Normal => {}
+            (MouseDeed::Press, under) => self.press(under, now),
+            (MouseDeed::Drag, under) => self.drag(&under, now),
+            (MouseDeed::Release, _) => self.let_go(),
         }
-        match (mouse.deed, wheel, under) {
-            (_, Some(key), Under::Drawing { place, .. }) => self.zoom_at(place, key == Key::Up),
-            (_, Some(key), Under::Pane(view, _)) => {
+        Effect::Show
+    }
+
+    /// The wheel makes the drawing larger or smaller, and goes through what is on top.
+    fn roll(&mut self, lines: isize, under: &Under, now: Duration) -> Effect {
+        let up = lines < 0;
+        match (&self.shell.mode, under) {
+            (Mode::Normal, Under::Drawing(_, seen)) => self.zoom_at(seen.from_middle, up),
+            (Mode::Normal, &Under::Pane(view, _)) => {
                 self.look(view);
-                self.roll(key, now);
+                self.scroll_by(lines);
             }
-            (MouseDeed::Press, _, under) => self.press(under, now),
-            (MouseDeed::Drag, _, under) => self.drag(&under, now),
-            (MouseDeed::Release, ..) => self.shell.grip = Gripped::Nothing,
-            _ => {}
+            (Mode::Normal, Under::Nothing | Under::Tab(_)) => {}
+            (Mode::Help(_) | Mode::Assemblies(_), _) => self.scroll_by(lines),
+            // Other lists take the arrows themselves, whatever a person has made of these.
+            _ => {
+                let key = if up { Key::Up } else { Key::Down };
+                let effects: Vec<Effect> = (0..WHEEL).map(|_| self.key(key, now)).collect();
+                let other = |effect: &Effect| *effect != Effect::Show;
+                return effects.into_iter().find(other).unwrap_or(Effect::Show);
+            }
         }
-    }
-
-    fn roll(&mut self, key: Key, now: Duration) {
-        for _ in 0..WHEEL {
-            // Nothing that the arrows do leaves the program or sends anything.
-            let _: Effect = self.key(key, now);
-        }
+        Effect::Show
     }
 
     fn press(&mut self, under: Under, now: Duration) {
         self.shell.message = None;
-        self.shell.verdict_before = None;
-        self.shell.grip = Gripped::Nothing;
+        self.shell.before = None;
+        self.let_go();
         match under {
             Under::Nothing => {}
             Under::Tab(view) => self.look_at(view),
-            Under::Drawing {
-                view,
-                place,
-                column,
-            } => {
-                self.look(view);
-                let pin = (view == View::Scene).then(|| self.pin_near(place, REACH * column));
-                self.shell.grip = match pin.flatten() {
+            Under::Drawing(view, seen) => {
+                self.pause(now);
+                self.viewport.hold(&self.player.open_scene);
+                let edits = self.shell.view == View::Scene;
+                let pin = edits.then(|| self.pin_near(seen.place, REACH * seen.column));
+                match pin.flatten() {
                     Some(pin) => self.take_pin(pin),
-                    None => Gripped::Driver(place),
-                };
-                if self.player.playback.is_playing() {
-                    self.player.toggle(now);
+                    None => {
+                        self.look(view);
+                        self.take_driver(seen.place);
+                    }
                 }
             }
             Under::Pane(view, spot) => {
@@ -117,6 +122,7 @@ impl App {
                     }
                     Some(PaneSpot::Value(row)) => self.document.editor.go_to(row),
                     Some(PaneSpot::Along(at)) => {
+                        self.pause(now);
                         self.shell.grip = Gripped::Course;
                         self.lead_to(at, now);
                     }
@@ -127,15 +133,27 @@ impl App {
 
     fn drag(&mut self, under: &Under, now: Duration) {
         match (self.shell.grip.clone(), under) {
-            (Gripped::Driver(from), &Under::Drawing { place, .. }) => {
-                self.drag_driver(from, place, now);
-                self.shell.grip = Gripped::Driver(place);
+            (Gripped::Driver(ahead), Under::Drawing(_, seen)) => {
+                self.drag_driver(ahead, seen.place, now);
             }
-            (Gripped::Pin(pin), &Under::Drawing { place, .. }) => self.drag_pin(pin, place, now),
+            (Gripped::Pin(pin), Under::Drawing(_, seen)) => self.drag_pin(&pin, seen.place, now),
             (Gripped::Course, &Under::Pane(View::Plots, Some(PaneSpot::Along(at)))) => {
                 self.lead_to(at, now);
             }
             _ => {}
+        }
+    }
+
+    /// The button holds nothing any more.
+    pub(super) fn let_go(&mut self) {
+        self.shell.grip = Gripped::Nothing;
+        self.viewport.let_go();
+    }
+
+    /// What is led by hand does not run on by itself.
+    fn pause(&mut self, now: Duration) {
+        if self.player.playback.is_playing() {
+            self.player.toggle(now);
         }
     }
 
@@ -146,35 +164,46 @@ impl App {
         self.player.step(at - here, now);
     }
 
-    /// The driven link turns as the mouse does about its pivot; a driven slide goes along with it.
-    fn drag_driver(&mut self, from: Vec2, to: Vec2, now: Duration) {
+    fn take_driver(&mut self, place: Vec2) {
+        let at = self.player.open_scene.at();
+        if let Some(pointed) = self.pointed_at(place) {
+            self.shell.grip = Gripped::Driver(at - pointed);
+        }
+    }
+
+    /// The driven link turns as the mouse does about its pivot, the shorter way round; a driven slide goes along
+    /// with it.
+    fn drag_driver(&mut self, ahead: f64, place: Vec2, now: Duration) {
+        let Some(pointed) = self.pointed_at(place) else {
+            return;
+        };
+        let open_scene = &self.player.open_scene;
+        let by = pointed + ahead - open_scene.at();
+        let by = match open_scene.scene().mechanism.driver().input {
+            Input::Turn(_) => by - (by / angle::TURN).round() * angle::TURN,
+            Input::Push(_) => by,
+        };
+        if by.is_finite() {
+            self.lead_to(self.player.open_scene.at() + by, now);
+        }
+    }
+
+    /// The driver's coordinate that a place tells, but for a part that stays the same: the direction from its pivot,
+    /// or how far it lies along its guide.
+    fn pointed_at(&self, place: Vec2) -> Option<f64> {
         let open_scene = &self.player.open_scene;
         let mechanism = &open_scene.scene().mechanism;
-        let by = match mechanism.driver().input {
+        match mechanism.driver().input {
             Input::Turn(link) => {
                 let members = mechanism.link(link).members.iter();
                 let mut grounded =
                     members.filter_map(|member| mechanism.point(member.point).ground);
-                let Some(pivot) = grounded.next() else {
-                    return;
-                };
-                let (from, to) = (from - pivot, to - pivot);
-                let turned = angle::degrees(Vec2::new(from.dot(to), from.cross(to)));
-                // The shorter way round.
-                if turned > angle::TURN / 2.0 {
-                    turned - angle::TURN
-                } else {
-                    turned
-                }
+                Some(angle::degrees(place - grounded.next()?))
             }
             Input::Push(slide) => {
-                let guide = open_scene.state().travel(slide).map(|travel| travel.guide);
-                guide.map_or(0.0, |guide| guide.dot(to - from))
+                let travel = open_scene.state().travel(slide)?;
+                Some(travel.guide.dot(place))
             }
-        };
-        if by.is_finite() {
-            let at = open_scene.driver_range().on_grid(open_scene.at() + by);
-            self.player.step(at - self.player.open_scene.at(), now);
         }
     }
 
@@ -193,31 +222,29 @@ impl App {
     }
 
     /// The cursor goes to the first coordinate of a pin: an edit of its own begins.
-    fn take_pin(&mut self, pin: PointId) -> Gripped {
-        let name = self.player.open_scene.scene().point_name(pin);
-        let row = name.and_then(|name| self.document.editor.row(&format!("{name} x")));
-        if let Some(row) = row {
-            self.document.editor.go_to(row);
-        }
-        Gripped::Pin(pin)
-    }
-
-    /// Both coordinates follow the mouse, by multiples of the step that fits the first of them.
-    fn drag_pin(&mut self, pin: PointId, place: Vec2, now: Duration) {
+    fn take_pin(&mut self, pin: PointId) {
         let Some(name) = self.player.open_scene.scene().point_name(pin) else {
             return;
         };
+        let name = name.to_owned();
+        if let Some(row) = self.document.editor.row(&format!("{name} x")) {
+            self.document.editor.go_to(row);
+        }
+        self.shell.grip = Gripped::Pin(name);
+    }
+
+    /// Both coordinates follow the mouse, by multiples of the step that fits the first of them.
+    fn drag_pin(&mut self, name: &str, place: Vec2, now: Duration) {
         let deed = Deed::Nudge(name.to_owned());
         let step = self.document.editor.notch().size();
         let axes =
             [("x", place.x), ("y", place.y)].map(|(axis, to)| (format!("{name} {axis}"), to));
-        for (name, to) in axes {
-            let value = self.document.editor.named(&name).cloned();
-            let moved = value.and_then(|value| Some((moved_to(&value, to, step)?, value)));
-            if let Some((text, value)) = moved.filter(|(text, value)| *text != value.text()) {
-                self.put(&value, text, deed.clone(), now);
-            }
-        }
+        let texts = axes.into_iter().filter_map(|(name, to)| {
+            let value = self.document.editor.named(&name)?;
+            Some((value.clone(), moved_to(value, to, step)?))
+        });
+        let texts = texts.collect();
+        self.put_all(texts, deed, now);
     }
 }
 

@@ -53,7 +53,10 @@ impl App {
         match from {
             Whence::Tables(cursor) => self.place_cursor(|_, _| cursor),
             Whence::Scene(row) => self.document.editor.go_to(row),
-            Whence::Lines(line) => self.scroll_to(line),
+            Whence::Lines(line) => {
+                self.found = None;
+                self.scroll_to(line);
+            }
         }
     }
 
@@ -61,6 +64,14 @@ impl App {
     fn scroll_to(&mut self, line: usize) {
         let most = views::most_scroll(self);
         self.shell.scroll[self.shell.view as usize] = line.min(most);
+    }
+
+    /// From which line on is sought: behind what was found and is still seen, else from the first that is seen.
+    fn next_line(&self) -> usize {
+        let first = self.scroll(self.shell.view);
+        let seen = first..first + views::page(self);
+        let found = self.found.filter(|line| seen.contains(line));
+        found.map_or(first, |line| line + 1)
     }
 
     /// Moves to the row that is meant by what is typed so far; says so where there is none.
@@ -92,9 +103,9 @@ impl App {
                 self.document.editor.seek(typed, false)
             }
             Whence::Lines(from) => {
-                let found = search::line_with(&views::lines_looked_at(self), typed, from);
-                self.scroll_to(found.unwrap_or(from));
-                found.is_some()
+                self.found = search::line_with(&views::lines_looked_at(self), typed, from);
+                self.scroll_to(self.found.unwrap_or(from));
+                self.found.is_some()
             }
         }
     }
@@ -128,10 +139,10 @@ impl App {
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
             Whence::Scene(_) => self.document.editor.seek(&self.sought, true),
-            Whence::Lines(here) => {
+            Whence::Lines(_) => {
                 let lines = views::lines_looked_at(self);
-                let next = search::line_with(&lines, &self.sought, here + 1);
-                next.map(|next| self.scroll_to(next)).is_some()
+                self.found = search::line_with(&lines, &self.sought, self.next_line());
+                self.found.map(|line| self.scroll_to(line)).is_some()
             }
         };
         if !found {
@@ -143,7 +154,7 @@ impl App {
         match action {
             TablesAction::Choose => self.choose(),
             // Of all lists the tables alone have something at the side.
-            _ if self.shell.view != View::Tables => {}
+            _ if self.shell.view != View::Tables => self.shell.say(words().nothing_at_the_side()),
             TablesAction::Left => self.place_cursor(|cursor, lines| cursor.aside(lines, -1)),
             TablesAction::Right => self.place_cursor(|cursor, lines| cursor.aside(lines, 1)),
         }

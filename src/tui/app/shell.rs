@@ -2,11 +2,11 @@
 
 use super::pointing::Gripped;
 use super::{Mode, View};
-use crate::capability::{Capability, Colours};
+use crate::capability::{Capability, Colours, Detected, PictureProtocol};
 use crate::drawing::{Blocks, Glyphs};
-use crate::report::Verdict;
 use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
+use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::layout::Composition;
 use crate::wording::words;
 use ratatui::layout::Size;
@@ -18,6 +18,14 @@ const USUAL_ASPECT: f64 = 2.0;
 const REACTION: Duration = Duration::from_millis(300);
 /// What has been said for so long has been read, or nobody is there.
 const LEGIBLE: Duration = Duration::from_secs(8);
+
+/// The scene as it was before an edit.
+#[derive(Debug)]
+pub(super) struct SceneBefore {
+    pub open_scene: OpenScene,
+    /// Whether a key has come since, which may go on with the edit.
+    pub is_past: bool,
+}
 
 /// The workbench around the scene.
 #[derive(Debug)]
@@ -33,8 +41,8 @@ pub(super) struct Shell {
     pub message: Option<String>,
     /// Since when it is on the screen, and what it is.
     told: Option<(Duration, String)>,
-    /// What was said of the linkage before the last edit has changed that; until the next key.
-    pub verdict_before: Option<Verdict>,
+    /// The scene as it was before the last edit; until the next key.
+    pub before: Option<SceneBefore>,
     /// Since when a question is on the screen.
     seen: Option<Duration>,
 
@@ -44,6 +52,8 @@ pub(super) struct Shell {
 
     // The terminal.
     pub capability: Capability,
+    /// How it is sent pictures, or why it is not.
+    pub pictures: Detected<Option<PictureProtocol>>,
     pub theme: Theme,
     pub size: Size,
     /// The height of a cell for its width.
@@ -60,11 +70,15 @@ impl Shell {
             scroll: [0; View::ALL.len()],
             message: None,
             told: None,
-            verdict_before: None,
+            before: None,
             seen: None,
             has_mouse: false,
             grip: Gripped::default(),
             capability,
+            pictures: Detected {
+                value: None,
+                why: words().pictures_unwanted().into(),
+            },
             theme: Theme::default(),
             size,
             aspect: USUAL_ASPECT,

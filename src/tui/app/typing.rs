@@ -10,13 +10,16 @@ use std::time::Duration;
 impl App {
     /// A key was pressed.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
-        self.shell.verdict_before = None;
+        if let Some(before) = &mut self.shell.before {
+            before.is_past = true;
+        }
         let effect = self
             .mode_key(key, now)
             .unwrap_or_else(|| match self.meant(key) {
                 Some(action) => self.update(action, now),
                 None => self.nothing_meant(key),
             });
+        self.shell.before.take_if(|before| before.is_past);
         self.look_at_file(now, false);
         let effect = match self.attend(now) {
             Effect::Show => effect,
@@ -32,6 +35,9 @@ impl App {
     /// drawing beside them.
     fn meant(&self, key: Key) -> Option<Action> {
         let keymap = &self.shell.keymap;
+        if let Mode::Help(_) | Mode::Assemblies(_) = self.shell.mode {
+            return keymap.action_in_list(key);
+        }
         let own = keymap.action(key, self.shell.view);
         let has_drawing = || self.standing().contains(&View::Motion);
         own.or_else(|| keymap.action(key, View::Motion).filter(|_| has_drawing()))
@@ -141,7 +147,7 @@ impl App {
             self.shell.mode = Mode::Normal;
         } else if self.is_working() {
             self.study_run.stop();
-        } else if self.shell.composition.leave_alone() {
+        } else if self.shell.composition.leave_alone(self.shell.size) {
             self.rearrange();
         } else if self.compared().is_some() {
             self.compare();

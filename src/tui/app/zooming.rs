@@ -13,6 +13,7 @@ impl App {
             M::Names => self.shell.say(self.viewport.next_names().text()),
             M::Velocities => self.switch(Layer::Velocities, words().arrows_of_velocity()),
             M::Accelerations => self.switch(Layer::Accelerations, words().arrows_of_acceleration()),
+            M::Forces => self.switch_forces(),
             M::Traces => self.switch(Layer::Traces, words().traces()),
             M::Ghosts => self.switch(Layer::Ghosts, words().other_positions()),
             M::Centres => self.switch(Layer::Centres, words().centres_of_mass()),
@@ -41,18 +42,27 @@ impl App {
         });
     }
 
+    /// Forces are found while they are shown, and where nothing acts there are none.
+    fn switch_forces(&mut self) {
+        let acts = self.player.open_scene.solver().has_forces();
+        self.switch(Layer::Forces, words().loads_and_forces());
+        if self.viewport.shows_forces() && !acts {
+            self.shell.say(words().nothing_acts_in_short());
+        }
+        self.attend_to_panes();
+    }
+
     fn zoom(&mut self, steps: i8) {
-        if !self.viewport.enlarge(steps) {
+        if !self.viewport.enlarge(&self.player.open_scene, steps) {
             self.shell.say(words().no_more_to_zoom());
         }
     }
 
-    /// Makes the drawing larger or smaller about a place in the scene's frame.
-    pub(super) fn zoom_at(&mut self, place: Vec2, larger: bool) {
-        if !self
-            .viewport
-            .enlarge_at(&self.player.open_scene, place, if larger { 1 } else { -1 })
-        {
+    /// Makes the drawing larger or smaller about a place that lies so far from its middle.
+    pub(super) fn zoom_at(&mut self, from_middle: Vec2, larger: bool) {
+        let steps = if larger { 1 } else { -1 };
+        let open_scene = &self.player.open_scene;
+        if !self.viewport.enlarge_at(open_scene, from_middle, steps) {
             self.shell.say(words().no_more_to_zoom());
         }
     }

@@ -1,7 +1,7 @@
 //! What each part of the screen looks like. Colours are names that the palette makes something of, one for
 //! each hue. None carries a meaning alone.
 
-use crate::drawing::Role;
+use crate::drawing::{Hue, Role, is_bold};
 use ratatui::style::{Color, Modifier, Style};
 
 /// Parts of the screen beside the drawing.
@@ -44,56 +44,35 @@ pub(crate) fn part(part: ScreenPart) -> Style {
     }
 }
 
-/// The hues of links, by their numbers: no neighbour of another is like it, and none like the driver's.
-const LINKS: [Color; 5] = [
-    Color::Blue,
-    Color::Green,
-    Color::LightBlue,
-    Color::LightRed,
-    Color::LightCyan,
-];
-
 /// The look of a part of the drawing.
 pub(crate) fn role(role: Role) -> Style {
-    let style = Style::new();
-    match role {
-        Role::Empty | Role::Guide | Role::Label | Role::Datum => style,
-        Role::Link(hue) | Role::Plate(hue) => style.fg(LINKS[usize::from(hue) % LINKS.len()]),
-        Role::Ground | Role::Ghost | Role::Echo | Role::Axis => style.add_modifier(Modifier::DIM),
+    // As the row under the cursor.
+    if role == Role::Lit {
+        return part(ScreenPart::Key);
+    }
+    let style = match Hue::of(role) {
+        None => Style::new(),
+        Some(Hue::Grey) => Style::new().add_modifier(Modifier::DIM),
         // Faint where there is no colour for it: a trace is as thin as a ghost, and no bar.
-        Role::Trace => style.fg(Color::LightGreen).add_modifier(Modifier::DIM),
-        Role::Driver | Role::Second => style.fg(Color::Red),
-        Role::Velocity => style.fg(Color::Cyan).add_modifier(Modifier::BOLD),
-        Role::Acceleration => style.fg(Color::Magenta),
-        Role::Spring => style.fg(Color::Yellow),
-        Role::Joint | Role::GroundPin | Role::Slider | Role::Front => {
-            style.add_modifier(Modifier::BOLD)
-        }
-        Role::Rider | Role::CentreOfMass => style.add_modifier(Modifier::BOLD),
-        Role::Third => style.fg(Color::Magenta),
+        Some(Hue::Lime) => Style::new()
+            .fg(Hue::Lime.named())
+            .add_modifier(Modifier::DIM),
+        Some(hue) => Style::new().fg(hue.named()),
+    };
+    match is_bold(role) {
+        true => style.add_modifier(Modifier::BOLD),
+        false => style,
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::LINK_HUES;
 
-    /// Links differ from each other and from the driver, arrows and traces from each other, and a notice is
-    /// never red.
+    /// Red is the driver's.
     #[test]
-    fn roles_have_hues_of_their_own() {
-        assert_eq!(usize::from(LINK_HUES), LINKS.len());
-        let hue = |r: Role| role(r).fg;
-        let mut links: Vec<_> = (0..LINK_HUES).map(|k| hue(Role::Link(k))).collect();
-        links.push(hue(Role::Driver));
-        let others = [Role::Velocity, Role::Acceleration, Role::Trace, Role::Ghost].map(hue);
-        for set in [&links[..], &others[..]] {
-            for (k, one) in set.iter().enumerate() {
-                assert!(!set[k + 1..].contains(one), "{one:?}");
-            }
-        }
-        assert!(links.iter().all(|link| !others.contains(link)));
+    fn a_notice_is_never_red() {
+        assert_eq!(role(Role::Driver).fg, Some(Color::Red));
         assert_ne!(part(ScreenPart::Warning).fg, Some(Color::Red));
     }
 }

@@ -52,6 +52,8 @@ pub(crate) enum Action {
     Csv,
     /// Write the screen to a text file.
     Picture,
+    /// Show the drawing in pixels.
+    Still,
     /// Write the drawing or the plot to an SVG file.
     Svg,
     /// The next preset.
@@ -136,6 +138,8 @@ pub(crate) enum MotionAction {
     Velocities,
     /// Arrows of acceleration.
     Accelerations,
+    /// Loads, and what joints and guides bear.
+    Forces,
     /// Traces of points over the motion.
     Traces,
     /// The linkage elsewhere in its motion.
@@ -321,6 +325,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         within(Motion, entry(A::Motion(M::Names), "names", W::names, W::names_of_points_links, &[Char('i')])),
         within(Motion, entry(A::Motion(M::Velocities), "velocities", W::velocities, W::arrows_of_velocity, &[Char('v')])),
         within(Motion, entry(A::Motion(M::Accelerations), "accelerations", W::accelerations, W::arrows_of_acceleration, &[Char('A')])),
+        within(Motion, entry(A::Motion(M::Forces), "force-arrows", W::force_arrows, W::loads_and_forces, &[Char('N')])),
         within(Motion, entry(A::Motion(M::Traces), "traces", W::traces, W::traces_of_points, &[Char('T')])),
         within(Motion, entry(A::Motion(M::Ghosts), "ghosts", W::ghosts, W::other_positions, &[Char('G')])),
         within(Motion, entry(A::Motion(M::Centres), "centres", W::centres, W::centres_of_mass, &[Char('c')])),
@@ -374,6 +379,7 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         entry(A::Copy, "copy", W::copy, W::copy_to_the_clipboard, &[Char('y')]),
         entry(A::Csv, "csv", W::csv, W::write_a_csv_file, &[Char('Y')]),
         entry(A::Picture, "picture", W::picture, W::write_the_screen, &[Char('P')]),
+        entry(A::Still, "still", W::still, W::the_drawing_in_pixels, &[Char('V')]),
         entry(A::Svg, "svg", W::svg, W::write_an_svg_file, &[Char('S')]),
         ] },
         ActionSection { title: W::the_program, entries: &[

@@ -48,13 +48,20 @@ impl Keymap {
             KeyContext::Everywhere,
         ];
         let covering = places.into_iter().filter(|place| place.covers(view));
-        let claims = |place| {
-            let claim =
-                |row: &(&'static ActionRow, &[Key])| row.0.place == place && row.1.contains(&key);
-            self.rows().find(claim)
-        };
-        let claimed = covering.filter_map(claims).next();
-        claimed.map(|(entry, _)| entry.action)
+        self.first(key, covering)
+    }
+
+    /// The action of a key in a list that lies over every view alike.
+    pub(crate) fn action_in_list(&self, key: Key) -> Option<Action> {
+        self.first(key, [KeyContext::Lists, KeyContext::Everywhere].into_iter())
+    }
+
+    fn first(&self, key: Key, mut places: impl Iterator<Item = KeyContext>) -> Option<Action> {
+        places.find_map(|place| {
+            let mut rows = self.rows();
+            let claimed = rows.find(|(row, keys)| row.place == place && keys.contains(&key));
+            claimed.map(|(row, _)| row.action)
+        })
     }
 
     /// The keys of an action; none where a person took them away.
@@ -100,11 +107,17 @@ impl Keymap {
     }
 }
 
-/// Whether a list takes a key for itself that does something else everywhere: as it is built in, not by what a person
-/// has chosen.
+/// Whether a list takes a key for itself that does something else everywhere: one that is built in so. What a person
+/// gives such a key does it where it did something before, in the drawing.
 fn stands_before(one: &ActionRow, other: &ActionRow, key: Key) -> bool {
-    let is_built_in = [one, other].iter().all(|row| row.keys.contains(&key));
-    is_built_in && (one.place == KeyContext::Lists) != (other.place == KeyContext::Lists)
+    let is_built_in = |place| {
+        let mut rows = action::entries().filter(|row| row.place == place);
+        rows.any(|row| row.keys.contains(&key))
+    };
+    let takes = |row: &ActionRow| row.place == KeyContext::Lists;
+    is_built_in(KeyContext::Lists)
+        && is_built_in(KeyContext::Everywhere)
+        && takes(one) != takes(other)
 }
 
 #[cfg(test)]
@@ -163,6 +176,15 @@ mod tests {
         let mut keymap = Keymap::default();
         keymap.set(Action::Play, vec![Key::End]);
         assert_eq!(keymap.clashes().count(), 1);
+        // What moved the crank can do something else there, and still belongs to lists.
+        let mut keymap = Keymap::default();
+        keymap.set(Action::StepForward, vec![Key::Char('.')]);
+        keymap.set(Action::Play, vec![Key::Char('l')]);
+        assert_eq!(keymap.clashes().count(), 0);
+        assert_eq!(
+            keymap.action(Key::Char('l'), View::Motion),
+            Some(Action::Play)
+        );
     }
 
     #[test]

@@ -6,7 +6,7 @@ mod template;
 
 pub use template::template;
 
-use crate::capability::Colours;
+use crate::capability::{Colours, PictureChoice};
 use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Reader};
 use crate::drawing::{Blocks, Glyphs};
 use crate::files::places;
@@ -27,6 +27,8 @@ pub struct Config {
     pub colours: Option<Colours>,
     /// Which colours stand for the names of the palette.
     pub theme: Theme,
+    /// How still pictures are sent.
+    pub picture: PictureChoice,
     /// Whether the tour is shown on the first start.
     pub tour: bool,
     /// Whether the mouse is ours from the start.
@@ -42,6 +44,7 @@ impl Default for Config {
             glyphs: None,
             colours: None,
             theme: Theme::default(),
+            picture: PictureChoice::default(),
             tour: true,
             mouse: false,
             layout: LayoutName::default(),
@@ -56,6 +59,7 @@ struct ConfigFile {
     glyphs: Option<Lenient<String>>,
     colour: Option<Lenient<String>>,
     theme: Option<Lenient<String>>,
+    picture: Option<Lenient<String>>,
     layout: Option<Lenient<String>>,
     tour: Option<Lenient<bool>>,
     mouse: Option<Lenient<bool>>,
@@ -89,6 +93,11 @@ const THEMES: [Named<Theme>; 4] = [
     ("dark", Theme::Dark),
     ("plain", Theme::Plain),
 ];
+
+/// Ways to send pictures by their names.
+fn pictures() -> [Named<PictureChoice>; 5] {
+    PictureChoice::ALL.map(|choice| (choice.name(), choice))
+}
 
 /// Layouts by their names.
 fn layouts() -> [Named<LayoutName>; 6] {
@@ -143,6 +152,8 @@ impl Config {
         self.colours = colours.unwrap_or_default();
         let theme = choice(reader, "theme", &THEMES, file.theme.as_ref());
         self.theme = theme.unwrap_or_default();
+        let picture = choice(reader, "picture", &pictures(), file.picture.as_ref());
+        self.picture = picture.unwrap_or_default();
         let layout = choice(reader, "layout", &layouts(), file.layout.as_ref());
         self.layout = layout.unwrap_or_default();
         let tour = file.tour.as_ref();

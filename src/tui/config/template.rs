@@ -1,6 +1,6 @@
 //! The configuration as a text to begin with: everything that is built in, commented out.
 
-use super::{COLOURS, GLYPHS, Named, THEMES, keys, layouts};
+use super::{COLOURS, GLYPHS, Named, THEMES, keys, layouts, pictures};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::keys::groups;
 use crate::wording::words;
@@ -17,9 +17,14 @@ pub fn template() -> String {
     let mut set = |key: &str, value: &str, what: &str| text.push_str(&line(key, value, what));
     // So many that quotation marks would make the line too long.
     let glyphs = values(&GLYPHS).replace('"', "");
-    set("glyphs", "\"auto\"", &words().to_draw_with(&glyphs));
+    set("glyphs", "\"auto\"", &glyphs);
     set("colour", "\"auto\"", &values(&COLOURS));
     set("theme", "\"auto\"", &words().for_a_ground(&values(&THEMES)));
+    set(
+        "picture",
+        "\"auto\"",
+        &words().pictures_are_sent_by(&values(&pictures())),
+    );
     set(
         "layout",
         "\"auto\"",

@@ -95,8 +95,8 @@ impl History {
         self.past.is_empty() && self.future.is_empty()
     }
 
-    /// A text became another. What was taken back cannot be made again.
-    pub(crate) fn record(&mut self, before: &str, after: &str, deed: Deed) {
+    /// A text became another. What was taken back cannot be made again. Whether it is one step with the last.
+    pub(crate) fn record(&mut self, before: &str, after: &str, deed: Deed) -> bool {
         self.future.clear();
         let joined = match (self.past.last(), &deed) {
             (Some(last), Deed::Nudge(_)) if last.deed == deed => Some(last.back(before)),
@@ -114,6 +114,7 @@ impl History {
         }
         let surplus = self.past.len().saturating_sub(MOST_STEPS);
         self.past.drain(..surplus);
+        joined.is_some()
     }
 
     /// Steps in a row no longer join: something else was done between them.

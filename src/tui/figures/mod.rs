@@ -4,5 +4,6 @@ pub(crate) mod copying;
 pub(crate) mod cursor;
 pub(crate) mod force_figures;
 pub(crate) mod format;
+pub(crate) mod rows;
 pub(crate) mod search;
 pub(crate) mod sheet;

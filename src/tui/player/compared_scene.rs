@@ -71,7 +71,7 @@ impl ComparedScene {
             edition: Edition::default(),
             beside: open_scene.edition().clone(),
             name,
-            reach: open_scene.reach().beside(&own, other.scale),
+            reach: open_scene.reach().beside(&own, other.scale, other.driver()),
             tables: pairing.difference(open_scene.tables(), &there, other.scale),
             pairing,
             sheet,
@@ -160,7 +160,7 @@ impl ComparedScene {
 
     /// The same with room for whatever the drawing of the open scene needs beside that.
     pub(crate) fn reach_beside(&self, reach: &Reach) -> Reach {
-        reach.beside(&self.own, self.other.scale)
+        reach.beside(&self.own, self.other.scale, self.other.driver())
     }
 
     /// Which rows have a partner.
@@ -180,15 +180,19 @@ impl ComparedScene {
 }
 
 impl Other {
+    /// How many units of the coordinate of the open scene one of its own is.
+    fn driver(&self) -> f64 {
+        match self.opened.scene.mechanism.driver().input {
+            Input::Turn(_) => 1.0,
+            Input::Push(_) => self.scale,
+        }
+    }
+
     /// Its tables where the driver of the open scene is at `at`.
     fn tables(&mut self, at: f64) -> Tables {
-        let at = match self.opened.scene.mechanism.driver().input {
-            Input::Turn(_) => at,
-            Input::Push(_) => at / self.scale,
-        };
         solved(
             &self.opened,
-            at,
+            at / self.driver(),
             Order::Acceleration,
             &mut self.state,
             &mut self.enclosure,

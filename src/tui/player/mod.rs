@@ -50,15 +50,17 @@ impl Player {
         }
     }
 
-    /// The same scene in another form: the driver stands where it stood, as far as it can be there.
-    pub(crate) fn exchange(&mut self, open_scene: OpenScene, now: Duration) {
+    /// The same scene in another form: the driver stands where it stood, as far as it can be there. Gives back the form
+    /// that it had.
+    pub(crate) fn exchange(&mut self, open_scene: OpenScene, now: Duration) -> OpenScene {
         let (at, turned) = (self.open_scene.at(), self.turns());
-        self.open_scene = open_scene;
+        let before = std::mem::replace(&mut self.open_scene, open_scene);
         // A file that was read again may have a slide for a driver where it had a link.
         if turned != self.turns() {
             self.steps = steps_of(&self.open_scene);
         }
         self.arrive(self.open_scene.driver_range().clamp(at), now);
+        before
     }
 
     fn turns(&self) -> bool {

@@ -5,6 +5,7 @@
 //! frames (`painter`), one guard puts the terminal back as it was found (`tty`).
 
 mod about;
+mod base64;
 pub(crate) mod clipboard;
 mod keyboard;
 mod line;
@@ -12,6 +13,7 @@ mod painter;
 mod rate_limit;
 mod sgr;
 mod signals;
+pub(crate) mod still;
 mod tty;
 #[cfg_attr(not(target_os = "linux"), path = "no_watch.rs")]
 mod watch;

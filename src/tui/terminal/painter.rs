@@ -5,34 +5,32 @@
 //! a VT100 understands (CUP, CUF, EL, SGR), asks nothing, and never relies on where the cursor is
 //! after the last column. Every cell is one column wide: the views let nothing else through.
 //!
+//! What differs is written row by row, or where that takes fewer bytes, as on a drawing in true colours,
+//! hue by hue.
+//!
 //! A frame for which the line has no room is cut, and the rest is carried over: what the terminal
 //! shows is known cell by cell, so that the next frame simply has these changes left. What is urgent
 //! comes first, the rest from the top, or from where the last frame was cut.
+
+mod changes;
+mod pen;
 
 use super::queue;
 use super::sgr::{CellStyle, Sgr, identical};
 use crate::capability::Capability;
 use crate::tui::Frames;
 use crate::tui::appearance::palette::{Palette, Theme};
-use crossterm::cursor::{MoveRight, MoveTo};
+use changes::{CellChange, Screens};
 use crossterm::style::ResetColor;
 use crossterm::terminal::{BeginSynchronizedUpdate, Clear, ClearType, EndSynchronizedUpdate};
-use ratatui::buffer::{Buffer, Cell};
+use pen::CellPen;
+use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use std::ops::Range;
 
 /// What a frame begins with at the most: synchronised, and the screen cleared.
 const BEGINNING: usize = 16;
-/// What erasing to the end of a row costs.
-const ERASING: usize = 3;
-
-/// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
-const REWRITE: u16 = 4;
 /// What a frame may end with beyond its room: a cell with its way and its attributes, and these taken back.
 const ENDING: usize = 32;
-
-/// Blanks that are saved by erasing a row: fewer are as soon written.
-const WORTH_WIPING: usize = 12;
 /// Where a frame has less room than this, the line is slow, and what is urgent is roughly drawn at first.
 const HASTY: usize = 1000;
 
@@ -52,16 +50,12 @@ pub(crate) struct Painter {
     cut: Option<u16>,
     /// So many bytes a frame may have.
     room: usize,
-    bytes: Vec<u8>,
-    /// Where the cursor is, if that is certain.
-    cursor: Option<(u16, u16)>,
-    sgr: Sgr,
+    pen: CellPen,
+    /// What is to be written next, row by row, and the same hue by hue.
+    changes: Vec<CellChange>,
+    by_style: Vec<CellChange>,
     frames: Frames,
 }
-
-/// The line has no room for more.
-#[derive(Debug)]
-struct Full;
 
 impl Painter {
     /// A painter for a terminal that shows anything.
@@ -82,9 +76,9 @@ impl Painter {
             stale: true,
             cut: None,
             room: usize::MAX,
-            bytes: Vec::new(),
-            cursor: None,
-            sgr: Sgr::PLAIN,
+            pen: CellPen::default(),
+            changes: Vec::new(),
+            by_style: Vec::new(),
             frames: Frames::default(),
         }
     }
@@ -98,6 +92,16 @@ impl Painter {
     pub(crate) fn paint_with(&mut self, palette: Palette) {
         self.stale |= self.look.palette != palette;
         self.look.palette = palette;
+    }
+
+    /// Whether a part of the terminal shows something else than is wanted of it.
+    #[must_use]
+    pub(crate) fn differs_in(&self, part: Rect) -> bool {
+        let part = part.intersection(self.wanted.area);
+        self.shown.area != self.wanted.area
+            || part
+                .positions()
+                .any(|at| !identical(&self.shown[at], &self.wanted[at]))
     }
 
     /// What has been painted so far.
@@ -121,209 +125,82 @@ impl Painter {
     /// The bytes that make the terminal show what is wanted, what is `urgent` first; none if it does
     /// already. About `room` of them at the most: [`Painter::is_cut`] says whether that was enough.
     pub(crate) fn frame(&mut self, urgent: &[Rect], room: usize) -> &[u8] {
-        self.bytes.clear();
-        (self.cursor, self.sgr) = (None, Sgr::PLAIN);
+        self.pen.begin();
         self.stale |= self.shown.area != self.wanted.area;
         if self.synchronised {
-            queue(&mut self.bytes, BeginSynchronizedUpdate);
+            queue(&mut self.pen.bytes, BeginSynchronizedUpdate);
         }
-        let prologue = self.bytes.len();
+        let prologue = self.pen.bytes.len();
         let clear = std::mem::take(&mut self.stale);
         if clear {
             empty(&mut self.shown, self.wanted.area);
-            queue(&mut self.bytes, ResetColor);
-            queue(&mut self.bytes, Clear(ClearType::All));
+            queue(&mut self.pen.bytes, ResetColor);
+            queue(&mut self.pen.bytes, Clear(ClearType::All));
         }
         self.room = room.saturating_sub(ENDING);
-        let wanted = std::mem::replace(&mut self.wanted, Buffer::empty(Rect::ZERO));
         let from = self.cut.take().unwrap_or(0);
-        self.cut = self.rows(&wanted, urgent, from).err();
-        self.wanted = wanted;
-        if self.bytes.len() == prologue {
+        self.cut = self.rows(urgent, from).err();
+        if self.pen.bytes.len() == prologue {
             // If the screens differ, then in what this terminal cannot show, a colour for instance.
-            self.bytes.clear();
-            return &self.bytes;
+            self.pen.bytes.clear();
+            return &self.pen.bytes;
         }
-        Sgr::PLAIN.put_in_force(self.sgr, &mut self.bytes);
+        self.pen.set(Sgr::PLAIN);
         if self.is_cut() {
             // Half a picture need not appear at once, and the brackets cost as much as a figure.
-            self.bytes.drain(..prologue);
+            self.pen.bytes.drain(..prologue);
         } else if self.synchronised {
-            queue(&mut self.bytes, EndSynchronizedUpdate);
+            queue(&mut self.pen.bytes, EndSynchronizedUpdate);
         }
         self.frames.count += 1;
-        self.frames.bytes += self.bytes.len() as u64;
-        &self.bytes
+        self.frames.bytes += self.pen.bytes.len() as u64;
+        &self.pen.bytes
     }
 
     /// Writes what differs, until there is no room: then the row that was being written.
-    fn rows(&mut self, wanted: &Buffer, urgent: &[Rect], from: u16) -> Result<(), u16> {
-        let area = wanted.area;
+    fn rows(&mut self, urgent: &[Rect], from: u16) -> Result<(), u16> {
+        let area = self.wanted.area;
+        let rough = self.room < HASTY;
         for part in urgent.iter().map(|part| part.intersection(area)) {
             for y in part.top()..part.bottom() {
-                let span = part.left()..part.right();
-                let rough = self.room < HASTY;
-                self.span(wanted, y, span, rough).map_err(|Full| from)?;
+                self.find(y, part, rough);
             }
+            self.write().map_err(|_| from)?;
         }
         for y in (from..area.height).chain(0..from.min(area.height)) {
-            self.span(wanted, y, 0..area.width, false)
-                .map_err(|Full| y)?;
+            self.find(y, area, false);
         }
-        Ok(())
+        self.write()
     }
 
-    /// Writes what differs in some columns of a row, in rough characters if it may.
-    fn span(
-        &mut self,
-        wanted: &Buffer,
-        y: u16,
-        columns: Range<u16>,
-        rough: bool,
-    ) -> Result<(), Full> {
-        let width = wanted.area.width;
-        let start = usize::from(y) * usize::from(width);
-        let next = &wanted.content[start..start + usize::from(width)];
-        let Some(changed) = self.changed(start, columns.clone(), next) else {
-            return Ok(());
+    /// Puts on the list what differs in some columns of a row.
+    fn find(&mut self, y: u16, columns: Rect, rough: bool) {
+        let screens = Screens {
+            look: self.look,
+            shown: &self.shown,
+            wanted: &self.wanted,
         };
-        let wiped = changed.len() > WORTH_WIPING && self.wipe(columns.clone(), y, next)?;
-        let changed = if wiped { columns.clone() } else { changed };
-        let (end, erase) = if columns.end == width {
-            self.tail(&self.shown.content[start..][..next.len()], next)
-        } else {
-            (columns.end, false)
+        screens.find(y, columns.left()..columns.right(), rough, &mut self.changes);
+    }
+
+    /// Writes what is on the list, in the order that takes fewer bytes; where there is no room for all of
+    /// it, row by row, and then the row that has no room is the error.
+    fn write(&mut self) -> Result<(), u16> {
+        let screens = Screens {
+            look: self.look,
+            shown: &self.shown,
+            wanted: &self.wanted,
         };
-        for x in changed.start..changed.end.min(end) {
-            let cell = &next[usize::from(x)];
-            let shown = &self.shown.content[start + usize::from(x)];
-            if self.look.same(shown, cell) {
-                continue;
-            }
-            let rough = rough.then(|| roughly(cell)).flatten();
-            let cell = rough.as_ref().unwrap_or(cell);
-            if rough.is_some() && self.look.same(shown, cell) {
-                continue;
-            }
-            self.has_room()?;
-            self.go_to(x, y, next);
-            self.put(cell, width);
-            self.shown.content[start + usize::from(x)] = cell.clone();
+        let by_row = self.pen.write(screens, &self.changes, self.room);
+        let cut = self.changes.get(by_row.written).map(|change| change.y);
+        if cut.is_none() {
+            changes::sort_by_style(&self.changes, &mut self.by_style);
+            self.pen.write_instead(screens, &self.by_style, &by_row);
         }
-        if erase {
-            self.has_room()?;
-            self.go_to(end, y, next);
-            self.set_sgr(Sgr::PLAIN);
-            queue(&mut self.bytes, Clear(ClearType::UntilNewLine));
-            self.shown.content[start + usize::from(end)..start + usize::from(width)]
-                .fill(Cell::EMPTY);
+        for change in self.changes.drain(..).take(by_row.written) {
+            change.take_effect(&mut self.shown, &self.wanted);
         }
-        Ok(())
-    }
-
-    /// From the first to the last of some columns whose cells differ.
-    fn changed(&self, start: usize, columns: Range<u16>, next: &[Cell]) -> Option<Range<u16>> {
-        let shown = &self.shown.content[start..][..next.len()];
-        let differs = |x: &u16| !identical(&shown[usize::from(*x)], &next[usize::from(*x)]);
-        let first = columns.clone().find(differs)?;
-        let last = columns.rev().find(differs)?;
-        Some(first..last + 1)
-    }
-
-    /// Erases a row from these columns on, where that is cheaper than blanks one by one: what is erased
-    /// and stays is written again. Whether that was so.
-    fn wipe(&mut self, columns: Range<u16>, y: u16, next: &[Cell]) -> Result<bool, Full> {
-        let start = usize::from(y) * next.len();
-        let (from, to) = (usize::from(columns.start), usize::from(columns.end));
-        let shown = &self.shown.content[start..][..next.len()];
-        let both = || shown.iter().zip(next).enumerate().skip(from);
-        let is_ink = |cell: &Cell| !self.look.is_blank(cell);
-        let gone = both().filter(|(x, (a, b))| *x < to && is_ink(a) && !is_ink(b));
-        let stays = both().filter(|(_, (a, b))| is_ink(b) && self.look.same(a, b));
-        if gone.count() <= stays.count() + WORTH_WIPING {
-            return Ok(false);
-        }
-        self.has_room()?;
-        self.go_to(columns.start, y, next);
-        self.set_sgr(Sgr::PLAIN);
-        queue(&mut self.bytes, Clear(ClearType::UntilNewLine));
-        self.shown.content[start + from..start + next.len()].fill(Cell::EMPTY);
-        Ok(true)
-    }
-
-    /// However little room there is, a frame brings something.
-    fn has_room(&self) -> Result<(), Full> {
-        let begun = self.bytes.len() > BEGINNING;
-        if begun && self.bytes.len() >= self.room {
-            return Err(Full);
-        }
-        Ok(())
-    }
-
-    /// Up to where a row is written cell by cell, and whether the rest is erased at once.
-    fn tail(&self, previous: &[Cell], next: &[Cell]) -> (u16, bool) {
-        let is_ink = |cell: &Cell| !self.look.is_blank(cell);
-        let end = next.iter().rposition(is_ink).map_or(0, |i| i + 1);
-        let to_erase = previous[end..].iter().filter(|c| is_ink(c)).count();
-        if to_erase > ERASING {
-            (to_u16(end), true)
-        } else {
-            (to_u16(next.len()), false)
-        }
-    }
-
-    /// Moves the cursor by the shorter of the ways there.
-    fn go_to(&mut self, x: u16, y: u16, row: &[Cell]) {
-        match self.cursor {
-            Some((cx, cy)) if (cx, cy) == (x, y) => return,
-            Some((cx, cy)) if cy == y && cx < x => {
-                let between = usize::from(cx)..usize::from(x);
-                let start = usize::from(y) * row.len();
-                let shown = &self.shown.content[start..][..row.len()];
-                let cheap = x - cx <= REWRITE
-                    && row[between.clone()]
-                        .iter()
-                        .zip(&shown[between.clone()])
-                        .all(|(cell, shown)| {
-                            cell.symbol().len() == 1
-                                && self.look.same(cell, shown)
-                                && self.suits(cell)
-                        });
-                if cheap {
-                    for cell in &row[between] {
-                        self.bytes.extend_from_slice(cell.symbol().as_bytes());
-                    }
-                } else {
-                    queue(&mut self.bytes, MoveRight(x - cx));
-                }
-            }
-            Some((_, cy)) if x == 0 && y == cy + 1 => self.bytes.extend_from_slice(b"\r\n"),
-            _ => queue(&mut self.bytes, MoveTo(x, y)),
-        }
-        self.cursor = Some((x, y));
-    }
-
-    /// Whether a cell can be written with what is in force. A blank shows little of it.
-    fn suits(&self, cell: &Cell) -> bool {
-        let sgr = self.look.sgr_of(cell);
-        sgr == self.sgr || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.leaves_blanks())
-    }
-
-    fn put(&mut self, cell: &Cell, width: u16) {
-        if !self.suits(cell) {
-            self.set_sgr(self.look.sgr_of(cell));
-        }
-        self.bytes.extend_from_slice(cell.symbol().as_bytes());
-        // Behind the last column terminals differ.
-        self.cursor = self
-            .cursor
-            .map(|(x, y)| (x + 1, y))
-            .filter(|&(x, _)| x < width);
-    }
-
-    fn set_sgr(&mut self, sgr: Sgr) {
-        sgr.put_in_force(self.sgr, &mut self.bytes);
-        self.sgr = sgr;
+        cut.map_or(Ok(()), Err)
     }
 }
 
@@ -331,24 +208,6 @@ impl Painter {
 fn empty(buffer: &mut Buffer, area: Rect) {
     buffer.resize(area);
     buffer.reset();
-}
-
-/// A character of one byte for one of three that looks like it.
-fn roughly(cell: &Cell) -> Option<Cell> {
-    let rough = match cell.symbol() {
-        "\u{2500}" => '-',
-        "\u{2502}" => '|',
-        "\u{250c}" | "\u{2510}" | "\u{2514}" | "\u{2518}" => '+',
-        _ => return None,
-    };
-    let mut cell = cell.clone();
-    cell.set_char(rough);
-    Some(cell)
-}
-
-/// Positions within a row, which is at most `u16::MAX` wide.
-fn to_u16(n: usize) -> u16 {
-    u16::try_from(n).unwrap_or(u16::MAX)
 }
 
 #[cfg(test)]
@@ -450,6 +309,25 @@ mod tests {
             frame.escape_ascii().to_string(),
             r"\x1b[1;1H\x1b[1;31ma\x1b[mb"
         );
+    }
+
+    /// A colour of true hues costs more than a way across the screen: all that has it is written at once.
+    #[test]
+    fn one_hue_after_the_other() {
+        let look = Palette {
+            colours: Colours::True,
+            theme: Theme::Dark,
+        };
+        let mut painter = painter(Colours::True, false);
+        painter.paint_with(look);
+        painter.whole(text(&[]));
+        let mut wanted = text(&["a      o", "a      o", "a      o"]);
+        wanted.set_style(Rect::new(0, 0, 1, 3), Style::new().fg(Color::Red));
+        wanted.set_style(Rect::new(7, 0, 1, 3), Style::new().fg(Color::Cyan));
+        let frame = painter.whole(wanted).escape_ascii().to_string();
+        assert_eq!(frame.matches("[38;").count(), 2, "{frame}");
+        let a = frame.rfind('a');
+        assert!(a < frame.find('o'), "{frame}");
     }
 
     fn screens() -> impl Strategy<Value = Buffer> {

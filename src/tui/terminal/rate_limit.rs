@@ -151,6 +151,11 @@ impl RateLimit {
         }
     }
 
+    /// Bytes a second that the line takes, where that is known.
+    pub(super) fn rate(&self) -> Option<f64> {
+        self.rate.known()
+    }
+
     /// So many bytes the next frame may have.
     pub(super) fn room(&self) -> usize {
         match (self.rate.known(), self.last) {

@@ -68,7 +68,8 @@ impl CellStyle {
 
     /// Whether a cell is nothing but ground.
     pub(super) fn is_blank(&self, cell: &Cell) -> bool {
-        cell.symbol().as_bytes() == b" " && self.sgr_of(cell) == Sgr::PLAIN
+        let is_plain = cell.bg == Color::Reset && cell.modifier.is_empty();
+        cell.symbol().as_bytes() == b" " && (is_plain || self.sgr_of(cell) == Sgr::PLAIN)
     }
 }
 

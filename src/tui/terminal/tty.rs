@@ -5,6 +5,7 @@ use super::line::Wire;
 use super::queue;
 use super::rate_limit::{QUESTION, RateLimit};
 use super::signals::{self, Notice, Signals};
+use super::still::StillSequence;
 use super::watch::Watch;
 use crate::capability::Capability;
 use crate::tui::Error;
@@ -75,6 +76,8 @@ pub(crate) struct Tty {
     modern: bool,
     /// Whether the mouse is ours.
     mouse: bool,
+    /// What takes away a picture that may be there.
+    removal: &'static [u8],
     entered: bool,
     hung_up: bool,
     /// Whether the last frame was not written to its end.
@@ -105,6 +108,7 @@ impl Tty {
             screen,
             modern: capability.modern,
             mouse: false,
+            removal: &[],
             entered: false,
             hung_up: false,
             cut: false,
@@ -157,6 +161,7 @@ impl Tty {
         if self.modern {
             bytes.extend_from_slice(PASTE_OFF);
         }
+        bytes.extend_from_slice(self.removal);
         // The screen is cleared for terminals that have no alternate one.
         queue(&mut bytes, ResetColor);
         queue(&mut bytes, Clear(ClearType::All));
@@ -199,6 +204,14 @@ impl Tty {
         let aspect = cell(w.ws_ypixel, w.ws_row) / cell(w.ws_xpixel, w.ws_col);
         // Some terminals report pixels that cannot be; a cell is between square and very slim.
         (1.0..=4.0).contains(&aspect).then_some(aspect)
+    }
+
+    /// Width and height of a cell in pixels, if the terminal tells.
+    #[must_use]
+    pub(crate) fn cell(&self) -> Option<(u16, u16)> {
+        let w = tcgetwinsize(&self.screen).ok()?;
+        let cell = |pixels: u16, cells: u16| pixels.checked_div(cells).filter(|&n| n > 0);
+        cell(w.ws_xpixel, w.ws_col).zip(cell(w.ws_ypixel, w.ws_row))
     }
 
     /// Tells from now on what happens to this file, and to no other; whether that begins now.
@@ -246,6 +259,17 @@ impl Tty {
     pub(crate) fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.rate_limit.say(bytes.len());
         self.write_all(bytes)
+    }
+
+    /// The same for a still picture. What takes it away is sent on every way out.
+    pub(crate) fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
+        self.removal = still.removal;
+        self.say(&still.bytes)
+    }
+
+    /// Bytes a second, where that is known.
+    pub(crate) fn rate(&self) -> Option<f64> {
+        self.rate_limit.rate()
     }
 
     fn write_all(&mut self, bytes: &[u8]) -> io::Result<()> {

@@ -6,18 +6,19 @@
 //! files where it can: it works in a process of its own, in an empty folder.
 
 use crate::capability::{Capability, Colours};
-use crate::drawing::Glyphs;
+use crate::drawing::{Blocks, Glyphs};
 use crate::scene::{is_harmful, presets};
 use crate::tests::{Chance, Fuzz, shape};
 use crate::tui::app::{App, Effect, Mode, View};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::keymap::Keymap;
+use crate::tui::commands::mouse::{Mouse, MouseDeed};
 use crate::tui::document::opening;
 use crate::tui::terminal::{Keyboard, TerminalInput};
 use crate::tui::views::picker::list::PickerTarget;
 use crate::tui::views::tour::screens::SCREENS;
 use crate::tui::{Origin, Theme, Workbench, views};
-use ratatui::layout::Size;
+use ratatui::layout::{Position, Size};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Component, Path};
@@ -114,11 +115,19 @@ enum MonkeyDeed {
     Paste(String),
     Resize(u16, u16),
     Pass(Duration),
+    Mouse(Mouse),
 }
 
 fn live(chance: &mut Chance, done: &mut Vec<MonkeyDeed>) {
     let preset = chance.one_of(presets::all());
-    let glyphs = *chance.one_of(&[Glyphs::Ascii, Glyphs::Line, Glyphs::Braille]);
+    let glyphs = *chance.one_of(&[
+        Glyphs::Ascii,
+        Glyphs::Line,
+        Glyphs::Braille,
+        Glyphs::Blocks(Blocks::Quadrants),
+        Glyphs::Blocks(Blocks::Sextants),
+        Glyphs::Blocks(Blocks::Octants),
+    ]);
     let colours = *chance.one_of(&[
         Colours::None,
         Colours::Sixteen,
@@ -136,6 +145,9 @@ fn live(chance: &mut Chance, done: &mut Vec<MonkeyDeed>) {
     let workbench = Workbench::on(opened, None, capability, Size::new(cols, rows));
     let mut workbench = workbench.themed(theme).timed_by(made_up);
     let mut keyboard = Keyboard::default();
+    if chance.below(2) == 0 {
+        workbench.press("M");
+    }
     for _ in 0..EPISODE {
         let deed = deed(chance, workbench.app());
         done.push(deed);
@@ -154,6 +166,11 @@ fn live(chance: &mut Chance, done: &mut Vec<MonkeyDeed>) {
             MonkeyDeed::Paste(text) => workbench.app().paste(text),
             MonkeyDeed::Resize(cols, rows) => workbench.resize(*cols, *rows),
             MonkeyDeed::Pass(time) => workbench.pass(*time),
+            MonkeyDeed::Mouse(mouse) => {
+                if workbench.point(*mouse) == Effect::Quit {
+                    return;
+                }
+            }
         }
         check(workbench.app());
         if chance.below(3) == 0 {
@@ -186,7 +203,11 @@ fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> boo
                 TerminalInput::Paste(text) => {
                     workbench.app().paste(&text.replace(['/', '~', '.'], ""))
                 }
-                TerminalInput::Mouse(mouse) => workbench.point(mouse),
+                TerminalInput::Mouse(mouse) => {
+                    if workbench.point(mouse) == Effect::Quit {
+                        return false;
+                    }
+                }
                 TerminalInput::Key(_) | TerminalInput::Answer => {}
             }
             check(workbench.app());
@@ -214,7 +235,8 @@ fn deed(chance: &mut Chance, app: &App) -> MonkeyDeed {
     let deed = match chance.below(100) {
         0..55 => MonkeyDeed::Press(by_the_table(chance)),
         55..70 => MonkeyDeed::Press(*chance.one_of(&LEADING)),
-        70..84 => MonkeyDeed::Press(Key::Char(char::from(b' ' + chance.small(95) as u8))),
+        70..78 => MonkeyDeed::Press(Key::Char(char::from(b' ' + chance.small(95) as u8))),
+        78..84 => MonkeyDeed::Mouse(by_hand(chance, app)),
         84..86 => MonkeyDeed::Press(*chance.one_of(&ODD)),
         86 => MonkeyDeed::Bytes(noise(chance)),
         87 => MonkeyDeed::Paste(
@@ -233,6 +255,24 @@ fn deed(chance: &mut Chance, app: &App) -> MonkeyDeed {
         deed
     } else {
         MonkeyDeed::Press(Key::Escape)
+    }
+}
+
+/// What a hand does with the mouse, somewhere on the screen and now and then beyond it.
+fn by_hand(chance: &mut Chance, app: &App) -> Mouse {
+    let deeds = [
+        MouseDeed::Press,
+        MouseDeed::Drag,
+        MouseDeed::Drag,
+        MouseDeed::Release,
+        MouseDeed::WheelUp,
+        MouseDeed::WheelDown,
+    ];
+    let within = |chance: &mut Chance, most: u16| chance.below(usize::from(most) + 2) as u16;
+    let size = app.size();
+    Mouse {
+        deed: *chance.one_of(&deeds),
+        at: Position::new(within(chance, size.width), within(chance, size.height)),
     }
 }
 

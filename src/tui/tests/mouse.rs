@@ -4,42 +4,51 @@ use crate::Vec2;
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::presets;
-use crate::tui::app::View;
+use crate::tui::app::{Effect, View};
 use crate::tui::commands::mouse::{Mouse, MouseDeed};
+use crate::tui::config::Config;
 use crate::tui::document::opening;
+use crate::tui::views::SeenPlace;
 use crate::tui::workbench::Workbench;
 use ratatui::layout::{Position, Size};
 
 const COLS: u16 = 80;
 const ROWS: u16 = 24;
+/// The largest screen of these tests.
+const WIDEST: u16 = 120;
+const HIGHEST: u16 = 40;
 
 /// A preset on a usual screen, painted.
 fn bench(preset: &str, keys: &str) -> Workbench {
+    bench_on(preset, keys, Size::new(COLS, ROWS))
+}
+
+fn bench_on(preset: &str, keys: &str, size: Size) -> Workbench {
     let opened = opening::preset(presets::find(preset).unwrap()).unwrap();
     let capability = Capability {
         glyphs: Glyphs::Braille,
         colours: Colours::Sixteen,
         modern: true,
     };
-    let mut bench = Workbench::on(opened, None, capability, Size::new(COLS, ROWS));
+    let mut bench = Workbench::on(opened, None, capability, size);
     assert!(bench.press(keys));
     bench.paint();
     bench
 }
 
 fn point(bench: &mut Workbench, deed: MouseDeed, at: Position) {
-    bench.point(Mouse { deed, at });
+    assert_eq!(bench.point(Mouse { deed, at }), Effect::Show);
     bench.paint();
 }
 
 /// The cell of the drawing that shows a place of the scene, and half a cell's height there.
 fn cell(bench: &Workbench, place: Vec2) -> (Position, f64) {
-    let columns = (0..COLS).flat_map(|x| (0..ROWS).map(move |y| Position::new(x, y)));
+    let columns = (0..WIDEST).flat_map(|x| (0..HIGHEST).map(move |y| Position::new(x, y)));
     let seen = columns.filter_map(|at| Some((at, bench.place(at)?)));
-    let away = |(seen, _): &(Vec2, f64)| (*seen - place).norm();
+    let away = |seen: &SeenPlace| (seen.place - place).norm();
     let near = seen.min_by(|a, b| away(&a.1).total_cmp(&away(&b.1)));
-    let (at, (_, column)) = near.unwrap();
-    (at, 2.0 * column)
+    let (at, seen) = near.unwrap();
+    (at, 2.0 * seen.column)
 }
 
 /// A row of the screen on which this is written.
@@ -123,10 +132,10 @@ fn the_crank_turns_with_the_mouse_and_stays_where_it_is_let_go() {
         .unwrap();
     let guide = boom.app().open_scene().state().travel(slide).unwrap().guide;
     let middle = Position::new(20, 10);
-    let (place, column) = boom.place(middle).unwrap();
+    let SeenPlace { place, column, .. } = boom.place(middle).unwrap();
     point(&mut boom, MouseDeed::Press, middle);
     let (to, _) = cell(&boom, place + guide * (3.0 * column));
-    let moved = boom.place(to).unwrap().0 - place;
+    let moved = boom.place(to).unwrap().place - place;
     point(&mut boom, MouseDeed::Drag, to);
     let went = boom.app().open_scene().at() - before;
     assert!((went - guide.dot(moved)).abs() < 1e-3, "{went} {moved:?}");
@@ -139,9 +148,9 @@ fn the_wheel_makes_what_is_under_it_larger() {
     let before = bench.place(at).unwrap();
     point(&mut bench, MouseDeed::WheelUp, at);
     let after = bench.place(at).unwrap();
-    assert!(after.1 < 0.8 * before.1, "{after:?}");
+    assert!(after.column < 0.8 * before.column, "{after:?}");
     assert!(
-        (after.0 - before.0).norm() < 3.0 * size,
+        (after.place - before.place).norm() < 3.0 * size,
         "{before:?} {after:?}"
     );
 }
@@ -178,5 +187,141 @@ fn a_plot_leads_the_driver() {
         // From 0 to 360 over all but the first columns.
         let share = f64::from(x - 5) / f64::from(COLS - 8) * 360.0;
         assert!((at - share).abs() < 12.0, "{at} {share}");
+    }
+}
+
+/// The window goes along with B, and so every place on the screen shows another place of the scene after each step: a
+/// hand that rests must not be outrun.
+#[test]
+fn the_crank_does_not_run_away_in_a_window_that_goes_along() {
+    for keys in ["M s", "M F", "M"] {
+        let mut bench = bench("four-bar", keys);
+        let (from, _) = cell(&bench, Vec2::new(50.0, 86.6));
+        point(&mut bench, MouseDeed::Press, from);
+        let to = Position::new(from.x.saturating_sub(4), from.y);
+        point(&mut bench, MouseDeed::Drag, to);
+        let moved = bench.app().open_scene().at();
+        assert!((60.0..110.0).contains(&moved), "{keys}: {moved}");
+        let mut last = moved;
+        for _ in 0..20 {
+            point(&mut bench, MouseDeed::Drag, to);
+            let at = bench.app().open_scene().at();
+            assert!((at - last).abs() < 10.0, "{keys}: {last} {at}");
+            last = at;
+        }
+        assert!((last - moved).abs() < 20.0, "{keys}: {moved} {last}");
+    }
+}
+
+/// Where the scene's values are looked at, its pins are taken in the drawing beside them.
+#[test]
+fn pins_are_drawn_where_panes_stand_too() {
+    let mut bench = bench_on("four-bar", "M 6", Size::new(120, 40));
+    let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
+    point(&mut bench, MouseDeed::Press, from);
+    let (to, _) = cell(&bench, Vec2::new(380.0, 30.0));
+    point(&mut bench, MouseDeed::Drag, to);
+    let scene = bench.app().open_scene().scene().text().to_owned();
+    assert!(!scene.contains("D = [400, 0]"), "{scene}");
+    assert_eq!(bench.app().view(), View::Scene);
+    assert_eq!(bench.app().open_scene().at(), 60.0);
+    // Both coordinates are one edit.
+    bench.press("u");
+    assert!(
+        bench
+            .app()
+            .open_scene()
+            .scene()
+            .text()
+            .contains("D = [400, 0]")
+    );
+    // Where something else is looked at, the same hand turns the crank.
+    let mut bench = bench_on("four-bar", "M", Size::new(120, 40));
+    let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
+    point(&mut bench, MouseDeed::Press, from);
+    let (to, _) = cell(&bench, Vec2::new(300.0, 150.0));
+    point(&mut bench, MouseDeed::Drag, to);
+    assert_ne!(bench.app().open_scene().at(), 60.0);
+    assert!(!bench.app().is_changed());
+}
+
+/// Until the hand lets go the verdict tells what the whole drag has changed.
+#[test]
+fn a_drag_tells_what_it_has_changed_since_its_beginning() {
+    let mut bench = bench("four-bar", "M 6");
+    let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
+    point(&mut bench, MouseDeed::Press, from);
+    for x in [410.0, 430.0, 456.0, 462.0, 460.0] {
+        let (to, _) = cell(&bench, Vec2::new(x, 0.0));
+        point(&mut bench, MouseDeed::Drag, to);
+    }
+    let screen = bench.text();
+    assert!(screen.contains("crank-rocker -> "), "{screen}");
+}
+
+#[test]
+fn what_is_led_by_hand_does_not_play_on() {
+    let mut bench = bench("four-bar", "M 3 space");
+    let y = row(&mut bench, "360");
+    point(&mut bench, MouseDeed::Press, Position::new(40, y - 3));
+    assert!(!bench.app().playback().is_playing());
+}
+
+#[test]
+fn the_wheel_goes_through_lists_whatever_the_arrows_are_bound_to() {
+    let text = "[keys]\nup = \"k\"\nscroll = \"j\"\nfaster = \"Up\"\nslower = \"Down\"\n";
+    let config = Config::parse(text, "config.toml").unwrap();
+    let mut bench = bench("four-bar", "").configured(&config);
+    bench.press("M 2");
+    bench.paint();
+    let y = row(&mut bench, "r4  ");
+    point(&mut bench, MouseDeed::WheelDown, Position::new(8, y));
+    assert_ne!(bench.app().cursor().row, 0);
+}
+
+/// A hand that holds a pin while another scene is opened holds nothing.
+#[test]
+fn another_scene_is_not_held_by_the_pin_of_the_one_before() {
+    let mut bench = bench("jansen-leg", "M 6");
+    let ground = bench.app().open_scene().scene();
+    let ids = ground.mechanism.point_ids();
+    let pins: Vec<Vec2> = ids
+        .filter_map(|id| ground.mechanism.point(id).ground)
+        .collect();
+    let (from, _) = cell(&bench, pins[1]);
+    point(&mut bench, MouseDeed::Press, from);
+    bench.press("n");
+    bench.paint();
+    point(&mut bench, MouseDeed::Drag, Position::new(30, 10));
+    assert!(!bench.app().is_changed());
+}
+
+/// What is under the pointer stays there while the wheel turns, also in a window that goes along and after it was
+/// moved; and what was enlarged stays where it is while the crank turns.
+#[test]
+fn what_is_enlarged_stays_where_it_is() {
+    for (preset, size) in [
+        ("drag-link", Size::new(120, 24)),
+        ("hoecken", Size::new(80, 24)),
+        ("four-bar", Size::new(80, 24)),
+    ] {
+        let mut bench = bench_on(preset, "M", size);
+        let (at, _) = cell(&bench, Vec2::ZERO);
+        let before = bench.place(at).unwrap();
+        for _ in 0..4 {
+            point(&mut bench, MouseDeed::WheelUp, at);
+            let after = bench.place(at).unwrap();
+            let off = (after.place - before.place).norm() / after.column;
+            assert!(off < 4.0, "{preset}: {off} columns");
+        }
+        let before = bench.place(at).unwrap();
+        for _ in 0..10 {
+            bench.press(".");
+            bench.paint();
+            assert_eq!(bench.place(at).unwrap(), before, "{preset}");
+        }
+        // Fitted anew it goes along again.
+        bench.press("f");
+        assert!(bench.app().viewport().fits(), "{preset}");
     }
 }

@@ -8,8 +8,8 @@
 //! 40 x 12 show more
 //! ```
 
-use super::{LEAST, SMALLEST, cut, print, status};
-use crate::tui::app::App;
+use super::{LEAST, SMALLEST, cut, has_words, print, question, row, status};
+use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
@@ -18,23 +18,32 @@ use ratatui::layout::Rect;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = theme::part(ScreenPart::Text);
-    if area.width < LEAST.width || area.height < LEAST.height {
+    if !has_words(app.size()) {
         let needed = words().screen_too_small(LEAST.width, LEAST.height);
         print(buffer, area.x, area.y, area.width, &needed, text);
         return;
     }
+    let mut put = |y: u16, line: &str| {
+        let line = cut(line, area.width.into());
+        print(buffer, area.x, area.y + y, area.width, &line, text);
+    };
+    // What can lose something is read before it is answered; state and angle can wait.
+    let asked = question::lines(app, area.width);
+    if !asked.is_empty() {
+        for (y, line) in (0..area.height).zip(&asked) {
+            put(y, line);
+        }
+        return;
+    }
     let [scene, driver, state] = status::in_short(app);
     let message = shown(app.message().unwrap_or_default(), app.glyphs());
-    let more = words().more_is_shown(SMALLEST.width, SMALLEST.height);
-    let lines = [
-        (0, scene),
-        (1, driver),
-        (2, state),
-        (3, message),
-        (area.height - 1, more),
-    ];
-    for (y, line) in lines {
-        let line = cut(&line, area.width.into());
-        print(buffer, area.x, area.y + y, area.width, &line, text);
+    for (y, line) in (0..).zip([scene, driver, state, message]) {
+        put(y, &line);
+    }
+    if *app.mode() == Mode::Normal {
+        let more = words().more_is_shown(SMALLEST.width, SMALLEST.height);
+        put(area.height - 1, &more);
+    } else {
+        status::render(app, row(area, area.height - 1), buffer);
     }
 }

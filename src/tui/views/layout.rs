@@ -182,15 +182,22 @@ impl Composition {
         has_others
     }
 
-    /// Shows the others again, if what is looked at stands alone by choice.
-    pub(crate) fn leave_alone(&mut self) -> bool {
-        std::mem::take(&mut self.alone)
+    /// Shows the others again, if what is looked at stands alone by choice; false where there are no others.
+    pub(crate) fn leave_alone(&mut self, screen: Size) -> bool {
+        std::mem::take(&mut self.alone) && !self.layout.views(screen).is_empty()
     }
 
     /// Goes on to the next layout, without what was changed in this one.
     pub(crate) fn next_layout(&mut self) -> LayoutName {
         *self = Composition::of(self.layout.next());
         self.layout
+    }
+
+    /// The screen or the layout is another one: what is looked at has a place in it still when another pane is.
+    pub(crate) fn keep(&mut self, looked_at: View, screen: Size) {
+        if !self.layout.views(screen).contains(&looked_at) {
+            self.aside = Some(looked_at);
+        }
     }
 
     /// Steps by which the line beside the drawing was moved to the right.

@@ -37,11 +37,11 @@ mod verdict;
 pub(crate) mod working;
 
 use super::app::{App, Mode, View};
-use crate::Vec2;
 use crate::drawing::Raster;
 use crate::page::{Line, cut};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::sheet::TableLine;
+use crate::wording::words;
 use layout::PlacedView;
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Margin, Position, Rect, Size};
@@ -56,7 +56,7 @@ const SMALLEST: Size = Size::new(40, 12);
 /// And below this nothing.
 const LEAST: Size = Size::new(20, 6);
 
-pub(crate) use motion::Sketch;
+pub(crate) use motion::{SeenPlace, Sketch};
 pub(crate) use pane::{Copied, Listing, Need, Pane, PaneSpot};
 
 impl View {
@@ -144,15 +144,24 @@ fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
     let placed = placed(app);
     for (n, &PlacedView { view, title, area }) in placed.iter().enumerate() {
         let pane = pane_of(view, title.is_some());
+        let is_looked_at = view == app.view();
+        let heading = |room| pane.heading(app, room);
         match app.mode() {
             // The list of assemblies stands where tables do, beside the drawing.
             Mode::Assemblies(cursor) if n == 1 => {
                 assemblies::render(app, *cursor, inset(area), buffer);
+                if let Some(title) = title {
+                    let heading = |_| (words().assemblies().to_owned(), String::new());
+                    title::over_pane(app, true, heading, title, buffer);
+                }
             }
-            _ => pane.render(app, sketch, area, buffer),
-        }
-        if let Some(title) = title {
-            title::over_pane(app, (view, pane), title, buffer);
+            mode => {
+                pane.render(app, sketch, area, buffer);
+                if let Some(title) = title {
+                    let is_looked_at = is_looked_at && !matches!(mode, Mode::Assemblies(_));
+                    title::over_pane(app, is_looked_at, heading, title, buffer);
+                }
+            }
         }
     }
     title::lines_between(app.glyphs(), &placed, buffer);
@@ -188,12 +197,8 @@ pub(crate) enum Under {
     Nothing,
     /// The tab of a view.
     Tab(View),
-    /// The drawing, in the pane of a view: the place in the scene's frame, and how long a column is there.
-    Drawing {
-        view: View,
-        place: Vec2,
-        column: f64,
-    },
+    /// The drawing, in the pane of a view, and what is seen of the scene there.
+    Drawing(View, SeenPlace),
     /// The pane of a view, and what of it.
     Pane(View, Option<PaneSpot>),
 }
@@ -214,12 +219,8 @@ pub(crate) fn under(app: &App, sketch: &Sketch, at: Position) -> Under {
     let Some(&PlacedView { view, title, area }) = own else {
         return Under::Nothing;
     };
-    if let Some((place, column)) = sketch.place(at) {
-        return Under::Drawing {
-            view,
-            place,
-            column,
-        };
+    if let Some(seen) = sketch.place(at) {
+        return Under::Drawing(view, seen);
     }
     Under::Pane(view, pane_of(view, title.is_some()).under(app, area, at))
 }
@@ -285,6 +286,11 @@ fn on_top(app: &App) -> (usize, usize) {
 
 fn whole(size: Size) -> Rect {
     Rect::from((Position::ORIGIN, size))
+}
+
+/// Whether anything can be told.
+pub(crate) fn has_words(size: Size) -> bool {
+    size.width >= LEAST.width && size.height >= LEAST.height
 }
 
 /// Whether anything sensible can be shown.

@@ -32,7 +32,14 @@ pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
 /// Lines, scrolled as the view is.
 pub(super) fn render(app: &App, view: View, lines: &[Line], area: Rect, buffer: &mut Buffer) {
     let first = first_seen(app.scroll(view), lines.len(), area, buffer);
-    for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(first)) {
+    let found = app.found(view).and_then(|line| line.checked_sub(first));
+    for (n, (y, line)) in (area.top()..area.bottom())
+        .zip(lines.iter().skip(first))
+        .enumerate()
+    {
+        if found == Some(n) && area.x > 0 {
+            print(buffer, area.x - 1, y, 1, ">", theme::part(ScreenPart::Key));
+        }
         render_line(
             (app.glyphs(), app.colours()),
             line,

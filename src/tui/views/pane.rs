@@ -7,6 +7,7 @@
 
 use super::{Sketch, inset, page};
 use crate::page::Line;
+use crate::quantity::Subject;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
 use crate::tui::figures::sheet::SheetPart;
@@ -72,6 +73,11 @@ pub(crate) trait Pane {
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let (lines, area) = self.listed(app, body);
         (lines.len(), area.height.into())
+    }
+
+    /// What the row under its cursor is about: the drawing beside it lights that up.
+    fn subject(&self, _app: &App) -> Option<Subject> {
+        None
     }
 
     /// What of it stands at a cell, where that can be pointed at; the drawing itself is told by its sketch.

@@ -129,6 +129,16 @@ pub(super) fn render(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
     }
 }
 
+/// The same as lines of so many columns, where there is no room for a frame; none where nothing is asked.
+pub(super) fn lines(app: &App, width: u16) -> Vec<String> {
+    let Some(Asked { text, keys }) = Asked::of(app) else {
+        return Vec::new();
+    };
+    let keys = keys.iter().map(|(key, name)| format!("{key} {name}"));
+    let text = wrapped(&text, width.into());
+    text.into_iter().chain(keys).collect()
+}
+
 /// Where it stands; nowhere where nothing is asked.
 pub(super) fn placed(app: &App, area: Rect) -> Rect {
     Asked::of(app).map_or(Rect::ZERO, |asked| asked.arranged(area).1)

@@ -10,6 +10,7 @@
 use super::motion::rule;
 use super::pane::{Copied, Listing, Need, Pane, PaneSpot};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
+use crate::quantity::Subject;
 use crate::scene::Value;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -157,6 +158,10 @@ impl Pane for SceneView {
                 );
             }
         }
+    }
+
+    fn subject(&self, app: &App) -> Option<Subject> {
+        Subject::of_value(app.open_scene().scene(), app.editor().value()?)
     }
 
     fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {

@@ -103,7 +103,7 @@ fn tint(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
             height: 1,
             ..area
         };
-        buffer.set_style(name.intersection(buffer.area), theme::role(role));
+        buffer.set_style(name.intersection(buffer.area), theme::role(role.of_name()));
     }
 }
 

@@ -12,11 +12,13 @@ use super::pane::{Copied, Listing, Pane, PaneSpot};
 use super::table::{self, columns_of, render_line};
 use super::{MARGIN, Sketch, columns, first_seen, print};
 use crate::page::Line;
+use crate::quantity::Subject;
 use crate::report::upwards;
 use crate::tui::app::{App, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::figures::cursor::seen;
+use crate::tui::figures::rows::subject_of;
 use crate::tui::figures::sheet::{FOUND, SheetPart, TableLine};
 use crate::tui::views::motion::followed;
 use crate::wording::words;
@@ -64,6 +66,11 @@ impl Pane for TablesView {
     fn extent(&self, app: &App, body: Rect) -> (usize, usize) {
         let (lines, height) = lines(app, body);
         (lines.len(), height)
+    }
+
+    fn subject(&self, app: &App) -> Option<Subject> {
+        let cursor = app.cursor();
+        subject_of(app.open_scene().scene(), cursor.part, cursor.row)
     }
 
     fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {

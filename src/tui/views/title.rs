@@ -7,9 +7,9 @@
 
 use super::layout::PlacedView;
 use super::motion::rule;
-use super::{Pane, columns, cut, print, print_right};
+use super::{columns, cut, print, print_right};
 use crate::drawing::Glyphs;
-use crate::tui::app::{App, View};
+use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::figures::format::coordinate;
 use crate::tui::player::open_scene::shown;
@@ -66,13 +66,13 @@ pub(super) fn heading(app: &App, room: u16) -> (String, String) {
 /// The title of a pane among others: a line in which its heading stands, in brackets while it is looked at.
 pub(super) fn over_pane(
     app: &App,
-    (view, pane): (View, &dyn Pane),
+    is_looked_at: bool,
+    heading: impl FnOnce(u16) -> (String, String),
     area: Rect,
     buffer: &mut Buffer,
 ) {
     rule(app.glyphs(), area, buffer);
-    let is_looked_at = view == app.view();
-    let (left, right) = pane.heading(app, area.width.saturating_sub(SIDES));
+    let (left, right) = heading(area.width.saturating_sub(SIDES));
     let (style, ends) = match is_looked_at {
         true => (theme::part(ScreenPart::Title), ('[', ']')),
         false => (theme::part(ScreenPart::Quiet), (' ', ' ')),
@@ -137,14 +137,15 @@ fn against(app: &App) -> String {
 fn settings(app: &App) -> Vec<String> {
     let (open_scene, playback) = (app.open_scene(), app.playback());
     let step = coordinate(app.steps().size(), 0);
-    let mut settings = vec![
+    let mut settings: Vec<String> = app.viewport().enlarged().into_iter().collect();
+    settings.extend([
         words().step_of(&step, open_scene.unit()),
         words().plays_in(
             open_scene.driver_range().turns(),
             &playback.seconds(),
             playback.is_backwards(),
         ),
-    ];
+    ]);
     settings.push(match playback.ratio(open_scene.driver_range()) {
         None => words().driver_stands_still().into(),
         Some(ratio) if ratio < 1.0 => words().slower_than_real(&short(1.0 / ratio)),

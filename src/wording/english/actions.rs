@@ -71,6 +71,8 @@ catalogue! {
         arrows_of_velocity = "arrows of velocity";
         accelerations = "accelerations";
         arrows_of_acceleration = "arrows of acceleration";
+        force_arrows = "forces";
+        loads_and_forces = "loads and forces";
         traces = "traces";
         traces_of_points = "traces of points";
         ghosts = "ghosts";
@@ -169,12 +171,14 @@ catalogue! {
         write_a_csv_file = "write a CSV file";
         picture = "picture";
         write_the_screen = "write the screen";
+        still = "still";
+        the_drawing_in_pixels = "the drawing in pixels";
         svg = "svg";
         write_an_svg_file = "write an SVG file";
 
         the_program = "The program";
         glyphs = "glyphs";
-        ascii_lines_braille = "ASCII, lines, Braille";
+        ascii_lines_braille = "ASCII, Braille, blocks";
         colours = "colours";
         how_many_colours = "how many colours";
         mouse = "mouse";

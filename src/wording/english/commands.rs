@@ -19,6 +19,13 @@ catalogue! {
             "`{name}` was cut off while it was written, and is whole again";
         output_is_the_scene =
             "the output is the scene that is read: it would be lost; write to another file";
+        #[cfg(not(feature = "pictures"))]
+        no_pictures =
+            "this krank was built without pictures (the feature `pictures`); to have them: \
+             cargo install --path . --features pictures";
+        #[cfg(feature = "pictures")]
+        picture_too_large(width: u32, height: u32) =
+            "a picture of {width} x {height} pixels is too large; a smaller `--width` has room";
         #[cfg(not(feature = "tui"))]
         no_workbench(scene: &dyn Display) =
             "this krank was built without the workbench (the feature `tui`); `krank table {scene}` \

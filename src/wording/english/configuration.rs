@@ -59,8 +59,8 @@ catalogue! {
 # line to change it. What is wrong is told with its line when krank starts.
 
 ";
-        to_draw_with(values: &str) = "{values}";
         for_a_ground(values: &str) = "for a ground: {values}";
+        pictures_are_sent_by(values: &str) = "{values}";
         panes_stand_as(values: &str) = "panes: {values}";
         mouse_from_the_start = "the mouse is krank's from the start: true or false";
         tour_on_first_start = "the tour is shown on the first start: true or false";

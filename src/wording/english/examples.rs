@@ -72,7 +72,8 @@ Examples:
 POINTS are names of points separated by commas, or all. Without them --traces
 draws the curves that are no circles about a ground pin (or these, where there
 is nothing else), --velocities and --accelerations the arrows of all joints and
-riders. Arrows of one kind have one scale over the whole motion; the line below
+riders, --forces those of loads, joints, guides and the driver, each with its
+size. Arrows of one kind have one scale over the whole motion; the line below
 tells it. One whose shaft is broken is longer than it is drawn.";
         examples_of_sweep = "\
 Examples:

@@ -14,6 +14,9 @@ catalogue! {
         use_instead(why: &str, key: &dyn Display) = "{why}: use {key}";
         no_figures_to_write = "no figures can be written here";
         no_drawing_here = "there is no drawing in this view";
+        still_shown(bytes: usize) = "in pixels, {bytes} B; any key takes it away";
+        still_takes(bytes: usize, seconds: f64, key: &dyn Display) =
+            "a picture of {bytes} B takes {seconds:.0} s on this line; {key} again sends it";
         the_figures = "the figures";
         the_screen = "the screen";
         the_drawing = "the drawing";

@@ -80,6 +80,7 @@ catalogue! {
         drawing_of(scene: &str, at: &dyn Display, unit: &str) = "{scene} at {at} {unit}";
 
         // What is followed in it.
+        nothing_at_the_side = "there is nothing at the side";
         nothing_to_search = "there is nothing to search here";
         never_moves(name: &str) = "{name} never moves: nothing to follow";
         all_of(names: &[&str]) = { names.join(" and ") };

@@ -38,6 +38,12 @@ catalogue! {
         format_for_person = "For a person";
         format_characters = "Characters";
         format_svg = "Scalable vector graphics, for a browser or a report";
+        format_cast = "A turn in colours, as asciinema plays it";
+        format_png = "Pixels, for a slide";
+        format_gif = "A turn in pixels";
+        width_in_pixels = "Width in pixels of a PNG or GIF [default: 1600, or 800 for GIF]";
+        on_a_dark_ground = "An SVG, PNG or GIF on a dark ground, whatever the reader prefers";
+        seconds_of_turn = "How long a turn takes in a cast or GIF, or the way there and back";
         how_to_write = "How to write it";
         how_to_write_motor = "How to write it; CSV has the cycle step by step";
         digits_of_tables = "Significant digits of text tables; CSV and JSON always carry all";
@@ -79,6 +85,7 @@ catalogue! {
         trace_points = "Trace points over the whole motion";
         draw_velocities = "Arrows of velocity";
         draw_accelerations = "Arrows of acceleration";
+        draw_forces = "Loads, and the forces at joints and guides, with their sizes";
         draw_ghosts = "Show the linkage at so many places of its motion";
         names_to_write = "Which names to write";
         mark_centres = "Mark centres of mass";
@@ -96,6 +103,12 @@ catalogue! {
         where_to_open = "Where to open: deg of the driven link, or the position of the driven slide";
         colours_to_draw_with = "The colours to draw with";
         theme_to_draw_with = "Which colours stand for the names of the palette [default: auto]";
+        way_of_pictures = "How the terminal is sent still pictures [default: auto]";
+        pictures_as_told = "As TERM, TERM_PROGRAM or KITTY_WINDOW_ID tell";
+        pictures_of_kitty = "As kitty takes them";
+        pictures_of_iterm = "As iTerm2 takes them";
+        pictures_of_sixels = "As sixels";
+        pictures_never = "Not at all";
         view_to_open_with = "The view to open with";
         print_and_leave = "Print the screen that opens as text, and leave: no terminal is needed";
         size_of_print = "The size of the screen that is printed [default: 80x24]";

@@ -44,6 +44,14 @@ catalogue! {
         emulator_in_utf8 = "an emulator in a UTF-8 locale";
         no_color_set = "NO_COLOR is set";
         term_has_none(term: &str) = "TERM={term} has none";
+        pictures_asked_for = "asked for";
+        pictures_unwanted = "no pictures are wanted here: picture = \"none\"";
+        no_pictures_there(term: &str) = "TERM={term} shows no pictures";
+        pictures_behind_multiplexer =
+            "tmux and screen take sixels at most; --picture sixel sends them";
+        pictures_unknown(term: &str) =
+            "TERM={term} does not tell; --picture kitty, iterm or sixel does";
+        row_pictures = "pictures";
         promises_no_more(what: &str) = "{what} promises no more";
     }
 }

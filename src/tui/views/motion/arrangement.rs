@@ -3,10 +3,8 @@
 
 use super::super::layout::{moved, percent_of};
 use super::super::{inset, table};
-use crate::Vec2;
-use crate::drawing::{self, LegendPiece, Reach};
+use crate::drawing::{self, LegendPiece};
 use crate::tui::app::{App, Mode};
-use crate::tui::player::compared_scene::ComparedScene;
 use ratatui::layout::Rect;
 use std::borrow::Cow;
 
@@ -91,6 +89,10 @@ pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
     let own = viewport.reach(open_scene, area.height);
     let reach = match (app.mode(), open_scene.assembly_list(), app.compared()) {
         (Mode::Assemblies(_), Some(assembly_list), _) => Cow::Borrowed(assembly_list.reach()),
+        // As long as the drawing needs no more than the linkage, that is known already.
+        (_, _, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
+            Cow::Borrowed(compared.reach())
+        }
         (_, _, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
         _ => Cow::Borrowed(own),
     };
@@ -126,7 +128,7 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);
     // What the width keeps the drawing from using shows more of the tables.
     let lowest = area.height.saturating_sub(all.saturating_add(rule));
-    let scale_at = |height| scale(app, Rect { height, ..area });
+    let scale_at = |height| window(app, Rect { height, ..area }).cells_along(1.0);
     // A rounding error makes no drawing smaller.
     let least = scale_at(drawing) * (1.0 - 1e-9);
     let drawing = (lowest.max(LOWEST_DRAWING)..drawing)
@@ -139,13 +141,4 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
         height,
         ..area
     })
-}
-
-/// Cells along x for a unit of length in a drawing of this size.
-fn scale(app: &App, area: Rect) -> f64 {
-    let needed: &Reach = app
-        .compared()
-        .map_or(app.open_scene().reach(), ComparedScene::reach);
-    let view = drawing::WorldView::fit(needed, area.width, area.height, app.aspect());
-    (view.cell(Vec2::new(1.0, 0.0)) - view.cell(Vec2::ZERO)).x
 }

@@ -1,7 +1,9 @@
 //! The points that the motion view gives arrows and traces, as they are chosen in the tables.
 
 use crate::PointId;
-use crate::scene::{Scene, VectorKind};
+use crate::quantity::Subject;
+use crate::scene::Scene;
+use crate::tui::figures::rows::subject_of;
 use crate::tui::figures::sheet::SheetPart;
 
 /// Points that the motion view gives arrows and traces; none chosen means the usual ones.
@@ -25,12 +27,8 @@ impl FollowedPoints {
 
     /// The same points in the scene after a change, by their names.
     pub(crate) fn moved(&self, before: &Scene, after: &Scene) -> FollowedPoints {
-        let named = |name: &str| {
-            let mut points = after.mechanism.point_ids();
-            points.find(|&point| after.point_name(point) == Some(name))
-        };
         let points = self.points.iter();
-        let points = points.filter_map(|&point| named(before.point_name(point)?));
+        let points = points.filter_map(|&point| same_point(point, before, after));
         FollowedPoints {
             points: points.collect(),
         }
@@ -42,31 +40,27 @@ impl FollowedPoints {
     }
 }
 
+/// The point of that name in the scene after a change, if there is one.
+pub(crate) fn same_point(point: PointId, before: &Scene, after: &Scene) -> Option<PointId> {
+    let name = before.point_name(point)?;
+    let mut points = after.mechanism.point_ids();
+    points.find(|&point| after.point_name(point) == Some(name))
+}
+
 /// What stands behind a row of the tables: a point itself, of a vector its ends, of a link that is given
 /// by its points alone all of these.
 fn points_of(scene: &Scene, part: SheetPart, row: usize) -> Vec<PointId> {
     let mechanism = &scene.mechanism;
-    match part {
-        SheetPart::Points => {
-            let points = mechanism.point_ids();
-            let mut named = points.filter(|&p| scene.point_name(p).is_some());
-            named.nth(row).into_iter().collect()
+    match subject_of(scene, part, row) {
+        Some(Subject::Point(point)) => vec![point],
+        Some(Subject::Between(tail, head)) => vec![tail, head],
+        Some(Subject::Slide(slide)) => vec![mechanism.slide(slide).slider.point()],
+        Some(Subject::Link(link)) => {
+            let link = mechanism.link(link);
+            let members = || link.members.iter().map(|m| m.point).collect();
+            link.ends.map_or_else(members, |(from, to)| vec![from, to])
         }
-        SheetPart::Vectors => match scene.vectors.get(row).map(|vector| vector.kind) {
-            Some(VectorKind::Between(tail, head)) => vec![tail, head],
-            Some(VectorKind::Slide(slide)) => vec![mechanism.slide(slide).slider.point()],
-            Some(VectorKind::Link(link)) => {
-                let ends = mechanism.link(link).ends;
-                ends.into_iter().flat_map(|(from, to)| [from, to]).collect()
-            }
-            None => {
-                let links = mechanism.link_ids();
-                let mut links = links.filter(|&link| mechanism.link(link).ends.is_none());
-                let link = links.nth(row - scene.vectors.len());
-                let members = link.map(|link| mechanism.link(link).members.iter());
-                members.into_iter().flatten().map(|m| m.point).collect()
-            }
-        },
+        _ => Vec::new(),
     }
 }
 
@@ -82,7 +76,7 @@ pub(crate) fn moving(scene: &Scene, part: SheetPart, row: usize) -> Vec<(PointId
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::presets;
+    use crate::scene::{VectorKind, presets};
     use crate::solver::{Order, Solver};
 
     fn preset(name: &str) -> Scene {

@@ -7,7 +7,7 @@ pub(crate) mod viewport;
 use super::pane::{Copied, Pane};
 use super::{assemblies, columns, print, show, table, title};
 use crate::Vec2;
-use crate::drawing::{self, Glyphs, Labels, LegendPiece, Raster, Role};
+use crate::drawing::{self, Figure, Glyphs, Labels, LegendPiece, Raster, Role, SvgGround};
 use crate::report::upwards;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -33,6 +33,16 @@ pub(crate) struct Sketch {
     window: Option<(Rect, drawing::WorldView)>,
 }
 
+/// A place in the scene's frame that is seen in the drawing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct SeenPlace {
+    pub(crate) place: Vec2,
+    /// How far it lies from the middle of what is seen.
+    pub(crate) from_middle: Vec2,
+    /// How long a column is.
+    pub(crate) column: f64,
+}
+
 impl Sketch {
     /// The drawing.
     pub(super) fn raster(&self) -> &Raster {
@@ -44,12 +54,17 @@ impl Sketch {
         self.window = None;
     }
 
-    /// The place in the scene's frame that a cell of the drawing shows, and how long one of its columns is.
-    pub(crate) fn place(&self, at: Position) -> Option<(Vec2, f64)> {
+    /// The place in the scene's frame that a cell of the drawing shows.
+    pub(crate) fn place(&self, at: Position) -> Option<SeenPlace> {
         let (area, view) = self.window.filter(|(area, _)| area.contains(at))?;
         let cell = Vec2::new(f64::from(at.x - area.x), f64::from(at.y - area.y));
-        let column = 1.0 / view.cells_along(1.0);
-        Some((view.world(cell + Vec2::new(0.5, 0.5)), column))
+        let middle = Vec2::new(f64::from(area.width), f64::from(area.height)) * 0.5;
+        let place = view.world(cell + Vec2::new(0.5, 0.5));
+        Some(SeenPlace {
+            place,
+            from_middle: place - view.world(middle),
+            column: 1.0 / view.cells_along(1.0),
+        })
     }
 
     /// Draws the linkage as it is now, for a drawing of this size.
@@ -59,23 +74,43 @@ impl Sketch {
             self.drawn = drawn;
             self.labels = Labels::default();
         }
-        let open_scene = app.open_scene();
-        let mut figure = app.viewport().figure(open_scene);
-        if let (&Mode::Assemblies(cursor), Some(assembly_list)) =
-            (app.mode(), open_scene.assembly_list())
-        {
-            for ghost in assembly_list.ghosts(cursor) {
-                drawing::add_ghost(&mut figure, open_scene.scene(), open_scene.state(), ghost);
-            }
-        }
-        if let Some(compared) = app.compared() {
-            compared.add_ghost(&mut figure);
-        }
         let view = arrangement::window(app, area);
         self.window = Some((area, view));
         let Sketch { labels, raster, .. } = self;
-        drawing::render_into(&figure, &view, app.glyphs(), labels, raster);
+        drawing::render_into(&figure_of(app), &view, app.glyphs(), labels, raster);
     }
+
+    /// What is drawn as a document for this ground, and where on the screen it stands; `None` where there is no
+    /// drawing on it.
+    pub(crate) fn document(&self, app: &App, ground: SvgGround) -> Option<(String, Rect)> {
+        let (area, view) = self.window?;
+        let labels = &mut self.labels.clone();
+        let svg = drawing::svg_on(ground, &figure_of(app), &view, "", &[], labels);
+        Some((svg, area))
+    }
+}
+
+/// The linkage as it is now, with what it is compared with.
+fn figure_of(app: &App) -> Figure {
+    let open_scene = app.open_scene();
+    let lit = app.view().pane().subject(app);
+    let mut figure = app.viewport().figure(open_scene, lit);
+    if let (&Mode::Assemblies(cursor), Some(assembly_list)) =
+        (app.mode(), open_scene.assembly_list())
+    {
+        for ghost in assembly_list.ghosts(cursor) {
+            drawing::add_ghost(&mut figure, open_scene.scene(), open_scene.state(), ghost);
+        }
+    }
+    if let Some(compared) = app.compared() {
+        compared.add_ghost(&mut figure);
+    }
+    // While it plays, what was before has another place in the motion.
+    if let Some(before) = app.scene_before().filter(|_| !app.playback().is_playing()) {
+        let [now, before] = [open_scene, before].map(|of| (of.scene(), of.state()));
+        drawing::add_before(&mut figure, now, before);
+    }
+    figure
 }
 
 /// The drawing, with live tables.

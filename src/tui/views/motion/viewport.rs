@@ -4,9 +4,11 @@
 //! What follows from the whole motion is found once for a scene and a choice, not for every frame.
 
 use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, Wanted, WorldView};
+use crate::quantity::Subject;
+use crate::scene::Scene;
 use crate::tui::player::edition::Edition;
 use crate::tui::player::open_scene::OpenScene;
-use crate::tui::views::motion::followed::FollowedPoints;
+use crate::tui::views::motion::followed::{FollowedPoints, same_point};
 use crate::wording::words;
 use crate::{PointId, Vec2};
 
@@ -57,6 +59,7 @@ impl ShownNames {
 pub(crate) enum Layer {
     Velocities,
     Accelerations,
+    Forces,
     Traces,
     Ghosts,
     Centres,
@@ -65,7 +68,7 @@ pub(crate) enum Layer {
 
 /// Which of the layers are on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct On([bool; 6]);
+struct On([bool; 7]);
 
 impl On {
     fn has(self, layer: Layer) -> bool {
@@ -114,6 +117,15 @@ pub(crate) struct ViewportSetting {
     on: On,
     framing: Framing,
     window: Window,
+    /// A window that was moved by hand, or under a hand that holds something, does not go along.
+    held: Option<HeldWindow>,
+}
+
+/// The window of a coordinate of the driver, and the point that is followed as it was there.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct HeldWindow {
+    at: f64,
+    point: Option<Vec2>,
 }
 
 /// What the motion view shows, and how large.
@@ -131,13 +143,14 @@ pub(crate) struct Viewport {
 
 impl Default for Viewport {
     fn default() -> Self {
-        let mut on = On([false; 6]);
+        let mut on = On([false; 7]);
         on.0[Layer::Guides as usize] = true;
         let setting = ViewportSetting {
             names: ShownNames::default(),
             on,
             framing: Framing::default(),
             window: Window::default(),
+            held: None,
         };
         Viewport {
             setting,
@@ -168,6 +181,11 @@ impl Viewport {
         *on
     }
 
+    /// Whether what acts is shown.
+    pub(crate) fn shows_forces(&self) -> bool {
+        self.setting.on.has(Layer::Forces)
+    }
+
     /// Shows the linkage as it is shown first.
     pub(crate) fn reset(&mut self) {
         self.frame(Framing::Along);
@@ -175,24 +193,31 @@ impl Viewport {
 
     /// Fits the window anew, and where it is fitted already, to the whole motion and back.
     pub(crate) fn fit(&mut self) -> &'static str {
-        if self.fits() {
-            self.frame(Framing::Motion);
-            words().the_whole_motion()
-        } else {
-            self.frame(Framing::Along);
-            words().window_goes_along()
+        self.frame(match self.fits() {
+            true => Framing::Motion,
+            false => Framing::Along,
+        });
+        self.told()
+    }
+
+    /// What is seen.
+    fn told(&self) -> &'static str {
+        match self.setting.framing {
+            Framing::Along if !self.is_of_the_whole() => words().window_goes_along(),
+            Framing::Along | Framing::Motion | Framing::Point(_) => words().the_whole_motion(),
+            Framing::Pose => words().the_linkage_as_it_stands(),
         }
     }
 
     /// Fits the window to the linkage as it stands, or no longer.
     pub(crate) fn fit_pose(&mut self) -> &'static str {
-        if self.setting.framing == Framing::Pose && self.is_whole() {
-            self.frame(Framing::Along);
-            words().window_goes_along()
-        } else {
-            self.frame(Framing::Pose);
-            words().the_linkage_as_it_stands()
-        }
+        self.frame(
+            match self.setting.framing == Framing::Pose && self.is_whole() {
+                true => Framing::Along,
+                false => Framing::Pose,
+            },
+        );
+        self.told()
     }
 
     /// Keeps a point in the middle: the first that is followed, then the next; after the last none.
@@ -211,7 +236,17 @@ impl Viewport {
             }
             None => {
                 self.frame(Framing::Along);
-                words().window_goes_along().to_owned()
+                self.told().to_owned()
+            }
+        }
+    }
+
+    /// The scene was changed: the point that is followed is the one of that name, if it is still there.
+    pub(crate) fn move_to(&mut self, before: &Scene, after: &Scene) {
+        if let Framing::Point(point) = self.setting.framing {
+            match same_point(point, before, after) {
+                Some(point) => self.setting.framing = Framing::Point(point),
+                None => self.frame(Framing::Along),
             }
         }
     }
@@ -219,6 +254,42 @@ impl Viewport {
     fn frame(&mut self, framing: Framing) {
         self.setting.framing = framing;
         self.setting.window = Window::default();
+        self.setting.held = None;
+    }
+
+    /// A hand holds something in the drawing: the window stays under it.
+    pub(crate) fn hold(&mut self, open_scene: &OpenScene) {
+        let point = match self.setting.framing {
+            Framing::Point(point) => open_scene.state().position(point),
+            Framing::Along | Framing::Motion | Framing::Pose => None,
+        };
+        let at = open_scene.at();
+        self.setting.held.get_or_insert(HeldWindow { at, point });
+    }
+
+    /// What was moved by hand stays where it was put; a point that is followed stays in its place there.
+    fn put(&mut self, open_scene: &OpenScene, window: Window) {
+        self.setting.window = window;
+        match self.setting.framing {
+            Framing::Point(_) => {}
+            Framing::Along | Framing::Motion | Framing::Pose => {
+                self.hold(open_scene);
+                self.let_go();
+            }
+        }
+    }
+
+    /// The hand has let go.
+    pub(crate) fn let_go(&mut self) {
+        if self.is_whole() || matches!(self.setting.framing, Framing::Point(_)) {
+            self.setting.held = None;
+        }
+    }
+
+    /// How much larger than at first the drawing is, unless it is as large: in words. (No line of the legend tells
+    /// it: such a line would move what was put under a pointer.)
+    pub(crate) fn enlarged(&self) -> Option<String> {
+        (!self.is_whole()).then(|| words().zoomed(&times(self.zoom())))
     }
 
     /// Whether the window is as it is at first.
@@ -232,33 +303,32 @@ impl Viewport {
     }
 
     /// Enlarges by so many steps; false at the end of what is sensible.
-    pub(crate) fn enlarge(&mut self, steps: i8) -> bool {
+    pub(crate) fn enlarge(&mut self, open_scene: &OpenScene, steps: i8) -> bool {
         let level = self.setting.window.level.saturating_add(steps);
         let possible = LEVELS.contains(&level);
         if possible {
-            self.setting.window.level = level;
+            let window = self.setting.window;
+            self.put(open_scene, Window { level, ..window });
         }
         possible
     }
 
-    /// The same about a place in the scene's frame, which all but stays where it is on the screen.
-    pub(crate) fn enlarge_at(&mut self, open_scene: &OpenScene, place: Vec2, steps: i8) -> bool {
+    /// The same about a place that is seen so far from the middle of the window: it all but stays where it is.
+    pub(crate) fn enlarge_at(
+        &mut self,
+        open_scene: &OpenScene,
+        from_middle: Vec2,
+        steps: i8,
+    ) -> bool {
         let before = self.zoom();
-        let middle = self.middle(open_scene);
-        let possible = self.enlarge(steps);
+        let possible = self.enlarge(open_scene, steps);
         if possible {
-            let shift = (place - middle) * (1.0 - before / self.zoom());
-            self.shift_to(open_scene, self.setting.window.shift + shift);
+            let by = from_middle * (1.0 - before / self.zoom());
+            let Window { level, shift } = self.setting.window;
+            let shift = if by.is_finite() { shift + by } else { shift };
+            self.put(open_scene, Window { level, shift });
         }
         possible
-    }
-
-    /// What lies in the middle of the window, whose size hardly matters for it.
-    fn middle(&self, open_scene: &OpenScene) -> Vec2 {
-        let (cols, rows) = PICTURE;
-        let reach = self.reach(open_scene, rows);
-        let view = self.view(open_scene, reach, (cols, rows), PICTURE_ASPECT);
-        view.world(Vec2::new(f64::from(cols), f64::from(rows)) * 0.5)
     }
 
     /// Moves the window by a step to the right and upwards, as far as there is something to see.
@@ -274,11 +344,20 @@ impl Viewport {
     /// Moves the window, as far as there is something to see; whether it moves.
     fn shift_to(&mut self, open_scene: &OpenScene, wanted: Vec2) -> bool {
         let size = open_scene.reach().bounds().size();
-        let within = |wanted: f64, size: f64| wanted.clamp(-size / 2.0, size / 2.0);
-        let shift = Vec2::new(within(wanted.x, size.x), within(wanted.y, size.y));
-        let moved = shift.is_finite() && shift != self.setting.window.shift;
+        // A place that was enlarged may lie farther out already.
+        let here = self.setting.window.shift;
+        let within = |wanted: f64, size: f64, here: f64| {
+            let most = (size / 2.0).max(here.abs());
+            wanted.clamp(-most, most)
+        };
+        let shift = Vec2::new(
+            within(wanted.x, size.x, here.x),
+            within(wanted.y, size.y, here.y),
+        );
+        let moved = shift.is_finite() && shift != here;
         if moved {
-            self.setting.window.shift = shift;
+            let window = self.setting.window;
+            self.put(open_scene, Window { shift, ..window });
         }
         moved
     }
@@ -324,6 +403,7 @@ impl Viewport {
             traces: points(Layer::Traces, drawing::usual_traces),
             velocities: points(Layer::Velocities, drawing::usual_arrows),
             accelerations: points(Layer::Accelerations, drawing::usual_arrows),
+            forces: self.setting.on.has(Layer::Forces),
             ghosts: if self.setting.on.has(Layer::Ghosts) {
                 GHOSTS
             } else {
@@ -332,17 +412,20 @@ impl Viewport {
         }
     }
 
-    /// The linkage as it is now, with all layers that are on.
-    pub(crate) fn figure(&self, open_scene: &OpenScene) -> Figure {
+    /// The linkage as it is now, with all layers that are on, and what is lit up in it.
+    pub(crate) fn figure(&self, open_scene: &OpenScene, lit: Option<Subject>) -> Figure {
         let layers = Layers {
             ground: self.setting.on.has(Layer::Guides),
             points: self.setting.names != ShownNames::None,
             links: self.setting.names == ShownNames::PointsAndLinks,
             centres: self.setting.on.has(Layer::Centres),
+            lit,
         };
         let (scene, state) = (open_scene.scene(), open_scene.state());
         let mut figure = drawing::linkage(scene, open_scene.reach(), state, layers);
-        self.overlay.add_to(&mut figure, scene, state, self.zoom());
+        let solver = open_scene.solver();
+        self.overlay
+            .add_to(&mut figure, scene, solver, state, self.zoom());
         figure
     }
 
@@ -360,7 +443,8 @@ impl Viewport {
         (cols, rows): (u16, u16),
         aspect: f64,
     ) -> WorldView {
-        let at = open_scene.at();
+        let held = self.setting.held;
+        let at = held.map_or(open_scene.at(), |held| held.at);
         let view = match self.setting.framing {
             Framing::Along if !self.is_of_the_whole() => {
                 WorldView::along(reach, at, cols, rows, aspect)
@@ -369,7 +453,8 @@ impl Viewport {
             Framing::Pose => WorldView::pose(reach, at, cols, rows, aspect),
             Framing::Point(point) => {
                 let whole = WorldView::fit(reach, cols, rows, aspect);
-                match open_scene.state().position(point) {
+                let here = held.and_then(|held| held.point);
+                match here.or_else(|| open_scene.state().position(point)) {
                     Some(place) => whole.centred_on(place),
                     None => whole,
                 }
@@ -389,9 +474,6 @@ impl Viewport {
     pub(crate) fn legend(&self, view: &WorldView) -> Vec<LegendEntry> {
         let mut entries = self.overlay.legend(view, self.zoom());
         let note = |text: &str| LegendEntry::Note(text.to_owned());
-        if !self.is_whole() {
-            entries.push(LegendEntry::Note(words().zoomed(&times(self.zoom()))));
-        }
         if self.setting.on.has(Layer::Traces) {
             entries.push(note(&self.traced));
         }
@@ -408,12 +490,16 @@ impl Viewport {
     pub(crate) fn svg(&self, open_scene: &OpenScene) -> String {
         let (cols, most) = PICTURE;
         let reach = self.reach(open_scene, most);
-        let snug = WorldView::snug(reach, cols, most, PICTURE_ASPECT);
-        let size = (snug.cols(), snug.rows());
-        let view = self.view(open_scene, reach, size, PICTURE_ASPECT);
+        let of_rows = |rows| self.view(open_scene, reach, (cols, rows), PICTURE_ASPECT);
+        let view = WorldView::snug(most, of_rows);
         let at = open_scene.driver_range().on_grid(open_scene.at());
         let title = words().drawing_of(&open_scene.scene().name, &at, open_scene.unit());
-        drawing::svg(&self.figure(open_scene), &view, &title, &self.legend(&view))
+        drawing::svg(
+            &self.figure(open_scene, None),
+            &view,
+            &title,
+            &self.legend(&view),
+        )
     }
 }
 

@@ -81,6 +81,11 @@ impl Plots {
         let outcome = match sampled(open_scene.scene(), open_scene.solver(), &names, &self.along) {
             Ok(curves) => {
                 let plot = Plot::of(&curves);
+                // Beside those of another scene hues tell the scenes apart.
+                let plot = match compared {
+                    Some(_) => plot,
+                    None => plot.in_hues_of(&open_scene.scene().mechanism, &curves),
+                };
                 SamplingOutcome::Plot(Box::new(curves), plot)
             }
             Err(why) => SamplingOutcome::Nothing(why),

@@ -1,14 +1,13 @@
 //! The list in which is chosen what is plotted.
 
-use crate::quantity::Catalogue;
+use crate::quantity::{Catalogue, Quantity, Subject};
 use crate::scene::Scene;
 use crate::tui::commands::line::EditLine;
 
 /// All quantities of a scene, narrowed by what is searched for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct PlotList {
-    /// Names and units.
-    all: Vec<(String, String)>,
+    all: Vec<Quantity>,
     /// Those that are listed, by their place among all.
     found: Vec<usize>,
     cursor: usize,
@@ -19,9 +18,8 @@ pub(crate) struct PlotList {
 impl PlotList {
     /// The quantities of a scene, with the cursor on the first of those for which `is_chosen` holds.
     pub(crate) fn new(scene: &Scene, is_chosen: impl Fn(&str) -> bool) -> Self {
-        let figures = Catalogue::new(scene).figures().into_iter();
-        let all: Vec<_> = figures.map(|q| (q.name, q.unit)).collect();
-        let cursor = all.iter().position(|(name, _)| is_chosen(name));
+        let all = Catalogue::new(scene).figures();
+        let cursor = all.iter().position(|q| is_chosen(&q.name));
         PlotList {
             found: (0..all.len()).collect(),
             cursor: cursor.unwrap_or(0),
@@ -34,7 +32,7 @@ impl PlotList {
     /// Names and units of what is listed.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&str, &str)> {
         let rows = self.found.iter().filter_map(|&i| self.all.get(i));
-        rows.map(|(name, unit)| (name.as_str(), unit.as_str()))
+        rows.map(|q| (q.name.as_str(), q.unit.as_str()))
     }
 
     /// How many are listed, and of how many.
@@ -49,6 +47,12 @@ impl PlotList {
     /// The name under the cursor.
     pub(crate) fn current(&self) -> Option<&str> {
         self.rows().nth(self.cursor).map(|(name, _)| name)
+    }
+
+    /// What the quantity under the cursor is about.
+    pub(crate) fn subject(&self) -> Option<Subject> {
+        let current = self.all.get(*self.found.get(self.cursor)?)?;
+        Some(current.subject)
     }
 
     /// What is searched for, and whether keys are typed into it; `None` where nothing is.
@@ -86,8 +90,8 @@ impl PlotList {
     /// alike.
     pub(crate) fn narrow(&mut self) {
         let text = self.search.text().to_ascii_lowercase();
-        let fits = |(name, unit): &(String, String)| {
-            let row = format!("{name} {unit}").to_ascii_lowercase();
+        let fits = |q: &Quantity| {
+            let row = format!("{} {}", q.name, q.unit).to_ascii_lowercase();
             text.split_whitespace().all(|word| row.contains(word))
         };
         let current = self.found.get(self.cursor).copied();

@@ -12,7 +12,7 @@ pub(crate) mod list;
 use super::pane::{Copied, Need, Pane, PaneSpot};
 use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
 use crate::drawing::plot::{Plot, PlotStyle};
-use crate::quantity::Abscissa;
+use crate::quantity::{Abscissa, Subject};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, PlotsAction};
@@ -28,6 +28,8 @@ const LIST: u16 = 30;
 const BOTH: u16 = 70;
 /// Rows of the list's heading.
 const HEAD: u16 = 1;
+/// Where the mark of a row says that it is chosen.
+const MARKED: usize = 3;
 /// Longer names are cut.
 const NAME: u16 = 16;
 
@@ -76,6 +78,13 @@ impl Pane for PlotsView {
 
     fn view(&self) -> View {
         View::Plots
+    }
+
+    fn subject(&self, app: &App) -> Option<Subject> {
+        match app.mode() {
+            Mode::PlotList(list) => list.subject(),
+            _ => None,
+        }
     }
 
     fn about(&self) -> &'static str {
@@ -312,6 +321,19 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
             (false, false) => "  [ ] ",
         };
         let x = print(buffer, rows.x, y, rows.width, mark, part(ScreenPart::Text));
+        let plot = app.plots().plot().ok();
+        if let Some(role) = plot.and_then(|plot| plot.role_of(name)) {
+            // The mark between the brackets is of the curve's hue.
+            let sign = &mark[MARKED..=MARKED];
+            print(
+                buffer,
+                rows.x + columns(&mark[..MARKED]),
+                y,
+                1,
+                sign,
+                theme::role(role),
+            );
+        }
         let room = rows.right().saturating_sub(x);
         let name = shown(&cut(name, usize::from(NAME.min(room))), app.glyphs());
         print(buffer, x, y, room, &name, part(ScreenPart::Name));

@@ -1,0 +1,140 @@
+//! How a terminal is sent a still picture, judged from the environment too.
+
+use super::{Detected, Judgement, TerminalKind, found};
+use crate::wording::words;
+
+/// A way in which terminals take pictures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PictureProtocol {
+    /// That of kitty.
+    Kitty,
+    /// That of iTerm2.
+    Iterm,
+    /// Sixels, as the VT340 had them.
+    Sixel,
+}
+
+/// How pictures are to be sent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum PictureChoice {
+    /// As the environment says.
+    #[default]
+    Auto,
+    /// In this way.
+    By(PictureProtocol),
+    /// Not at all.
+    Never,
+}
+
+impl PictureChoice {
+    /// All of them.
+    pub const ALL: [PictureChoice; 5] = [
+        PictureChoice::Auto,
+        PictureChoice::By(PictureProtocol::Kitty),
+        PictureChoice::By(PictureProtocol::Iterm),
+        PictureChoice::By(PictureProtocol::Sixel),
+        PictureChoice::Never,
+    ];
+
+    /// As the options and the configuration name it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            PictureChoice::Auto => "auto",
+            PictureChoice::By(PictureProtocol::Kitty) => "kitty",
+            PictureChoice::By(PictureProtocol::Iterm) => "iterm",
+            PictureChoice::By(PictureProtocol::Sixel) => "sixel",
+            PictureChoice::Never => "none",
+        }
+    }
+}
+
+/// Emulators by how their TERM, or their TERM_PROGRAM, begins.
+const TERMS: [(&str, PictureProtocol); 6] = [
+    ("xterm-kitty", PictureProtocol::Kitty),
+    ("xterm-ghostty", PictureProtocol::Kitty),
+    ("foot", PictureProtocol::Sixel),
+    ("mlterm", PictureProtocol::Sixel),
+    ("contour", PictureProtocol::Sixel),
+    ("wezterm", PictureProtocol::Iterm),
+];
+const PROGRAMS: [(&str, PictureProtocol); 5] = [
+    ("iTerm", PictureProtocol::Iterm),
+    ("WezTerm", PictureProtocol::Iterm),
+    ("ghostty", PictureProtocol::Kitty),
+    ("kitty", PictureProtocol::Kitty),
+    ("mintty", PictureProtocol::Sixel),
+];
+
+impl Judgement {
+    /// How pictures are sent: as is wished, or as the environment says for certain.
+    pub(crate) fn pictures(&self, wish: PictureChoice) -> Detected<Option<PictureProtocol>> {
+        match wish {
+            PictureChoice::By(protocol) => found(Some(protocol), words().pictures_asked_for()),
+            PictureChoice::Never => found(None, words().pictures_unwanted()),
+            PictureChoice::Auto => self.pictures_of_terminal(),
+        }
+    }
+
+    fn pictures_of_terminal(&self) -> Detected<Option<PictureProtocol>> {
+        let term = &self.term;
+        if self.kind() != TerminalKind::Emulator {
+            return found(None, words().no_pictures_there(term));
+        }
+        // What a multiplexer hands on of the terminal behind it may be that of another session.
+        let multiplexed = ["screen", "tmux"].iter().any(|m| term.starts_with(m));
+        if self.multiplexed || multiplexed {
+            return found(None, words().pictures_behind_multiplexer());
+        }
+        if let Some((_, protocol)) = TERMS.iter().find(|(begin, _)| term.starts_with(begin)) {
+            return found(Some(*protocol), format!("TERM={term}"));
+        }
+        let program = self.program.as_deref().unwrap_or_default();
+        if let Some((_, protocol)) = PROGRAMS
+            .iter()
+            .find(|(begin, _)| program.starts_with(begin))
+        {
+            return found(Some(*protocol), format!("TERM_PROGRAM={program}"));
+        }
+        if self.in_kitty {
+            return found(Some(PictureProtocol::Kitty), "KITTY_WINDOW_ID");
+        }
+        found(None, words().pictures_unknown(term))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn judged(environment: &[(&str, &str)], wish: PictureChoice) -> Option<PictureProtocol> {
+        let judgement = Judgement::of(|name| {
+            let found = environment.iter().find(|(n, _)| *n == name);
+            found.map(|(_, value)| (*value).to_owned())
+        });
+        judgement.pictures(wish).value
+    }
+
+    /// A terminal that is sent what it does not know shows it as pages of letters.
+    #[test]
+    fn pictures_are_sent_only_where_the_environment_is_certain_or_somebody_asks() {
+        use PictureProtocol::{Iterm, Kitty, Sixel};
+        let xterm = ("TERM", "xterm-256color");
+        for (environment, protocol) in [
+            (&[("TERM", "xterm-kitty")][..], Some(Kitty)),
+            (&[xterm, ("KITTY_WINDOW_ID", "1")], Some(Kitty)),
+            (&[xterm, ("TERM_PROGRAM", "iTerm.app")], Some(Iterm)),
+            (&[("TERM", "foot-extra")], Some(Sixel)),
+            (&[xterm], None),
+            (&[("TERM", "linux"), ("KITTY_WINDOW_ID", "1")], None),
+            (&[("TERM", "tmux-256color"), ("KITTY_WINDOW_ID", "1")], None),
+            (&[("TERM", "xterm-kitty"), ("TMUX", "/tmp/tmux")], None),
+            (&[], None),
+        ] {
+            let of = |wish| judged(environment, wish);
+            assert_eq!(of(PictureChoice::Auto), protocol, "{environment:?}");
+            assert_eq!(of(PictureChoice::By(Sixel)), Some(Sixel));
+            assert_eq!(of(PictureChoice::Never), None);
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! A turn in characters and colours, as asciinema plays it: an asciicast of version 2, in 7 bits and without a time
+//! stamp, so that the same scene gives the same bytes.
+
+use super::turn::{self, RATE};
+use super::{DrawFormat, DrawnScene};
+use crate::cli::args::Size;
+use crate::cli::failure::Failure;
+use crate::cli::picture::USUAL;
+use crate::drawing::{self, CharCell, Glyphs, Hue, Raster, Role, is_bold};
+use crate::scene::sanitized;
+use crate::wording::Words;
+use std::fmt::Write as _;
+
+pub(super) static FORMAT: DrawFormat = DrawFormat {
+    name: "cast",
+    about: <dyn Words>::format_cast,
+    write,
+};
+
+fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
+    let size @ Size { cols, rows } = drawn.args.size.unwrap_or(USUAL);
+    let title = json(&sanitized(&drawn.title(), false));
+    let mut cast =
+        format!("{{\"version\": 2, \"width\": {cols}, \"height\": {rows}, \"title\": {title}}}\n");
+    let view = drawn.whole_view(size);
+    // Whoever plays it has a player for it, and fonts: nothing follows from where it was written.
+    let glyphs = drawn.args.glyphs.asked().unwrap_or(Glyphs::Braille);
+    let places = turn::places(drawn);
+    let settled = drawn.settled_labels(&places, &view);
+    let (mut labels, mut state) = (settled.clone(), drawn.solver.state());
+    let mut before = Raster::new();
+    for (k, &at) in places.iter().enumerate() {
+        if k + 1 == places.len() {
+            // It is the first one again, whatever the names have met on the way.
+            labels.clone_from(&settled);
+        }
+        let figure = drawn.figure_at(at, &mut state);
+        let mut raster = Raster::new();
+        drawing::render_into(&figure, &view, glyphs, &mut labels, &mut raster);
+        let seconds = k as f64 / f64::from(RATE);
+        let frame = json(&changed(&before, &raster));
+        let _ = writeln!(cast, "[{seconds:.3}, \"o\", {frame}]");
+        before = raster;
+    }
+    Ok(cast.into_bytes())
+}
+
+/// What makes the one picture the other, row by row; all of it where there was none.
+fn changed(before: &Raster, now: &Raster) -> String {
+    let mut text = String::new();
+    if before.rows() == 0 {
+        // The cursor would be seen at the end of the last row.
+        text.push_str("\x1b[?25l\x1b[2J");
+    }
+    let lines = now.lines().enumerate();
+    for (row, line) in lines.filter(|(row, line)| before.lines().nth(*row) != Some(*line)) {
+        let _ = write!(text, "\x1b[{};1H", row + 1);
+        let end = line.iter().rposition(|cell| *cell != CharCell::EMPTY);
+        let mut in_force = PLAIN.to_owned();
+        for cell in &line[..end.map_or(0, |end| end + 1)] {
+            let wanted = colours(cell.role);
+            if wanted != in_force && cell.glyph != ' ' {
+                let _ = write!(text, "\x1b[{wanted}m");
+                in_force = wanted;
+            }
+            text.push(cell.glyph);
+        }
+        if in_force != PLAIN {
+            let _ = write!(text, "\x1b[{PLAIN}m");
+        }
+        text.push_str("\x1b[K");
+    }
+    text
+}
+
+const PLAIN: &str = "0";
+
+/// Hues that read on black and on white, as the workbench has them where it knows no ground: nobody knows where it
+/// is played.
+fn colours(role: Role) -> String {
+    let bold = if is_bold(role) { ";1" } else { "" };
+    match Hue::of(role) {
+        Some(hue) => format!("{PLAIN}{bold};38;5;{}", hue.on_any_ground()),
+        None => format!("{PLAIN}{bold}"),
+    }
+}
+
+/// A text as JSON has it, in 7 bits.
+fn json(text: &str) -> String {
+    let mut quoted = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => quoted.push_str("\\\""),
+            '\\' => quoted.push_str("\\\\"),
+            ' '..='~' => quoted.push(c),
+            _ => {
+                for unit in c.encode_utf16(&mut [0; 2]) {
+                    let _ = write!(quoted, "\\u{unit:04x}");
+                }
+            }
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_are_quoted_in_seven_bits() {
+        assert_eq!(json("a\"b\\\u{1b}[K"), r#""a\"b\\\u001b[K""#);
+        assert_eq!(
+            json("\u{2801}\u{1fb00}\u{7f}"),
+            r#""\u2801\ud83e\udf00\u007f""#
+        );
+    }
+}

@@ -1,0 +1,93 @@
+//! A motion as it is watched: one period, or there and back between its ends.
+
+use super::DrawnScene;
+use crate::angle::TURN;
+use crate::solver::Range;
+use std::f64::consts::TAU;
+
+/// Pictures in a second: enough to follow, and few enough for a file.
+pub(super) const RATE: u16 = 15;
+
+/// Where the driver stands in each picture; at the end as at the beginning. It begins at the place that is drawn,
+/// and goes calmly: how fast the mechanism is meant to run tells no eye anything.
+pub(super) fn places(drawn: &DrawnScene<'_>) -> Vec<f64> {
+    let pictures = u32::from(drawn.args.seconds) * u32::from(RATE);
+    places_over(drawn.solver.motion().range, drawn.state.at(), pictures)
+}
+
+fn places_over(range: Range, from: f64, pictures: u32) -> Vec<f64> {
+    let mut places: Vec<f64> = match range {
+        Range::Full { period } => {
+            // A turn takes as long whether or not the motion repeats after one.
+            let turns = (period / TURN).round().max(1.0);
+            let along = |share| from + share * period;
+            shares(turns * f64::from(pictures)).map(along).collect()
+        }
+        Range::Limited { low, high } => {
+            // As a crank would push it: slowly at the ends, where it turns round.
+            let half = (high - low) / 2.0;
+            let begun = ((low + half - from) / half).clamp(-1.0, 1.0).acos();
+            let begun = if begun.is_finite() { begun } else { 0.0 };
+            let along = |share: f64| low + half - half * (begun + TAU * share).cos();
+            let along = |share| along(share).clamp(low, high);
+            shares(f64::from(pictures)).map(along).collect()
+        }
+    };
+    places[0] = from;
+    places.push(from);
+    places
+}
+
+/// So many parts of a whole, each by what lies before it.
+fn shares(count: f64) -> impl Iterator<Item = f64> {
+    let numbers = (0..u32::MAX).map(f64::from);
+    numbers
+        .map(move |k| k / count)
+        .take_while(|share| *share < 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What is played in a circle must not jump where it begins again.
+    #[test]
+    fn a_turn_ends_where_it_began_and_never_jumps() {
+        for (range, from, count, step) in [
+            (Range::Full { period: 360.0 }, 60.0, 91, 4.0),
+            (Range::Full { period: 720.0 }, 60.0, 181, 4.0),
+            (Range::Full { period: 1080.0 }, 60.0, 271, 4.0),
+            (
+                Range::Limited {
+                    low: -30.0,
+                    high: 50.0,
+                },
+                10.0,
+                91,
+                2.8,
+            ),
+            (
+                Range::Limited {
+                    low: -30.0,
+                    high: 50.0,
+                },
+                50.0,
+                91,
+                2.8,
+            ),
+        ] {
+            let places = places_over(range, from, 90);
+            assert_eq!(places.len(), count);
+            assert_eq!([places[0], places[count - 1]], [from, from]);
+            if let Range::Limited { low, high } = range {
+                assert!(places.iter().all(|at| (low..=high).contains(at)));
+                let least = places.iter().copied().fold(f64::INFINITY, f64::min);
+                let most = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                assert!(least < low + 0.1 && most > high - 0.1, "{least} to {most}");
+            }
+            let apart = |pair: &[f64]| (pair[1] - pair[0]).abs();
+            let mut steps = places[..count - 1].windows(2);
+            assert!(steps.all(|pair| apart(pair) <= step + 1e-9), "{places:?}");
+        }
+    }
+}

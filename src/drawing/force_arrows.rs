@@ -1,0 +1,381 @@
+//! What acts on the linkage, as arrows with their sizes: loads, what joints and guides bear, and what the driver does.
+//!
+//! A force that is withheld, or that equilibrium leaves open, has none. Where a pin joins two bodies and nothing acts on
+//! it, one force stands for both: that on the link that comes first.
+
+use super::bounds::Bounds;
+use super::figure::{Figure, Role, Shape};
+use super::legend::LegendEntry;
+use super::overlay::{course, has_rates};
+use super::reach::Reach;
+use super::scale::{self, ArrowScale};
+use super::view::WorldView;
+use crate::scene::Scene;
+use crate::solver::{Order, Solver, State};
+use crate::{Body, Input, Load, Mechanism, PointId, Vec2};
+
+/// Arrows of forces, if they are shown.
+#[derive(Clone, Debug, Default)]
+pub(super) struct ForceArrows {
+    /// Of newtons.
+    scale: Option<ArrowScale>,
+}
+
+/// A smaller part of the longest arrow is too short to tell its size.
+const TELLING: f64 = 0.05;
+
+/// What acts at a state.
+#[derive(Default)]
+struct Found {
+    /// Where, and in N.
+    forces: Vec<(Vec2, Vec2)>,
+    /// About which place, and in N m, counter-clockwise.
+    moments: Vec<(Vec2, f64)>,
+}
+
+impl ForceArrows {
+    /// To one scale over the whole motion; `tips` grows by where they come to.
+    pub(super) fn of(
+        scene: &Scene,
+        solver: &Solver,
+        reach: &Reach,
+        tips: &mut Vec<(f64, Bounds)>,
+    ) -> ForceArrows {
+        let mut state = solver.state();
+        let mut all: Vec<(f64, Vec2, Vec2)> = Vec::new();
+        for at in course(scene, solver) {
+            if has_rates(solver.solve(at, Order::Force, &mut state)) {
+                let forces = found(&scene.mechanism, solver, &state).forces;
+                all.extend(forces.into_iter().map(|(from, force)| (at, from, force)));
+            }
+        }
+        let sizes = all.iter().map(|(.., force)| force.norm());
+        let scale = ArrowScale::of(sizes, scale::longest(reach));
+        for &(at, from, force) in &all {
+            let mut tip = Bounds::default();
+            tip.include(scale.tip(from, force, 1.0).0);
+            tips.push((at, tip));
+        }
+        ForceArrows { scale: Some(scale) }
+    }
+
+    /// Adds those of a state that was solved to its forces.
+    pub(super) fn add_to(
+        &self,
+        figure: &mut Figure,
+        scene: &Scene,
+        solver: &Solver,
+        state: &State,
+        zoom: f64,
+    ) {
+        let Some(scale) = self.scale else { return };
+        let role = Role::Force;
+        let Found { forces, moments } = found(&scene.mechanism, solver, state);
+        for (from, force) in forces {
+            let (to, cut) = scale.tip(from, force, zoom);
+            figure.add(Shape::Arrow {
+                from,
+                to,
+                role,
+                cut,
+            });
+            if force.norm() >= TELLING * scale.most() {
+                let text = format!("{} N", rounded(force.norm()));
+                let at = to;
+                figure.add(Shape::Label { at, text, role });
+            }
+        }
+        for (at, moment) in moments.into_iter().filter(|(_, moment)| *moment != 0.0) {
+            let is_left = moment > 0.0;
+            figure.add(Shape::Moment { at, is_left });
+            let text = format!("{} N m", rounded(moment.abs()));
+            figure.add(Shape::Label { at, text, role });
+        }
+    }
+
+    /// What the arrows mean on a drawing with this window.
+    pub(super) fn legend(&self, view: &WorldView, zoom: f64) -> Option<LegendEntry> {
+        let scale = self.scale.filter(|scale| scale.most() > 0.0)?;
+        let cells = view.cells_along(scale.per(zoom));
+        Some(LegendEntry::arrow(Role::Force, "F", "N", cells))
+    }
+}
+
+/// What acts at a state, as far as it is known.
+fn found(mechanism: &Mechanism, solver: &Solver, state: &State) -> Found {
+    let mut found = Found::default();
+    joints(mechanism, state, &mut found);
+    guides(mechanism, state, &mut found);
+    drive(mechanism, state, &mut found);
+    loads(mechanism, solver, state, &mut found);
+    found.forces.retain(|(_, force)| force.is_finite());
+    found
+}
+
+fn joints(mechanism: &Mechanism, state: &State, found: &mut Found) {
+    for link in mechanism.link_ids() {
+        for point in mechanism.pins(link) {
+            let is_told = match mechanism.partner(link, point) {
+                Some(Body::Link(other)) => link < other,
+                Some(Body::Ground) | None => true,
+            };
+            let force = state.joint_force(link, point).filter(|_| is_told);
+            found.forces.extend(state.position(point).zip(force));
+        }
+    }
+}
+
+fn guides(mechanism: &Mechanism, state: &State, found: &mut Found) {
+    for (id, slide) in mechanism.slide_ids().zip(mechanism.slides()) {
+        if let (Some(normal), Some(travel)) = (state.normal(id), state.travel(id)) {
+            let at = state.position(slide.slider.point());
+            let force = travel.guide.perp() * normal;
+            found.forces.extend(at.map(|at| (at, force)));
+        }
+    }
+}
+
+/// What the driver does: about its pivot, or along its guide.
+fn drive(mechanism: &Mechanism, state: &State, found: &mut Found) {
+    let Some(drive) = state.drive() else { return };
+    match mechanism.driver().input {
+        Input::Turn(link) => {
+            let members = mechanism.link(link).members.iter();
+            let pivot = members
+                .map(|m| m.point)
+                .find(|&point| is_fixed(mechanism, point));
+            let at = pivot.and_then(|point| state.position(point));
+            found.moments.extend(at.map(|at| (at, drive)));
+        }
+        Input::Push(slide) => {
+            let at = state.position(mechanism.slide(slide).slider.point());
+            let guide = state.travel(slide).map(|travel| travel.guide * drive);
+            found.forces.extend(at.zip(guide));
+        }
+    }
+}
+
+fn is_fixed(mechanism: &Mechanism, point: PointId) -> bool {
+    mechanism.point(point).ground.is_some()
+}
+
+/// A spring is drawn as one, and pulls at both ends alike.
+fn loads(mechanism: &Mechanism, solver: &Solver, state: &State, found: &mut Found) {
+    for (load, acted) in mechanism.loads().iter().zip(solver.acted(state)) {
+        if matches!(load, Load::Spring { .. }) {
+            continue;
+        }
+        for (point, force) in acted.forces {
+            found
+                .forces
+                .extend(state.position(point).map(|at| (at, force)));
+        }
+        if let Some((link, couple)) = acted.couple {
+            let members = &mechanism.link(link).members;
+            let places: Option<Vec<Vec2>> =
+                members.iter().map(|m| state.position(m.point)).collect();
+            let middle = places.filter(|places| !places.is_empty()).map(|places| {
+                let sum = places.iter().fold(Vec2::ZERO, |sum, &at| sum + at);
+                sum / places.len() as f64
+            });
+            found.moments.extend(middle.map(|at| (at, couple)));
+        }
+    }
+}
+
+/// Three digits, as far as these stand behind the point.
+fn rounded(size: f64) -> String {
+    if !(1e-3..1e7).contains(&size) {
+        return format!("{size:.2e}");
+    }
+    let decimals = match size {
+        100.0.. => 0,
+        10.0.. => 1,
+        1.0.. => 2,
+        _ => 4,
+    };
+    format!("{size:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Glyphs, Layers, Overlay, Raster, Wanted, linkage, render};
+    use crate::scene::presets;
+    use crate::solver::falsified;
+
+    struct Stage {
+        scene: Scene,
+        solver: Solver,
+        reach: Reach,
+        overlay: Overlay,
+    }
+
+    impl Stage {
+        fn of(text: &str) -> Stage {
+            let scene = Scene::parse(text, "test").unwrap();
+            let solver = Solver::new(&scene.mechanism).unwrap();
+            let reach = Reach::of(&scene, &solver);
+            let wanted = Wanted {
+                forces: true,
+                ..Wanted::default()
+            };
+            let overlay = Overlay::of(&scene, &solver, &reach, &wanted);
+            Stage {
+                scene,
+                solver,
+                reach,
+                overlay,
+            }
+        }
+
+        fn preset(name: &str) -> Stage {
+            Stage::of(presets::find(name).unwrap().text)
+        }
+
+        fn state(&self, at: f64) -> State {
+            let mut state = self.solver.state();
+            let _ = self.solver.solve(at, Order::Force, &mut state);
+            state.into_state()
+        }
+
+        /// What is added to the figure of the linkage.
+        fn added(&self, state: &State) -> Vec<Shape> {
+            let mut figure = Figure::new();
+            let (scene, solver) = (&self.scene, &self.solver);
+            self.overlay.add_to(&mut figure, scene, solver, state, 1.0);
+            figure.shapes().to_vec()
+        }
+    }
+
+    fn arrows(shapes: &[Shape]) -> Vec<(Vec2, Vec2)> {
+        let arrow = |shape: &Shape| match *shape {
+            Shape::Arrow { from, to, cut, .. } => (!cut).then_some((from, to)),
+            _ => None,
+        };
+        shapes.iter().filter_map(arrow).collect()
+    }
+
+    fn size(shape: &Shape) -> Option<&str> {
+        match shape {
+            Shape::Label { text, .. } => Some(text),
+            _ => None,
+        }
+    }
+
+    fn sizes(shapes: &[Shape]) -> Vec<&str> {
+        shapes.iter().filter_map(size).collect()
+    }
+
+    /// One arrow for each pin and for the load, each as long as its force in the scale of all and along it.
+    #[test]
+    fn arrows_are_the_forces_of_the_state_to_one_scale() {
+        let stage = Stage::preset("four-bar-load");
+        let state = stage.state(60.0);
+        let shapes = stage.added(&state);
+        let arrows = arrows(&shapes);
+        assert_eq!(arrows.len(), 5, "{shapes:?}");
+        let mechanism = &stage.scene.mechanism;
+        let mut scales = Vec::new();
+        for link in mechanism.link_ids() {
+            for point in mechanism.pins(link) {
+                let at = state.position(point).unwrap();
+                let force = state.joint_force(link, point).unwrap();
+                let (from, to) = arrows
+                    .iter()
+                    .find(|(from, _)| (*from - at).norm() < 1e-9)
+                    .unwrap();
+                let arrow = *to - *from;
+                assert!(arrow.cross(force).abs() < 1e-9 * arrow.norm() * force.norm());
+                scales.push(arrow.norm() / force.norm());
+            }
+        }
+        let load = arrows.last().map(|(from, to)| *to - *from).unwrap();
+        assert!(load.x.abs() < 1e-9 && load.y < 0.0, "{load:?}");
+        scales.push(load.norm() / 500.0);
+        let spread = scales.iter().map(|s| (s / scales[0] - 1.0).abs());
+        assert!(spread.fold(0.0, f64::max) < 1e-9, "{scales:?}");
+        let told = sizes(&shapes);
+        assert!(
+            told.contains(&"500 N") && told.contains(&"6.45 N m"),
+            "{told:?}"
+        );
+    }
+
+    #[test]
+    fn a_torque_turns_its_way_around_its_link() {
+        let text = presets::find("four-bar").unwrap().text;
+        for (torque, left) in [("5", true), ("-5", false)] {
+            let load = format!("{text}\n[[loads]]\nlink = \"r4\"\ntorque = {torque}\n");
+            let stage = Stage::of(&load);
+            let shapes = stage.added(&stage.state(60.0));
+            let turns =
+                |shape: &&Shape| matches!(shape, Shape::Moment { is_left, .. } if *is_left == left);
+            assert!(shapes.iter().any(|shape| turns(&shape)), "{shapes:?}");
+            assert!(sizes(&shapes).contains(&"5.00 N m"), "{shapes:?}");
+        }
+    }
+
+    /// Of forces that are withheld none is drawn; what the scene gives stands as ever.
+    #[test]
+    fn what_is_withheld_has_no_arrow() {
+        let stage = falsified(true, || Stage::preset("four-bar-load"));
+        let state = stage.state(61.0);
+        assert!(state.withheld().is_some());
+        let shapes = stage.added(&state);
+        assert_eq!(sizes(&shapes), ["500 N"], "{shapes:?}");
+        let nothing = Stage::preset("four-bar");
+        assert!(nothing.added(&nothing.state(60.0)).is_empty());
+    }
+
+    /// Sizes take the room that is left: every bar, pin and arrow head that is seen without them is seen with them.
+    #[test]
+    fn sizes_cover_no_bar_and_no_pin() {
+        let is_size = |shape: &Shape| {
+            matches!(
+                shape,
+                Shape::Label {
+                    role: Role::Force,
+                    ..
+                }
+            )
+        };
+        let mut written = 0;
+        for preset in presets::all() {
+            let stage = Stage::of(preset.text);
+            let at = stage.scene.mechanism.driver().start;
+            let state = stage.state(at);
+            let mut figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+            let (scene, solver) = (&stage.scene, &stage.solver);
+            stage
+                .overlay
+                .add_to(&mut figure, scene, solver, &state, 1.0);
+            let mut bare = Figure::new();
+            let kept = figure.shapes().iter().filter(|shape| !is_size(shape));
+            kept.for_each(|shape| bare.add(shape.clone()));
+            let reach = stage.overlay.reach(&stage.reach).unwrap_or(stage.reach);
+            for (cols, rows) in [(46, 18), (80, 24), (120, 40)] {
+                let view = WorldView::fit(&reach, cols, rows, 2.0);
+                let [with, without] =
+                    [&figure, &bare].map(|figure| render(figure, &view, Glyphs::Ascii));
+                let count = |raster: &Raster, is: &dyn Fn(Role) -> bool| {
+                    let cells = raster.lines().flatten();
+                    cells.filter(|cell| is(cell.role)).count()
+                };
+                let parts = |role: Role| {
+                    let is_mark = matches!(role, Role::Joint | Role::GroundPin | Role::Slider);
+                    role.is_body() || is_mark || role == Role::Label
+                };
+                let name = preset.name;
+                assert_eq!(
+                    count(&with, &parts),
+                    count(&without, &parts),
+                    "{name} {cols}"
+                );
+                let forces = |role| role == Role::Force;
+                written += count(&with, &forces) - count(&without, &forces);
+            }
+        }
+        assert!(written > 300, "{written}");
+    }
+}

@@ -1,0 +1,82 @@
+//! The linkage where it is not: in another assembly, elsewhere in its motion, before an edit, or another one.
+
+use super::figure::{Figure, Role};
+use super::outline::{self, Corner};
+use super::roles::roles;
+use crate::Member;
+use crate::scene::Scene;
+use crate::solver::{Condition, State};
+
+/// Adds the links that are elsewhere in another state of the same scene, to be drawn below everything.
+pub fn add_ghost(figure: &mut Figure, scene: &Scene, now: &State, other: &State) {
+    add_moved(figure, scene, now, other, Role::Ghost);
+}
+
+/// Adds the links that are elsewhere in another state, as this role.
+pub(super) fn add_moved(
+    figure: &mut Figure,
+    scene: &Scene,
+    now: &State,
+    other: &State,
+    role: Role,
+) {
+    let (now, other) = (now.known(), other.known());
+    let mechanism = &scene.mechanism;
+    let points = || mechanism.point_ids();
+    let size = points()
+        .map(|p| now.position(p).norm())
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let moved = |m: &Member| (now.position(m.point) - other.position(m.point)).norm() > SEEN * size;
+    let roles = roles(mechanism);
+    for link in mechanism.links() {
+        let solid = || link.members.iter().filter(|m| link.com != Some(m.point));
+        if !solid().any(moved) {
+            continue;
+        }
+        let corner = |m: &Member| Corner {
+            at: other.position(m.point),
+            block: roles[m.point.index()] == Role::Slider,
+        };
+        outline::draw(figure, &solid().map(corner).collect::<Vec<_>>(), role, None);
+    }
+}
+
+/// Adds what an edit has moved, as it was before it, to be drawn below everything: the scene and its state now, and
+/// before. Where the edit has made other points, all links are shown.
+pub fn add_before(figure: &mut Figure, now: (&Scene, &State), before: (&Scene, &State)) {
+    let points = |scene: &Scene| scene.mechanism.points().len();
+    let is_alike = now.0.unit == before.0.unit && points(now.0) == points(before.0);
+    if is_alike && before.1.condition() != Condition::NoAssembly {
+        add_ghost(figure, before.0, now.1, before.1);
+    } else {
+        add_other(
+            figure,
+            before.0,
+            before.1,
+            before.0.unit.in_units_of(now.0.unit),
+        );
+    }
+}
+
+/// Adds the links of another scene, to be drawn below everything. `scale` is how many units of the
+/// figure one of the other's is; where it has no assembly, nothing is added.
+pub fn add_other(figure: &mut Figure, scene: &Scene, state: &State, scale: f64) {
+    if state.condition() == Condition::NoAssembly {
+        return;
+    }
+    let state = state.known();
+    let mechanism = &scene.mechanism;
+    let roles = roles(mechanism);
+    for link in mechanism.links() {
+        let solid = link.members.iter().filter(|m| link.com != Some(m.point));
+        let corner = |m: &Member| Corner {
+            at: state.position(m.point) * scale,
+            block: roles[m.point.index()] == Role::Slider,
+        };
+        let corners: Vec<Corner> = solid.map(corner).collect();
+        outline::draw(figure, &corners, Role::Ghost, None);
+    }
+}
+
+/// What differs by less than this part of the largest coordinate is in the same place to any eye.
+const SEEN: f64 = 1e-6;

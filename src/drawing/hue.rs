@@ -1,0 +1,118 @@
+//! The hues of a drawing, and what is drawn in which: one table for every terminal, and for what is played in one.
+
+use super::figure::Role;
+
+/// A hue that can be told from the others at a glance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Hue {
+    Red,
+    Orange,
+    /// Orange where it is written: one that draws well is too light for letters.
+    Brown,
+    Yellow,
+    Lime,
+    Green,
+    Teal,
+    Cyan,
+    Blue,
+    Violet,
+    Magenta,
+    /// What is told quietly.
+    Grey,
+}
+
+/// The hues of links, by their numbers: no neighbour of another is like it, and none like the driver's.
+const LINKS: [Hue; 5] = [Hue::Blue, Hue::Green, Hue::Violet, Hue::Orange, Hue::Teal];
+
+impl Hue {
+    /// That of a part of the drawing; `None` where it is drawn as text is written.
+    pub(crate) fn of(role: Role) -> Option<Hue> {
+        Some(match role {
+            Role::Link(hue) | Role::Plate(hue) => LINKS[usize::from(hue) % LINKS.len()],
+            Role::LinkName(hue) => match LINKS[usize::from(hue) % LINKS.len()] {
+                Hue::Orange => Hue::Brown,
+                bar => bar,
+            },
+            Role::Driver | Role::DriverPlate | Role::Second => Hue::Red,
+            Role::Ground | Role::Ghost | Role::Echo | Role::Axis => Hue::Grey,
+            Role::Trace => Hue::Lime,
+            Role::Spring | Role::Force => Hue::Yellow,
+            Role::Velocity => Hue::Cyan,
+            Role::Acceleration | Role::Third => Hue::Magenta,
+            Role::Joint
+            | Role::GroundPin
+            | Role::Slider
+            | Role::Rider
+            | Role::CentreOfMass
+            | Role::Front
+            | Role::Lit
+            | Role::Empty
+            | Role::Guide
+            | Role::Label
+            | Role::Datum => return None,
+        })
+    }
+
+    /// Its number in the fixed palette of 256. Of middle luminance: the contrasts against black and against white
+    /// are alike.
+    pub(crate) fn on_any_ground(self) -> u8 {
+        match self {
+            Hue::Red => 131,
+            Hue::Orange => 166,
+            Hue::Brown => 130,
+            Hue::Yellow => 130,
+            Hue::Lime => 64,
+            Hue::Green => 28,
+            Hue::Teal => 29,
+            Hue::Cyan => 30,
+            Hue::Blue => 63,
+            Hue::Violet => 98,
+            Hue::Magenta => 163,
+            Hue::Grey => 243,
+        }
+    }
+}
+
+/// Whether a part of the drawing is bold.
+pub(crate) fn is_bold(role: Role) -> bool {
+    matches!(
+        role,
+        Role::Velocity
+            | Role::Force
+            | Role::Lit
+            | Role::Joint
+            | Role::GroundPin
+            | Role::Slider
+            | Role::Rider
+            | Role::CentreOfMass
+            | Role::Front
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::LINK_HUES;
+    use super::*;
+
+    /// Links differ from each other and from the driver, arrows and traces from each other.
+    #[test]
+    fn roles_have_hues_of_their_own() {
+        assert_eq!(usize::from(LINK_HUES), LINKS.len());
+        let mut links: Vec<_> = (0..LINK_HUES).map(|k| Hue::of(Role::Link(k))).collect();
+        links.push(Hue::of(Role::Driver));
+        let others = [
+            Role::Velocity,
+            Role::Acceleration,
+            Role::Force,
+            Role::Trace,
+            Role::Ghost,
+        ];
+        let others = others.map(Hue::of);
+        for set in [&links[..], &others[..]] {
+            for (k, one) in set.iter().enumerate() {
+                assert!(!set[k + 1..].contains(one), "{one:?}");
+            }
+        }
+        assert!(links.iter().all(|link| !others.contains(link)));
+    }
+}

@@ -1,0 +1,98 @@
+//! What points and links are drawn as.
+
+use super::figure::{LINK_HUES, Role};
+use crate::quantity::Subject;
+use crate::scene::{Scene, Vector, VectorKind};
+use crate::{Body, Input, Link, LinkId, Mechanism, Point, SlideId};
+
+/// What each point is drawn as.
+pub(super) fn roles(mechanism: &Mechanism) -> Vec<Role> {
+    let role = |point: &Point| match (point.ground, point.links.len()) {
+        (Some(_), 0) => Role::Ground,
+        (Some(_), _) => Role::GroundPin,
+        (None, 0 | 1) => Role::Rider,
+        (None, _) => Role::Joint,
+    };
+    let mut roles: Vec<Role> = mechanism.points().iter().map(role).collect();
+    for com in mechanism.links().iter().filter_map(|link| link.com) {
+        roles[com.index()] = Role::CentreOfMass;
+    }
+    for slide in mechanism.slides() {
+        let slot = &mut roles[slide.slider.point().index()];
+        // A ground point in a slot of a link is a pin like any other, and wants its support.
+        *slot = match *slot {
+            Role::Ground | Role::GroundPin => Role::GroundPin,
+            _ => Role::Slider,
+        };
+    }
+    roles
+}
+
+/// What each link is drawn as: the driven one, and each of the others in a hue that no link before it
+/// has that it is joined to, as far as there are so many. The order of the links alone decides, so that
+/// a link keeps its hue whatever its lengths become.
+#[must_use]
+pub fn link_roles(mechanism: &Mechanism) -> Vec<Role> {
+    let mut next = 0;
+    // By point: so many links may share one that they are not gone through again for each of them.
+    let mut met = vec![[false; LINK_HUES as usize]; mechanism.points().len()];
+    let role = |(id, link): (LinkId, &Link)| {
+        if mechanism.driver().input == Input::Turn(id) {
+            return Role::Driver;
+        }
+        let points = || link.members.iter().map(|m| m.point.index());
+        let is_free = |hue: &u8| !points().any(|point| met[point][usize::from(*hue)]);
+        let mut hues = (0..LINK_HUES).map(|k| (next + k) % LINK_HUES);
+        let hue = hues.find(is_free).unwrap_or(next);
+        points().for_each(|point| met[point][usize::from(hue)] = true);
+        next = (hue + 1) % LINK_HUES;
+        Role::Link(hue)
+    };
+    mechanism
+        .link_ids()
+        .zip(mechanism.links())
+        .map(role)
+        .collect()
+}
+
+/// What the link is drawn as that a vector of the tables belongs to, in their order.
+#[must_use]
+pub fn vector_roles(scene: &Scene) -> Vec<Option<Role>> {
+    let links = link_roles(&scene.mechanism);
+    // The rod of a cylinder that is pushed out: a block on the ground is driven too, and drawn as a block.
+    let is_rod = |slide: SlideId| {
+        let is_driven = scene.mechanism.driver().input == Input::Push(slide);
+        is_driven && scene.mechanism.slide(slide).on != Body::Ground
+    };
+    let role = |v: &Vector| match v.kind {
+        VectorKind::Slide(slide) if is_rod(slide) => Some(Role::Driver),
+        kind => link_of(&scene.mechanism, kind.into()).map(|link| links[link.index()]),
+    };
+    scene.vectors.iter().map(role).collect()
+}
+
+/// The link that a subject belongs to: the link itself, the one that has both ends of a vector or carries a guide, the
+/// one of a point that is on no other. None for what belongs to several, or to the frame.
+pub(super) fn link_of(mechanism: &Mechanism, subject: Subject) -> Option<LinkId> {
+    match subject {
+        Subject::Link(link) | Subject::Joint(link, _) => Some(link),
+        Subject::Slide(slide) => match mechanism.slide(slide).on {
+            Body::Link(link) => Some(link),
+            Body::Ground => None,
+        },
+        Subject::Between(from, to) => {
+            let mut of_both = mechanism.point(from).links.iter();
+            let link = of_both.find(|link| mechanism.point(to).links.contains(link));
+            link.copied()
+        }
+        Subject::Point(point) => match mechanism.point(point).links[..] {
+            [link] => Some(link),
+            _ => None,
+        },
+        Subject::Driver | Subject::Drive(_) => match mechanism.driver().input {
+            Input::Turn(link) => Some(link),
+            Input::Push(_) => None,
+        },
+        Subject::Frame | Subject::FrameResidual => None,
+    }
+}

@@ -1,0 +1,230 @@
+//! Windows on whole motions: what is in them, how large it is, and how they go along.
+
+use super::*;
+
+#[test]
+fn no_joint_ever_leaves_the_window() {
+    for stage in PresetStage::presets() {
+        for (cols, rows) in [(200, 60), (80, 24), (40, 12), (13, 7)] {
+            let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
+            let mut raster = Raster::new();
+            for state in stage.motion() {
+                let figure = stage.figure(&state);
+                render_into(
+                    &figure,
+                    &view,
+                    Glyphs::Ascii,
+                    &mut Labels::default(),
+                    &mut raster,
+                );
+                for shape in figure.shapes() {
+                    if let Shape::Mark { at, role } = *shape {
+                        let (col, row) = cell(&view, at);
+                        let shown = raster.cell(col, row).map(|cell| cell.role);
+                        assert!(
+                            shown.is_some_and(|shown| shown != Role::Empty),
+                            "{}: {role:?} at {col}, {row} in {cols} x {rows}",
+                            stage.name
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn supports_stay_inside_where_there_is_room() {
+    for stage in PresetStage::presets() {
+        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
+        for point in stage.scene.mechanism.points() {
+            if let Some(at) = point.ground {
+                let (col, row) = cell(&view, at);
+                assert!((2..78).contains(&col), "{}: column {col}", stage.name);
+                assert!((0..22).contains(&row), "{}: row {row}", stage.name);
+            }
+        }
+    }
+}
+
+/// The part of a window's width and height that the linkage takes as it stands: its bars, pins and
+/// sliders, and no more.
+fn fill(raster: &Raster) -> f64 {
+    let is_linkage = |role: Role| {
+        role.is_body()
+            || matches!(
+                role,
+                Role::Joint | Role::GroundPin | Role::Slider | Role::Rider
+            )
+    };
+    let mut cells = Vec::new();
+    for (row, line) in raster.lines().enumerate() {
+        for (col, _) in line.iter().enumerate().filter(|(_, c)| is_linkage(c.role)) {
+            cells.push((col, row));
+        }
+    }
+    let span = |of: fn(&(usize, usize)) -> usize| {
+        let (low, high) = (cells.iter().map(of).min(), cells.iter().map(of).max());
+        low.zip(high).map_or(0, |(low, high)| high - low + 1)
+    };
+    let across = span(|c| c.0) as f64 / f64::from(raster.cols());
+    across.max(span(|c| c.1) as f64 / f64::from(raster.rows()))
+}
+
+/// The linkage used to take 7 % of the screen where its motion needs much more room than it takes itself.
+#[test]
+fn every_linkage_is_large_wherever_it_stands() {
+    let mut small = Vec::new();
+    for stage in PresetStage::presets() {
+        for (cols, rows) in [(80, 24), (120, 40), (200, 60), (44, 21)] {
+            let mut least = 1.0_f64;
+            for state in stage.motion().step_by(10) {
+                let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+                let view = WorldView::along(&stage.reach, state.at(), cols, rows, 2.0);
+                least = least.min(fill(&render(&figure, &view, Glyphs::Braille)));
+            }
+            if least < 0.6 {
+                small.push(format!("{} in {cols} x {rows}: {least:.2}", stage.name));
+            }
+        }
+    }
+    assert!(small.is_empty(), "{small:#?}");
+}
+
+/// Rings and names used to be cut off where a window is so large that they are small in it.
+#[test]
+fn a_large_window_cuts_neither_rings_nor_names() {
+    /// How far a ring reaches from its middle, in columns and rows.
+    const RING: Vec2 = Vec2::new(1.5, 0.75);
+    let mut cut = Vec::new();
+    for stage in PresetStage::presets() {
+        // Folded it has no room for its names between its own bars.
+        let is_crowded = stage.name.contains("scissor-lift");
+        let mut raster = Raster::new();
+        for state in stage.motion().step_by(50) {
+            let figure = linkage(&stage.scene, &stage.reach, &state, Layers::default());
+            for (cols, rows) in [(400, 120), (400, 200)] {
+                let views = [
+                    WorldView::fit(&stage.reach, cols, rows, 2.0),
+                    WorldView::along(&stage.reach, state.at(), cols, rows, 2.0),
+                    WorldView::pose(&stage.reach, state.at(), cols, rows, 2.0),
+                ];
+                for (view, kind) in views.into_iter().zip(["whole", "along", "pose"]) {
+                    let size = Vec2::new(f64::from(cols), f64::from(rows));
+                    let is_inside = |at: Vec2| {
+                        let (low, high) = (at - RING, at + RING - size);
+                        low.x >= 0.0 && low.y >= 0.0 && high.x <= 0.0 && high.y <= 0.0
+                    };
+                    let rings = figure.shapes().iter().filter_map(|shape| match *shape {
+                        Shape::Mark { at, .. } => Some(view.cell(at)),
+                        _ => None,
+                    });
+                    let rings = rings.filter(|at| !is_inside(*at)).count();
+                    let mut labels = Labels::default();
+                    render_into(&figure, &view, Glyphs::Braille, &mut labels, &mut raster);
+                    let names = if is_crowded { 0 } else { labels.hidden() };
+                    if rings + names > 0 {
+                        let (name, at) = (&stage.name, state.at());
+                        cut.push(format!(
+                            "{name} {kind} {cols} x {rows} at {at}: {rings}, {names}"
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    assert!(cut.is_empty(), "{cut:#?}");
+}
+
+/// While the driver goes through its motion as playing takes it, the window goes along without a jump: in a frame
+/// by less than a tenth of itself beyond what the linkage moves in it.
+#[test]
+fn a_window_goes_along_calmly() {
+    /// Frames of a turn in four seconds.
+    const FRAMES: u32 = 80;
+    const MOST: f64 = 0.1;
+    let mut shaken = Vec::new();
+    for stage in PresetStage::presets() {
+        let (low, high) = match stage.solver.motion().range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        for (cols, rows) in [(80, 24), (200, 60)] {
+            let share = |v: Vec2| {
+                (v.x / f64::from(cols))
+                    .abs()
+                    .max((v.y / f64::from(rows)).abs())
+            };
+            let mut state = stage.solver.state();
+            let mut at = |k: u32| {
+                let share = f64::from(k) / f64::from(FRAMES);
+                // Towards a limit the linkage itself goes ever faster.
+                let share = match stage.solver.motion().range {
+                    Range::Full { .. } => share,
+                    Range::Limited { .. } => (1.0 - (std::f64::consts::PI * share).cos()) / 2.0,
+                };
+                let at = (low + (high - low) * share).min(high);
+                let _ = stage.solver.solve(at, Order::Position, &mut state);
+                let points = stage.scene.mechanism.point_ids();
+                let points: Vec<Vec2> = points.map(|p| state.known().position(p)).collect();
+                (WorldView::along(&stage.reach, at, cols, rows, 2.0), points)
+            };
+            let mut before = at(0);
+            for k in 1..=FRAMES {
+                let after = at(k);
+                let pairs = before.1.iter().zip(&after.1);
+                let own = pairs.map(|(a, b)| share(before.0.cell(*b) - before.0.cell(*a)));
+                let most = MOST + own.fold(0.0, f64::max);
+                for corner in [Vec2::ZERO, Vec2::new(f64::from(cols), f64::from(rows))] {
+                    let moved = share(after.0.cell(before.0.world(corner)) - corner);
+                    if moved > most {
+                        let name = &stage.name;
+                        shaken.push(format!(
+                            "{name} in {cols} x {rows}, {k}: {moved:.3}, {most:.3}"
+                        ));
+                    }
+                }
+                before = after;
+            }
+        }
+    }
+    assert!(shaken.is_empty(), "{shaken:#?}");
+}
+
+/// What the window rests on does not tremble while it goes along: it goes one way until the window turns back, and
+/// not to and fro in between. (Other pins of the ground follow from it and from the size, which goes by steps of its
+/// own: they may go to and fro by a cell or two.)
+#[test]
+fn a_window_that_goes_along_does_not_shake() {
+    /// Places of a motion: a degree of a turn.
+    const PLACES: u32 = 360;
+    let mut shaken = Vec::new();
+    for stage in PresetStage::presets() {
+        let (low, high) = match stage.solver.motion().range {
+            Range::Full { period } => (0.0, period),
+            Range::Limited { low, high } => (low, high),
+        };
+        for (cols, rows) in [(46, 20), (80, 24), (120, 40), (200, 60)] {
+            let at = |k: u32| low + (high - low) * f64::from(k) / f64::from(PLACES);
+            let seen = |k| {
+                let view = WorldView::along(&stage.reach, at(k), cols, rows, 2.0);
+                let cell = view.cell(stage.reach.anchor()).map(f64::floor);
+                let is_seen = (0.0..f64::from(cols)).contains(&cell.x)
+                    && (0.0..f64::from(rows)).contains(&cell.y);
+                is_seen.then_some([cell.x, cell.y])
+            };
+            let cells: Vec<[f64; 2]> = (0..=PLACES).filter_map(seen).collect();
+            for axis in 0..2 {
+                let moves = cells.windows(2).map(|pair| pair[1][axis] - pair[0][axis]);
+                let moves: Vec<f64> = moves.filter(|by| *by != 0.0).collect();
+                let turns = moves.windows(2).filter(|pair| pair[0] * pair[1] < 0.0);
+                let turns = turns.count();
+                if turns > 6 {
+                    let name = &stage.name;
+                    shaken.push(format!("{name} in {cols} x {rows}, axis {axis}: {turns}"));
+                }
+            }
+        }
+    }
+    assert!(shaken.is_empty(), "{shaken:#?}");
+}

@@ -1,0 +1,94 @@
+//! Pictures one after the other as a GIF.
+
+use super::PaintError;
+use super::canvas::Pixels;
+use super::colour_table::ColourTable;
+use gif::{DisposalMethod, Encoder, Frame, Repeat};
+use std::borrow::Cow;
+
+/// A pixel as it was in the picture before: most are, and a run of them takes a few bytes.
+const AS_BEFORE: u8 = 255;
+/// A GIF counts hundredths of a second.
+const HUNDREDTHS: u32 = 100;
+
+pub(super) struct Animation {
+    table: ColourTable,
+    /// Pictures in a second.
+    rate: u16,
+    count: u32,
+    /// The last picture, by indices.
+    before: Vec<u8>,
+    encoder: Option<Encoder<Vec<u8>>>,
+}
+
+impl Animation {
+    pub(super) fn new(table: ColourTable, rate: u16) -> Self {
+        Animation {
+            table,
+            rate,
+            count: 0,
+            before: Vec::new(),
+            encoder: None,
+        }
+    }
+
+    pub(super) fn add(&mut self, picture: &Pixels) -> Result<(), PaintError> {
+        let (width, height) = side_lengths(picture)?;
+        let indices: Vec<u8> = picture.colours().map(|c| self.table.index(c)).collect();
+        let changed = indices.iter().zip(&self.before);
+        let changed = changed.map(|(now, before)| if now == before { AS_BEFORE } else { *now });
+        let buffer = match self.before.len() == indices.len() {
+            true => changed.collect(),
+            false => indices.clone(),
+        };
+        let frame = Frame {
+            delay: self.next_delay(),
+            dispose: DisposalMethod::Keep,
+            transparent: Some(AS_BEFORE),
+            width,
+            height,
+            buffer: Cow::Owned(buffer),
+            ..Frame::default()
+        };
+        let encoder = match &mut self.encoder {
+            Some(encoder) => encoder,
+            none => none.insert(begun(&self.table, width, height)?),
+        };
+        encoder.write_frame(&frame).map_err(failed)?;
+        self.before = indices;
+        Ok(())
+    }
+
+    pub(super) fn finish(self) -> Result<Vec<u8>, PaintError> {
+        match self.encoder {
+            Some(encoder) => encoder.into_inner().map_err(failed),
+            None => Ok(Vec::new()),
+        }
+    }
+
+    /// What a picture takes is no whole number of hundredths: all together take what they should.
+    fn next_delay(&mut self) -> u16 {
+        let until = |count: u32| count * HUNDREDTHS / u32::from(self.rate.max(1));
+        let delay = until(self.count + 1) - until(self.count);
+        self.count += 1;
+        u16::try_from(delay).unwrap_or(u16::MAX)
+    }
+}
+
+fn begun(table: &ColourTable, width: u16, height: u16) -> Result<Encoder<Vec<u8>>, PaintError> {
+    let mut encoder = Encoder::new(Vec::new(), width, height, &table.bytes()).map_err(failed)?;
+    encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
+    Ok(encoder)
+}
+
+fn side_lengths(picture: &Pixels) -> Result<(u16, u16), PaintError> {
+    let (width, height) = picture.size();
+    match (u16::try_from(width), u16::try_from(height)) {
+        (Ok(width), Ok(height)) => Ok((width, height)),
+        _ => Err(PaintError::TooLarge(width, height)),
+    }
+}
+
+fn failed(error: impl std::fmt::Display) -> PaintError {
+    PaintError::Failed(error.to_string())
+}

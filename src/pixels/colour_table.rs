@@ -1,0 +1,60 @@
+//! The colours of a GIF, which has at most 256.
+
+use std::cmp::Reverse;
+use std::collections::HashMap;
+
+/// One index is left for "as before".
+const MOST: usize = 255;
+
+/// The commonest colours of some pictures; every other one is written as the nearest of them. A line drawing has a
+/// dozen hues, and what lies between each and its ground along the edges.
+pub(super) struct ColourTable {
+    colours: Vec<[u8; 3]>,
+    nearest: HashMap<[u8; 3], u8>,
+}
+
+/// How often each colour is there.
+#[derive(Default)]
+pub(super) struct ColourCensus {
+    counts: HashMap<[u8; 3], usize>,
+}
+
+impl ColourCensus {
+    pub(super) fn count(&mut self, colours: impl Iterator<Item = [u8; 3]>) {
+        for colour in colours {
+            *self.counts.entry(colour).or_default() += 1;
+        }
+    }
+
+    pub(super) fn table(self) -> ColourTable {
+        let mut counts: Vec<_> = self.counts.into_iter().collect();
+        // Of two that are as common the darker one, so that the same pictures give the same bytes.
+        counts.sort_by_key(|&(colour, count)| (Reverse(count), colour));
+        counts.truncate(MOST);
+        ColourTable {
+            colours: counts.into_iter().map(|(colour, _)| colour).collect(),
+            nearest: HashMap::new(),
+        }
+    }
+}
+
+impl ColourTable {
+    /// As a GIF has it: whole, for the index beside the colours must lie within it.
+    pub(super) fn bytes(&self) -> Vec<u8> {
+        let mut bytes = self.colours.concat();
+        bytes.resize(3 * (MOST + 1), 0);
+        bytes
+    }
+
+    pub(super) fn index(&mut self, colour: [u8; 3]) -> u8 {
+        let colours = &self.colours;
+        *self.nearest.entry(colour).or_insert_with(|| {
+            let away = |known: &[u8; 3]| -> u32 {
+                let each = known.iter().zip(colour);
+                each.map(|(a, b)| u32::from(a.abs_diff(b)).pow(2)).sum()
+            };
+            let nearest = (0u8..).zip(colours).min_by_key(|(_, known)| away(known));
+            nearest.map_or(0, |(index, _)| index)
+        })
+    }
+}

@@ -1,0 +1,187 @@
+//! Writes changes in an order that was chosen, with the shortest ways between them.
+
+use super::super::queue;
+use super::super::sgr::{CellStyle, Sgr};
+use super::BEGINNING;
+use super::changes::{CellChange, Screens, ToWrite};
+use crossterm::cursor::{MoveRight, MoveTo};
+use crossterm::terminal::{Clear, ClearType};
+use ratatui::buffer::Cell;
+
+/// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
+const REWRITE: u16 = 4;
+
+/// What it costs to take a style back.
+const PLAINLY: usize = 3;
+
+/// What is written, and how the terminal stands behind it.
+#[derive(Debug)]
+pub(super) struct CellPen {
+    pub(super) bytes: Vec<u8>,
+    /// Where the cursor is, if that is certain.
+    cursor: Option<(u16, u16)>,
+    sgr: Sgr,
+    /// The bytes of another order, while it is found which is shorter.
+    other: Vec<u8>,
+}
+
+impl Default for CellPen {
+    fn default() -> Self {
+        CellPen {
+            bytes: Vec::new(),
+            cursor: None,
+            sgr: Sgr::PLAIN,
+            other: Vec::new(),
+        }
+    }
+}
+
+/// A list that was written: how it stood before, and how far it went.
+pub(super) struct WrittenList {
+    start: usize,
+    cursor: Option<(u16, u16)>,
+    sgr: Sgr,
+    pub(super) written: usize,
+}
+
+impl CellPen {
+    /// Begins a frame: where the cursor stands is unknown, what is in force is plain.
+    pub(super) fn begin(&mut self) {
+        self.bytes.clear();
+        (self.cursor, self.sgr) = (None, Sgr::PLAIN);
+    }
+
+    /// Puts a style in force.
+    pub(super) fn set(&mut self, style: Sgr) {
+        style.put_in_force(self.sgr, &mut self.bytes);
+        self.sgr = style;
+    }
+
+    /// Writes changes until there is no room; however little there is, a frame brings something.
+    pub(super) fn write(
+        &mut self,
+        screens: Screens<'_>,
+        changes: &[CellChange],
+        room: usize,
+    ) -> WrittenList {
+        let mut list = WrittenList {
+            start: self.bytes.len(),
+            cursor: self.cursor,
+            sgr: self.sgr,
+            written: 0,
+        };
+        for change in changes {
+            let has_begun = self.bytes.len() > BEGINNING;
+            if has_begun && self.bytes.len() >= room {
+                break;
+            }
+            self.put(screens, change);
+            list.written += 1;
+        }
+        list
+    }
+
+    /// Writes a list in another order, and keeps that where it is shorter.
+    pub(super) fn write_instead(
+        &mut self,
+        screens: Screens<'_>,
+        changes: &[CellChange],
+        list: &WrittenList,
+    ) {
+        let (cursor, sgr) = (self.cursor, self.sgr);
+        self.other.clear();
+        self.other.extend_from_slice(&self.bytes[list.start..]);
+        self.bytes.truncate(list.start);
+        (self.cursor, self.sgr) = (list.cursor, list.sgr);
+        self.write(screens, changes, usize::MAX);
+        // What is in force at the end is to be taken back.
+        let ending = |sgr: Sgr| if sgr == Sgr::PLAIN { 0 } else { PLAINLY };
+        let this = self.bytes.len() - list.start + ending(self.sgr);
+        if this >= self.other.len() + ending(sgr) {
+            self.bytes.truncate(list.start);
+            self.bytes.append(&mut self.other);
+            (self.cursor, self.sgr) = (cursor, sgr);
+        }
+    }
+
+    fn put(&mut self, screens: Screens<'_>, change: &CellChange) {
+        let (shown, row) = screens.row(change.y);
+        self.go_to(change, screens.look, shown, row);
+        self.set(change.style);
+        let symbol = row[usize::from(change.x)].symbol();
+        match change.what {
+            ToWrite::Cell => self.bytes.extend_from_slice(symbol.as_bytes()),
+            ToWrite::Rough(glyph) => {
+                let mut utf8 = [0; 4];
+                let text = glyph.encode_utf8(&mut utf8);
+                self.bytes.extend_from_slice(text.as_bytes());
+            }
+            ToWrite::Nothing => {
+                queue(&mut self.bytes, Clear(ClearType::UntilNewLine));
+                return;
+            }
+        }
+        // Behind the last column terminals differ.
+        let next = (change.x + 1, change.y);
+        self.cursor = (usize::from(next.0) < row.len()).then_some(next);
+    }
+
+    /// Moves the cursor by the shortest of the ways there.
+    fn go_to(&mut self, change: &CellChange, look: CellStyle, shown: &[Cell], row: &[Cell]) {
+        let (x, y) = (change.x, change.y);
+        match self.cursor {
+            Some(at) if at == (x, y) => return,
+            Some((cx, cy)) if cy == y && cx < x => {
+                let between = usize::from(cx)..usize::from(x);
+                let (stay, are) = (&row[between.clone()], &shown[between]);
+                let as_they_are = |(cell, shown): (&Cell, &Cell)| {
+                    cell.symbol().len() == 1 && look.same(cell, shown) && self.suits(look, cell)
+                };
+                if x - cx <= REWRITE && stay.iter().zip(are).all(as_they_are) {
+                    for cell in stay {
+                        self.bytes.extend_from_slice(cell.symbol().as_bytes());
+                    }
+                } else {
+                    queue(&mut self.bytes, MoveRight(x - cx));
+                }
+            }
+            Some((cx, cy)) => self.leave((cx, cy), (x, y)),
+            None => queue(&mut self.bytes, MoveTo(x, y)),
+        }
+        self.cursor = Some((x, y));
+    }
+
+    /// To another row, or back in this one: by returns and line feeds, where these are fewer bytes than a
+    /// place in figures.
+    fn leave(&mut self, (cx, cy): (u16, u16), (x, y): (u16, u16)) {
+        let start = self.bytes.len();
+        queue(&mut self.bytes, MoveTo(x, y));
+        let direct = self.bytes.len() - start;
+        if y < cy {
+            return;
+        }
+        let (down, back) = (usize::from(y - cy), usize::from(cx.saturating_sub(x)));
+        let across = match x {
+            0 => 0,
+            1..10 => 4,
+            _ => 5 + usize::from(x >= 100),
+        };
+        if down == 0 && back < direct && back <= 1 + across {
+            self.bytes.truncate(start);
+            self.bytes.resize(start + back, b'\x08');
+        } else if 1 + down + across < direct {
+            self.bytes.truncate(start);
+            self.bytes.push(b'\r');
+            self.bytes.resize(start + 1 + down, b'\n');
+            if x > 0 {
+                queue(&mut self.bytes, MoveRight(x));
+            }
+        }
+    }
+
+    /// Whether a cell can be written with what is in force. A blank shows little of it.
+    fn suits(&self, look: CellStyle, cell: &Cell) -> bool {
+        let sgr = look.sgr_of(cell);
+        sgr == self.sgr || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.leaves_blanks())
+    }
+}

@@ -1,0 +1,112 @@
+//! `krank draw --format png|gif`: decoded, and looked at where the crank must be.
+
+use super::{command, folder};
+use resvg::tiny_skia::Pixmap;
+use std::fs::File;
+
+/// Hues of the light ground: the driver, and the first link.
+const DRIVER: [u8; 3] = [0xc8, 0x1e, 0x24];
+const LINK: [u8; 3] = [0x00, 0x67, 0xdf];
+const PAPER: [u8; 3] = [0xff; 3];
+
+fn written(name: &str, arguments: &[&str]) -> std::path::PathBuf {
+    let file = folder("pixels").join(name);
+    let mut command = command(&["draw"]);
+    command.args(arguments).arg("-o").arg(&file);
+    command.assert().success();
+    file
+}
+
+/// At 60 degrees the crank of 100 mm goes from A to B; both are found by the middle of what is red.
+#[test]
+fn pixels_of_a_png_have_the_hues_of_the_links() {
+    let file = written(
+        "four-bar.png",
+        &["four-bar", "--format", "png", "--width", "400"],
+    );
+    let picture = Pixmap::decode_png(&std::fs::read(file).unwrap()).unwrap();
+    assert_eq!(picture.width(), 400);
+    assert!(
+        (150..400).contains(&picture.height()),
+        "{}",
+        picture.height()
+    );
+    let at = |x: u32, y: u32| {
+        let pixel = picture.pixel(x, y).unwrap();
+        [pixel.red(), pixel.green(), pixel.blue()]
+    };
+    let of = |hue: [u8; 3]| -> Vec<(u32, u32)> {
+        let all = (0..picture.height()).flat_map(|y| (0..400).map(move |x| (x, y)));
+        all.filter(|&(x, y)| at(x, y) == hue).collect()
+    };
+    let (driver, link) = (of(DRIVER), of(LINK));
+    assert!(driver.len() > 50 && link.len() > 2 * driver.len());
+    assert_eq!([at(0, 0), at(399, picture.height() - 1)], [PAPER; 2]);
+    // The crank rises to the right by 60 degrees: 1.73 up for 1 along.
+    let (low, high) = (driver.iter().max_by_key(|p| p.1).unwrap(), driver[0]);
+    let slope = f64::from(low.1 - high.1) / f64::from(high.0 - low.0);
+    assert!((1.3..2.3).contains(&slope), "{slope}");
+    // Names are drawn without a font of the system: right of the last support there is nothing but one.
+    let dark = |x: u32, y: u32| at(x, y).iter().all(|channel| *channel < 0x80);
+    let mut beside = (385..400).flat_map(|x| (0..picture.height()).map(move |y| (x, y)));
+    assert!(
+        beside.any(|(x, y)| dark(x, y)),
+        "no name of the rightmost point"
+    );
+}
+
+#[test]
+fn pixels_of_a_gif_go_round_for_ever_and_take_the_time_that_was_asked_for() {
+    let arguments = [
+        "four-bar",
+        "--format",
+        "gif",
+        "--width",
+        "120",
+        "--seconds",
+        "2",
+    ];
+    let file = written("four-bar.gif", &arguments);
+    let mut options = gif::DecodeOptions::new();
+    options.set_color_output(gif::ColorOutput::RGBA);
+    let mut decoder = options.read_info(File::open(file).unwrap()).unwrap();
+    assert_eq!(decoder.width(), 120);
+    let (mut frames, mut hundredths, mut changed) = (0, 0, 0);
+    while let Some(frame) = decoder.read_next_frame().unwrap() {
+        frames += 1;
+        hundredths += u32::from(frame.delay);
+        let opaque = frame.buffer.chunks(4).filter(|pixel| pixel[3] > 0).count();
+        match frames {
+            1 => assert_eq!(opaque, usize::from(frame.width) * usize::from(frame.height)),
+            _ => changed += usize::from(opaque > 0),
+        }
+    }
+    assert_eq!((frames, hundredths, changed), (30, 200, 29));
+    assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
+}
+
+/// Slides are dark as often as light; a program that paints an SVG knows no reader's preference.
+#[test]
+fn pixels_lie_on_a_dark_ground_where_that_is_asked_for() {
+    let arguments = ["four-bar", "--format", "png", "--width", "63", "--dark"];
+    let file = written("dark.png", &arguments);
+    let picture = Pixmap::decode_png(&std::fs::read(file).unwrap()).unwrap();
+    // The paper reaches to the last row, though the document's height is no whole number of pixels.
+    for y in [0, picture.height() - 1] {
+        let paper = picture.pixel(0, y).unwrap();
+        let channels = [paper.red(), paper.green(), paper.blue(), paper.alpha()];
+        assert_eq!(channels, [0x18, 0x18, 0x18, 0xff]);
+    }
+}
+
+#[test]
+fn more_pixels_than_memory_is_for_are_refused() {
+    let arguments = [
+        "four-bar", "--format", "png", "--width", "8192", "--size", "10x2000",
+    ];
+    let mut command = command(&["draw"]);
+    let output = command.args(arguments).output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert!(error.contains("is too large"), "{error}");
+}

@@ -1,0 +1,130 @@
+//! The drawing in pixels: what is sent, when, and what takes it away.
+
+use crate::session::Setup;
+
+/// A terminal that may show no pictures is sent none: it would show them as letters.
+#[test]
+fn a_terminal_that_does_not_tell_is_sent_no_pixels() {
+    let mut session = Setup::krank(&["four-bar"])
+        .without("TERM_PROGRAM")
+        .without("KITTY_WINDOW_ID")
+        .start();
+    session.wait_for("60.00 deg").send("V");
+    session
+        .wait_for("--picture kitty, iterm or sixel")
+        .send("q");
+    assert!(session.ended_as_found().success());
+}
+
+#[cfg(not(feature = "pictures"))]
+#[test]
+fn pixels_that_are_not_built_in_are_told_in_the_workbench_too() {
+    let mut session = Setup::krank(&["four-bar", "--picture", "kitty"]).start();
+    session.wait_for("60.00 deg").send("V");
+    session.wait_for("built without pictures").send("q");
+    assert!(session.ended_as_found().success());
+}
+
+#[cfg(feature = "pictures")]
+mod sent {
+    use crate::session::{Manner, Setup};
+
+    /// How the sequence of a protocol begins and ends, and what takes its picture away beside clearing.
+    struct Sequence {
+        protocol: &'static str,
+        begins: &'static [u8],
+        ends: &'static [u8],
+        removal: &'static [u8],
+    }
+
+    const KITTY: Sequence = Sequence {
+        protocol: "kitty",
+        begins: b"\x1b_Ga=T,f=100,i=1,q=2,C=1,",
+        ends: b"\x1b\\",
+        removal: b"\x1b_Ga=d,d=I,i=1,q=2\x1b\\",
+    };
+    const ITERM: Sequence = Sequence {
+        protocol: "iterm",
+        begins: b"\x1b]1337;File=inline=1;",
+        ends: b"\x07",
+        removal: b"",
+    };
+    const SIXEL: Sequence = Sequence {
+        protocol: "sixel",
+        begins: b"\x1bP",
+        ends: b"\x1b\\",
+        removal: b"",
+    };
+    const CLEARED: &[u8] = b"\x1b[2J";
+
+    fn has(bytes: &[u8], part: &[u8]) -> bool {
+        bytes.windows(part.len()).any(|window| window == part)
+    }
+
+    #[test]
+    fn pixels_are_shown_whole_and_gone_with_the_next_key() {
+        for sequence in [KITTY, ITERM, SIXEL] {
+            let Sequence {
+                protocol,
+                begins,
+                ends,
+                removal,
+            } = sequence;
+            let mut session = Setup::krank(&["four-bar", "--picture", protocol]).start();
+            session.wait_for("60.00 deg").send(" ");
+            // What moves stands still for it.
+            session.wait_until("playing", |seen| {
+                !seen.rows().join("").contains("60.00 deg")
+            });
+            session.send("V");
+            session.wait_for("any key takes it away");
+            session.wait_until("the picture", |seen| {
+                has(&seen.bytes, begins) && seen.bytes.ends_with(ends)
+            });
+            let sent = session.seen.lock().unwrap().bytes.len();
+            session.send(".");
+            session.wait_until("cells again", |seen| {
+                let behind = &seen.bytes[sent..];
+                has(behind, CLEARED) && (removal.is_empty() || has(behind, removal))
+            });
+            assert!(
+                !has(&session.seen.lock().unwrap().bytes[sent..], begins),
+                "{protocol}"
+            );
+            session.send("q");
+            assert!(session.ended_as_found().success());
+        }
+    }
+
+    /// A kitty keeps pictures when the screen is cleared by nobody: a signal is a way out too.
+    #[test]
+    fn pixels_are_taken_away_on_the_way_out() {
+        let Sequence {
+            begins, removal, ..
+        } = KITTY;
+        let mut session = Setup::krank(&["four-bar", "--picture", "kitty"]).start();
+        session.wait_for("60.00 deg").send("V");
+        session.wait_until("the picture", |seen| has(&seen.bytes, begins));
+        session.signal(rustix::process::Signal::TERM);
+        session.wait_until("it is taken away", |seen| has(&seen.bytes, removal));
+        session.ended_as_found();
+    }
+
+    #[test]
+    fn pixels_that_take_long_are_sent_only_after_that_was_told() {
+        let begins = SIXEL.begins;
+        let arguments = ["four-bar", "--picture", "sixel"];
+        let mut session = Setup::krank(&arguments).manner(Manner::Slow).start();
+        session.wait_for("-3.9164").send("V");
+        session.wait_for("on this line; V again sends it");
+        session.send(".");
+        session.wait_for("65.00 deg");
+        assert!(!has(&session.seen.lock().unwrap().bytes, begins));
+        session.send("V");
+        session.wait_for("on this line; V again sends it").send("V");
+        session.wait_until("the picture begins", |seen| has(&seen.bytes, begins));
+        session.hurry();
+        session.send("q");
+        assert!(session.ended_as_found().success());
+    }
+}

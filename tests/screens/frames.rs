@@ -1,0 +1,242 @@
+//! What a whole frame must contain, at every size and for scenes of six kinds, in Braille and true colours: tabs,
+//! panes, figures, a drawing that is large, the hue of every link beside its rows, the verdict and the state.
+
+use crate::claims::figures;
+use crate::screen::{Session, preset};
+use krank::Input;
+use krank::drawing::Glyphs;
+use krank::tui::{Colours, Theme, Workbench};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Six scenes of six kinds.
+const SIX: [&str; 6] = [
+    "four-bar",
+    "slider-crank",
+    "jansen-leg",
+    "press-ram",
+    "scissor-lift",
+    "excavator-boom",
+];
+
+const SIZES: [(u16, u16); 4] = [(80, 24), (120, 40), (200, 60), (40, 12)];
+
+/// A linkage takes so much of the width or of the height of its pane: three fifths, of which half a pin may lie beyond
+/// the middle of the outermost cell on either side.
+const FILL: f64 = 0.6;
+
+fn frame(name: &str, cols: u16, rows: u16) -> Session {
+    let workbench = Workbench::new(preset(name), Glyphs::Braille, Colours::True, cols, rows);
+    let mut session = Session::on(workbench.themed(Theme::Dark), cols, rows);
+    session.paint();
+    session
+}
+
+/// The pane of the drawing: left of the first line that goes down from its title, and above the next title.
+struct DrawingPane {
+    cols: u16,
+    rows: std::ops::Range<u16>,
+}
+
+impl DrawingPane {
+    fn of(session: &Session) -> DrawingPane {
+        let (rows, cols) = session.terminal.screen().size();
+        let (rows, cols) = (rows.get(), cols.get());
+        let is = |row: u16, col: u16, glyphs: &[&str]| {
+            let cell = session.terminal.screen().cell(row, col);
+            glyphs.contains(&cell.map_or("", |cell| cell.contents()))
+        };
+        let body = 1..rows - 2;
+        let bar = (20..cols).find(|col| body.clone().all(|row| is(row, *col, &["│", "┬", "┤"])));
+        let end = bar.unwrap_or(cols);
+        // Without panes the tables are below on a narrow screen, under a rule or their own titles.
+        let below = |row: &u16| {
+            let line: String = (0..end)
+                .map(|col| {
+                    session
+                        .terminal
+                        .screen()
+                        .cell(*row, col)
+                        .map_or(" ", |c| c.contents())
+                })
+                .collect();
+            line.starts_with("─ plots") || line.trim_start().starts_with("vector")
+        };
+        let last = (2..body.end).find(below).unwrap_or(body.end);
+        DrawingPane {
+            cols: end,
+            rows: 1..last,
+        }
+    }
+
+    /// Cells of the drawing with a part of the linkage, with their colours: dots, and pins.
+    fn inked(&self, session: &Session) -> Vec<(u16, u16, vt100::Color)> {
+        let cells = self
+            .rows
+            .clone()
+            .flat_map(|row| (0..self.cols).map(move |col| (row, col)));
+        let inked = cells.filter_map(|(row, col)| {
+            let cell = session.terminal.screen().cell(row, col)?;
+            let glyph = cell.contents().chars().next()?;
+            let is_dotted = ('\u{2801}'..='\u{28ff}').contains(&glyph);
+            // The title above has letters.
+            let is_pin = glyph == 'o' && row > self.rows.start;
+            (is_dotted || is_pin).then(|| (row, col, cell.fgcolor()))
+        });
+        inked.collect()
+    }
+}
+
+/// The colours in which the names of vectors stand in tables, by these names.
+fn hues_of_rows(session: &Session, name: &str) -> BTreeMap<String, vt100::Color> {
+    let scene = preset(name).scene;
+    let (rows, cols) = session.terminal.screen().size();
+    let mut found = BTreeMap::new();
+    for vector in &scene.vectors {
+        let wanted = vector.name.as_str();
+        for row in 1..rows.get() - 2 {
+            let cells: Vec<_> = (0..cols.get())
+                .filter_map(|col| session.terminal.screen().cell(row, col))
+                .collect();
+            let text: Vec<char> = cells
+                .iter()
+                .map(|cell| cell.contents().chars().next().unwrap_or(' '))
+                .collect();
+            let length = wanted.chars().count();
+            let at = (0..text.len().saturating_sub(length + 4)).find(|at| {
+                // Behind a name stands its length.
+                let here: String = text[*at..at + length].iter().collect();
+                let parted = *at == 0 || matches!(text[at - 1], ' ' | '>');
+                let behind = &text[at + length..];
+                let blanks = behind.iter().take_while(|c| **c == ' ').count();
+                let figure = behind
+                    .get(blanks)
+                    .is_some_and(|c| c.is_ascii_digit() || *c == '-');
+                here == wanted && parted && blanks > 1 && figure
+            });
+            if let Some(at) = at {
+                found.insert(wanted.to_owned(), cells[at].fgcolor());
+                break;
+            }
+        }
+    }
+    found
+}
+
+#[test]
+fn every_frame_has_its_parts() {
+    for name in SIX {
+        for (cols, rows) in SIZES {
+            let mut session = frame(name, cols, rows);
+            let screen = session.look();
+            let lines: Vec<&str> = screen.lines().collect();
+            let place = format!("{name} at {cols} x {rows}\n{screen}");
+            // Tabs, the present one marked, all by their numbers.
+            assert!(lines[0].contains("[1 Motion]"), "{place}");
+            for tab in 2..=9 {
+                assert!(lines[0].contains(&format!("{tab}")), "{tab}: {place}");
+            }
+            // The verdict and the state.
+            let verdict = lines[lines.len() - 2];
+            assert!(
+                verdict.contains("turns fully") || verdict.contains(".."),
+                "{place}"
+            );
+            let last = lines[lines.len() - 1];
+            assert!(last.contains("ok") && last.contains(" motion "), "{place}");
+            // Panes.
+            let titles = lines[1];
+            let panes = ["tables", "scene"].map(|pane| titles.contains(&format!("─ {pane} ─")));
+            let plots = screen.contains("\n─ plots ─");
+            let expected = match (cols, rows) {
+                (200, _) => ([true, true], true),
+                (120, _) => ([true, false], true),
+                _ => ([false, false], false),
+            };
+            assert_eq!((panes, plots), expected, "{place}");
+            // Figures: the smallest screen has those of the first vectors.
+            let least = match (cols, rows) {
+                (200, _) => 45,
+                (120, _) => 30,
+                (80, _) => 12,
+                _ => 4,
+            };
+            assert!(
+                figures(&screen).len() >= least,
+                "{} figures: {place}",
+                figures(&screen).len()
+            );
+        }
+    }
+}
+
+#[test]
+fn every_drawing_has_its_share_and_fills_it() {
+    for name in SIX {
+        for (cols, rows) in SIZES {
+            let mut session = frame(name, cols, rows);
+            let screen = session.look();
+            let pane = DrawingPane::of(&session);
+            let place = format!("{name} at {cols} x {rows}\n{screen}");
+            let height = f64::from(pane.rows.end - pane.rows.start);
+            let share = match cols {
+                // Three panes, with their titles and lines.
+                120.. => 0.4,
+                80 => 0.5,
+                // Tables below a drawing on the smallest screen.
+                _ => 0.3,
+            };
+            let cells = f64::from(pane.cols + 1) * height;
+            let whole = f64::from(cols) * f64::from(rows);
+            assert!(
+                cells >= share * whole,
+                "{} of {whole}: {place}",
+                cells / whole
+            );
+            let dots = pane.inked(&session);
+            let span = |of: fn(&(u16, u16, vt100::Color)) -> u16| {
+                let all = || dots.iter().map(of);
+                f64::from(all().max().unwrap() - all().min().unwrap() + 1)
+            };
+            let (across, down) = (span(|d| d.1) / f64::from(pane.cols), span(|d| d.0) / height);
+            assert!(across.max(down) >= FILL, "{across:.2} {down:.2}: {place}");
+        }
+    }
+}
+
+/// A row of the tables has the hue that its link has in the drawing, the driver's is seen wherever there are
+/// tables, and links that differ do not all look the same.
+#[test]
+fn rows_have_the_hues_of_their_links() {
+    for name in SIX {
+        for (cols, rows) in SIZES {
+            let mut session = frame(name, cols, rows);
+            let screen = session.look();
+            let place = format!("{name} at {cols} x {rows}\n{screen}");
+            let dots = DrawingPane::of(&session).inked(&session);
+            let drawn: BTreeSet<String> = dots
+                .iter()
+                .map(|(.., colour)| format!("{colour:?}"))
+                .collect();
+            let rows_of = hues_of_rows(&session, name);
+            assert!(!rows_of.is_empty(), "{place}");
+            let hued = rows_of.values().map(|colour| format!("{colour:?}"));
+            let hued: BTreeSet<String> = hued.filter(|hue| hue != "Default").collect();
+            let driver = preset(name).scene.mechanism.driver().input;
+            let is_driven_by_a_link = matches!(driver, Input::Turn(_));
+            assert!(
+                hued.len() >= if is_driven_by_a_link { 2 } else { 1 },
+                "{rows_of:?}: {place}"
+            );
+            // On the smallest screen links of one row lie below the pins at their ends.
+            if rows == 12 {
+                continue;
+            }
+            for hue in &hued {
+                assert!(
+                    drawn.contains(hue),
+                    "{hue} of {rows_of:?} is not drawn: {place}"
+                );
+            }
+        }
+    }
+}
