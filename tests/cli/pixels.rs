@@ -4,9 +4,6 @@ use super::{command, folder};
 use resvg::tiny_skia::Pixmap;
 use std::fs::File;
 
-/// Hues of the light ground: the driver, and the first link.
-const DRIVER: [u8; 3] = [0xc8, 0x1e, 0x24];
-const LINK: [u8; 3] = [0x00, 0x67, 0xdf];
 const PAPER: [u8; 3] = [0xff; 3];
 
 fn written(name: &str, arguments: &[&str]) -> std::path::PathBuf {
@@ -15,6 +12,14 @@ fn written(name: &str, arguments: &[&str]) -> std::path::PathBuf {
     command.args(arguments).arg("-o").arg(&file);
     command.assert().success();
     file
+}
+
+/// What the style of the same drawing as SVG strokes with, on light ground: it says light first.
+fn stroke(svg: &str, class: &str) -> [u8; 3] {
+    let rule = svg.lines().find(|line| line.starts_with(class)).unwrap();
+    let (_, hex) = rule.split_once("stroke:#").unwrap();
+    let hex = u32::from_str_radix(&hex[..6], 16).unwrap();
+    [hex >> 16, hex >> 8, hex].map(|channel| (channel & 0xff) as u8)
 }
 
 /// At 60 degrees the crank of 100 mm goes from A to B; both are found by the middle of what is red.
@@ -39,8 +44,13 @@ fn pixels_of_a_png_have_the_hues_of_the_links() {
         let all = (0..picture.height()).flat_map(|y| (0..400).map(move |x| (x, y)));
         all.filter(|&(x, y)| at(x, y) == hue).collect()
     };
-    let (driver, link) = (of(DRIVER), of(LINK));
-    assert!(driver.len() > 50 && link.len() > 2 * driver.len());
+    let svg = command(&["draw", "four-bar", "--format", "svg"]).output();
+    let svg = String::from_utf8(svg.unwrap().stdout).unwrap();
+    let driver = of(stroke(&svg, ".driver"));
+    let link = of(stroke(&svg, ".hue0"));
+    // The coupler is three times as long as the crank; edges are mixed with the paper.
+    let lengths = (driver.len(), link.len());
+    assert!(lengths.0 > 50 && lengths.1 > 2 * lengths.0, "{lengths:?}");
     assert_eq!([at(0, 0), at(399, picture.height() - 1)], [PAPER; 2]);
     // The crank rises to the right by 60 degrees: 1.73 up for 1 along.
     let (low, high) = (driver.iter().max_by_key(|p| p.1).unwrap(), driver[0]);
