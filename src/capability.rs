@@ -88,9 +88,7 @@ pub(crate) struct Judgement {
     colorterm: Option<String>,
     /// What TERM_PROGRAM says.
     program: Option<String>,
-    /// Whether the window is one of kitty's.
-    in_kitty: bool,
-    /// Whether tmux or screen stands between.
+    /// Whether tmux, screen or zellij stands between.
     multiplexed: bool,
 }
 
@@ -169,8 +167,9 @@ impl Judgement {
             no_color: given("NO_COLOR"),
             colorterm: given("COLORTERM"),
             program: given("TERM_PROGRAM"),
-            in_kitty: given("KITTY_WINDOW_ID").is_some(),
-            multiplexed: given("TMUX").or_else(|| given("STY")).is_some(),
+            multiplexed: ["TMUX", "STY", "ZELLIJ"]
+                .iter()
+                .any(|name| given(name).is_some()),
         }
     }
 

@@ -69,6 +69,13 @@ const PROGRAMS: [(&str, PictureProtocol); 5] = [
 impl Judgement {
     /// How pictures are sent: as is wished, or as the environment says for certain.
     pub(crate) fn pictures(&self, wish: PictureChoice) -> Detected<Option<PictureProtocol>> {
+        match cfg!(feature = "pictures") {
+            true => self.pictures_wished(wish),
+            false => found(None, words().no_pictures()),
+        }
+    }
+
+    fn pictures_wished(&self, wish: PictureChoice) -> Detected<Option<PictureProtocol>> {
         match wish {
             PictureChoice::By(protocol) => found(Some(protocol), words().pictures_asked_for()),
             PictureChoice::Never => found(None, words().pictures_unwanted()),
@@ -96,9 +103,6 @@ impl Judgement {
         {
             return found(Some(*protocol), format!("TERM_PROGRAM={program}"));
         }
-        if self.in_kitty {
-            return found(Some(PictureProtocol::Kitty), "KITTY_WINDOW_ID");
-        }
         found(None, words().pictures_unknown(term))
     }
 }
@@ -112,7 +116,7 @@ mod tests {
             let found = environment.iter().find(|(n, _)| *n == name);
             found.map(|(_, value)| (*value).to_owned())
         });
-        judgement.pictures(wish).value
+        judgement.pictures_wished(wish).value
     }
 
     /// A terminal that is sent what it does not know shows it as pages of letters.
@@ -122,7 +126,9 @@ mod tests {
         let xterm = ("TERM", "xterm-256color");
         for (environment, protocol) in [
             (&[("TERM", "xterm-kitty")][..], Some(Kitty)),
-            (&[xterm, ("KITTY_WINDOW_ID", "1")], Some(Kitty)),
+            // An xterm that was begun in a kitty has its variables.
+            (&[xterm, ("KITTY_WINDOW_ID", "1")], None),
+            (&[("TERM", "xterm-kitty"), ("ZELLIJ", "0")], None),
             (&[xterm, ("TERM_PROGRAM", "iTerm.app")], Some(Iterm)),
             (&[("TERM", "foot-extra")], Some(Sixel)),
             (&[xterm], None),

@@ -14,7 +14,7 @@ use crate::wording::words;
 pub enum LegendEntry {
     /// An arrow and what its length means.
     Arrow {
-        /// [`Role::Velocity`] or [`Role::Acceleration`].
+        /// [`Role::Velocity`], [`Role::Acceleration`] or [`Role::Force`].
         role: Role,
         /// `v 500 mm/s`.
         text: String,

@@ -34,7 +34,17 @@ impl Animation {
 
     pub(super) fn add(&mut self, picture: &Pixels) -> Result<(), PaintError> {
         let (width, height) = side_lengths(picture)?;
-        let indices: Vec<u8> = picture.colours().map(|c| self.table.index(c)).collect();
+        // Most pixels are as the one beside them.
+        let mut last = None;
+        let indices = picture.colours().map(|colour| match last {
+            Some((same, index)) if same == colour => index,
+            _ => {
+                let index = self.table.index(colour);
+                last = Some((colour, index));
+                index
+            }
+        });
+        let indices: Vec<u8> = indices.collect();
         let changed = indices.iter().zip(&self.before);
         let changed = changed.map(|(now, before)| if now == before { AS_BEFORE } else { *now });
         let buffer = match self.before.len() == indices.len() {

@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 /// Pixels of the largest picture, in memory four bytes each.
 const MOST: u64 = 1 << 25;
+/// And of all pictures of a turn: some minutes of work.
+const MOST_OF_A_TURN: u64 = 1 << 31;
 
 /// Paints documents.
 pub(crate) struct Canvas {
@@ -84,12 +86,18 @@ impl Pixels {
 /// A GIF that goes round, `rate` pictures a second. Its colours are those of some of the pictures, `typical`.
 pub(crate) fn animation(
     typical: impl Iterator<Item = Result<Pixels, PaintError>>,
-    pictures: impl Iterator<Item = Result<Pixels, PaintError>>,
+    pictures: impl ExactSizeIterator<Item = Result<Pixels, PaintError>>,
     rate: u16,
 ) -> Result<Vec<u8>, PaintError> {
+    let count = pictures.len();
     let mut census = ColourCensus::default();
     for picture in typical {
-        census.count(picture?.colours());
+        let picture = picture?;
+        let (width, height) = picture.size();
+        if u64::from(width) * u64::from(height) * count as u64 > MOST_OF_A_TURN {
+            return Err(PaintError::TooMany(count));
+        }
+        census.count(picture.colours());
     }
     let mut animation = Animation::new(census.table(), rate);
     for picture in pictures {

@@ -28,6 +28,10 @@ pub(crate) enum PaintError {
     #[cfg(feature = "pictures")]
     #[error("{}", words().picture_too_large(*.0, *.1))]
     TooLarge(u32, u32),
+    /// More pictures than anybody waits for.
+    #[cfg(feature = "pictures")]
+    #[error("{}", words().turn_too_large(*.0))]
+    TooMany(usize),
     /// What the crates say.
     #[cfg(feature = "pictures")]
     #[error("{0}")]

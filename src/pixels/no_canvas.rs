@@ -29,7 +29,7 @@ impl Pixels {
 
 pub(crate) fn animation(
     _typical: impl Iterator<Item = Result<Pixels, PaintError>>,
-    _pictures: impl Iterator<Item = Result<Pixels, PaintError>>,
+    _pictures: impl ExactSizeIterator<Item = Result<Pixels, PaintError>>,
     _rate: u16,
 ) -> Result<Vec<u8>, PaintError> {
     Err(PaintError::NotBuilt)

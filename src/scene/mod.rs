@@ -77,7 +77,7 @@ pub use rewrite::Precision;
 pub(crate) use rewrite::{figure, key};
 pub use typed::Mistyped;
 pub use unit::Unit;
-pub use values::Value;
+pub use values::{Value, ValueOwner};
 
 use crate::document;
 use crate::{ElementId, LinkId, Mechanism, PointId, SlideId};

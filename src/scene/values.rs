@@ -19,11 +19,27 @@ use toml::de::{DeTable, DeValue, ValueDeserializer};
 
 type SpannedValue<'t> = Spanned<DeValue<'t>>;
 
+/// What a number of the scene belongs to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ValueOwner {
+    /// The scene as a whole, as gravity does.
+    Scene,
+    /// The driver.
+    Driver,
+    /// The point, link or slide of this name; what acts on one belongs to it.
+    Element(String),
+    /// The line from one point to another, as of a spring.
+    Between(String, String),
+}
+
 /// A number of the scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Value {
     /// For people: `A x`, `r2 length`, `driver speed`. No two values of a scene have the same.
     pub name: String,
+    /// What it belongs to.
+    pub owner: ValueOwner,
     /// What it measures.
     pub measure: Measure,
     /// The number, in `unit`.
@@ -71,6 +87,7 @@ impl Scene {
             text: self.text(),
             unit: self.unit,
             turns: matches!(self.mechanism.driver().input, Input::Turn(_)),
+            owner: ValueOwner::Scene,
             met: HashMap::new(),
             found: Vec::new(),
         };
@@ -122,6 +139,8 @@ struct Collector<'t> {
     unit: Unit,
     /// Whether a link is driven, and no slide.
     turns: bool,
+    /// What the values that are found now belong to.
+    owner: ValueOwner,
     /// How often each load and each spring was met.
     met: HashMap<String, usize>,
     found: Vec<Value>,
@@ -157,16 +176,36 @@ impl Collector<'_> {
                 // Where a point starts is not where it is.
                 let start = if key.name == "start" { " start" } else { "" };
                 each(value, |point, at| {
-                    self.pair(&(join(of, point) + start), "", size, at)
+                    let name = join(of, point) + start;
+                    self.of(ValueOwner::Element(point.to_owned()), |its| {
+                        its.pair(&name, "", size, at);
+                    });
                 });
             }
-            KeyKind::Table(keys) => self.inner(keys, key.name, value),
-            KeyKind::Each(keys) => each(value, |name, value| self.inner(keys, name, value)),
+            KeyKind::Table(keys) => {
+                let owner = match key.name {
+                    "driver" => ValueOwner::Driver,
+                    _ => ValueOwner::Scene,
+                };
+                self.of(owner, |its| its.inner(keys, key.name, value));
+            }
+            KeyKind::Each(keys) => each(value, |name, value| {
+                self.of(ValueOwner::Element(name.to_owned()), |its| {
+                    its.inner(keys, name, value);
+                });
+            }),
             KeyKind::List(keys) => {
                 let tables = items(value).filter_map(|item| item.get_ref().as_table());
                 tables.for_each(|table| self.acting(keys, table));
             }
         }
+    }
+
+    /// What is found meanwhile belongs to this.
+    fn of(&mut self, owner: ValueOwner, find: impl FnOnce(&mut Self)) {
+        let before = std::mem::replace(&mut self.owner, owner);
+        find(self);
+        self.owner = before;
     }
 
     fn inner(&mut self, keys: &'static [SceneKey], name: &str, value: &SpannedValue<'_>) {
@@ -181,7 +220,8 @@ impl Collector<'_> {
         if let (Some(from), Some(to)) = (name("from"), name("to")) {
             let of = format!("spring {from}-{to}");
             let again = self.again(&of);
-            return self.table(keys, &of, table, &again);
+            let owner = ValueOwner::Between(from.to_owned(), to.to_owned());
+            return self.of(owner, |its| its.table(keys, &of, table, &again));
         }
         let on = ["point", "link", "slide"].into_iter().find_map(name);
         let mut sizes = ["force", "torque", "press"].into_iter();
@@ -190,13 +230,15 @@ impl Collector<'_> {
         };
         let what = join(on, size);
         let again = self.again(&what);
-        for (key, value) in table {
-            if let Some(key) = keys::find(keys, key.get_ref()) {
-                // The factors of a load are called by its size.
-                let called = if key.name == "over" { size } else { key.name };
-                self.value(key, (on, called), value, &again);
+        self.of(ValueOwner::Element(on.to_owned()), |its| {
+            for (key, value) in table {
+                if let Some(key) = keys::find(keys, key.get_ref()) {
+                    // The factors of a load are called by its size.
+                    let called = if key.name == "over" { size } else { key.name };
+                    its.value(key, (on, called), value, &again);
+                }
             }
-        }
+        });
     }
 
     /// Knots, counted from 1: where each lies, and what is there.
@@ -240,6 +282,7 @@ impl Collector<'_> {
         let place = value.span();
         self.found.push(Value {
             name,
+            owner: self.owner.clone(),
             measure,
             number,
             literal: self.text[place.clone()].to_owned(),
@@ -271,6 +314,7 @@ impl Collector<'_> {
         };
         self.found.push(Value {
             name: name.to_owned(),
+            owner: self.owner.clone(),
             measure,
             number: parsed,
             literal: number.to_owned(),

@@ -40,6 +40,7 @@ use crate::tui::document::Document;
 use crate::tui::document::clerk::Clerk;
 use crate::tui::document::editor::Editor;
 use crate::tui::figures::cursor::Cursor;
+use crate::tui::figures::search::FoundLine;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::playback::Playback;
@@ -100,7 +101,7 @@ pub(crate) struct App {
     /// The name that was sought last.
     sought: String,
     /// The line in which it was found, in a view that is read.
-    found: Option<usize>,
+    found: Option<FoundLine>,
     /// What is plotted.
     plots: Plots,
     /// What the open scene asks of its motor.
@@ -240,8 +241,8 @@ impl App {
     }
 
     /// The line of what is looked at in which something was found.
-    pub(crate) fn found(&self, view: View) -> Option<usize> {
-        self.found.filter(|_| view == self.shell.view)
+    pub(crate) fn found(&self, view: View) -> Option<&FoundLine> {
+        self.found.as_ref().filter(|_| view == self.shell.view)
     }
 
     /// How the panes stand.

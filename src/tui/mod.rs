@@ -162,11 +162,12 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     let capability = capability.ok_or(Error::Dumb)?;
     let end = catching(|| {
         let tty = Tty::open(capability)?;
-        let size = tty.size();
+        let (size, aspect) = (tty.size(), tty.aspect());
         let workbench = Workbench::on(opened, options.at, capability, size).themed(options.theme);
         let mut workbench = workbench
             .configured(&options.config)
             .looking_at(options.view.unwrap_or_default());
+        workbench.app().resize(size, aspect);
         workbench.app().work_apart();
         let pictures = judgement.pictures(options.picture);
         workbench.app().send_pictures(pictures);
@@ -284,10 +285,10 @@ impl Session {
             self.workbench.paint_rest(room)
         };
         self.tty.send(frame)?;
-        match self.workbench.take_still() {
-            Some(still) => Ok(self.tty.say_still(&still)?),
-            None => Ok(()),
+        while let Some(still) = self.workbench.take_still() {
+            self.tty.say_still(&still)?;
         }
+        Ok(())
     }
 
     /// Until when to wait, if nothing happens before.

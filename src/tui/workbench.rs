@@ -29,6 +29,8 @@ pub struct Workbench {
     /// What keys have sent to the terminal beside frames.
     sent: Vec<u8>,
     still: Still,
+    /// What takes the picture away that was shown last; the terminal has not been told yet.
+    removal: &'static [u8],
 }
 
 impl Workbench {
@@ -95,6 +97,7 @@ impl Workbench {
             now: Duration::ZERO,
             sent: Vec::new(),
             still: Still::default(),
+            removal: &[],
         }
     }
 
@@ -203,11 +206,13 @@ impl Workbench {
 
     pub(super) fn paste(&mut self, text: &str) {
         self.put_still_away();
+        self.still.asked_again(false);
         self.app.paste(text);
     }
 
     pub(super) fn point(&mut self, mouse: Mouse) -> Effect {
         self.put_still_away();
+        self.still.asked_again(false);
         let under = views::under(&self.app, &self.sketch, mouse.at);
         self.app.point(mouse, under, self.now)
     }

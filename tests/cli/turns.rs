@@ -97,6 +97,69 @@ fn a_cast_has_the_colours_of_the_drawing() {
     assert!(!all.contains("38;2;"));
 }
 
+/// Behind a character in the last column, erasing to the end of the row takes it away on some terminals.
+#[test]
+fn nothing_is_erased_behind_the_last_column() {
+    let (_, events) = cast(&["engine"]);
+    let full = events.iter().filter_map(|event| event[2].as_str());
+    let full = full.flat_map(|text| text.split(";1H").skip(1));
+    for row in full.filter(|row| row.ends_with("\u{1b}[K")) {
+        let glyphs = row
+            .split("\u{1b}[")
+            .map(|piece| match piece.split_once('m') {
+                Some((style, rest)) if style.chars().all(|c| c.is_ascii_digit() || c == ';') => {
+                    rest
+                }
+                _ => piece,
+            });
+        let columns: usize = glyphs
+            .filter(|piece| *piece != "K")
+            .map(|p| p.chars().count())
+            .sum();
+        assert!(columns < 80, "{row:?}");
+    }
+}
+
+/// Arrows have a scale, and who played it has a shell with a cursor below it.
+#[test]
+fn a_turn_tells_what_its_arrows_mean_and_gives_the_cursor_back() {
+    let (_, events) = cast(&["four-bar", "--velocities", "--size", "60x20"]);
+    let screen = played(&events, 60, 20);
+    assert!(screen[19].contains("mm/s ="), "{screen:#?}");
+    let texts: Vec<&str> = events
+        .iter()
+        .filter_map(|event| event[2].as_str())
+        .collect();
+    assert!(texts[0].starts_with("\u{1b}[?25l"));
+    assert!(texts[texts.len() - 1].ends_with("\u{1b}[20;1H\u{1b}[?25h"));
+}
+
+/// An option that means nothing to a format is a slip, and is told with the formats that it is for.
+#[test]
+fn options_of_other_formats_are_refused() {
+    for (arguments, option, others) in [
+        (
+            &["--width", "800", "--format", "svg"][..],
+            "--width",
+            "png, gif",
+        ),
+        (&["--dark"], "--dark", "svg, png, gif"),
+        (
+            &["--format", "svg", "--seconds", "3"],
+            "--seconds",
+            "gif, cast",
+        ),
+        (
+            &["--format", "svg", "--glyphs", "line"],
+            "--glyphs",
+            "text, cast",
+        ),
+    ] {
+        let error = super::refused(2, &[&["draw", "four-bar"], arguments].concat());
+        assert!(error.contains(option) && error.contains(others), "{error}");
+    }
+}
+
 /// The formats are known, so that nobody takes them for a slip of the fingers.
 #[cfg(not(feature = "pictures"))]
 #[test]

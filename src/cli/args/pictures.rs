@@ -134,8 +134,8 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(long)]
     pub(in crate::cli) dark: bool,
     #[arg(help = words().seconds_of_turn())]
-    #[arg(long, value_name = "SECONDS", default_value_t = 6, value_parser = clap::value_parser!(u16).range(1..=MOST_SECONDS))]
-    pub(in crate::cli) seconds: u16,
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u16).range(1..=MOST_SECONDS))]
+    pub(in crate::cli) seconds: Option<u16>,
     #[command(flatten)]
     pub(in crate::cli) output: OutputArgs,
 }

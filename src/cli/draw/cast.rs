@@ -2,11 +2,11 @@
 //! stamp, so that the same scene gives the same bytes.
 
 use super::turn::{self, RATE};
-use super::{DrawFormat, DrawnScene};
+use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
 use crate::cli::args::Size;
 use crate::cli::failure::Failure;
 use crate::cli::picture::USUAL;
-use crate::drawing::{self, CharCell, Glyphs, Hue, Raster, Role, is_bold};
+use crate::drawing::{self, CharCell, Glyphs, Hue, LegendPiece, Raster, Role, WorldView, is_bold};
 use crate::scene::sanitized;
 use crate::wording::Words;
 use std::fmt::Write as _;
@@ -14,6 +14,8 @@ use std::fmt::Write as _;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "cast",
     about: <dyn Words>::format_cast,
+    takes: &[FormatOption::Glyphs, FormatOption::Seconds],
+    is_binary: false,
     write,
 };
 
@@ -22,9 +24,17 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let title = json(&sanitized(&drawn.title(), false));
     let mut cast =
         format!("{{\"version\": 2, \"width\": {cols}, \"height\": {rows}, \"title\": {title}}}\n");
-    let view = drawn.whole_view(size);
     // Whoever plays it has a player for it, and fonts: nothing follows from where it was written.
     let glyphs = drawn.args.glyphs.asked().unwrap_or(Glyphs::Braille);
+    let legend_of = |view: &WorldView| {
+        let entries = drawn.overlay.legend(view, 1.0);
+        drawing::legend_lines(&entries, glyphs, usize::from(cols), MOST_LEGEND)
+    };
+    let lines = u16::try_from(legend_of(&drawn.whole_view(size)).len()).unwrap_or(0);
+    let view = drawn.whole_view(Size {
+        cols,
+        rows: rows.saturating_sub(lines).max(1),
+    });
     let places = turn::places(drawn);
     let settled = drawn.settled_labels(&places, &view);
     let (mut labels, mut state) = (settled.clone(), drawn.solver.state());
@@ -38,8 +48,15 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         let mut raster = Raster::new();
         drawing::render_into(&figure, &view, glyphs, &mut labels, &mut raster);
         let seconds = k as f64 / f64::from(RATE);
-        let frame = json(&changed(&before, &raster));
-        let _ = writeln!(cast, "[{seconds:.3}, \"o\", {frame}]");
+        let mut text = changed(&before, &raster);
+        if k == 0 {
+            text.push_str(&legend(&legend_of(&view), view.rows()));
+        }
+        if k + 1 == places.len() {
+            // The shell goes on below it, with its cursor.
+            let _ = write!(text, "\x1b[{rows};1H\x1b[?25h");
+        }
+        let _ = writeln!(cast, "[{seconds:.3}, \"o\", {}]", json(&text));
         before = raster;
     }
     Ok(cast.into_bytes())
@@ -68,7 +85,23 @@ fn changed(before: &Raster, now: &Raster) -> String {
         if in_force != PLAIN {
             let _ = write!(text, "\x1b[{PLAIN}m");
         }
-        text.push_str("\x1b[K");
+        // Behind the last column some terminals would erase the character in it.
+        if end.is_none_or(|end| end + 1 < line.len()) {
+            text.push_str("\x1b[K");
+        }
+    }
+    text
+}
+
+/// The lines of a legend below a drawing of so many rows.
+fn legend(lines: &[Vec<LegendPiece>], rows: u16) -> String {
+    let mut text = String::new();
+    for (line, row) in lines.iter().zip(rows + 1..) {
+        let _ = write!(text, "\x1b[{row};1H");
+        for piece in line {
+            let _ = write!(text, "\x1b[{}m{}", colours(piece.role), piece.text);
+        }
+        let _ = write!(text, "\x1b[{PLAIN}m");
     }
     text
 }

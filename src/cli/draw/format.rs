@@ -1,8 +1,9 @@
 //! The ways to write a drawing: one table, a file each.
 
 use super::DrawnScene;
+use crate::cli::args::DrawArgs;
 use crate::cli::failure::Failure;
-use crate::wording::Wording;
+use crate::wording::{Wording, words};
 
 /// A way to write a drawing.
 #[derive(Debug)]
@@ -10,7 +11,20 @@ pub(in crate::cli) struct DrawFormat {
     /// What `--format` calls it: a promise.
     pub(in crate::cli) name: &'static str,
     pub(in crate::cli) about: Wording,
+    /// Which of the options that are not for every format it takes.
+    pub(super) takes: &'static [FormatOption],
+    /// Whether it is no text: a terminal is not sent such bytes.
+    pub(super) is_binary: bool,
     pub(super) write: fn(&DrawnScene<'_>) -> Result<Vec<u8>, Failure>,
+}
+
+/// An option that means nothing to some formats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FormatOption {
+    Glyphs,
+    Width,
+    Dark,
+    Seconds,
 }
 
 /// All of them, as the help lists them.
@@ -21,3 +35,49 @@ pub(in crate::cli) static FORMATS: [&DrawFormat; 5] = [
     &super::gif::FORMAT,
     &super::cast::FORMAT,
 ];
+
+impl DrawFormat {
+    /// Nothing that was asked for is passed over in silence.
+    pub(super) fn check(&self, args: &DrawArgs) -> Result<(), Failure> {
+        let mut asked = FormatOption::ALL.into_iter().filter(|o| o.is_asked(args));
+        match asked.find(|option| !self.takes.contains(option)) {
+            None => Ok(()),
+            Some(option) => {
+                let others = FORMATS.iter().filter(|f| f.takes.contains(&option));
+                let others: Vec<&str> = others.map(|format| format.name).collect();
+                Err(Failure::Usage(words().format_takes_no(
+                    self.name,
+                    option.name(),
+                    &others.join(", "),
+                )))
+            }
+        }
+    }
+}
+
+impl FormatOption {
+    const ALL: [FormatOption; 4] = [
+        FormatOption::Glyphs,
+        FormatOption::Width,
+        FormatOption::Dark,
+        FormatOption::Seconds,
+    ];
+
+    fn name(self) -> &'static str {
+        match self {
+            FormatOption::Glyphs => "--glyphs",
+            FormatOption::Width => "--width",
+            FormatOption::Dark => "--dark",
+            FormatOption::Seconds => "--seconds",
+        }
+    }
+
+    fn is_asked(self, args: &DrawArgs) -> bool {
+        match self {
+            FormatOption::Glyphs => args.glyphs.asked().is_some(),
+            FormatOption::Width => args.width.is_some(),
+            FormatOption::Dark => args.dark,
+            FormatOption::Seconds => args.seconds.is_some(),
+        }
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::svg::unpainted;
 use super::turn::{self, RATE};
-use super::{DrawFormat, DrawnScene};
+use super::{DrawFormat, DrawnScene, FormatOption};
 use crate::cli::failure::Failure;
 use crate::drawing::{self, Labels, WorldView};
 use crate::pixels::{Canvas, PaintError, Pixels, animation};
@@ -11,6 +11,12 @@ use crate::wording::Words;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "gif",
     about: <dyn Words>::format_gif,
+    takes: &[
+        FormatOption::Width,
+        FormatOption::Dark,
+        FormatOption::Seconds,
+    ],
+    is_binary: true,
     write,
 };
 
@@ -39,7 +45,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
 
 /// The window stands still while the linkage moves.
 fn window(drawn: &DrawnScene<'_>) -> WorldView {
-    drawn.whole_view(drawn.document_size())
+    drawn.document_view(|size| drawn.whole_view(size))
 }
 
 /// The linkage at each of these places of its driver.
@@ -47,8 +53,8 @@ fn pictures(
     drawn: &DrawnScene<'_>,
     canvas: &Canvas,
     settled: &Labels,
-    places: impl Iterator<Item = f64>,
-) -> impl Iterator<Item = Result<Pixels, PaintError>> {
+    places: impl ExactSizeIterator<Item = f64>,
+) -> impl ExactSizeIterator<Item = Result<Pixels, PaintError>> {
     let view = window(drawn);
     let legend = drawn.overlay.legend(&view, 1.0);
     let width = u32::from(drawn.args.width.unwrap_or(WIDTH));

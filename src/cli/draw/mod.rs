@@ -8,12 +8,13 @@ mod svg;
 mod text;
 mod turn;
 
+use format::FormatOption;
 pub(in crate::cli) use format::{DrawFormat, FORMATS};
 
 use super::args::{DrawArgs, NamesChoice, Size};
 use super::commands::{nothing_hidden, out_of_reach, place};
 use super::failure::{Failure, note};
-use super::output::write_to;
+use super::output::{goes_to_terminal, write_to};
 use super::picture::ASPECT;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
@@ -30,8 +31,14 @@ use crate::{Mechanism, PointId};
 /// Columns of a document, and the rows that it has at most.
 const DOCUMENT_COLUMNS: u16 = 100;
 const DOCUMENT_ROWS: u16 = 50;
+/// Lines of a legend.
+const MOST_LEGEND: usize = 2;
 
 pub(super) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
+    args.format.check(args)?;
+    if args.format.is_binary && goes_to_terminal(args.output.output.as_deref()) {
+        return Err(Failure::Usage(words().no_text(args.format.name)));
+    }
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);
     let wanted = wanted(args, &scene)?;
@@ -132,16 +139,13 @@ impl<'a> DrawnScene<'a> {
         WorldView::fit(&self.reach, cols, rows, ASPECT)
     }
 
-    /// As large as was asked for, or as a document is.
-    fn document_size(&self) -> Size {
-        self.args.size.unwrap_or_else(|| {
-            let cols = DOCUMENT_COLUMNS;
-            let snug = WorldView::snug(DOCUMENT_ROWS, |rows| self.view(Size { cols, rows }));
-            Size {
-                cols: snug.cols(),
-                rows: snug.rows(),
-            }
-        })
+    /// The window of a document: as large as was asked for, or as it needs.
+    fn document_view(&self, view: impl Fn(Size) -> WorldView) -> WorldView {
+        let cols = DOCUMENT_COLUMNS;
+        match self.args.size {
+            Some(size) => view(size),
+            None => WorldView::snug(DOCUMENT_ROWS, |rows| view(Size { cols, rows })),
+        }
     }
 
     /// The ground of documents and pixels.

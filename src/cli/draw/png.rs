@@ -1,7 +1,7 @@
 //! A drawing in pixels: the SVG document, painted.
 
 use super::svg::{document, unpainted};
-use super::{DrawFormat, DrawnScene};
+use super::{DrawFormat, DrawnScene, FormatOption};
 use crate::cli::failure::Failure;
 use crate::pixels::Canvas;
 use crate::wording::Words;
@@ -9,6 +9,8 @@ use crate::wording::Words;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "png",
     about: <dyn Words>::format_png,
+    takes: &[FormatOption::Width, FormatOption::Dark],
+    is_binary: true,
     write,
 };
 

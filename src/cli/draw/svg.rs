@@ -1,19 +1,23 @@
 //! A drawing as an SVG document.
 
-use super::{DrawFormat, DrawnScene};
+use super::{DrawFormat, DrawnScene, FormatOption};
 use crate::cli::failure::Failure;
 use crate::drawing::{self, Labels};
 use crate::pixels::PaintError;
 use crate::wording::Words;
+#[cfg(feature = "pictures")]
+use crate::wording::words;
 
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "svg",
     about: <dyn Words>::format_svg,
+    takes: &[FormatOption::Dark],
+    is_binary: false,
     write: |drawn| Ok(document(drawn).into_bytes()),
 };
 
 pub(super) fn document(drawn: &DrawnScene<'_>) -> String {
-    let view = drawn.view(drawn.document_size());
+    let view = drawn.document_view(|size| drawn.view(size));
     let legend = drawn.overlay.legend(&view, 1.0);
     let (figure, title) = (drawn.figure(drawn.state), drawn.title());
     let labels = &mut Labels::default();
@@ -25,6 +29,11 @@ pub(super) fn unpainted(error: PaintError) -> Failure {
     match error {
         #[cfg(feature = "pictures")]
         PaintError::Failed(why) => Failure::Cannot(why),
-        refused => Failure::Usage(refused.to_string()),
+        #[cfg(feature = "pictures")]
+        PaintError::TooLarge(..) | PaintError::TooMany(_) => {
+            Failure::Usage(words().smaller_has_room(&error.to_string()))
+        }
+        #[cfg(not(feature = "pictures"))]
+        PaintError::NotBuilt => Failure::Usage(error.to_string()),
     }
 }

@@ -1,6 +1,6 @@
 //! A drawing in characters.
 
-use super::{DrawFormat, DrawnScene};
+use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
 use crate::cli::args::Size;
 use crate::cli::failure::Failure;
 use crate::cli::picture;
@@ -10,11 +10,10 @@ use crate::wording::Words;
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "text",
     about: <dyn Words>::format_characters,
+    takes: &[FormatOption::Glyphs],
+    is_binary: false,
     write,
 };
-
-/// Lines of a legend.
-const MOST_LEGEND: usize = 2;
 
 fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let glyphs = picture::glyphs(drawn.args.glyphs);

@@ -7,11 +7,13 @@ use std::f64::consts::TAU;
 
 /// Pictures in a second: enough to follow, and few enough for a file.
 pub(super) const RATE: u16 = 15;
+/// What a turn takes.
+const SECONDS: u16 = 6;
 
 /// Where the driver stands in each picture; at the end as at the beginning. It begins at the place that is drawn,
 /// and goes calmly: how fast the mechanism is meant to run tells no eye anything.
 pub(super) fn places(drawn: &DrawnScene<'_>) -> Vec<f64> {
-    let pictures = u32::from(drawn.args.seconds) * u32::from(RATE);
+    let pictures = u32::from(drawn.args.seconds.unwrap_or(SECONDS)) * u32::from(RATE);
     places_over(drawn.solver.motion().range, drawn.state.at(), pictures)
 }
 

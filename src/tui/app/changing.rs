@@ -1,7 +1,7 @@
 //! Another scene, or the same one in another form.
 
 use super::shell::SceneBefore;
-use super::{App, View};
+use super::{App, Mode, View};
 use crate::tui::Opened;
 use crate::tui::document::opening;
 use crate::tui::figures::cursor::Cursor;
@@ -49,6 +49,9 @@ impl App {
         let before = self.player.open_scene.scene();
         self.followed = self.followed.moved(before, &opened.scene);
         self.viewport.move_to(before, &opened.scene);
+        if let Mode::PlotList(list) = &mut self.shell.mode {
+            list.move_to(&opened.scene);
+        }
         self.shell.before = Some(SceneBefore {
             open_scene: self.player.exchange(OpenScene::new(opened), now),
             is_past: false,

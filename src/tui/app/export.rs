@@ -28,9 +28,11 @@ impl App {
 
     /// What moves stands still for a picture, and the terminal must be one that shows it.
     fn ask_for_still(&mut self) -> Effect {
-        self.player.playback.pause();
         match &self.shell.pictures.value {
-            Some(_) => Effect::Still,
+            Some(_) => {
+                self.player.playback.pause();
+                Effect::Still
+            }
             None => {
                 self.shell.say(self.shell.pictures.why.clone());
                 Effect::Show

@@ -102,7 +102,7 @@ impl App {
             Under::Tab(view) => self.look_at(view),
             Under::Drawing(view, seen) => {
                 self.pause(now);
-                self.viewport.hold(&self.player.open_scene);
+                self.viewport.hold(&self.player.open_scene, seen.window);
                 let edits = self.shell.view == View::Scene;
                 let pin = edits.then(|| self.pin_near(seen.place, REACH * seen.column));
                 match pin.flatten() {

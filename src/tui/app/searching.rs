@@ -7,7 +7,7 @@ use crate::tui::commands::action::TablesAction;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::figures::cursor::{self, Cursor};
-use crate::tui::figures::search::{self, NameSearch, Whence};
+use crate::tui::figures::search::{self, FoundLine, NameSearch, Whence};
 use crate::tui::figures::sheet;
 use crate::tui::views::motion::followed;
 use crate::wording::words;
@@ -70,8 +70,12 @@ impl App {
     fn next_line(&self) -> usize {
         let first = self.scroll(self.shell.view);
         let seen = first..first + views::page(self);
-        let found = self.found.filter(|line| seen.contains(line));
+        let found = self.found_line().filter(|line| seen.contains(line));
         found.map_or(first, |line| line + 1)
+    }
+
+    fn found_line(&self) -> Option<usize> {
+        self.found.as_ref().map(|found| found.line)
     }
 
     /// Moves to the row that is meant by what is typed so far; says so where there is none.
@@ -103,8 +107,8 @@ impl App {
                 self.document.editor.seek(typed, false)
             }
             Whence::Lines(from) => {
-                self.found = search::line_with(&views::lines_looked_at(self), typed, from);
-                self.scroll_to(self.found.unwrap_or(from));
+                self.found = FoundLine::of(&views::lines_looked_at(self), typed, from);
+                self.scroll_to(self.found_line().unwrap_or(from));
                 self.found.is_some()
             }
         }
@@ -141,8 +145,8 @@ impl App {
             Whence::Scene(_) => self.document.editor.seek(&self.sought, true),
             Whence::Lines(_) => {
                 let lines = views::lines_looked_at(self);
-                self.found = search::line_with(&lines, &self.sought, self.next_line());
-                self.found.map(|line| self.scroll_to(line)).is_some()
+                self.found = FoundLine::of(&lines, &self.sought, self.next_line());
+                self.found_line().map(|line| self.scroll_to(line)).is_some()
             }
         };
         if !found {

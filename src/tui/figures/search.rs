@@ -42,13 +42,33 @@ impl NameMatch {
     }
 }
 
-/// The first line from a place on, and then round, that has in it what is typed; large letters and small ones are the
-/// same.
-pub(crate) fn line_with(lines: &[String], typed: &str, from: usize) -> Option<usize> {
-    let typed = typed.to_ascii_lowercase();
-    let count = lines.len();
-    let mut round = (0..count).map(|by| (from + by) % count);
-    round.find(|at| lines[*at].to_ascii_lowercase().contains(&typed))
+/// The line in which something was found, and what.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct FoundLine {
+    pub(crate) line: usize,
+    text: String,
+}
+
+impl FoundLine {
+    /// The first of some lines from a place on, and then round, that has in it what is typed; large letters and small
+    /// ones are the same.
+    pub(crate) fn of(lines: &[String], typed: &str, from: usize) -> Option<FoundLine> {
+        let count = lines.len();
+        let mut round = (0..count).map(|by| (from + by) % count);
+        let line = round.find(|at| has(&lines[*at], typed))?;
+        let text = typed.to_owned();
+        Some(FoundLine { line, text })
+    }
+
+    /// Whether it is still there: another scene or another place of the driver has other lines.
+    pub(crate) fn is_in(&self, line: &str) -> bool {
+        has(line, &self.text)
+    }
+}
+
+fn has(line: &str, typed: &str) -> bool {
+    let [line, typed] = [line, typed].map(str::to_ascii_lowercase);
+    line.contains(&typed)
 }
 
 /// The row whose name fits best what is typed, of several the first from a place on; large letters

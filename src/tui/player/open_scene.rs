@@ -209,13 +209,12 @@ impl OpenScene {
         self.explained.as_ref()
     }
 
-    /// Measures what the state costs, without its bounds.
+    /// Measures what the state costs, without its bounds. What is shown of the state stays: it may have forces.
     pub(crate) fn weigh(&mut self) {
-        let OpenScene {
-            opened, at, state, ..
-        } = self;
+        let OpenScene { opened, at, .. } = self;
+        let mut state = opened.solver.state();
         self.cost.measure(|| {
-            let _ = opened.solver.solve(*at, Order::Acceleration, state);
+            let _ = opened.solver.solve(*at, Order::Acceleration, &mut state);
         });
     }
 
@@ -413,4 +412,22 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> String {
     text.chars()
         .map(|c| if fits(c) { c } else { '?' })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tui::document::opening;
+
+    /// It is measured about once a second, and what is drawn is drawn from the state.
+    #[test]
+    fn a_measurement_of_the_cost_leaves_the_state_its_forces() {
+        let preset = crate::scene::presets::find("four-bar-load").unwrap();
+        let mut open_scene = OpenScene::new(opening::preset(preset).unwrap());
+        open_scene.balance_forces(true);
+        let torque = open_scene.state().drive();
+        assert!(torque.is_some());
+        open_scene.weigh();
+        assert_eq!(open_scene.state().drive(), torque);
+    }
 }

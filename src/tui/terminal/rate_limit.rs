@@ -72,6 +72,8 @@ enum Manner {
 struct FrameInFlight {
     at: Instant,
     bytes: usize,
+    /// Whether all of them were sent then; what was said before it may be drawn already.
+    is_whole: bool,
 }
 
 /// Decides when the next frame may be sent, how long it may be, and whether to ask behind it.
@@ -83,8 +85,9 @@ pub(super) struct RateLimit {
     last: Option<Instant>,
     /// When the terminal has answered last.
     drawn: Option<Instant>,
-    /// Bytes sent since the last question.
+    /// Bytes sent since the last question, and whether some of them are no frame.
     unasked: usize,
+    has_said: bool,
     /// Answers that were lost since the last one that came.
     lost: u32,
     rate: LineRate,
@@ -109,6 +112,7 @@ impl RateLimit {
             last: None,
             drawn: None,
             unasked: 0,
+            has_said: false,
             lost: 0,
             rate: LineRate {
                 set,
@@ -126,13 +130,19 @@ impl RateLimit {
         let ask = self.manner != Manner::Mute && self.asked.is_none();
         if ask {
             let bytes = std::mem::take(&mut self.unasked) + QUESTION.len();
-            self.asked = Some(FrameInFlight { at: now, bytes });
+            let is_whole = !std::mem::take(&mut self.has_said);
+            self.asked = Some(FrameInFlight {
+                at: now,
+                bytes,
+                is_whole,
+            });
         }
         ask
     }
 
     /// Bytes are sent that are no frame.
     pub(super) fn say(&mut self, bytes: usize) {
+        self.has_said = true;
         self.unasked = self.unasked.saturating_add(bytes);
     }
 
@@ -145,7 +155,7 @@ impl RateLimit {
             #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
             let bytes = asked.bytes as f64;
             let took = now.saturating_duration_since(asked.at);
-            if took <= LONGEST_WAY {
+            if took <= LONGEST_WAY && asked.is_whole {
                 self.rate.learn(bytes, took.as_secs_f64());
             }
         }
@@ -354,6 +364,23 @@ mod tests {
         };
         local.frames(&mut rate_limit, 1, 3000);
         assert!(rate_limit.room() > 20_000, "{}", rate_limit.room());
+    }
+
+    /// A picture that was drawn before the question was asked says nothing of the line by its bytes.
+    #[test]
+    fn what_was_said_between_frames_makes_no_line_faster() {
+        let line = Line {
+            rate: 960.0,
+            way: 0.01,
+        };
+        let mut rate_limit = RateLimit::new(None);
+        line.frames(&mut rate_limit, 20, 3000);
+        let room = rate_limit.room();
+        rate_limit.say(18_000);
+        let now = Instant::now();
+        assert!(rate_limit.send(100, now));
+        rate_limit.answered(now + Duration::from_millis(120));
+        assert_eq!(rate_limit.room(), room);
     }
 
     /// A far terminal is not a slow one: the way there and back is no reason for short frames.

@@ -211,6 +211,8 @@ impl Tty {
     pub(crate) fn cell(&self) -> Option<(u16, u16)> {
         let w = tcgetwinsize(&self.screen).ok()?;
         let cell = |pixels: u16, cells: u16| pixels.checked_div(cells).filter(|&n| n > 0);
+        // Where the shape of a cell cannot be, its size is none either.
+        self.aspect()?;
         cell(w.ws_xpixel, w.ws_col).zip(cell(w.ws_ypixel, w.ws_row))
     }
 

@@ -28,7 +28,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         print(buffer, area.x, area.y + y, area.width, &line, text);
     };
     // What can lose something is read before it is answered; state and angle can wait.
-    let asked = question::lines(app, area.width);
+    let asked = question::lines(app, area);
     if !asked.is_empty() {
         for (y, line) in (0..area.height).zip(&asked) {
             put(y, line);

@@ -195,7 +195,8 @@ impl Composition {
 
     /// The screen or the layout is another one: what is looked at has a place in it still when another pane is.
     pub(crate) fn keep(&mut self, looked_at: View, screen: Size) {
-        if !self.layout.views(screen).contains(&looked_at) {
+        let views = self.layout.views(screen);
+        if !views.is_empty() && !views.contains(&looked_at) {
             self.aside = Some(looked_at);
         }
     }
@@ -302,6 +303,18 @@ mod tests {
         LayoutName::ALL
             .into_iter()
             .flat_map(|layout| sizes().map(move |size| (layout, size)))
+    }
+
+    #[test]
+    fn what_stands_beside_the_drawing_outlives_a_small_screen() {
+        let (small, large) = (Size::new(40, 12), Size::new(120, 40));
+        let mut composition = Composition::default();
+        composition.look(View::Working, View::Motion, large);
+        let before = composition.standing(View::Motion, large);
+        assert!(before.contains(&View::Working));
+        composition.keep(View::Motion, small);
+        composition.keep(View::Motion, large);
+        assert_eq!(composition.standing(View::Motion, large), before);
     }
 
     #[test]

@@ -32,12 +32,10 @@ pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
 /// Lines, scrolled as the view is.
 pub(super) fn render(app: &App, view: View, lines: &[Line], area: Rect, buffer: &mut Buffer) {
     let first = first_seen(app.scroll(view), lines.len(), area, buffer);
-    let found = app.found(view).and_then(|line| line.checked_sub(first));
-    for (n, (y, line)) in (area.top()..area.bottom())
-        .zip(lines.iter().skip(first))
-        .enumerate()
-    {
-        if found == Some(n) && area.x > 0 {
+    let found = app.found(view);
+    for (y, (n, line)) in (area.top()..area.bottom()).zip(lines.iter().enumerate().skip(first)) {
+        let is_found = found.is_some_and(|found| found.line == n && found.is_in(&line.text()));
+        if is_found && area.x > 0 {
             print(buffer, area.x - 1, y, 1, ">", theme::part(ScreenPart::Key));
         }
         render_line(

@@ -9,7 +9,7 @@
 //! ```
 
 use super::popup::{self, BORDER};
-use super::{columns, print};
+use super::{columns, cut, print};
 use crate::page::wrapped;
 use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -129,13 +129,21 @@ pub(super) fn render(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The same as lines of so many columns, where there is no room for a frame; none where nothing is asked.
-pub(super) fn lines(app: &App, width: u16) -> Vec<String> {
+/// The same as lines in an area that has no room for a frame; none where nothing is asked. The answers stand there
+/// whatever is left of the text.
+pub(super) fn lines(app: &App, area: Rect) -> Vec<String> {
     let Some(Asked { text, keys }) = Asked::of(app) else {
         return Vec::new();
     };
+    let room = usize::from(area.height).saturating_sub(keys.len());
     let keys = keys.iter().map(|(key, name)| format!("{key} {name}"));
-    let text = wrapped(&text, width.into());
+    let mut text = wrapped(&text, area.width.into());
+    if text.len() > room {
+        text.truncate(room);
+        if let Some(last) = text.last_mut() {
+            *last = cut(&format!("{last} ..."), area.width.into());
+        }
+    }
     text.into_iter().chain(keys).collect()
 }
 

@@ -13,7 +13,7 @@ use ratatui::layout::Rect;
 /// A picture that takes longer on its line is sent only after somebody has read how long.
 const PATIENCE: f64 = 3.0;
 /// A cell of a terminal that does not tell its size in pixels: smaller than most, so that a picture fits.
-const USUAL_CELL: (u16, u16) = (8, 16);
+const USUAL_CELL: (u16, u16) = (6, 12);
 
 /// What became of the picture that was asked for.
 #[derive(Debug, Default)]
@@ -29,8 +29,6 @@ pub(super) enum Still {
     Ready(StillSequence, ShownStill),
     /// It is on the screen.
     Shown(ShownStill),
-    /// It is no longer wanted, and the terminal has to be told.
-    Gone(&'static [u8]),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -40,7 +38,7 @@ pub(super) struct ShownStill {
 }
 
 impl Still {
-    /// A key was pressed after it was offered: the same one, or another.
+    /// Something was done after it was offered: the same again, or else.
     pub(super) fn asked_again(&mut self, again: bool) {
         if matches!(self, Still::Offered) {
             *self = if again { Still::Accepted } else { Still::None };
@@ -82,15 +80,18 @@ impl Workbench {
 
     /// What is to be sent behind the frame that was painted last.
     pub(in crate::tui) fn take_still(&mut self) -> Option<StillSequence> {
+        let removal = std::mem::take(&mut self.removal);
+        if !removal.is_empty() {
+            return Some(StillSequence {
+                bytes: removal.to_vec(),
+                removal: &[],
+            });
+        }
         match std::mem::take(&mut self.still) {
             Still::Ready(sequence, shown) if !self.painter.is_cut() => {
                 self.still = Still::Shown(shown);
                 Some(sequence)
             }
-            Still::Gone(removal) => Some(StillSequence {
-                bytes: removal.to_vec(),
-                removal: &[],
-            }),
             still => {
                 self.still = still;
                 None
@@ -102,11 +103,12 @@ impl Workbench {
     pub(super) fn put_still_away(&mut self) {
         match self.still {
             Still::Shown(shown) => {
-                self.still = Still::Gone(still::removal(shown.protocol));
+                self.still = Still::None;
+                self.removal = still::removal(shown.protocol);
                 self.painter.forget();
             }
             Still::Ready(..) => self.still = Still::None,
-            Still::None | Still::Offered | Still::Accepted | Still::Gone(_) => {}
+            Still::None | Still::Offered | Still::Accepted => {}
         }
     }
 
@@ -134,9 +136,51 @@ impl Workbench {
         let Some((svg, area)) = self.sketch.document(&self.app, ground) else {
             return Ok(None);
         };
-        let (width, _) = cell.unwrap_or(USUAL_CELL);
-        let pixels = canvas.paint(&svg, u32::from(area.width) * u32::from(width))?;
+        let pixels = canvas.paint(&svg, width_in(area, cell, self.app.aspect()))?;
         let sequence = still::sequence(protocol, &pixels, area)?;
         Ok(Some((sequence, ShownStill { protocol, area })))
+    }
+}
+
+/// Pixels across the picture of an area, so that its height fits too: its shape is that of cells of this aspect.
+fn width_in(area: Rect, cell: Option<(u16, u16)>, aspect: f64) -> u32 {
+    let (width, height) = cell.unwrap_or(USUAL_CELL);
+    let column = f64::from(width).min(f64::from(height) / aspect);
+    let across = f64::from(area.width) * column;
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "two u16 multiplied; a half pixel is none"
+    )]
+    let across = across as u32;
+    across.max(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sixel picture that is too high would scroll the screen under it.
+    #[test]
+    fn a_picture_is_no_wider_and_no_higher_than_its_cells() {
+        let area = Rect::new(3, 2, 60, 20);
+        for (cell, aspect) in [
+            (Some((10, 20)), 2.0),
+            (Some((10, 18)), 1.8),
+            (Some((10, 18)), 2.0),
+            (Some((10, 30)), 2.0),
+            (None, 2.0),
+            (None, 1.5),
+        ] {
+            let (width, height) = cell.unwrap_or(USUAL_CELL);
+            let across = f64::from(width_in(area, cell, aspect));
+            let down = across * f64::from(area.height) * aspect / f64::from(area.width);
+            assert!(across <= f64::from(area.width * width), "{cell:?}");
+            assert!(down <= f64::from(area.height * height) + 1e-9, "{cell:?}");
+            // And as large as it may be, but for half a pixel a side.
+            let fills = across + 1.0 > f64::from(area.width * width)
+                || down + 2.0 * aspect > f64::from(area.height * height);
+            assert!(fills, "{cell:?} {across} {down}");
+        }
     }
 }

@@ -19,13 +19,21 @@ catalogue! {
             "`{name}` was cut off while it was written, and is whole again";
         output_is_the_scene =
             "the output is the scene that is read: it would be lost; write to another file";
-        #[cfg(not(feature = "pictures"))]
         no_pictures =
             "this krank was built without pictures (the feature `pictures`); to have them: \
              cargo install --path . --features pictures";
         #[cfg(feature = "pictures")]
         picture_too_large(width: u32, height: u32) =
-            "a picture of {width} x {height} pixels is too large; a smaller `--width` has room";
+            "a picture of {width} x {height} pixels is too large";
+        #[cfg(feature = "pictures")]
+        turn_too_large(pictures: usize) =
+            "{pictures} pictures of that size are too many";
+        #[cfg(feature = "pictures")]
+        smaller_has_room(why: &str) = "{why}; a smaller `--width` or fewer `--seconds` have room";
+        format_takes_no(format: &str, option: &str, others: &str) =
+            "a drawing as {format} takes no `{option}`: that is for {others}";
+        no_text(format: &str) =
+            "a {format} is no text that a terminal shows; `-o FILE` writes it to a file";
         #[cfg(not(feature = "tui"))]
         no_workbench(scene: &dyn Display) =
             "this krank was built without the workbench (the feature `tui`); `krank table {scene}` \

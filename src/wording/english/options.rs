@@ -43,7 +43,7 @@ catalogue! {
         format_gif = "A turn in pixels";
         width_in_pixels = "Width in pixels of a PNG or GIF [default: 1600, or 800 for GIF]";
         on_a_dark_ground = "An SVG, PNG or GIF on a dark ground, whatever the reader prefers";
-        seconds_of_turn = "How long a turn takes in a cast or GIF, or the way there and back";
+        seconds_of_turn = "How long a turn takes in a cast or GIF, or the way there and back [default: 6]";
         how_to_write = "How to write it";
         how_to_write_motor = "How to write it; CSV has the cycle step by step";
         digits_of_tables = "Significant digits of text tables; CSV and JSON always carry all";

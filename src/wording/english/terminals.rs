@@ -48,7 +48,7 @@ catalogue! {
         pictures_unwanted = "no pictures are wanted here: picture = \"none\"";
         no_pictures_there(term: &str) = "TERM={term} shows no pictures";
         pictures_behind_multiplexer =
-            "tmux and screen take sixels at most; --picture sixel sends them";
+            "multiplexers take sixels at most; --picture sixel sends them";
         pictures_unknown(term: &str) =
             "TERM={term} does not tell; --picture kitty, iterm or sixel does";
         row_pictures = "pictures";

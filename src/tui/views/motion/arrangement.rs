@@ -85,9 +85,17 @@ pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
 
 /// The window on the drawing in this area.
 pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
-    let (viewport, open_scene) = (app.viewport(), app.open_scene());
-    let own = viewport.reach(open_scene, area.height);
-    let reach = match (app.mode(), open_scene.assembly_list(), app.compared()) {
+    let reach = reach(app, area.height);
+    let size = (area.width, area.height);
+    let viewport = app.viewport();
+    viewport.view(app.open_scene(), &reach, size, app.aspect())
+}
+
+/// The space that a drawing of so many rows must have room for.
+fn reach(app: &App, rows: u16) -> Cow<'_, drawing::Reach> {
+    let open_scene = app.open_scene();
+    let own = app.viewport().reach(open_scene, rows);
+    match (app.mode(), open_scene.assembly_list(), app.compared()) {
         (Mode::Assemblies(_), Some(assembly_list), _) => Cow::Borrowed(assembly_list.reach()),
         // As long as the drawing needs no more than the linkage, that is known already.
         (_, _, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
@@ -95,9 +103,7 @@ pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
         }
         (_, _, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
         _ => Cow::Borrowed(own),
-    };
-    let size = (area.width, area.height);
-    viewport.view(open_scene, &reach, size, app.aspect())
+    }
 }
 
 /// The drawing, the line beside it, and the tables: what these cannot use is the drawing's.
@@ -128,7 +134,11 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);
     // What the width keeps the drawing from using shows more of the tables.
     let lowest = area.height.saturating_sub(all.saturating_add(rule));
-    let scale_at = |height| window(app, Rect { height, ..area }).cells_along(1.0);
+    // Of the whole motion: the line must stand still while the linkage moves.
+    let scale_at = |height| {
+        let reach = reach(app, height);
+        drawing::WorldView::fit(&reach, area.width, height, app.aspect()).cells_along(1.0)
+    };
     // A rounding error makes no drawing smaller.
     let least = scale_at(drawing) * (1.0 - 1e-9);
     let drawing = (lowest.max(LOWEST_DRAWING)..drawing)

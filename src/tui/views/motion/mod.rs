@@ -7,7 +7,10 @@ pub(crate) mod viewport;
 use super::pane::{Copied, Pane};
 use super::{assemblies, columns, print, show, table, title};
 use crate::Vec2;
-use crate::drawing::{self, Figure, Glyphs, Labels, LegendPiece, Raster, Role, SvgGround};
+use crate::drawing::{
+    self, Figure, Glyphs, Labels, LegendPiece, Raster, Role, SvgGround, WorldView,
+};
+use crate::quantity::Subject;
 use crate::report::upwards;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -41,6 +44,8 @@ pub(crate) struct SeenPlace {
     pub(crate) from_middle: Vec2,
     /// How long a column is.
     pub(crate) column: f64,
+    /// The window in which it is seen.
+    pub(crate) window: WorldView,
 }
 
 impl Sketch {
@@ -64,6 +69,7 @@ impl Sketch {
             place,
             from_middle: place - view.world(middle),
             column: 1.0 / view.cells_along(1.0),
+            window: view,
         })
     }
 
@@ -77,23 +83,23 @@ impl Sketch {
         let view = arrangement::window(app, area);
         self.window = Some((area, view));
         let Sketch { labels, raster, .. } = self;
-        drawing::render_into(&figure_of(app), &view, app.glyphs(), labels, raster);
+        let lit = app.view().pane().subject(app);
+        drawing::render_into(&figure_of(app, lit), &view, app.glyphs(), labels, raster);
     }
 
-    /// What is drawn as a document for this ground, and where on the screen it stands; `None` where there is no
+    /// What is drawn as a document for this ground, without what lights up, and where on the screen it stands; `None` where there is no
     /// drawing on it.
     pub(crate) fn document(&self, app: &App, ground: SvgGround) -> Option<(String, Rect)> {
         let (area, view) = self.window?;
         let labels = &mut self.labels.clone();
-        let svg = drawing::svg_on(ground, &figure_of(app), &view, "", &[], labels);
+        let svg = drawing::svg_on(ground, &figure_of(app, None), &view, "", &[], labels);
         Some((svg, area))
     }
 }
 
 /// The linkage as it is now, with what it is compared with.
-fn figure_of(app: &App) -> Figure {
+fn figure_of(app: &App, lit: Option<Subject>) -> Figure {
     let open_scene = app.open_scene();
-    let lit = app.view().pane().subject(app);
     let mut figure = app.viewport().figure(open_scene, lit);
     if let (&Mode::Assemblies(cursor), Some(assembly_list)) =
         (app.mode(), open_scene.assembly_list())

@@ -126,6 +126,8 @@ pub(crate) struct ViewportSetting {
 struct HeldWindow {
     at: f64,
     point: Option<Vec2>,
+    /// As it is seen, while a hand holds something in it: what the scene needs by then does not move it either.
+    seen: Option<WorldView>,
 }
 
 /// What the motion view shows, and how large.
@@ -165,7 +167,12 @@ impl Default for Viewport {
 impl Viewport {
     /// What is set: another one, another drawing.
     pub(crate) fn setting(&self) -> ViewportSetting {
-        self.setting
+        // What is held shows nothing else.
+        let held = None;
+        ViewportSetting {
+            held,
+            ..self.setting
+        }
     }
 
     /// Switches to the next names.
@@ -232,6 +239,7 @@ impl Viewport {
             Some(&point) => {
                 self.setting.framing = Framing::Point(point);
                 self.setting.window.shift = Vec2::ZERO;
+                self.setting.held = None;
                 words().window_stays_with(scene.point_name(point).unwrap_or_default())
             }
             None => {
@@ -257,14 +265,26 @@ impl Viewport {
         self.setting.held = None;
     }
 
-    /// A hand holds something in the drawing: the window stays under it.
-    pub(crate) fn hold(&mut self, open_scene: &OpenScene) {
+    /// A hand holds something in the drawing: the window that is seen stays under it.
+    pub(crate) fn hold(&mut self, open_scene: &OpenScene, seen: WorldView) {
+        self.stay(open_scene);
+        if let Some(held) = &mut self.setting.held {
+            held.seen = Some(seen);
+        }
+    }
+
+    /// The window no longer goes along.
+    fn stay(&mut self, open_scene: &OpenScene) {
         let point = match self.setting.framing {
             Framing::Point(point) => open_scene.state().position(point),
             Framing::Along | Framing::Motion | Framing::Pose => None,
         };
         let at = open_scene.at();
-        self.setting.held.get_or_insert(HeldWindow { at, point });
+        self.setting.held.get_or_insert(HeldWindow {
+            at,
+            point,
+            seen: None,
+        });
     }
 
     /// What was moved by hand stays where it was put; a point that is followed stays in its place there.
@@ -272,15 +292,16 @@ impl Viewport {
         self.setting.window = window;
         match self.setting.framing {
             Framing::Point(_) => {}
-            Framing::Along | Framing::Motion | Framing::Pose => {
-                self.hold(open_scene);
-                self.let_go();
-            }
+            Framing::Along | Framing::Motion | Framing::Pose => self.stay(open_scene),
         }
+        self.let_go();
     }
 
     /// The hand has let go.
     pub(crate) fn let_go(&mut self) {
+        if let Some(held) = &mut self.setting.held {
+            held.seen = None;
+        }
         if self.is_whole() || matches!(self.setting.framing, Framing::Point(_)) {
             self.setting.held = None;
         }
@@ -325,7 +346,12 @@ impl Viewport {
         if possible {
             let by = from_middle * (1.0 - before / self.zoom());
             let Window { level, shift } = self.setting.window;
-            let shift = if by.is_finite() { shift + by } else { shift };
+            // Not so far that nothing is seen any more.
+            let most = open_scene.reach().bounds().size().norm();
+            let shift = match by.is_finite() {
+                true => (shift + by).map(|along| along.clamp(-most, most)),
+                false => shift,
+            };
             self.put(open_scene, Window { level, shift });
         }
         possible
@@ -444,6 +470,10 @@ impl Viewport {
         aspect: f64,
     ) -> WorldView {
         let held = self.setting.held;
+        let is_it = |seen: &WorldView| (seen.cols(), seen.rows()) == (cols, rows);
+        if let Some(seen) = held.and_then(|held| held.seen).filter(is_it) {
+            return seen;
+        }
         let at = held.map_or(open_scene.at(), |held| held.at);
         let view = match self.setting.framing {
             Framing::Along if !self.is_of_the_whole() => {

@@ -29,6 +29,17 @@ impl PlotList {
         }
     }
 
+    /// The scene was changed: what it has now is listed, and the cursor stays on its name.
+    pub(crate) fn move_to(&mut self, scene: &Scene) {
+        let current = self.current().map(str::to_owned);
+        self.all = Catalogue::new(scene).figures();
+        self.narrow();
+        let stays = self
+            .rows()
+            .position(|(name, _)| Some(name) == current.as_deref());
+        self.cursor = stays.unwrap_or(0);
+    }
+
     /// Names and units of what is listed.
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&str, &str)> {
         let rows = self.found.iter().filter_map(|&i| self.all.get(i));
