@@ -67,6 +67,9 @@ impl Screens<'_> {
     }
 
     /// Appends what differs in some columns of a row, in rough characters if it may.
+    ///
+    /// Every cell of every frame is compared here, and once: most are the same, and what is to be done follows from
+    /// the others.
     pub(super) fn find(
         &self,
         y: u16,
@@ -75,96 +78,114 @@ impl Screens<'_> {
         changes: &mut Vec<CellChange>,
     ) {
         let (shown, next) = self.row(y);
-        let Some(changed) = changed(columns.clone(), shown, next) else {
+        let mut first = changes.len();
+        let cells = columns.clone().zip(&next[within(&columns)]);
+        let pairs = cells.zip(&shown[within(&columns)]);
+        let differing = pairs.filter(|((_, cell), shown)| !identical(shown, cell));
+        let differing =
+            differing.filter_map(|((x, cell), shown)| self.change((x, y), shown, cell, rough));
+        changes.extend(differing);
+        if changes.len() == first {
             return;
-        };
-        let erased = |x: u16| CellChange {
-            x,
-            y,
-            style: Sgr::PLAIN,
-            what: ToWrite::Nothing,
-        };
-        let is_wiped = changed.len() > WORTH_WIPING && self.is_worth_wiping(&columns, shown, next);
-        let changed = if is_wiped {
-            changes.push(erased(columns.start));
-            columns.clone()
-        } else {
-            changed
-        };
-        let at_end = usize::from(columns.end) == next.len();
-        let (end, erase) = if at_end && !is_wiped {
-            self.tail(shown, next)
-        } else {
-            (columns.end, false)
-        };
-        let first = changes.len();
-        for x in changed.start..changed.end.min(end) {
-            let cell = &next[usize::from(x)];
-            let shown = if is_wiped {
-                &Cell::EMPTY
-            } else {
-                &shown[usize::from(x)]
-            };
-            if self.look.same(shown, cell) {
-                continue;
+        }
+        let mut erases = None;
+        if usize::from(columns.end) == next.len() {
+            if self.is_worth_wiping(&changes[first..], columns.start) {
+                changes.truncate(first);
+                changes.push(erased(columns.start, y));
+                first += 1;
+                let cells = columns.clone().zip(&next[within(&columns)]);
+                changes.extend(
+                    cells.filter_map(|(x, cell)| self.change((x, y), &Cell::EMPTY, cell, rough)),
+                );
+            } else if let Some(end) = self.tail(&changes[first..]) {
+                let stay = changes[first..].iter().filter(|c| c.x < end).count();
+                changes.truncate(first + stay);
+                erases = Some(erased(end, y));
             }
-            let mut what = ToWrite::Cell;
-            if let Some(glyph) = rough.then(|| roughly(cell)).flatten() {
-                let mut rough = cell.clone();
-                if self.look.same(shown, rough.set_char(glyph)) {
-                    continue;
-                }
-                what = ToWrite::Rough(glyph);
-            }
-            changes.push(CellChange {
-                x,
-                y,
-                style: self.look.sgr_of(cell),
-                what,
-            });
         }
         blanks_like_their_neighbours(&mut changes[first..], next);
-        if erase {
-            changes.push(erased(end));
-        }
+        changes.extend(erases);
     }
 
-    /// Whether it is cheaper to erase a row from these columns on than to write blanks one by one: what is
-    /// erased and stays is written again.
-    fn is_worth_wiping(&self, columns: &Range<u16>, shown: &[Cell], next: &[Cell]) -> bool {
-        let (from, to) = (usize::from(columns.start), usize::from(columns.end));
-        if to < next.len() {
-            // Beyond these columns it is not for this list to write.
-            return false;
+    /// What is written at a place, if that is seen.
+    fn change(
+        &self,
+        (x, y): (u16, u16),
+        shown: &Cell,
+        cell: &Cell,
+        rough: bool,
+    ) -> Option<CellChange> {
+        if self.look.same(shown, cell) {
+            return None;
         }
-        let both = || shown.iter().zip(next).skip(from);
-        let is_ink = |cell: &Cell| !self.look.is_blank(cell);
-        let gone = both().filter(|(a, b)| !is_ink(b) && is_ink(a)).count();
+        let mut what = ToWrite::Cell;
+        if let Some(glyph) = rough.then(|| roughly(cell)).flatten() {
+            let mut rough = cell.clone();
+            if self.look.same(shown, rough.set_char(glyph)) {
+                return None;
+            }
+            what = ToWrite::Rough(glyph);
+        }
+        Some(CellChange {
+            x,
+            y,
+            style: self.look.sgr_of(cell),
+            what,
+        })
+    }
+
+    /// Whether a change makes ground of what is seen now.
+    fn takes_away(&self, change: &CellChange) -> bool {
+        let (shown, next) = self.row(change.y);
+        let at = usize::from(change.x);
+        self.look.is_blank(&next[at]) && !self.look.is_blank(&shown[at])
+    }
+
+    /// Whether it is cheaper to erase the rest of a row from here on than to write blanks one by one: what is
+    /// erased and stays is written again.
+    fn is_worth_wiping(&self, changes: &[CellChange], from: u16) -> bool {
+        let gone = changes.iter().filter(|c| self.takes_away(c)).count();
         // Most frames change a few cells of a row: then nothing else is asked of it.
         let saved = gone.saturating_sub(WORTH_WIPING);
-        let stays = both().filter(|(a, b)| is_ink(b) && self.look.same(a, b));
-        saved > 0 && stays.take(saved).count() < saved
+        if saved == 0 {
+            return false;
+        }
+        let (shown, next) = self.row(changes[0].y);
+        let from = usize::from(from);
+        let stays = shown[from..].iter().zip(&next[from..]);
+        let stays = stays.filter(|(a, b)| !self.look.is_blank(b) && self.look.same(a, b));
+        stays.take(saved).count() < saved
     }
 
-    /// Up to where a row is written cell by cell, and whether the rest is erased at once.
-    fn tail(&self, previous: &[Cell], next: &[Cell]) -> (u16, bool) {
+    /// From where on a row is erased at once instead of cell by cell, if that is shorter.
+    fn tail(&self, changes: &[CellChange]) -> Option<u16> {
+        let (_, next) = self.row(changes[0].y);
         let is_ink = |cell: &Cell| !self.look.is_blank(cell);
-        let end = next.iter().rposition(is_ink).map_or(0, |i| i + 1);
-        let to_erase = previous[end..].iter().filter(|c| is_ink(c)).count();
-        if to_erase > ERASING {
-            (to_u16(end), true)
-        } else {
-            (to_u16(next.len()), false)
+        let last = changes.iter().rev();
+        let last = last.take_while(|change| !is_ink(&next[usize::from(change.x)]));
+        if last.filter(|c| self.takes_away(c)).count() <= ERASING {
+            return None;
         }
+        let end = next.iter().rposition(is_ink).map_or(0, |i| to_u16(i + 1));
+        let behind = changes.iter().filter(|change| change.x >= end);
+        (behind.filter(|c| self.takes_away(c)).count() > ERASING).then_some(end)
     }
 }
 
-/// From the first to the last of some columns whose cells differ.
-fn changed(columns: Range<u16>, shown: &[Cell], next: &[Cell]) -> Option<Range<u16>> {
-    let differs = |x: &u16| !identical(&shown[usize::from(*x)], &next[usize::from(*x)]);
-    let first = columns.clone().find(differs)?;
-    let last = columns.rev().find(differs)?;
-    Some(first..last + 1)
+/// Nothing from here to the end of the row.
+fn erased(x: u16, y: u16) -> CellChange {
+    CellChange {
+        x,
+        y,
+        style: Sgr::PLAIN,
+        what: ToWrite::Nothing,
+    }
+}
+
+/// Some columns of a row, as an index into its cells.
+fn within(columns: &Range<u16>) -> Range<usize> {
+    usize::from(columns.start)..usize::from(columns.end)
 }
 
 /// Gives blanks the style of what is written nearest to them in their row, where it does not show on them.
