@@ -91,10 +91,16 @@ impl Poses {
         if self.calm.is_empty() {
             return self;
         }
-        let met = tips.iter().filter(|(_, room)| !room.is_empty());
-        let met: Vec<(f64, Bounds)> = met
-            .filter_map(|&(at, room)| Some((self.place(at)?, room)))
-            .collect();
+        let known = tips.iter().filter(|(_, room)| !room.is_empty());
+        let known = known.filter_map(|&(at, room)| Some((self.place(at)?, room)));
+        // There may be hundreds of arrows at one coordinate: they make one room.
+        let mut met: Vec<(f64, Bounds)> = Vec::new();
+        for (place, room) in known {
+            match met.last_mut() {
+                Some((last, all)) if *last == place => *all = all.with(room),
+                _ => met.push((place, room)),
+            }
+        }
         let held = self.gathered(&met, 1.0);
         self.tips = self.means(&self.most(&held, CLOSE), CLOSE);
         self

@@ -38,7 +38,7 @@ impl App {
         self.look(self.shell.view);
         self.shell.scroll = [0; View::ALL.len()];
         self.followed = FollowedPoints::default();
-        self.viewport.reset();
+        self.viewport.lens.reset();
         self.cursor = Cursor::default();
         self.meet();
     }
@@ -48,7 +48,7 @@ impl App {
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
         let before = self.player.open_scene.scene();
         self.followed = self.followed.moved(before, &opened.scene);
-        self.viewport.move_to(before, &opened.scene);
+        self.viewport.lens.move_to(before, &opened.scene);
         if let Mode::PlotList(list) = &mut self.shell.mode {
             list.move_to(&opened.scene);
         }

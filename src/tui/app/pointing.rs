@@ -102,7 +102,9 @@ impl App {
             Under::Tab(view) => self.look_at(view),
             Under::Drawing(view, seen) => {
                 self.pause(now);
-                self.viewport.hold(&self.player.open_scene, seen.window);
+                self.viewport
+                    .lens
+                    .hold(&self.player.open_scene, seen.window);
                 let edits = self.shell.view == View::Scene;
                 let pin = edits.then(|| self.pin_near(seen.place, REACH * seen.column));
                 match pin.flatten() {
@@ -147,7 +149,7 @@ impl App {
     /// The button holds nothing any more.
     pub(super) fn let_go(&mut self) {
         self.shell.grip = Gripped::Nothing;
-        self.viewport.let_go();
+        self.viewport.lens.let_go();
     }
 
     /// What is led by hand does not run on by itself.

@@ -53,7 +53,7 @@ impl App {
     }
 
     fn zoom(&mut self, steps: i8) {
-        if !self.viewport.enlarge(&self.player.open_scene, steps) {
+        if !self.viewport.lens.enlarge(&self.player.open_scene, steps) {
             self.shell.say(words().no_more_to_zoom());
         }
     }
@@ -62,13 +62,17 @@ impl App {
     pub(super) fn zoom_at(&mut self, from_middle: Vec2, larger: bool) {
         let steps = if larger { 1 } else { -1 };
         let open_scene = &self.player.open_scene;
-        if !self.viewport.enlarge_at(open_scene, from_middle, steps) {
+        if !self
+            .viewport
+            .lens
+            .enlarge_at(open_scene, from_middle, steps)
+        {
             self.shell.say(words().no_more_to_zoom());
         }
     }
 
     fn pan(&mut self, right: f64, up: f64) {
-        if !self.viewport.pan(&self.player.open_scene, right, up) {
+        if !self.viewport.lens.pan(&self.player.open_scene, right, up) {
             self.shell.say(words().motion_ends());
         }
     }

@@ -322,6 +322,6 @@ fn what_is_enlarged_stays_where_it_is() {
         }
         // Fitted anew it goes along again.
         bench.press("f");
-        assert!(bench.app().viewport().fits(), "{preset}");
+        assert!(bench.app().viewport().lens.fits(), "{preset}");
     }
 }

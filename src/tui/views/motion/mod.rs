@@ -2,6 +2,7 @@
 
 mod arrangement;
 pub(crate) mod followed;
+mod lens;
 pub(crate) mod viewport;
 
 use super::pane::{Copied, Pane};

@@ -40,7 +40,9 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         line.hint(&Key::Enter.to_string(), words().take());
     }
     for &action in offered(app) {
-        if (action == Action::LineDown && !can_scroll) || (action == FIT && app.viewport().fits()) {
+        if (action == Action::LineDown && !can_scroll)
+            || (action == FIT && app.viewport().lens.fits())
+        {
             continue;
         }
         if let Some((key, name)) = hint_of(app, action) {
